@@ -1,0 +1,96 @@
+"""What an algorithm declares about itself at the foot of its module.
+
+A titled comment (``# Choose the nearer row``) on a line of its own opens a block of the text. A block is entered
+when a line of it runs and left when a line of another block, or the header of a loop that holds titled blocks,
+runs next in the same frame. Views are Python expressions over the locals of such a visit:
+
+* the plain names are the values when the block is *left*;
+* ``before.name`` is the value when it was *entered*;
+* ``candidates`` alone is evaluated on entering, over the plain names, since it is shown before the choice.
+
+Texts for people are plain strings here and are translated where they are shown.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+Emits = Literal["pixels", "coverage", "spans", "fragments", "points", "segments"]
+Kind = Literal["int", "float", "bool", "colour", "image", "points", "ints"]
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """One argument of the function: its name there, how the course writes it, its range and an example."""
+
+    name: str
+    label: str
+    kind: Kind
+    example: Any
+    low: float | None = None
+    high: float | None = None
+    unit: str = ""
+    meaning: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What one block shows when it is left (see the module's text for the names an expression may use).
+
+    ``candidates``, ``chosen`` and ``rejected`` give pixels, as a sequence of (x, y). ``row`` gives one row of the
+    hand table, a tuple as long as ``Entry.columns``: such a visit is one *step*. ``tables`` maps a title to an
+    expression for a local structure and to its column headings. ``sentence`` is a template: each ``{expression}``
+    is replaced by its value and becomes a link, to the variable it names or, for a pair, to the pixel.
+    ``considers`` is the pixel that this block tests without always drawing it, for *Why this pixel?*. ``when``
+    tells several views of one block apart: the first that holds is shown; where it changes, a decision changed.
+    """
+
+    block: str
+    when: str = "True"
+    candidates: str = "()"
+    chosen: str = "()"
+    rejected: str = "()"
+    row: str = ""
+    tables: Mapping[str, tuple[str, tuple[str, ...]]] = field(default_factory=dict)
+    sentence: str = ""
+    considers: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One algorithm of the catalogue.
+
+    ``columns`` heads the hand table as the course writes it: ``p_k`` is shown with a subscript. ``laws`` are the
+    sentences that the tests of this entry prove. ``questions`` are those of the paper it serves, ``next_rung`` the
+    slug of the next one on the ladder, ``tie`` the book whose tie it follows. ``writes`` names the image argument
+    that the text itself writes in place (then a painting sink writes nothing). ``compiles`` is empty, or says why
+    this text is stepped only.
+    """
+
+    function: Callable[..., Iterator[tuple[Any, ...]]]
+    topic: str
+    title: str
+    summary: str
+    parameters: tuple[Parameter, ...]
+    emits: Emits
+    source: str
+    columns: tuple[str, ...] = ()
+    views: tuple[View, ...] = ()
+    laws: tuple[str, ...] = ()
+    not_laws: tuple[str, ...] = ()
+    questions: tuple[int, ...] = ()
+    labs: tuple[str, ...] = ()
+    next_rung: str = ""
+    tie: str = ""
+    writes: str = ""
+    compiles: str = ""
+
+    @property
+    def slug(self) -> str:
+        """The function's own name."""
+        return self.function.__name__
+
+    @property
+    def example(self) -> tuple[Any, ...]:
+        """The arguments of the entry's own example."""
+        return tuple(parameter.example for parameter in self.parameters)

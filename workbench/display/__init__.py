@@ -1,0 +1,1 @@
+"""The tube: frame buffer, display list, beam, phosphor."""

@@ -1,0 +1,1 @@
+"""Stepping and compiling the text of an algorithm."""

@@ -1,0 +1,39 @@
+"""The only place that knows where files are: the program's own resources and the user's folders.
+
+The variable ``GRAPHICS_WORKBENCH_PROFILE`` names a folder that then holds everything the program keeps
+(settings, recovery, cache), so that tests and the tour start from a fresh profile.
+"""
+
+import os
+from pathlib import Path
+
+from platformdirs import PlatformDirs
+
+_PACKAGE = Path(__file__).parent
+_USER = PlatformDirs("graphics-workbench", appauthor=False)
+
+
+def resource(*parts: str) -> Path:
+    """Path of a file in ``resources/``: inside the package in a wheel, beside it in a checkout."""
+    inside = _PACKAGE / "resources"
+    return (inside if inside.is_dir() else _PACKAGE.parent / "resources").joinpath(*parts)
+
+
+def _kept(name: str, default: str) -> Path:
+    profile = os.environ.get("GRAPHICS_WORKBENCH_PROFILE")
+    return Path(profile) / name if profile else Path(default)
+
+
+def settings_folder() -> Path:
+    """Folder of the settings; made by who writes there first."""
+    return _kept("settings", _USER.user_config_dir)
+
+
+def recovery_folder() -> Path:
+    """Folder of the recovery files and their locks."""
+    return _kept("recovery", _USER.user_state_dir)
+
+
+def cache_folder() -> Path:
+    """Folder of the compiled readings; may be deleted at any time."""
+    return _kept("cache", _USER.user_cache_dir)

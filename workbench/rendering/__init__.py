@@ -1,0 +1,1 @@
+"""From the document to frame buffer and display list."""

@@ -1,0 +1,1 @@
+"""What an open window holds: document, undo, selection, runs."""

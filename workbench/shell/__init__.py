@@ -1,0 +1,1 @@
+"""Main window, workspaces, home, actions, settings, theme, tour."""
