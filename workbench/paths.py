@@ -1,7 +1,8 @@
 """The only place that knows where files are: the program's own resources and the user's folders.
 
 The variable ``GRAPHICS_WORKBENCH_PROFILE`` names a folder that then holds everything the program keeps
-(settings, recovery, cache), so that tests and the tour start from a fresh profile.
+(settings, recovery, cache), so that tests and the tour start from a fresh profile. ``GRAPHICS_WORKBENCH_CACHE``
+names the folder of the compiled readings alone, which are named by their content and so may be shared.
 """
 
 import os
@@ -36,4 +37,5 @@ def recovery_folder() -> Path:
 
 def cache_folder() -> Path:
     """Folder of the compiled readings; may be deleted at any time."""
-    return _kept("cache", _USER.user_cache_dir)
+    shared = os.environ.get("GRAPHICS_WORKBENCH_CACHE")
+    return Path(shared) if shared else _kept("cache", _USER.user_cache_dir)

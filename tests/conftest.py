@@ -1,0 +1,61 @@
+"""What every test stands on: no window, a fresh profile each, and nothing said unasked.
+
+Python warnings and Qt warnings fail a test through ``pyproject.toml``; a log record of level WARNING or above
+fails it here, unless the test asks for ``caplog`` and so judges the records itself.
+"""
+
+import itertools
+import logging
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, settings
+
+ROOT = Path(__file__).resolve().parent.parent
+
+# Set before any test module imports Qt or the engine. The compiled readings are named by what went into them,
+# so runs may share them: compiling anew would take minutes.
+os.environ["QT_QPA_PLATFORM"] = "offscreen"
+os.environ["LANGUAGE"] = "en"
+os.environ.setdefault("GRAPHICS_WORKBENCH_CACHE", str(ROOT / ".pytest_cache" / "compiled"))
+
+settings.register_profile(
+    "workbench", deadline=None, max_examples=60, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.register_profile("ci", settings.get_profile("workbench"), derandomize=True)
+settings.load_profile("ci" if os.environ.get("CI") else "workbench")
+
+_numbers = itertools.count()
+
+
+@pytest.fixture(autouse=True)
+def profile(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """The folder that holds all the program keeps during this test; not there until something is written."""
+    folder = tmp_path_factory.getbasetemp() / "profiles" / str(next(_numbers))
+    os.environ["GRAPHICS_WORKBENCH_PROFILE"] = str(folder)
+    yield folder
+    os.environ.pop("GRAPHICS_WORKBENCH_PROFILE", None)
+
+
+class _Unexpected(logging.Handler):
+    def __init__(self) -> None:
+        super().__init__(logging.WARNING)
+        self.records: list[logging.LogRecord] = []
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self.records.append(record)
+
+
+@pytest.fixture(autouse=True)
+def _quiet_log(request: pytest.FixtureRequest) -> Iterator[None]:
+    handler = _Unexpected()
+    logging.getLogger().addHandler(handler)
+    yield
+    logging.getLogger().removeHandler(handler)
+    if handler.records and "caplog" not in request.fixturenames:
+        said = "\n".join(
+            f"{record.levelname} {record.name}: {record.getMessage()}" for record in handler.records
+        )
+        pytest.fail(f"unexpected log records:\n{said}", pytrace=False)
