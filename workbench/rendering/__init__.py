@@ -1,1 +1,21 @@
-"""From the document to frame buffer and display list."""
+"""Document to frame buffer and display list, through the viewing pipeline; and why a pixel is as it is."""
+
+from workbench.rendering.display_list import Stroke, display_list, unshown
+from workbench.rendering.pipeline import Call, device_map
+from workbench.rendering.raster import arguments, emitted, figure_calls, frame_buffer, painter_of
+from workbench.rendering.why import Touch, why
+
+__all__ = [
+    "Call",
+    "Stroke",
+    "Touch",
+    "arguments",
+    "device_map",
+    "display_list",
+    "emitted",
+    "figure_calls",
+    "frame_buffer",
+    "painter_of",
+    "unshown",
+    "why",
+]

@@ -1,0 +1,76 @@
+"""A sheet as a display list: what a random-scan tube draws, one stroke after the other.
+
+Strokes are in device coordinates (pixels, float, not rounded: a vector tube has no pixels), clipped to the
+viewport. A filled area has no strokes and cannot be shown.
+"""
+
+import math
+from typing import NamedTuple
+
+from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, SeedFill, Sheet
+from workbench.language import _
+from workbench.rendering.limits import clip_segment
+from workbench.rendering.pipeline import box, colour_of, device_map, device_radii, world_segments
+
+FLATNESS_PX = 0.05
+"""Largest distance between a curve and the chords that stand for it."""
+
+
+class Stroke(NamedTuple):
+    """One straight movement of the lit beam, device coordinates in pixels; ``figure`` is an index."""
+
+    x0: float
+    y0: float
+    x1: float
+    y1: float
+    colour: int
+    figure: int
+
+
+def _ellipse_chords(
+    xc: float, yc: float, rx: float, ry: float, flatness: float
+) -> list[tuple[float, float, float, float]]:
+    largest = max(rx, ry)
+    # The sagitta of a chord over the angle a is r (1 - cos(a / 2)).
+    half_angle = math.acos(max(1.0 - flatness / largest, -1.0)) if largest > flatness else math.pi / 8
+    count = max(8, 4 * math.ceil(math.pi / (4.0 * half_angle)))
+    points = [
+        (xc + rx * math.cos(2 * math.pi * k / count), yc + ry * math.sin(2 * math.pi * k / count))
+        for k in range(count)
+    ]
+    points.append(points[0])
+    return [(*a, *b) for a, b in zip(points, points[1:], strict=False)]
+
+
+def _segments(sheet: Sheet, figure: AnyFigure, flatness: float) -> list[tuple[float, float, float, float]]:
+    scale = device_map(sheet)
+    if isinstance(figure, Line | Polyline):
+        return [(*scale.point(x0, y0), *scale.point(x1, y1)) for x0, y0, x1, y1 in world_segments(figure)]
+    if isinstance(figure, Circle | Ellipse) and figure.points_world:
+        centre = scale.point(figure.points_world[0].x, figure.points_world[0].y)
+        return _ellipse_chords(*centre, *device_radii(sheet, figure), flatness)
+    return []
+
+
+def display_list(sheet: Sheet, flatness_px: float = FLATNESS_PX) -> list[Stroke]:
+    """The strokes of every visible figure from back to front; a seed fill has none (see ``unshown``)."""
+    strokes: list[Stroke] = []
+    bounds = box(sheet.viewport_device)
+    for index, figure in enumerate(sheet.figures):
+        if not figure.visible:
+            continue
+        colour = colour_of(sheet, figure)
+        for segment in _segments(sheet, figure, flatness_px):
+            seen = clip_segment(*segment, *bounds)
+            if seen is not None:
+                strokes.append(Stroke(*seen, colour, index))
+    return strokes
+
+
+def unshown(sheet: Sheet) -> list[tuple[str, str]]:
+    """Id of every visible figure that a vector tube cannot show, with the sentence that says why."""
+    reason = _(
+        "A vector tube draws strokes and has no memory of areas, so the seed fill is missing here. "
+        "Look at it on the raster tube."
+    )
+    return [(f.id, reason) for f in sheet.figures if f.visible and isinstance(f, SeedFill)]

@@ -1,0 +1,35 @@
+"""How far outside the picture an algorithm is let walk.
+
+A scan conversion visits every pixel of its figure, seen or not. A line that reaches further than ``REACH_PX``
+beyond the picture is cut there first; cutting nearer would change its slope in the picture by rounding.
+"""
+
+REACH_PX = 1 << 14
+
+
+def clip_segment(
+    x0: float, y0: float, x1: float, y1: float, xmin: float, ymin: float, xmax: float, ymax: float
+) -> tuple[float, float, float, float] | None:
+    """What of a segment lies in a rectangle, or None; a segment inside comes back unchanged."""
+    u_enter, u_leave = 0.0, 1.0
+    dx, dy = x1 - x0, y1 - y0
+    for p, q in ((-dx, x0 - xmin), (dx, xmax - x0), (-dy, y0 - ymin), (dy, ymax - y0)):
+        if p == 0.0:
+            if q < 0.0:
+                return None
+        elif p < 0.0:
+            u_enter = max(u_enter, q / p)
+        else:
+            u_leave = min(u_leave, q / p)
+    if u_enter > u_leave:
+        return None
+    start = (x0, y0) if u_enter == 0.0 else (x0 + u_enter * dx, y0 + u_enter * dy)
+    end = (x1, y1) if u_leave == 1.0 else (x0 + u_leave * dx, y0 + u_leave * dy)
+    return (*start, *end)
+
+
+def within_reach(
+    x0: float, y0: float, x1: float, y1: float, width: int, height: int
+) -> tuple[float, float, float, float] | None:
+    """A device segment, cut where it leaves the reach of a picture (pixels); None when it never comes near."""
+    return clip_segment(x0, y0, x1, y1, -REACH_PX, -REACH_PX, width + REACH_PX, height + REACH_PX)
