@@ -55,7 +55,5 @@ def _quiet_log(request: pytest.FixtureRequest) -> Iterator[None]:
     yield
     logging.getLogger().removeHandler(handler)
     if handler.records and "caplog" not in request.fixturenames:
-        said = "\n".join(
-            f"{record.levelname} {record.name}: {record.getMessage()}" for record in handler.records
-        )
+        said = "\n".join(f"{one.levelname} {one.name}: {one.getMessage()}" for one in handler.records)
         pytest.fail(f"unexpected log records:\n{said}", pytrace=False)

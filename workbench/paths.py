@@ -1,8 +1,9 @@
 """The only place that knows where files are: the program's own resources and the user's folders.
 
 The variable ``GRAPHICS_WORKBENCH_PROFILE`` names a folder that then holds everything the program keeps
-(settings, recovery, cache), so that tests and the tour start from a fresh profile. ``GRAPHICS_WORKBENCH_CACHE``
-names the folder of the compiled readings alone, which are named by their content and so may be shared.
+(settings, recovery, cache), so that tests and the tour start from a fresh profile.
+``GRAPHICS_WORKBENCH_CACHE`` names only the folder of the compiled readings, which are named by their content
+and so may be shared.
 """
 
 import os
