@@ -161,9 +161,7 @@ def set_up(extras, wheels):
             make_environment()
         if wheels:
             source = ["--no-index", "--find-links", str(wheels)]
-            say(
-                f"Installing {len(requirements)} packages and what they need from {wheels}, without a network."
-            )
+            say(f"Installing {len(requirements)} packages and what they need from {wheels}, no network.")
         else:
             source = []
             say(
@@ -233,7 +231,7 @@ def provide_libraries(plugin):
         packages = {debian_package(library) for library in missing} - {""}
         if not packages - known:
             raise SetUpError(
-                f"Qt lacks {', '.join(missing)}, and apt knows no package for it: try sudo apt-get update first."
+                f"Qt lacks {', '.join(missing)}, which no package known to apt has: try sudo apt-get update."
             )
         install = ["apt-get", "install", "-y", "--no-install-recommends", *sorted(packages)]
         if not root:
