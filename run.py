@@ -40,7 +40,7 @@ USAGE = """usage: python3 run.py                  start the program
 --wheels DIR   with any of these: install from the wheels in DIR, without a network"""
 
 # What needs no display, and the Qt platform plugin it loads all the same (none: it does without Qt).
-WITHOUT_WINDOW = {"list": "", "trace": "", "draw": "", "setup": "", "tour": "offscreen", "test": "offscreen"}
+WITHOUT_WINDOW = {"list": "", "trace": "", "draw": "", "tour": "offscreen", "test": "offscreen"}
 
 
 class SetUpError(Exception):
@@ -261,6 +261,8 @@ def platform_of(command):
         return "xcb"
     if os.environ.get("WAYLAND_DISPLAY"):
         return "wayland"
+    if command == "setup":
+        return "offscreen"
     raise SetUpError(
         "There is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set): "
         "python3 run.py tour DIR writes a picture of every workspace without one."
