@@ -11,17 +11,22 @@ runs next in the same frame. Views are Python expressions over the locals of suc
 Texts for people are plain strings here and are translated where they are shown.
 """
 
+import copy
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
 Emits = Literal["pixels", "coverage", "spans", "fragments", "points", "segments"]
-Kind = Literal["int", "float", "bool", "colour", "image", "points", "ints"]
+Kind = Literal["int", "float", "bool", "colour", "image", "depth", "points", "ints"]
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """One argument of the function: its name there, how the course writes it, its range and an example."""
+    """One argument of the function: its name there, how the course writes it, its range and an example.
+
+    An ``image`` is an integer array (h, w), a ``depth`` buffer a float64 array (h, w), ``points`` a float64 array
+    (n, 2) or (n, 3), ``ints`` an integer array. ``low`` and ``high`` bound a number, both included.
+    """
 
     name: str
     label: str
@@ -92,5 +97,5 @@ class Entry:
 
     @property
     def example(self) -> tuple[Any, ...]:
-        """The arguments of the entry's own example."""
-        return tuple(parameter.example for parameter in self.parameters)
+        """The arguments of the entry's own example; a fresh copy, since a text may write into its arrays."""
+        return tuple(copy.deepcopy(parameter.example) for parameter in self.parameters)

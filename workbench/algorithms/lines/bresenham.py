@@ -8,7 +8,9 @@ k               number of the step, from 0
 
 from collections.abc import Iterator
 
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.lines.axes import pixel
+from workbench.algorithms.lines.ends import END_POINTS
 
 
 def bresenham_line(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
@@ -53,3 +55,72 @@ def bresenham_line(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, in
             yield y, x
         else:
             yield x, y
+
+
+def _candidates(x: int, y: int, step_x: int, step_y: int, steep: bool) -> tuple[tuple[int, int], ...]:
+    """The straight and the diagonal neighbour, E and NE on a flat rising line."""
+    return pixel(x + step_x, y, steep), pixel(x + step_x, y + step_y, steep)
+
+
+_ROW = "(k, before.p, pixel(x + step_x, y, steep))"
+_CANDIDATES = "_candidates(x, y, step_x, step_y, steep)"
+_CHOSEN = "(pixel(x + step_x, y, steep),)"
+_STRAIGHT = "(pixel(x + step_x, before.y, steep),)"
+
+ENTRY = Entry(
+    function=bresenham_line,
+    topic="lines",
+    title="Bresenham's line",
+    summary="Chooses between two pixels at each step by the sign of an integer; adds and compares, nothing else.",
+    parameters=END_POINTS,
+    emits="pixels",
+    source="Hearn and Baker, Computer Graphics, C Version, section 3-2",
+    columns=("k", "p_k", "(x_{k+1}, y_{k+1})"),
+    views=(
+        View(
+            block="Plot the first end point",
+            chosen="(pixel(x, y, steep),)",
+            sentence="Start at {pixel(x, y, steep)}. The first p is 2Δy − Δx = {two_dy} − {dx} = {p}.",
+        ),
+        View(
+            block="Choose the nearer row",
+            when="before.p < 0",
+            candidates=_CANDIDATES,
+            chosen=_CHOSEN,
+            rejected="(pixel(x + step_x, y + step_y, steep),)",
+            row=_ROW,
+            sentence="p = {before.p} is negative: the line is nearer to {pixel(x + step_x, y, steep)} "
+            "than to {pixel(x + step_x, y + step_y, steep)}. Next p = {before.p} + 2Δy = {p}.",
+        ),
+        View(
+            block="Choose the nearer row",
+            when="before.p == 0",
+            candidates=_CANDIDATES,
+            chosen=_CHOSEN,
+            rejected=_STRAIGHT,
+            row=_ROW,
+            sentence="p = {before.p}: the line passes exactly halfway, and the book takes the diagonal, "
+            "{pixel(x + step_x, y, steep)}. Next p = {before.p} + 2Δy − 2Δx = {p}.",
+        ),
+        View(
+            block="Choose the nearer row",
+            candidates=_CANDIDATES,
+            chosen=_CHOSEN,
+            rejected=_STRAIGHT,
+            row=_ROW,
+            sentence="p = {before.p} is positive: the line is nearer to {pixel(x + step_x, y, steep)} "
+            "than to {pixel(x + step_x, before.y, steep)}. Next p = {before.p} + 2Δy − 2Δx = {p}.",
+        ),
+    ),
+    laws=(
+        "One pixel for each step along the longer side, both ends included.",
+        "Each pixel is a nearest one to the true line; exactly halfway, the one farther from the first end.",
+        "Neighbouring pixels touch along a side or at a corner.",
+        "Mirrored end points give the mirrored pixels.",
+    ),
+    not_laws=("The line drawn backwards has the same pixels: where it passes exactly halfway, it may not.",),
+    questions=(11,),
+    labs=("Line drawing: Bresenham",),
+    next_rung="midpoint_line",
+    tie="Hearn and Baker: p >= 0 takes the diagonal",
+)

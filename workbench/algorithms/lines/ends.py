@@ -1,0 +1,12 @@
+"""The end points that every line algorithm takes, with the example of the course."""
+
+from workbench.algorithms.entry import Parameter
+
+LOW, HIGH = -32768, 32767
+
+END_POINTS = (
+    Parameter("x0", "x_0", "int", 20, LOW, HIGH, "px", "first end point, column"),
+    Parameter("y0", "y_0", "int", 10, LOW, HIGH, "px", "first end point, row"),
+    Parameter("x1", "x_1", "int", 30, LOW, HIGH, "px", "second end point, column"),
+    Parameter("y1", "y_1", "int", 18, LOW, HIGH, "px", "second end point, row"),
+)
