@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject, Signal
 
 
 class Comfort(QObject):
-    """``calm`` is on until switched off: no flashing, no motion that was not asked for. ``changed`` follows it."""
+    """``calm`` is on until switched off: no flashing, no motion unasked for. ``changed`` follows it."""
 
     changed = Signal()
 

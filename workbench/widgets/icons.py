@@ -1,5 +1,6 @@
-"""Icons of one family (Phosphor, regular weight), coloured by the tokens. The icon font is loaded with the first
-icon asked for, so ask after the first frame.
+"""Icons of one family (Phosphor, regular weight), coloured by the tokens.
+
+The icon font is loaded with the first icon asked for, so ask after the first frame.
 """
 
 from functools import cache
@@ -16,13 +17,13 @@ _made: dict[tuple[str, str, str, str], QIcon] = {}
 @cache
 def _font() -> Any:
     """The icon font. Only this one family of the many that QtAwesome brings, which keeps loading at 15 ms."""
-    from qtawesome.iconic_font import IconicFont
+    import qtawesome
 
-    return IconicFont(("ph", "phosphor-1.3.0.ttf", "phosphor-charmap-1.3.0.json"))
+    return qtawesome.IconicFont(next(font for font in qtawesome._BUNDLED_FONTS if font[0] == "ph"))
 
 
 def icon(name: str, role: str = "text") -> QIcon:
-    """The icon ``name`` ("play", "skip-back", ...) in the colour of the token ``role``, fainter when disabled.
+    """The icon ``name`` ("play", "skip-back") in the colour of the token ``role``, fainter when disabled.
 
     Raises LookupError for a name that the family does not have.
     """

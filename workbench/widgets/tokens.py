@@ -12,8 +12,9 @@ from PySide6.QtGui import QColor
 class Tokens:
     """One theme. Every colour is a ``#RRGGBB`` text; ``colour`` makes it a QColor.
 
-    ``data`` are six colours for data, told apart also without colour vision: the first algorithm takes data[0],
-    the second data[1]; a shape or pattern stands beside every colour. ``agreement`` is for what both share.
+    ``data`` are six colours for data, told apart also without colour vision: the first algorithm takes
+    data[0], the second data[1]; a shape or pattern stands beside every colour. ``agreement`` is for what both
+    share, ``selected`` lies behind selected rows.
     """
 
     name: str
