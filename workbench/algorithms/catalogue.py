@@ -4,8 +4,12 @@ import difflib
 
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.lines import bresenham
+from workbench.algorithms.visibility import depth_buffer
 
-_ENTRIES: tuple[Entry, ...] = (bresenham.ENTRY,)
+_ENTRIES: tuple[Entry, ...] = (
+    bresenham.ENTRY,
+    depth_buffer.ENTRY,
+)
 
 _BY_SLUG = {entry.slug: entry for entry in _ENTRIES}
 

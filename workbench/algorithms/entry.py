@@ -1,8 +1,8 @@
 """What an algorithm declares about itself at the foot of its module.
 
-A titled comment (``# Choose the nearer row``) on a line of its own opens a block of the text. A block is entered
-when a line of it runs and left when a line of another block, or the header of a loop that holds titled blocks,
-runs next in the same frame. Views are Python expressions over the locals of such a visit:
+A titled comment (``# Choose the nearer row``) on a line of its own opens a block of the text. A block is
+entered when a line of it runs and left when a line of another block, or the header of a loop that holds
+titled blocks, runs next in the same frame. Views are Python expressions over the locals of such a visit:
 
 * the plain names are the values when the block is *left*;
 * ``before.name`` is the value when it was *entered*;
@@ -24,8 +24,9 @@ Kind = Literal["int", "float", "bool", "colour", "image", "depth", "points", "in
 class Parameter:
     """One argument of the function: its name there, how the course writes it, its range and an example.
 
-    An ``image`` is an integer array (h, w), a ``depth`` buffer a float64 array (h, w), ``points`` a float64 array
-    (n, 2) or (n, 3), ``ints`` an integer array. ``low`` and ``high`` bound a number, both included.
+    An ``image`` is an integer array (h, w), a ``depth`` buffer a float64 array (h, w), ``points`` a
+    float64 array (n, 2) or (n, 3), ``ints`` an integer array. ``low`` and ``high`` bound a number, both
+    included.
     """
 
     name: str
@@ -42,12 +43,13 @@ class Parameter:
 class View:
     """What one block shows when it is left (see the module's text for the names an expression may use).
 
-    ``candidates``, ``chosen`` and ``rejected`` give pixels, as a sequence of (x, y). ``row`` gives one row of the
-    hand table, a tuple as long as ``Entry.columns``: such a visit is one *step*. ``tables`` maps a title to an
-    expression for a local structure and to its column headings. ``sentence`` is a template: each ``{expression}``
-    is replaced by its value and becomes a link, to the variable it names or, for a pair, to the pixel.
-    ``considers`` is the pixel that this block tests without always drawing it, for *Why this pixel?*. ``when``
-    tells several views of one block apart: the first that holds is shown; where it changes, a decision changed.
+    ``candidates``, ``chosen`` and ``rejected`` give pixels, as a sequence of (x, y). ``row`` gives one
+    row of the hand table, a tuple as long as ``Entry.columns``: such a visit is one *step*. ``tables``
+    maps a title to an expression for a local structure and to its column headings. ``sentence`` is a
+    template: each ``{expression}`` is replaced by its value and becomes a link, to the variable it names
+    or, for a pair, to the pixel. ``considers`` is the pixel that this block tests without always drawing
+    it, for *Why this pixel?*. ``when`` tells several views of one block apart: the first that holds is
+    shown; where it changes, a decision changed.
     """
 
     block: str
@@ -65,11 +67,11 @@ class View:
 class Entry:
     """One algorithm of the catalogue.
 
-    ``columns`` heads the hand table as the course writes it: ``p_k`` is shown with a subscript. ``laws`` are the
-    sentences that the tests of this entry prove. ``questions`` are those of the paper it serves, ``next_rung`` the
-    slug of the next one on the ladder, ``tie`` the book whose tie it follows. ``writes`` names the image argument
-    that the text itself writes in place (then a painting sink writes nothing). ``compiles`` is empty, or says why
-    this text is stepped only.
+    ``columns`` heads the hand table as the course writes it: ``p_k`` is shown with a subscript. ``laws``
+    are the sentences that the tests of this entry prove. ``questions`` are those of the paper it serves,
+    ``next_rung`` the slug of the next one on the ladder, ``tie`` the book whose tie it follows.
+    ``writes`` names the image argument that the text itself writes in place (then a painting sink writes
+    nothing). ``compiles`` is empty, or says why this text is stepped only.
     """
 
     function: Callable[..., Iterator[tuple[Any, ...]]]

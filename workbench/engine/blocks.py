@@ -1,9 +1,9 @@
 """The titled blocks of an algorithm's text.
 
-A comment on a line of its own opens a block, and its first line is the title. The block reaches to the next title
-at the same or a smaller indentation, and to the end of the lines indented like it. A title further in opens a
-block inside. The header of a loop that holds titled blocks belongs to no block, nor does what follows such a loop
-at the same indentation before the next title.
+A comment on a line of its own opens a block, and its first line is the title. The block reaches to the
+next title at the same or a smaller indentation, and to the end of the lines indented like it. A title
+further in opens a block inside. The header of a loop that holds titled blocks belongs to no block, nor
+does what follows such a loop at the same indentation before the next title.
 """
 
 import functools
@@ -47,7 +47,7 @@ class _Line:
 
 @functools.cache
 def blocks(function: Callable[..., Any]) -> tuple[Block, ...]:
-    """The titled blocks of ``function``, from top to bottom. Raises OSError when its source cannot be found."""
+    """The titled blocks of ``function``, from top to bottom. OSError: its source cannot be found."""
     source, start = inspect.getsourcelines(function)
     text = _logical_lines("".join(source), start - 1)
     found: list[tuple[_Line, list[int]]] = []

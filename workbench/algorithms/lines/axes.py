@@ -1,4 +1,4 @@
-"""The two frames of a line that swaps its axes when it is steep: names for the views of the line algorithms."""
+"""The two frames of a line that swaps its axes when it is steep."""
 
 
 def pixel(x: int, y: int, steep: bool) -> tuple[int, int]:
