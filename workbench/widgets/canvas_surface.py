@@ -1,0 +1,224 @@
+"""The seen half of the pixel canvas: the picture, its zoom and pan, and the painting."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from workbench.language import _
+from workbench.widgets.canvas_marks import paint_label, ring
+from workbench.widgets.canvas_overlay import Cell, Overlay
+from workbench.widgets.canvas_painter import Picture, Scene, paint_rulers, paint_scene, ruler_sizes
+from workbench.widgets.canvas_view import Area, CanvasView, centred, fitted
+from workbench.widgets.tokens import theme_changed, tokens
+
+MARGIN = 12
+
+
+class CanvasSurface(QWidget):
+    """A picture of cells under grid, rulers and marks. ``view_changed`` sends the zoom in percent."""
+
+    view_changed = Signal(float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMinimumSize(160, 120)
+        self.setAccessibleName(_("Picture"))
+        self._picture = Picture(np.zeros((1, 1), np.uint32), 0)
+        self._overlay = Overlay()
+        self._view = CanvasView()
+        self._keeps_fit = True
+        self._describe: Callable[[int, int], str] | None = None
+        self._tag = ""
+        self._hover: Cell | None = None
+        self._pointer = QPointF()
+        self._cursor: Cell | None = None
+        theme_changed.connect(self.update)
+
+    # What is shown
+
+    def set_picture(self, pixels: NDArray[np.uint32], background: int | None = None) -> None:
+        """Show (h, w) 0xRRGGBB cells, indexed [y, x]; ``background`` is shown as the theme's canvas.
+
+        The array is kept, not copied, and must not be written afterwards.
+        """
+        before = self._picture.size
+        self._picture = Picture(pixels, background)
+        if self._picture.size != before:
+            if self._cursor is not None:
+                self._cursor = self._inside(*self._cursor)
+            self.fit()
+        self.update()
+
+    def set_overlay(self, overlay: Overlay) -> None:
+        """Show other marks."""
+        self._overlay = overlay
+        self.update()
+
+    def set_describer(self, describe: Callable[[int, int], str] | None) -> None:
+        """``describe(x, y)`` names what is at a cell: the pointer's tag, and what a screen reader says."""
+        self._describe = describe
+
+    def set_tag(self, text: str) -> None:
+        """Text beside the pointer while something is being dragged; empty shows what the pointer is over."""
+        if text != self._tag:
+            self._tag = text
+            self.update()
+
+    @property
+    def overlay(self) -> Overlay:
+        """The marks shown now."""
+        return self._overlay
+
+    @property
+    def picture_size(self) -> tuple[int, int]:
+        """Width and height in cells."""
+        return self._picture.size
+
+    # Zoom and pan
+
+    @property
+    def view(self) -> CanvasView:
+        """The mapping between cells and screen pixels."""
+        return self._view
+
+    @property
+    def zoom_percent(self) -> float:
+        """100 is one cell on one pixel of the screen."""
+        return self._view.cell * 100
+
+    def fit(self) -> None:
+        """The whole picture, as large as whole cells allow; stays so when the widget is resized."""
+        self._keeps_fit = True
+        self._show(
+            fitted(self._area(), *self._picture.size, round(MARGIN * self.devicePixelRatioF())), keep=True
+        )
+
+    def actual_size(self) -> None:
+        """One cell on one pixel of the screen."""
+        self._show(centred(self._area(), *self._picture.size, 1.0))
+
+    def zoom(self, steps: int, about: QPointF | None = None) -> None:
+        """Nearer (or, negative, farther) by levels, about a point of the widget, or about its middle."""
+        x, y = self._area().centre if about is None else self._screen(about)
+        self._show(self._view.zoomed(steps, x, y))
+
+    def set_view(self, view: CanvasView) -> None:
+        """Take over the view of another canvas, so that two lie side by side alike."""
+        if view != self._view:
+            self._show(view)
+
+    def _show(self, view: CanvasView, keep: bool = False) -> None:
+        self._keeps_fit = keep
+        margin = round(4 * MARGIN * self.devicePixelRatioF())
+        self._view = view.kept_near(self._area(), *self._picture.size, margin)
+        self.view_changed.emit(self.zoom_percent)
+        self.update()
+
+    def _area(self) -> Area:
+        unit = self.devicePixelRatioF()
+        ruler_width, ruler_height = ruler_sizes(self.font(), self._picture.size, unit)
+        return Area(ruler_width, 0, round(self.width() * unit), round(self.height() * unit) - ruler_height)
+
+    def _screen(self, position: QPointF) -> tuple[float, float]:
+        unit = self.devicePixelRatioF()
+        return position.x() * unit, position.y() * unit
+
+    def device_position(self, position: QPointF) -> tuple[float, float]:
+        """Device point under a position of the widget (logical pixels)."""
+        return self._view.to_device(*self._screen(position))
+
+    def widget_position(self, x: float, y: float) -> QPointF:
+        """Position in the widget (logical pixels) of a device point."""
+        unit = self.devicePixelRatioF()
+        screen_x, screen_y = self._view.to_screen(x, y)
+        return QPointF(screen_x / unit, screen_y / unit)
+
+    def _inside(self, x: int, y: int) -> Cell:
+        width, height = self._picture.size
+        return min(max(x, 0), width - 1), min(max(y, 0), height - 1)
+
+    def sizeHint(self) -> QSize:
+        """Room enough to be useful."""
+        return QSize(640, 480)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """A fitted picture stays fitted, another keeps its middle."""
+        if self._keeps_fit:
+            self.fit()
+        else:
+            unit, old = self.devicePixelRatioF(), event.oldSize()
+            right = round((self.width() - old.width()) * unit / 2)
+            down = round((self.height() - old.height()) * unit / 2)
+            self._show(self._view.moved(right, down))
+
+    # Painting
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Picture, marks, rulers, cursor and tag."""
+        painter = QPainter(self)
+        unit = self.devicePixelRatioF()
+        origin = painter.deviceTransform()
+        painter.translate(
+            (round(origin.dx()) - origin.dx()) / unit, (round(origin.dy()) - origin.dy()) / unit
+        )
+        painter.scale(1 / unit, 1 / unit)
+        scene = self.scene()
+        area = scene.area
+        painter.fillRect(area.left, area.top, area.width, area.height, QColor(scene.tokens.window))
+        paint_scene(painter, self._picture, scene)
+        paint_rulers(painter, scene, self._cursor or self._hover)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        if self._cursor is not None:
+            self._paint_cursor(painter, scene)
+        tag = self._tag or self._hover_text()
+        if tag:
+            x, y = self._screen(self._pointer)
+            paint_label(painter, tag, x + 14 * unit, y - 10 * unit, scene)
+        if self.hasFocus():
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(QColor(scene.tokens.accent), 2 * unit))
+            painter.drawRect(QRectF(area.left + unit, unit, area.width - 2 * unit, area.height - 2 * unit))
+        painter.end()
+
+    def scene(self) -> Scene:
+        """What is painted now."""
+        unit = self.devicePixelRatioF()
+        return Scene(self._area(), self._view, self._picture.size, tokens(), unit, self.font(), self._overlay)
+
+    @property
+    def picture(self) -> Picture:
+        """The picture shown now."""
+        return self._picture
+
+    def _paint_cursor(self, painter: QPainter, scene: Scene) -> None:
+        assert self._cursor is not None
+        left, top, side = scene.view.cell_box(*self._cursor)
+        painter.setClipRect(QRectF(scene.area.left, scene.area.top, scene.area.width, scene.area.height))
+        ring(painter, QRectF(left, top, side, side).adjusted(-1, -1, 1, 1), scene)
+        painter.setClipping(False)
+        if not self._tag and self._describe is not None:
+            paint_label(painter, self._describe(*self._cursor), left + side, top, scene)
+
+    def _hover_text(self) -> str:
+        if self._hover is None or self._describe is None or self._cursor is not None:
+            return ""
+        return self._describe(*self._hover)
+
+    def grab_picture(self) -> QImage:
+        """What the canvas shows now, without cursor and tag, in screen pixels."""
+        scene = self.scene()
+        area = scene.area
+        _ruler, ruler_height = ruler_sizes(self.font(), self._picture.size, scene.unit)
+        image = QImage(area.right, area.bottom + ruler_height, QImage.Format.Format_RGB32)
+        image.fill(QColor(scene.tokens.surface))
+        painter = QPainter(image)
+        paint_scene(painter, self._picture, scene)
+        paint_rulers(painter, scene, None)
+        painter.end()
+        return image
