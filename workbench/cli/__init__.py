@@ -1,1 +1,5 @@
-"""Everything that works without a window."""
+"""Everything that works without a window: ``list``, ``trace``, ``draw``."""
+
+from workbench.cli.commands import main
+
+__all__ = ["main"]

@@ -1,1 +1,1 @@
-"""Import and export."""
+"""What leaves the program and comes into it: tables and pictures."""

@@ -1,0 +1,34 @@
+"""Where the program starts: a command without a window, or the window. Imports either only then."""
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command in ``arguments`` (default: those of the process) and return its exit status."""
+    words = sys.argv[1:] if arguments is None else list(arguments)
+    if _opens_a_window(words):
+        from workbench.shell.start import start
+
+        return start(words)
+    if words[0] == "tour":
+        from workbench.shell.tour import main as tour
+
+        return tour(words[1:])
+    from workbench import cli
+
+    return cli.main(words)
+
+
+def _opens_a_window(words: Sequence[str]) -> bool:
+    """No command is given: nothing at all, options of the window, or a document to open."""
+    if not words:
+        return True
+    if words[0].startswith("-"):
+        return words[0] not in ("-h", "--help", "--version")
+    return Path(words[0]).suffix == ".gwb"
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,136 @@
+"""The arguments of an algorithm, read from the words of a command line.
+
+A word is a Python literal, or ``@file`` for a literal in a file. A picture is rows of digits, the top row
+first: in the file one row a line, on the command line a list of texts.
+"""
+
+import ast
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from workbench.algorithms.entry import Entry, Parameter
+from workbench.cli.failure import BadInputError
+from workbench.language import _
+
+
+def read_arguments(entry: Entry, words: Sequence[str]) -> tuple[Any, ...]:
+    """The arguments for ``entry.function``. Raises BadInputError, naming the argument."""
+    if len(words) != len(entry.parameters):
+        names = " ".join(parameter.name for parameter in entry.parameters)
+        raise BadInputError(
+            _("{slug} takes {count} arguments ({names}), and {given} were given.").format(
+                slug=entry.slug, count=len(entry.parameters), names=names, given=len(words)
+            )
+        )
+    return tuple(_read(parameter, word) for parameter, word in zip(entry.parameters, words, strict=True))
+
+
+def _read(parameter: Parameter, word: str) -> Any:
+    where = f"{parameter.name} = {word}" if len(word) <= 40 else parameter.name
+    try:
+        text = _file(word[1:]) if word.startswith("@") else word
+        if parameter.kind == "image" and word.startswith("@"):
+            return _picture(text.split())
+        value = _CONVERT[parameter.kind](_literal(text))
+        _check_range(parameter, value)
+    except ValueError as error:
+        raise BadInputError(f"{where}: {error}") from None
+    return value
+
+
+def _file(name: str) -> str:
+    try:
+        return Path(name).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else _("it is not text")
+        raise ValueError(_("the file cannot be read: {reason}.").format(reason=reason)) from None
+
+
+def _literal(text: str) -> Any:
+    try:
+        return ast.literal_eval(text.strip())
+    except (ValueError, SyntaxError, RecursionError, MemoryError):
+        raise ValueError(_("this is not a number or a list as Python writes it.")) from None
+
+
+def _check_range(parameter: Parameter, value: Any) -> None:
+    if parameter.kind not in ("int", "float"):
+        return
+    low, high = parameter.low, parameter.high
+    if low is not None and value < low:
+        raise ValueError(_("it must be at least {low:g}.").format(low=low))
+    if high is not None and value > high:
+        raise ValueError(_("it must be at most {high:g}.").format(high=high))
+
+
+def _whole(value: Any) -> int:
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise ValueError(_("it must be a whole number."))
+    if not -(2**63) <= value < 2**63:
+        raise ValueError(_("it does not fit in 64 bits."))
+    return value
+
+
+def _real(value: Any) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ValueError(_("it must be a number."))
+    if not math.isfinite(value):
+        raise ValueError(_("it must be a finite number."))
+    return float(value)
+
+
+def _truth(value: Any) -> bool:
+    if not isinstance(value, bool | int) or value not in (0, 1):
+        raise ValueError(_("it must be True or False."))
+    return bool(value)
+
+
+def _listed(value: Any) -> list[Any]:
+    if not isinstance(value, list | tuple):
+        raise ValueError(_("it must be a list."))
+    return list(value)
+
+
+def _points(value: Any) -> Any:
+    rows = [[_real(number) for number in _listed(point)] for point in _listed(value)]
+    if len({len(row) for row in rows}) > 1:
+        raise ValueError(_("its points do not all have the same number of coordinates."))
+    return np.array(rows, dtype=np.float64).reshape(len(rows), -1)
+
+
+def _integers(value: Any) -> Any:
+    return np.array([_whole(number) for number in _listed(value)], dtype=np.int64)
+
+
+def _picture(value: Any) -> Any:
+    """An (h, w) array, row 0 lowest, from rows of digits, the top row first."""
+    rows = [
+        str(row) if isinstance(row, str | int) else "".join(map(str, _listed(row))) for row in _listed(value)
+    ]
+    if not rows or not rows[0]:
+        raise ValueError(_("the picture is empty."))
+    for number, row in enumerate(rows, 1):
+        if not (row.isascii() and row.isdecimal()):
+            raise ValueError(_("row {number} of the picture is not made of digits.").format(number=number))
+        if len(row) != len(rows[0]):
+            raise ValueError(
+                _("row {number} of the picture has {length} digits, and the first has {first}.").format(
+                    number=number, length=len(row), first=len(rows[0])
+                )
+            )
+    return np.array([[int(digit) for digit in row] for row in reversed(rows)], dtype=np.int64)
+
+
+_CONVERT = {
+    "int": _whole,
+    "float": _real,
+    "bool": _truth,
+    "colour": _whole,
+    "image": _picture,
+    "points": _points,
+    "ints": _integers,
+}

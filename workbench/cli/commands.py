@@ -1,0 +1,124 @@
+"""The commands and their options."""
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NoReturn
+
+from workbench import __version__
+from workbench.cli.failure import BadInputError, WorkError
+from workbench.language import _
+
+PROGRAM = "graphics-workbench"
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        raise BadInputError(f"{message.rstrip('.')} ({self.prog} --help tells more)")
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Run one command. 0 when it worked; else one line on standard error and 2 for bad input, 1 otherwise."""
+    try:
+        options = _parser().parse_args(arguments)
+        output = options.run(options)
+        if output:
+            sys.stdout.write(output)
+            sys.stdout.flush()
+    except (BadInputError, WorkError) as failure:
+        print(f"{PROGRAM}: {failure}", file=sys.stderr)
+        return 2 if isinstance(failure, BadInputError) else 1
+    except BrokenPipeError:
+        # The reader has gone; what Python still wants to flush on leaving goes nowhere.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
+    except KeyboardInterrupt:
+        return 130
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(prog=PROGRAM, description=_("Without a command, the window opens."))
+    parser.add_argument("--version", action="version", version=f"Graphics Workbench {__version__}")
+    commands = parser.add_subparsers(title=_("commands"), metavar="COMMAND", required=True)
+
+    listing = commands.add_parser("list", help=_("every algorithm: slug, topic, title"))
+    listing.set_defaults(run=_list)
+
+    trace = commands.add_parser("trace", help=_("the hand table of a run, what it emits, or its lines"))
+    trace.add_argument("slug", metavar="SLUG", help=_("the algorithm, as list names it"))
+    trace.add_argument("words", metavar="ARG", nargs="*", help=_("a Python literal, or @file"))
+    trace.add_argument("--table", choices=("hand", "pixels", "lines"), default="hand")
+    trace.add_argument("--format", choices=("text", "csv", "json"), default="text")
+    trace.set_defaults(run=_trace)
+
+    draw = commands.add_parser("draw", help=_("renders a document without a window"))
+    draw.add_argument("document", metavar="FILE.gwb", type=Path)
+    draw.add_argument("-o", "--output", metavar="OUT.png", type=Path, required=True)
+    draw.add_argument("--sheet", metavar="NUMBER", type=int, default=1, help=_("which sheet, counted from 1"))
+    draw.add_argument("--cell", metavar="SIZE", type=int, default=1, help=_("each pixel becomes SIZE x SIZE"))
+    draw.set_defaults(run=_draw)
+
+    commands.add_parser("tour", help=_("a picture of every workspace"))
+    return parser
+
+
+def _list(options: argparse.Namespace) -> str:
+    from workbench.algorithms import catalogue
+    from workbench.exchange.tables import Table, to_text
+
+    rows = [(entry.slug, entry.topic, _(entry.title)) for entry in catalogue.entries()]
+    return to_text(Table((_("slug"), _("topic"), _("title")), rows))
+
+
+def _trace(options: argparse.Namespace) -> str:
+    from workbench.algorithms import catalogue
+    from workbench.cli import traces
+    from workbench.cli.arguments import read_arguments
+    from workbench.exchange import tables
+
+    try:
+        entry = catalogue.get(options.slug)
+    except LookupError as error:
+        raise BadInputError(error.args[0]) from None
+    recording = traces.run(entry, read_arguments(entry, options.words))
+    table = traces.TABLES[options.table](entry, recording)
+    if options.format == "text":
+        return tables.to_text(table, subscripts=_writes_subscripts())
+    return tables.to_csv(table) if options.format == "csv" else tables.to_json(table)
+
+
+def _writes_subscripts() -> bool:
+    return (sys.stdout.encoding or "").lower().replace("-", "").startswith("utf")
+
+
+def _draw(options: argparse.Namespace) -> str:
+    from workbench.document import DocumentError, load
+    from workbench.exchange.pictures import save_png
+    from workbench.rendering import frame_buffer
+
+    if options.output.suffix.lower() != ".png":
+        raise BadInputError(
+            _("{file}: the picture is written as PNG; name it so.").format(file=options.output)
+        )
+    try:
+        sheets = load(options.document).sheets
+    except DocumentError as error:
+        raise BadInputError(f"{options.document}: {error}") from None
+    except OSError as error:
+        raise BadInputError(f"{options.document}: {error.strerror}") from None
+    if not 1 <= options.sheet <= len(sheets):
+        raise BadInputError(
+            _("{file} has {count} sheets, and no sheet {number}.").format(
+                file=options.document, count=len(sheets), number=options.sheet
+            )
+        )
+    try:
+        save_png(frame_buffer(sheets[options.sheet - 1]), options.output, options.cell)
+    except ValueError as error:
+        raise BadInputError(str(error)) from None
+    except OSError as error:
+        raise WorkError(f"{options.output}: {error.strerror}") from None
+    return ""

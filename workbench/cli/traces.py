@@ -1,0 +1,70 @@
+"""The three tables of a run: the hand table, what is emitted, every line with its variables."""
+
+import linecache
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from workbench.algorithms.entry import Emits, Entry
+from workbench.cli.failure import WorkError
+from workbench.engine.observation import Steps
+from workbench.engine.recorder import Recording, record
+from workbench.exchange.tables import Table
+from workbench.language import _
+
+_EMITTED: dict[Emits, tuple[str, ...]] = {
+    "pixels": ("x", "y"),
+    "coverage": ("x", "y", "coverage"),
+    "spans": ("y", "x_left", "x_right"),
+    "fragments": ("x", "y", "z", "won"),
+    "points": ("x", "y"),
+    "segments": ("x0", "y0", "x1", "y1"),
+}
+
+
+def run(entry: Entry, arguments: tuple[Any, ...]) -> Recording:
+    """The whole run, recorded. Raises WorkError when it fails or is too long to record."""
+    try:
+        recording = record(entry.function, *arguments)
+    except (ArithmeticError, LookupError, ValueError, RecursionError) as error:
+        raise WorkError(
+            _("{slug} stopped with an error: {error}.").format(slug=entry.slug, error=error)
+        ) from None
+    if recording.truncated:
+        raise WorkError(
+            _("{slug} is not done after {count} lines, the most that are recorded.").format(
+                slug=entry.slug, count=len(recording)
+            )
+        )
+    return recording
+
+
+def hand(entry: Entry, recording: Recording) -> Table:
+    """The hand table, one row for each step."""
+    steps = Steps(entry, recording)
+    steps.update()
+    return Table(entry.columns, [tuple(steps[number].row) for number in range(1, len(steps) + 1)])
+
+
+def pixels(entry: Entry, recording: Recording) -> Table:
+    """Everything emitted, in order."""
+    rows = [tuple(emitted) for emitted in recording.emitted]
+    names = _EMITTED[entry.emits]
+    width = len(rows[0]) if rows else len(names)
+    return Table(names if len(names) == width else tuple(f"value {n + 1}" for n in range(width)), rows)
+
+
+def lines(entry: Entry, recording: Recording) -> Table:
+    """Every line that ran, with the variables as they were before it; empty where a name is not bound."""
+    file = entry.function.__code__.co_filename
+    moments = [recording[number] for number in range(len(recording))]
+    names = list(dict.fromkeys(name for moment in moments for name in moment.variables))
+
+    def rows() -> Iterator[tuple[Any, ...]]:
+        for number, moment in enumerate(moments, 1):
+            values = (moment.variables.get(name) for name in names)
+            yield number, moment.line, linecache.getline(file, moment.line).strip(), *values
+
+    return Table(("number", "line", "text", *names), list(rows()))
+
+
+TABLES: dict[str, Callable[[Entry, Recording], Table]] = {"hand": hand, "pixels": pixels, "lines": lines}

@@ -1,0 +1,41 @@
+"""Pictures as PNG files."""
+
+import io
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from workbench.geometry.conventions import top_row_first
+
+_LARGEST_SIDE = 32_767
+
+
+def png(image: NDArray[np.uint32], cell: int = 1) -> bytes:
+    """A PNG of ``image``, an (h, w) array of 0xRRGGBB with row 0 lowest; each pixel becomes cell x cell.
+
+    Raises:
+        ValueError: the cell is not at least 1, or a side of the result would exceed 32767 pixels.
+    """
+    height, width = image.shape
+    if cell < 1:
+        raise ValueError(f"The cell is {cell} pixels wide; it must be at least 1.")
+    if max(height, width) * cell > _LARGEST_SIDE:
+        raise ValueError(
+            f"A picture of {width * cell} × {height * cell} pixels is too large; "
+            f"with at most {_LARGEST_SIDE // max(height, width)} for a cell it fits."
+        )
+    packed = top_row_first(image)
+    channels = np.stack([packed >> 16 & 255, packed >> 8 & 255, packed & 255], axis=-1).astype(np.uint8)
+    picture = Image.fromarray(channels)
+    if cell > 1:
+        picture = picture.resize((width * cell, height * cell), Image.Resampling.NEAREST)
+    file = io.BytesIO()
+    picture.save(file, "PNG")
+    return file.getvalue()
+
+
+def save_png(image: NDArray[np.uint32], path: Path, cell: int = 1) -> None:
+    """Write ``png(image, cell)`` to ``path``. Raises OSError when it cannot be written."""
+    path.write_bytes(png(image, cell))

@@ -1,0 +1,145 @@
+"""Tables as text, CSV, JSON and for the clipboard: the hand table of a run, or any other.
+
+Text and clipboard show numbers as the course writes them; CSV and JSON keep every digit.
+"""
+
+import csv
+import html
+import io
+import json
+import math
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+_SUBSCRIPTS = str.maketrans("0123456789+-=()aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ")
+_SUBSCRIPT = re.compile(r"_(?:\{([^}]*)\}|(\w))")
+_DECIMALS = 4
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Headings as an entry writes them (``p_k``, ``x_{k+1}``), and rows as long as the headings."""
+
+    columns: tuple[str, ...]
+    rows: Sequence[tuple[Any, ...]]
+
+
+def typeset(heading: str) -> str:
+    """A heading with real subscripts: pₖ. What has no such character keeps its plain form."""
+
+    def lowered(match: re.Match[str]) -> str:
+        text = match[1] or match[2]
+        small = text.translate(_SUBSCRIPTS)
+        return f"_{text}" if any(character in text for character in small) else small
+
+    return _SUBSCRIPT.sub(lowered, heading)
+
+
+def plain(heading: str) -> str:
+    """A heading without markup, in ASCII if it was: p_k, x_k+1."""
+    return _SUBSCRIPT.sub(lambda match: f"_{match[1] or match[2]}", heading)
+
+
+def number(value: float) -> str:
+    """A number as the course writes it: whole ones without a point, others to four decimals at most."""
+    if isinstance(value, int):
+        return str(value)
+    if not math.isfinite(value) or 0 < abs(value) < 10**-_DECIMALS or abs(value) >= 1e15:
+        return f"{value:.4g}"
+    text = f"{value:.{_DECIMALS}f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def shown(value: Any) -> str:
+    """Any value of a table as a person reads it; a pair of coordinates is (x, y), a picture its size."""
+    if isinstance(value, np.generic):
+        return shown(value.item())
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return number(value)
+    if isinstance(value, np.ndarray):
+        return " × ".join(str(size) for size in reversed(value.shape))
+    if isinstance(value, tuple):
+        return f"({', '.join(shown(part) for part in value)})"
+    if isinstance(value, list):
+        return f"[{', '.join(shown(part) for part in value)}]"
+    return "" if value is None else str(value)
+
+
+def to_text(table: Table, subscripts: bool = True) -> str:
+    """Columns lined up, numbers to the right, one heading line. Ends in a newline."""
+    heading = typeset if subscripts else plain
+    cells = [[heading(column) for column in table.columns]]
+    cells += [[shown(value) for value in row] for row in table.rows]
+    right = [_numeric(table, index) for index in range(len(table.columns))]
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    lines = (
+        "  ".join(
+            cell.rjust(width) if is_number else cell.ljust(width)
+            for cell, width, is_number in zip(row, widths, right, strict=True)
+        ).rstrip()
+        for row in cells
+    )
+    return "\n".join(lines) + "\n"
+
+
+def to_csv(table: Table) -> str:
+    """Comma-separated, one heading line, every digit kept; a pair keeps its parentheses."""
+    return _separated(table, ",", _exact)
+
+
+def to_tsv(table: Table) -> str:
+    """Tab-separated, as spreadsheets and word processors take it from the clipboard."""
+    return _separated(table, "\t", shown)
+
+
+def to_html(table: Table) -> str:
+    """An HTML table, for the clipboard: pastes as a table where tabs would not."""
+    head = "".join(f"<th>{html.escape(typeset(column))}</th>" for column in table.columns)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{html.escape(shown(value))}</td>" for value in row) + "</tr>"
+        for row in table.rows
+    )
+    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def to_json(table: Table) -> str:
+    """An object with ``columns`` and ``rows``. A number JSON cannot write (infinity) becomes its name."""
+    content = {
+        "columns": [plain(column) for column in table.columns],
+        "rows": [[_json_value(value) for value in row] for row in table.rows],
+    }
+    return json.dumps(content, ensure_ascii=False) + "\n"
+
+
+def _numeric(table: Table, index: int) -> bool:
+    return any(isinstance(row[index], int | float | np.integer | np.floating) for row in table.rows)
+
+
+def _separated(table: Table, separator: str, text: Any) -> str:
+    lines = io.StringIO()
+    writer = csv.writer(lines, delimiter=separator, lineterminator="\n")
+    writer.writerow([plain(column) for column in table.columns])
+    writer.writerows([text(value) for value in row] for row in table.rows)
+    return lines.getvalue()
+
+
+def _exact(value: Any) -> str:
+    plain_value = _json_value(value)
+    if isinstance(plain_value, list):
+        inside = ", ".join(map(_exact, plain_value))
+        return f"({inside})" if isinstance(value, tuple) else f"[{inside}]"
+    return "" if plain_value is None else str(plain_value)
+
+
+def _json_value(value: Any) -> Any:
+    if isinstance(value, np.ndarray | np.generic):
+        return _json_value(value.tolist())
+    if isinstance(value, Iterable) and not isinstance(value, str):
+        return [_json_value(part) for part in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    return value if isinstance(value, bool | int | float | str | None) else str(value)
