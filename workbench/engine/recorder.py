@@ -1,0 +1,288 @@
+"""Runs a text line by line and writes down every state: the only place that traces.
+
+Each line that is about to run is an *event*. What the line before it can have changed is known from the syntax
+(``effects``), so only that is looked at, and only what did change is kept (``columns``, ``containers``). A value at
+any event is then found by bisection, nothing is run again.
+
+A generator's frame sees a ``call`` at each resume and a ``return`` at each yield; only the code objects of the entry
+and of the functions it can call are followed.
+"""
+
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dis import opmap
+from inspect import CO_GENERATOR
+from types import CodeType, FrameType, TracebackType
+from typing import Any
+
+from workbench.engine.columns import MISSING
+from workbench.engine.containers import Containers, Log, is_fixed
+from workbench.engine.effects import Effects, texts_of
+from workbench.engine.recording import Failure, Recording
+
+LIMIT = 1_000_000
+_YIELD = opmap["YIELD_VALUE"]
+_SLICE = 512
+
+
+class _Ended(BaseException):
+    """Raised from the trace function to leave a run; ``truncated`` when it reached the limit."""
+
+    def __init__(self, truncated: bool) -> None:
+        self.truncated = truncated
+
+
+class _Known:
+    """One text, prepared for the trace function."""
+
+    __slots__ = ("bytecode", "effects", "entry", "generator", "number", "otherwise")
+
+    def __init__(self, recording: Recording, number: int) -> None:
+        text = recording.texts[number]
+        self.number = number
+        self.effects = dict(text.effects)
+        self.otherwise = text.otherwise
+        self.entry = Effects(text.parameters, (), ())
+        self.generator = bool(text.code.co_flags & CO_GENERATOR)
+        self.bytecode = text.code.co_code
+
+
+class _Call:
+    """One call under way."""
+
+    __slots__ = ("depth", "number", "trace")
+
+    def __init__(self, number: int, depth: int) -> None:
+        self.number = number
+        self.depth = depth
+        self.trace: Any = None
+
+
+class _Tracer:
+    """Holds what the trace functions of one run share. ``pause`` is called every ``_SLICE`` events."""
+
+    def __init__(
+        self, recording: Recording, limit: int, depth_limit: int | None, pause: Callable[[], None] | None
+    ) -> None:
+        self.recording = recording
+        self._texts: dict[CodeType, _Known] = {
+            text.code: _Known(recording, number) for number, text in enumerate(recording.texts)
+        }
+        self._limit = limit
+        self._depth_limit = depth_limit
+        self._pause = pause
+        self._next_check = min(limit, _SLICE) if pause else limit
+        self._calls: dict[FrameType, _Call] = {}
+        self._stack: list[_Call] = []
+        self._containers = Containers()
+        self.overflow = False
+
+    def call(self, frame: FrameType, event: str, arg: Any) -> Any:
+        """The global trace function: a call, or a generator resumed."""
+        known = self._texts.get(frame.f_code)
+        if known is None:
+            return None
+        call = self._calls.get(frame) or self._open(frame, known)
+        self._stack.append(call)
+        return call.trace
+
+    def _open(self, frame: FrameType, known: _Known) -> _Call:
+        recording = self.recording
+        parent = self._stack[-1] if self._stack else None
+        depth = parent.depth + 1 if parent else 0
+        if self._depth_limit is not None and depth > self._depth_limit:
+            self.overflow = True
+            raise RecursionError(f"the calls are more than {self._depth_limit} deep")
+        call = _Call(len(recording.frame_starts), depth)
+        recording.frame_texts.append(known.number)
+        recording.frame_depths.append(depth)
+        recording.frame_parents.append(parent.number if parent else -1)
+        recording.frame_ends.append(0)
+        recording.frame_starts.append(2 * recording.count)
+        call.trace = self._local_trace(call, known)
+        self._calls[frame] = call
+        return call
+
+    def _local_trace(self, call: _Call, known: _Known) -> Any:
+        """The trace function of one call; a closure, since this runs once per line."""
+        recording, number = self.recording, call.number
+        add_line, add_frame = recording.line_column.append, recording.frame_column.append
+        columns = recording.columns(call.depth, known.number)
+        containers = self._containers
+        effects_of, otherwise = known.effects.get, known.otherwise
+        generator, bytecode = known.generator, known.bytecode
+        seen: dict[str, Any] = {}
+        logs: dict[str, Log] = {}
+        pending: Effects | None = known.entry
+        fresh = True
+
+        def look(variables: dict[str, Any], effects: Effects, stamp: int) -> None:
+            for name, pops in effects.tails:
+                if name in variables:
+                    containers.tail(variables[name], stamp, pops)
+            for name in effects.touches:
+                if name in variables:
+                    containers.touch(variables[name], stamp)
+            for name in effects.binds:
+                value = variables.get(name, MISSING)
+                old = seen.get(name, MISSING)
+                if value is old:
+                    continue
+                seen[name] = value
+                if type(value) is type(old) and is_fixed(value) and value == old:
+                    continue
+                held = value if is_fixed(value) else containers.bind(value, stamp, fresh)
+                columns[name].put(stamp, held)
+                if name in logs:
+                    containers.release(logs.pop(name))
+                if isinstance(held, Log):
+                    logs[name] = held
+
+        def trace(frame: FrameType, event: str, arg: Any) -> Any:
+            nonlocal pending, fresh
+            if event == "line":
+                count = recording.count
+                if pending is not None:
+                    look(frame.f_locals, pending, 2 * count)
+                    fresh = False
+                line = frame.f_lineno
+                if count >= self._next_check:
+                    self._check(count)
+                pending = effects_of(line, otherwise)
+                add_line(line)
+                add_frame(number)
+                recording.count = count + 1
+            elif event == "return":
+                self._stack.pop()
+                if not (generator and bytecode[frame.f_lasti] == _YIELD):
+                    stamp = max(2 * recording.count - 1, 0)
+                    if pending is not None:
+                        look(frame.f_locals, pending, stamp)
+                    recording.frame_ends[number] = stamp
+                    for log in logs.values():
+                        containers.release(log)
+                    self._calls.pop(frame, None)
+            return trace
+
+        return trace
+
+    def _check(self, count: int) -> None:
+        if count >= self._limit:
+            raise _Ended(truncated=True)
+        if self._pause is not None:
+            self._pause()
+            self._next_check = min(self._limit, count + _SLICE)
+
+    def failure(self, exception: BaseException) -> Failure:
+        """Where ``exception`` came from: the last line of ours in its traceback."""
+        recording = self.recording
+        line, function, depth = 0, "", -1
+        walk: TracebackType | None = exception.__traceback__
+        while walk is not None:
+            known = self._texts.get(walk.tb_frame.f_code)
+            if known is not None:
+                line, function = walk.tb_lineno, recording.texts[known.number].name
+                depth += 1
+            walk = walk.tb_next
+        return Failure(exception, line, function, depth, isinstance(exception, RecursionError))
+
+
+@contextmanager
+def _tracing(trace: Any) -> Iterator[None]:
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        yield
+    finally:
+        sys.settrace(before)
+
+
+def _run(tracer: _Tracer, function: Callable[..., Any], args: tuple[Any, ...]) -> None:
+    recording = tracer.recording
+    add = recording.emitted.add
+    try:
+        with _tracing(tracer.call):
+            running = function(*args)
+            if recording.texts[0].code.co_flags & CO_GENERATOR:
+                for item in running:
+                    add(item if isinstance(item, tuple) else (item,), recording.count)
+            else:
+                recording.result = running
+        recording.complete = True
+    except _Ended as ended:
+        recording.truncated = ended.truncated
+    except Exception as exception:
+        recording.error = tracer.failure(exception)
+        exception.__traceback__ = None
+
+
+def record(
+    function: Callable[..., Any], *args: Any, limit: int = LIMIT, depth_limit: int | None = None
+) -> Recording:
+    """Run ``function`` to its end, or to ``limit`` line events, and return what happened.
+
+    Nothing that the text raises leaves this function: it is in ``Recording.error``. ``depth_limit`` is the deepest
+    call allowed (the entry is 0); beyond it RecursionError is raised where the call was made. Array arguments are
+    written in place where the text does so. Raises TypeError when ``function`` is not a Python function.
+    """
+    recording = Recording(texts_of(function))
+    _run(_Tracer(recording, limit, depth_limit, None), function, args)
+    return recording
+
+
+class Recorder:
+    """Records on a thread of its own, in slices, so that an interface stays free; ``hold`` makes it wait."""
+
+    def __init__(
+        self, function: Callable[..., Any], *args: Any, limit: int = LIMIT, depth_limit: int | None = None
+    ) -> None:
+        self.recording = Recording(texts_of(function))
+        self._may_run = threading.Event()
+        self._may_run.set()
+        self._stopped = False
+        tracer = _Tracer(self.recording, limit, depth_limit, self._pause)
+        self._thread = threading.Thread(
+            target=_run, args=(tracer, function, args), name=f"record {function.__name__}", daemon=True
+        )
+
+    def _pause(self) -> None:
+        time.sleep(0.0002)
+        if not self._may_run.is_set():
+            self._may_run.wait()
+        if self._stopped:
+            raise _Ended(truncated=False)
+
+    def start(self) -> None:
+        """Begin."""
+        self._thread.start()
+
+    def hold(self) -> None:
+        """Wait at the end of the slice, until ``go_on``."""
+        self._may_run.clear()
+
+    def go_on(self) -> None:
+        """End the wait."""
+        self._may_run.set()
+
+    def stop(self) -> None:
+        """Leave the run at the end of the slice; what is recorded stays readable."""
+        self._stopped = True
+        self._may_run.set()
+
+    def join(self, timeout: float | None = None) -> bool:
+        """Wait for the end; False when it did not come within ``timeout`` seconds."""
+        self._thread.join(timeout)
+        return not self._thread.is_alive()
+
+    @property
+    def done(self) -> bool:
+        """Whether nothing more will be recorded."""
+        return self._thread.ident is not None and not self._thread.is_alive()
+
+    @property
+    def error(self) -> Failure | None:
+        """What the run raised."""
+        return self.recording.error

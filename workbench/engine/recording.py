@@ -1,0 +1,189 @@
+"""What a recorder wrote down, readable at any event, also while it grows on another thread."""
+
+from array import array
+from bisect import bisect_right
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.engine.columns import MISSING, Column, Emissions, EmittedSoFar
+from workbench.engine.effects import Text
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """The instant before one line runs: its number in the source file, the frame it is in, what was emitted."""
+
+    line: int
+    function: str
+    depth: int
+    variables: dict[str, Any]
+    emitted: Sequence[tuple[Any, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """How a run ended early: the exception, and where; ``overflow`` when the recursion went too deep."""
+
+    exception: BaseException
+    line: int
+    function: str
+    depth: int
+    overflow: bool
+
+    def __str__(self) -> str:
+        return f"{type(self.exception).__name__} in line {self.line}: {self.exception}"
+
+
+class Recording:
+    """Line events as columns; see the module of the recorder for how they come about.
+
+    ``complete`` is set when the run came to its own end, ``truncated`` when the limit on line events stopped it,
+    ``error`` when it raised. ``result`` is what a plain function returned.
+    """
+
+    def __init__(self, texts: tuple[Text, ...]) -> None:
+        self.texts = texts
+        self.count = 0
+        self.emitted = Emissions()
+        self.complete = False
+        self.truncated = False
+        self.error: Failure | None = None
+        self.result: Any = None
+        self.line_column = array("I")
+        self.frame_column = array("I")
+        self.frame_texts = array("H")
+        self.frame_depths = array("I")
+        self.frame_parents = array("i")
+        self.frame_starts = array("I")
+        self.frame_ends = array("I")
+        self._columns: dict[tuple[int, int], dict[str, Column]] = {}
+        self._arrays: tuple[int, NDArray[np.uint32], NDArray[np.uint32]] | None = None
+
+    @property
+    def functions(self) -> Mapping[str, Callable[..., Any]]:
+        """Every function whose lines are recorded, the entry first."""
+        return {text.name: text.function for text in self.texts}
+
+    def columns(self, depth: int, text: int) -> dict[str, Column]:
+        """The columns of the variables of one text at one depth."""
+        found = self._columns.get((depth, text))
+        if found is None:
+            found = self._columns[depth, text] = {name: Column() for name in self.texts[text].names}
+        return found
+
+    def __len__(self) -> int:
+        return self.count
+
+    def __getitem__(self, event: int) -> Moment:
+        event = self._index(event)
+        frame = self.frame_column[event]
+        return Moment(
+            self.line_column[event],
+            self.texts[self.frame_texts[frame]].name,
+            self.frame_depths[frame],
+            self._read(frame, 2 * event),
+            EmittedSoFar(self.emitted, self.emitted.count_at(event)),
+        )
+
+    def _index(self, event: int) -> int:
+        if not -self.count <= event < self.count:
+            raise IndexError(f"There is no line event {event}; {self.count} are recorded.")
+        return event % self.count
+
+    def _read(self, frame: int, stamp: int) -> dict[str, Any]:
+        since = self.frame_starts[frame]
+        columns = self.columns(self.frame_depths[frame], self.frame_texts[frame])
+        values = ((name, column.read(since, stamp)) for name, column in columns.items())
+        return {name: value for name, value in values if value is not MISSING}
+
+    def after(self, event: int) -> dict[str, Any]:
+        """Variables of the frame of ``event`` once its line has run, as far as that is recorded."""
+        event = self._index(event)
+        frame = self.frame_column[event]
+        following = self.next_in_frame(event)
+        if following is not None:
+            return self._read(frame, 2 * following)
+        return self._read(frame, self.frame_ends[frame] or 2 * event)
+
+    def next_in_frame(self, event: int) -> int | None:
+        """The next line event of the same call, or None when it is left (or recorded no further)."""
+        event = self._index(event)
+        frame = self.frame_column[event]
+        last = self.count
+        if self.frame_ends[frame]:
+            last = min(last, (self.frame_ends[frame] + 1) // 2)
+        step = 64
+        while event + 1 < last:
+            upto = min(event + 1 + step, last)
+            try:
+                return self.frame_column[event + 1 : upto].index(frame) + event + 1
+            except ValueError:
+                event = upto - 1
+                step *= 4
+        return None
+
+    def stack(self, event: int) -> list[tuple[int, str, dict[str, Any]]]:
+        """(line, function, variables) of every call under way at ``event``, the innermost first."""
+        event = self._index(event)
+        frame, at, found = int(self.frame_column[event]), event, []
+        while frame >= 0:
+            while self.frame_column[at] != frame:
+                at -= 1
+            found.append(
+                (self.line_column[at], self.texts[self.frame_texts[frame]].name, self._read(frame, 2 * event))
+            )
+            frame = self.frame_parents[frame]
+        return found
+
+    def changed(self, event: int) -> frozenset[str]:
+        """Names of the running frame whose value became another with the line before."""
+        event = self._index(event)
+        frame = self.frame_column[event]
+        columns = self.columns(self.frame_depths[frame], self.frame_texts[frame])
+        return frozenset(name for name, column in columns.items() if column.changed_at(2 * event))
+
+    def emitted_count(self, event: int) -> int:
+        """How many were emitted before the line of ``event`` ran."""
+        return self.emitted.count_at(self._index(event))
+
+    def _events(self) -> tuple[int, NDArray[np.uint32], NDArray[np.uint32]]:
+        count = self.count
+        if self._arrays is None or self._arrays[0] != count:
+            lines = np.frombuffer(self.line_column[:count], np.uint32)
+            frames = np.frombuffer(self.frame_column[:count], np.uint32)
+            self._arrays = count, lines, frames
+        return self._arrays
+
+    @property
+    def lines(self) -> NDArray[np.uint32]:
+        """(n,) line number in the source file of each event."""
+        return self._events()[1]
+
+    @property
+    def frames(self) -> NDArray[np.uint32]:
+        """(n,) number of the call each event belongs to, in order of the calls' beginning."""
+        return self._events()[2]
+
+    @property
+    def depths(self) -> NDArray[np.uint32]:
+        """(n,) depth of each event; 0 is the entry's own call."""
+        frames = self.frames
+        return np.frombuffer(self.frame_depths[:], np.uint32)[frames]
+
+    @property
+    def codes(self) -> NDArray[np.uint16]:
+        """(n,) index into ``texts`` of the function each event is in."""
+        frames = self.frames
+        return np.frombuffer(self.frame_texts[:], np.uint16)[frames]
+
+    def event_at(self, emission: int) -> int:
+        """The line event that emitted number ``emission``."""
+        return int(self.emitted.events(emission, emission + 1)[0]) - 1
+
+    def size_bytes(self) -> int:
+        """Bytes held by the event columns alone."""
+        return sum(len(column) * column.itemsize for column in (self.line_column, self.frame_column))
