@@ -3,11 +3,16 @@
 import difflib
 
 from workbench.algorithms.entry import Entry
-from workbench.algorithms.lines import bresenham
+from workbench.algorithms.lines import bresenham, dda, dda_fixed, dda_single, midpoint, wu
 from workbench.algorithms.visibility import depth_buffer
 
 _ENTRIES: tuple[Entry, ...] = (
+    dda.ENTRY,
+    dda_single.ENTRY,
+    dda_fixed.ENTRY,
     bresenham.ENTRY,
+    midpoint.ENTRY,
+    wu.ENTRY,
     depth_buffer.ENTRY,
 )
 

@@ -9,7 +9,6 @@ k               number of the step, from 0
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, View
-from workbench.algorithms.lines.axes import pixel
 from workbench.algorithms.lines.ends import END_POINTS
 
 
@@ -57,13 +56,8 @@ def bresenham_line(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, in
             yield x, y
 
 
-def _candidates(x: int, y: int, step_x: int, step_y: int, steep: bool) -> tuple[tuple[int, int], ...]:
-    """The straight and the diagonal neighbour, E and NE on a flat rising line."""
-    return pixel(x + step_x, y, steep), pixel(x + step_x, y + step_y, steep)
-
-
 _ROW = "(k, before.p, pixel(x + step_x, y, steep))"
-_CANDIDATES = "_candidates(x, y, step_x, step_y, steep)"
+_CANDIDATES = "neighbours(x, y, step_x, step_y, steep)"
 _CHOSEN = "(pixel(x + step_x, y, steep),)"
 _STRAIGHT = "(pixel(x + step_x, before.y, steep),)"
 

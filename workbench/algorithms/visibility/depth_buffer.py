@@ -144,8 +144,8 @@ ENTRY = Entry(
             chosen=_PIXEL,
             row=_ROW,
             considers="(left + k, y)",
-            sentence="At {(left + k, y)} z = {z} + {k} · ({dz_dx}) = {z_here}, nearer than the stored {stored}: "
-            "the pixel takes colour {colour}.",
+            sentence="At {(left + k, y)} z = {z} + {k} · ({dz_dx}) = {z_here}, nearer than the stored "
+            "{stored}: the pixel takes colour {colour}.",
         ),
         View(
             block="Compare with the stored depth",
