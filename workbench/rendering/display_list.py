@@ -4,6 +4,7 @@ Strokes are in device coordinates (pixels, float, not rounded: a vector tube has
 viewport. A filled area has no strokes and cannot be shown.
 """
 
+import itertools
 import math
 from typing import NamedTuple
 
@@ -39,7 +40,7 @@ def _ellipse_chords(
         for k in range(count)
     ]
     points.append(points[0])
-    return [(*a, *b) for a, b in zip(points, points[1:], strict=False)]
+    return [(*a, *b) for a, b in itertools.pairwise(points)]
 
 
 def _segments(sheet: Sheet, figure: AnyFigure, flatness: float) -> list[tuple[float, float, float, float]]:

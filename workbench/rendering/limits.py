@@ -31,5 +31,5 @@ def clip_segment(
 def within_reach(
     x0: float, y0: float, x1: float, y1: float, width: int, height: int
 ) -> tuple[float, float, float, float] | None:
-    """A device segment, cut where it leaves the reach of a picture (pixels); None when it never comes near."""
+    """A device segment, cut where it leaves the reach of a picture ; None when it never comes near."""
     return clip_segment(x0, y0, x1, y1, -REACH_PX, -REACH_PX, width + REACH_PX, height + REACH_PX)

@@ -4,6 +4,7 @@ The window of a sheet is mapped onto its viewport; only then are coordinates rou
 A circle whose device radii differ (the scale is not the same in x and y) is drawn as an ellipse.
 """
 
+import itertools
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -70,7 +71,7 @@ def _segments(figure: Line | Polyline) -> list[tuple[float, float, float, float]
     points = [(point.x, point.y) for point in figure.points_world]
     if isinstance(figure, Polyline) and figure.closed and len(points) > 2:
         points.append(points[0])
-    return [(*a, *b) for a, b in zip(points, points[1:], strict=False)]
+    return [(*a, *b) for a, b in itertools.pairwise(points)]
 
 
 def world_segments(figure: Line | Polyline) -> list[tuple[float, float, float, float]]:

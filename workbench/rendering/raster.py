@@ -1,7 +1,7 @@
 """A sheet as a frame buffer: every figure scan converted, from back to front.
 
 What a call emits is kept by value (algorithm and arguments), so that moving one figure of a hundred runs one
-algorithm. The plain reading serves for short runs and until a compiled kernel is ready; nothing here compiles.
+algorithm. The plain reading serves for short runs and until a kernel is ready; nothing here compiles.
 """
 
 import sys
@@ -181,8 +181,8 @@ def painter_of(sheet: Sheet) -> NDArray[np.int32]:
 def arguments(sheet: Sheet, figure: AnyFigure, algorithm: str | None = None) -> list[tuple[Any, ...]]:
     """The device arguments of each call of the figure's algorithm (a polyline makes several).
 
-    A seed fill gets its own copy of what lies below it on the sheet. Raises LookupError when the catalogue has
-    no such algorithm.
+    A seed fill gets its own copy of what lies below it on the sheet. Raises LookupError when the catalogue
+    has no such algorithm.
     """
     return [call.arguments for call in figure_calls(sheet, figure, algorithm)]
 
