@@ -5,6 +5,7 @@ A *stamp* is twice an event's number; the odd stamp before it belongs to a frame
 
 from array import array
 from bisect import bisect_right
+from collections.abc import Callable
 from dataclasses import dataclass
 from operator import is_
 from typing import Any
@@ -35,10 +36,7 @@ def is_fixed(value: Any) -> bool:
     if type(value) in _ATOMS:
         return True
     if isinstance(value, tuple):
-        for item in value:
-            if type(item) not in _ATOMS and not is_fixed(item):
-                return False
-        return True
+        return _ATOMS.issuperset(map(type, value)) or all(map(is_fixed, value))
     return isinstance(value, np.generic | LeftOut)
 
 
@@ -120,7 +118,7 @@ class WholeLog(Log):
 
 
 class ListLog(Log):
-    """A list as a log of splices, with a keyframe every 256; keyframes share the chunks that did not change."""
+    """A list as a log of splices with a keyframe every 256; keyframes share chunks that did not change."""
 
     __slots__ = ("_items", "_keyframes", "_low", "_shadow", "_starts", "_stops")
 
@@ -183,7 +181,7 @@ class ListLog(Log):
         now, shadow = self.object, self._shadow
         if self.deep:
             now = [snapshot(item) for item in now]
-            equal = same
+            equal: Callable[[Any, Any], bool] = same
         else:
             if len(now) == len(shadow) and all(map(is_, now, shadow)):
                 return
@@ -214,7 +212,7 @@ class ListLog(Log):
 
 
 class ArrayLog(Log):
-    """A small array as the flat indexes and the items that changed, with keyframes as large as the changes."""
+    """A small array as the flat indexes and items that changed, with keyframes as large as the changes."""
 
     __slots__ = ("_bytes", "_indexes", "_items", "_keyframe_counts", "_keyframes")
 

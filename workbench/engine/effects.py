@@ -1,6 +1,7 @@
 """What each line of a text can change, read from its syntax, so that a recorder looks nowhere else."""
 
 import ast
+import builtins
 import inspect
 import sys
 import textwrap
@@ -9,10 +10,7 @@ from dataclasses import dataclass
 from types import CodeType, FunctionType
 from typing import Any, NamedTuple
 
-_PURE = frozenset(
-    "abs all any bool chr complex divmod enumerate float hash id int isinstance len list max min ord pow print"
-    " range repr reversed round set sorted str sum tuple type zip".split()
-)
+_PURE = frozenset(vars(builtins)) - {"delattr", "eval", "exec", "next", "setattr"}
 _PURE_MODULES = frozenset(("math", "np", "numpy"))
 _NESTED = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.Lambda)
 _HEADERS = (ast.For, ast.While, ast.If, ast.With, ast.Match, ast.Try)
@@ -21,7 +19,7 @@ _HEADERS = (ast.For, ast.While, ast.If, ast.With, ast.Match, ast.Try)
 class Effects(NamedTuple):
     """What a line can change.
 
-    ``binds`` are names it can bind. ``tails`` are lists it only appends to or pops from, at their end, with the
+    ``binds`` are names it can bind. ``tails`` are lists it only appends to or pops from, at their end, and the
     number of pops. ``touches`` are names through which it can change a container in some other way.
     """
 

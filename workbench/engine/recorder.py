@@ -1,11 +1,11 @@
 """Runs a text line by line and writes down every state: the only place that traces.
 
-Each line that is about to run is an *event*. What the line before it can have changed is known from the syntax
-(``effects``), so only that is looked at, and only what did change is kept (``columns``, ``containers``). A value at
-any event is then found by bisection, nothing is run again.
+Each line that is about to run is an *event*. What the line before it can have changed is known from the
+syntax (``effects``), so only that is looked at, and only what did change is kept (``columns``,
+``containers``). A value at any event is then found by bisection, nothing is run again.
 
-A generator's frame sees a ``call`` at each resume and a ``return`` at each yield; only the code objects of the entry
-and of the functions it can call are followed.
+A generator's frame sees a ``call`` at each resume and a ``return`` at each yield; only the code objects of the
+entry and of the functions it can call are followed.
 """
 
 import sys
@@ -224,9 +224,10 @@ def record(
 ) -> Recording:
     """Run ``function`` to its end, or to ``limit`` line events, and return what happened.
 
-    Nothing that the text raises leaves this function: it is in ``Recording.error``. ``depth_limit`` is the deepest
-    call allowed (the entry is 0); beyond it RecursionError is raised where the call was made. Array arguments are
-    written in place where the text does so. Raises TypeError when ``function`` is not a Python function.
+    Nothing that the text raises leaves this function: it is in ``Recording.error``. ``depth_limit`` is the
+    deepest call allowed (the entry is 0); beyond it RecursionError is raised where the call was made. Array
+    arguments are written in place where the text does so. Raises TypeError when ``function`` is not a Python
+    function.
     """
     recording = Recording(texts_of(function))
     _run(_Tracer(recording, limit, depth_limit, None), function, args)

@@ -1,7 +1,6 @@
 """What a recorder wrote down, readable at any event, also while it grows on another thread."""
 
 from array import array
-from bisect import bisect_right
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -15,7 +14,7 @@ from workbench.engine.effects import Text
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """The instant before one line runs: its number in the source file, the frame it is in, what was emitted."""
+    """The instant before a line runs: its number in the source file, its function, what was emitted."""
 
     line: int
     function: str
@@ -41,8 +40,8 @@ class Failure:
 class Recording:
     """Line events as columns; see the module of the recorder for how they come about.
 
-    ``complete`` is set when the run came to its own end, ``truncated`` when the limit on line events stopped it,
-    ``error`` when it raised. ``result`` is what a plain function returned.
+    ``complete`` is set when the run came to its own end, ``truncated`` when the limit on line events stopped
+    it, ``error`` when it raised. ``result`` is what a plain function returned.
     """
 
     def __init__(self, texts: tuple[Text, ...]) -> None:
