@@ -1,0 +1,107 @@
+"""Arguments of an algorithm in the one form that each of its compiled readings takes.
+
+Whole numbers become int, the others float, arrays C-contiguous: points float64 (n, 2), lists of whole numbers
+int64, pictures of integers as they are. Another form would be another signature, and so another compilation.
+"""
+
+import functools
+import inspect
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms import catalogue
+from workbench.algorithms.entry import Entry, Kind
+from workbench.language import _
+
+_ANNOTATIONS: dict[Any, Kind] = {int: "int", float: "float", bool: "bool"}
+
+
+@functools.cache
+def entry_of(function: Callable[..., Any]) -> Entry | None:
+    """The catalogue's entry of this function; None for one that is not in it."""
+    return next((entry for entry in catalogue.entries() if entry.function is function), None)
+
+
+@functools.cache
+def kinds(function: Callable[..., Any]) -> tuple[tuple[str, Kind | None], ...]:
+    """Name and kind of each parameter, from the entry or the annotations; None where neither tells."""
+    entry = entry_of(function)
+    if entry is not None:
+        return tuple((parameter.name, parameter.kind) for parameter in entry.parameters)
+    return tuple(
+        (name, _ANNOTATIONS.get(parameter.annotation))
+        for name, parameter in inspect.signature(function).parameters.items()
+    )
+
+
+def bind(function: Callable[..., Any], arguments: tuple[Any, ...], copied: bool) -> tuple[Any, ...]:
+    """``arguments`` with defaults filled in, each in its one form; arrays are new ones where ``copied``.
+
+    Raises:
+        TypeError: too many or too few arguments.
+        ValueError: one cannot be brought into its form; the sentence names it.
+    """
+    bound = inspect.signature(function).bind(*arguments)
+    bound.apply_defaults()
+    return tuple(_formed(name, kind, bound.arguments[name], copied) for name, kind in kinds(function))
+
+
+def _formed(name: str, kind: Kind | None, value: Any, copied: bool) -> Any:
+    try:
+        if kind is None:
+            kind = _kind_of(value)
+        match kind:
+            case "int" | "colour":
+                return _whole(value)
+            case "float":
+                return float(value)
+            case "bool":
+                return bool(value)
+            case "points" | "depth":
+                return _array(value, np.float64, copied)
+            case "ints":
+                return _array(value, np.int64, copied)
+            case "image":
+                return _picture(value, copied)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise ValueError(
+            _("{name} cannot be {value!r}: {error}").format(name=name, value=value, error=error)
+        ) from error
+
+
+def _kind_of(value: Any) -> Kind:
+    if isinstance(value, bool | np.bool_):
+        return "bool"
+    if isinstance(value, int | np.integer):
+        return "int"
+    if isinstance(value, float | np.floating):
+        return "float"
+    array = np.asarray(value)
+    if array.dtype.kind == "f":
+        return "points"
+    return "image" if array.ndim == 2 and isinstance(value, np.ndarray) else "ints"
+
+
+def _whole(value: Any) -> int:
+    whole = int(value)
+    if whole != value:
+        raise ValueError(_("it must be a whole number"))
+    if not -(2**62) <= whole < 2**62:
+        raise ValueError(_("it is too large"))
+    return whole
+
+
+def _array(value: Any, dtype: type[np.generic], copied: bool) -> NDArray[Any]:
+    array = np.ascontiguousarray(value, dtype=dtype)
+    return array.copy() if (copied and array is value) or not array.flags.writeable else array
+
+
+def _picture(value: Any, copied: bool) -> NDArray[Any]:
+    array = np.asarray(value)
+    if array.ndim != 2 or array.dtype.kind not in "iuf":
+        raise ValueError(_("a picture is an array of numbers with rows and columns"))
+    array = np.ascontiguousarray(array)
+    return array.copy() if (copied and np.shares_memory(array, value)) or not array.flags.writeable else array

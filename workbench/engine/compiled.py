@@ -1,0 +1,308 @@
+"""The compiled reading: the lowered text at the speed of a hand-written loop. The only place that knows numba.
+
+Every function here also serves without numba, then by running the same lowered text as Python. Kernels are kept
+(see ``kernel_files``); they are compiled on first use, which takes a second or more: ``ready`` tells beforehand,
+and with ``compiling=False`` the interpreted reading serves instead of a compilation.
+"""
+
+import functools
+import importlib.util
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.entry import Emits
+from workbench.engine import arguments, kernel_files, sinks
+from workbench.engine.drivers import PAINTING, drivers
+from workbench.engine.lowering import Lowered, lower
+from workbench.engine.sinks import Stopped
+from workbench.language import _
+
+__all__ = ["NotCompilable", "Stop", "Stopped", "available", "collect", "hits", "paint", "paint_many", "ready"]
+
+Function = Callable[..., Any]
+
+
+class NotCompilable(ValueError):  # noqa: N818 - says what the text is, as DialectError does
+    """The compiler refuses a text; the message has its words."""
+
+
+class Stop:
+    """Ends a long run from another thread: the run raises ``Stopped`` at its next emission."""
+
+    def __init__(self) -> None:
+        self.flag: NDArray[np.uint8] = np.zeros(1, np.uint8)
+
+    def set(self) -> None:
+        """Stop every run that was given this."""
+        self.flag[0] = 1
+
+
+@functools.cache
+def _numba() -> ModuleType | None:
+    """numba with our ``emit`` made known to it; None when it cannot be imported."""
+    try:
+        import numba
+        from numba.extending import overload, register_jitable
+    except ImportError:
+        return None
+
+    for shared in sinks.SHARED:
+        register_jitable(shared)
+
+    @overload(sinks.emit, strict=False)
+    def _emit(sink: Any, *values: Any) -> Any:
+        return sinks.body(sink.instance_class, len(values))
+
+    return numba
+
+
+def available() -> bool:
+    """Whether there is a compiler; a look that costs nothing as long as nothing was compiled."""
+    if importlib.util.find_spec("numba") is None:
+        return False
+    return not _numba.cache_info().currsize or _numba() is not None
+
+
+@dataclass(slots=True)
+class Kernel:
+    """The drivers of one function: its text with them, and the module once it is loaded."""
+
+    function: Function
+    text: str
+    lowered: Lowered
+    emits: Emits | None
+    writes: bool
+    flavour: str
+    refusal: str
+    folder: Path
+    modules: dict[bool, ModuleType] = field(default_factory=dict)
+    used: set[str] = field(default_factory=set)
+    lock: threading.RLock = field(default_factory=threading.RLock)
+
+    def call(self, driver: str, values: tuple[Any, ...], compiling: bool) -> None:
+        """Run a driver, compiled where that can be."""
+        use = use_of(driver, values)
+        if self.refusal or not available() or not (compiling or self.ready(use)):
+            getattr(self._module(False), driver)(*values)
+            return
+        numba = _numba()
+        if numba is None:
+            getattr(self._module(False), driver)(*values)
+            return
+        try:
+            getattr(self._module(True), driver)(*values)
+        except numba.core.errors.NumbaError as error:
+            sentence = str(error).strip().splitlines()[0]
+            raise NotCompilable(f"{self.lowered.name}: {sentence}") from error
+        if use not in self.used:
+            self.used.add(use)
+            kernel_files.mark(self.folder, use)
+
+    def ready(self, use: str) -> bool:
+        return use in self.used or kernel_files.marked(self.folder, use)
+
+    def _module(self, compiled: bool) -> ModuleType:
+        with self.lock:
+            if compiled not in self.modules:
+                self.modules[compiled] = self._load() if compiled else self._interpreted()
+            return self.modules[compiled]
+
+    def _load(self) -> ModuleType:
+        numba = _numba()
+        assert numba is not None
+        reading = numba.njit(cache=True, nogil=True, boundscheck=self.flavour == "checked")
+        return kernel_files.load(kernel_files.write(self.text, self.folder), reading)
+
+    def _interpreted(self) -> ModuleType:
+        module = ModuleType(f"interpreted_{self.lowered.name}")
+        vars(module)["reading"] = _unchanged
+        exec(compile(self.text, f"<{self.lowered.name}>", "exec"), vars(module))
+        return module
+
+
+def _unchanged(function: Function) -> Function:
+    return function
+
+
+def use_of(driver: str, values: tuple[Any, ...]) -> str:
+    """Name of one use of a kernel: the driver and the kinds of the arrays it is given."""
+    return "-".join([driver.lstrip("_"), *(v.dtype.str[1:] for v in values if isinstance(v, np.ndarray))])
+
+
+@functools.cache
+def kernel(function: Function, emits: Emits | None = None, flavour: str = "") -> Kernel:
+    """The kernel of a function, compiled when first called; ``checked`` is the flavour that tests its indexes.
+
+    Raises:
+        DialectError: the text is outside the dialect.
+    """
+    lowered = lower(function)
+    entry = arguments.entry_of(function)
+    extent = ""
+    writes = False
+    refusal = ""
+    if entry is not None:
+        emits, extent, writes, refusal = (
+            entry.emits,
+            getattr(entry, "extent", ""),
+            bool(entry.writes),
+            entry.compiles,
+        )
+    elif lowered.recursive:
+        refusal = _("it calls itself, and nothing tells how deep")
+    text = drivers(lowered.name, arguments.kinds(function), emits, extent)
+    text = lowered.text + "\n" + text
+    return Kernel(
+        function, text, lowered, emits, writes, flavour, refusal, kernel_files.folder(text, flavour)
+    )
+
+
+def ready(function: Function, driver: str = "paint", dtype: str = "uint32", flavour: str = "") -> bool:
+    """Whether this use needs no compilation now: ``driver`` is one of collect, run, paint, paint_many, hits.
+
+    Without a compiler nothing is ever ready. ``dtype`` is that of the picture painted or read.
+    """
+    one = kernel(function, flavour=flavour)
+    if one.refusal or not available():
+        return False
+    prefix = f"{driver}-{np.dtype(dtype).str[1:]}" if driver.startswith("paint") else driver
+    return any(use == prefix or use.startswith(prefix + "-") for use in one.used) or any(
+        one.folder.glob(f"{prefix}*.ready")
+    )
+
+
+def collect(
+    function: Function,
+    *args: Any,
+    stop: Stop | None = None,
+    compiling: bool = True,
+    flavour: str = "",
+) -> NDArray[Any]:
+    """Everything emitted, an (n, k) array: int64 where all numbers are whole, else float64. Arrays are copied.
+
+    Raises:
+        Stopped: ``stop`` was set. DialectError, NotCompilable: the text cannot be run so.
+        TypeError, ValueError: the arguments do not fit.
+    """
+    one = kernel(function, flavour=flavour)
+    arity = one.lowered.arity
+    dtype: Any = np.int64 if one.emits in ("pixels", "spans") else np.float64
+    flag = stop or Stop()
+    room = 4096
+    while True:
+        values = np.zeros(room * arity, dtype)
+        count = np.zeros(1, np.int64)
+        one.call("_collect", (values, count, flag.flag, *arguments.bind(function, args, True)), compiling)
+        if count[0] <= room:
+            return values[: count[0] * arity].reshape(-1, arity).copy()
+        room = int(count[0])
+
+
+def paint(
+    function: Function,
+    image: NDArray[Any],
+    value: Any,
+    *args: Any,
+    emits: Emits | None = None,
+    stop: Stop | None = None,
+    compiling: bool = True,
+    flavour: str = "",
+) -> None:
+    """Paint what is emitted with ``value`` into ``image`` (h, w), clipped to it.
+
+    A text that writes its own picture among ``args`` paints itself, and nothing is added to that.
+
+    Raises:
+        ValueError: what is emitted cannot be painted, or ``image`` is not an array of integers with two axes.
+    """
+    one = kernel(function, emits, flavour)
+    values = arguments.bind(function, args, False)
+    if one.writes or any(isinstance(item, np.ndarray) and np.shares_memory(item, image) for item in args):
+        one.call("_run", ((stop or Stop()).flag, *values), compiling)
+        for given, formed in zip(args, values, strict=False):
+            if isinstance(given, np.ndarray) and given is not formed and given.flags.writeable:
+                given[...] = formed
+        return
+    _paintable(one)
+    picture = _picture(image)
+    one.call("_paint", (picture, picture.dtype.type(value), *values), compiling)
+    if picture is not image:
+        image[...] = picture
+
+
+def paint_many(
+    function: Function,
+    image: NDArray[Any],
+    value: Any,
+    rows: Any,
+    *,
+    emits: Emits | None = None,
+    stop: Stop | None = None,
+    compiling: bool = True,
+    flavour: str = "",
+) -> None:
+    """As ``paint``, once for each row of arguments in ``rows`` (n, number of parameters)."""
+    one = kernel(function, emits, flavour)
+    _paintable(one)
+    kinds = arguments.kinds(function)
+    if any(kind not in ("int", "float", "bool", "colour") for _name, kind in kinds):
+        raise ValueError(
+            _("{name} takes more than numbers; paint one at a time").format(name=one.lowered.name)
+        )
+    dtype = np.float64 if any(kind == "float" for _name, kind in kinds) else np.int64
+    table = np.ascontiguousarray(rows, dtype=dtype)
+    if table.ndim != 2 or table.shape[1] != len(kinds):
+        raise ValueError(
+            _("{name} takes {count} numbers in each row").format(name=one.lowered.name, count=len(kinds))
+        )
+    picture = _picture(image)
+    flag = (stop or Stop()).flag
+    one.call("_paint_many", (picture, picture.dtype.type(value), flag, table), compiling)
+    if picture is not image:
+        image[...] = picture
+
+
+def hits(
+    function: Function,
+    x: int,
+    y: int,
+    *args: Any,
+    emits: Emits | None = None,
+    stop: Stop | None = None,
+    compiling: bool = True,
+    flavour: str = "",
+) -> NDArray[np.int64]:
+    """Numbers, from 0, of the emissions that touched the pixel (x, y). Arrays are copied."""
+    one = kernel(function, emits, flavour)
+    if one.emits not in ("pixels", "coverage", "spans", "fragments"):
+        raise ValueError(_("{name} emits no pixels").format(name=one.lowered.name))
+    flag = stop or Stop()
+    room = 1024
+    while True:
+        numbers = np.zeros(room, np.int64)
+        count, found = np.zeros(1, np.int64), np.zeros(1, np.int64)
+        values = arguments.bind(function, args, True)
+        one.call("_hits", (int(x), int(y), numbers, count, found, flag.flag, *values), compiling)
+        if found[0] <= room:
+            return numbers[: found[0]].copy()
+        room = int(found[0])
+
+
+def _paintable(one: Kernel) -> None:
+    if one.emits not in PAINTING:
+        raise ValueError(
+            _("{name} emits nothing that can be painted; collect it").format(name=one.lowered.name)
+        )
+
+
+def _picture(image: NDArray[Any]) -> NDArray[Any]:
+    if not isinstance(image, np.ndarray) or image.ndim != 2 or image.dtype.kind not in "iu":
+        raise ValueError(_("a picture is an array of integers with rows and columns"))
+    return np.ascontiguousarray(image)

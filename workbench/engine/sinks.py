@@ -1,0 +1,204 @@
+"""What emitted numbers go to. Each sink is a named tuple and one body; the same body serves both readings.
+
+``emit(sink, *values)`` runs the body of the sink's type, here as plain Python, compiled as the overload that
+``compiled`` makes of the same function. Coordinates are integers in device pixels, pictures are (h, w) arrays.
+Every sink that may see a long run looks at ``stop`` and raises ``Stopped``.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class Stopped(Exception):  # noqa: N818 - a run that was stopped has made no error
+    """A run was stopped from outside before it came to its end."""
+
+
+class Nothing(NamedTuple):
+    """For a text that writes its picture itself."""
+
+    stop: NDArray[np.uint8]
+
+
+class Collect(NamedTuple):
+    """Keeps what is emitted, one tuple after another in ``values`` while there is room; ``count`` goes on."""
+
+    values: NDArray[Any]
+    count: NDArray[np.int64]
+    stop: NDArray[np.uint8]
+
+
+class Paint(NamedTuple):
+    """Paints single pixels, those inside the picture."""
+
+    image: NDArray[Any]
+    value: Any
+
+
+class PaintInside(NamedTuple):
+    """Paints single pixels that are known to lie inside the picture."""
+
+    image: NDArray[Any]
+    value: Any
+
+
+class Blend(NamedTuple):
+    """Paints single pixels with a coverage: 1 gives ``value``, 0 leaves what is there.
+
+    A picture of 32 bits holds 0xRRGGBB and is mixed channel by channel, any other is mixed as one intensity.
+    """
+
+    image: NDArray[Any]
+    value: Any
+
+
+class PaintSpans(NamedTuple):
+    """Paints runs of pixels (y, x_left, x_right), both ends included, clipped to the picture."""
+
+    image: NDArray[Any]
+    value: Any
+
+
+class Hit(NamedTuple):
+    """Keeps the numbers of the emissions that touch the pixel (x, y)."""
+
+    x: int
+    y: int
+    numbers: NDArray[np.int64]
+    count: NDArray[np.int64]
+    found: NDArray[np.int64]
+    stop: NDArray[np.uint8]
+
+
+class HitSpan(NamedTuple):
+    """As ``Hit``, for spans (y, x_left, x_right)."""
+
+    x: int
+    y: int
+    numbers: NDArray[np.int64]
+    count: NDArray[np.int64]
+    found: NDArray[np.int64]
+    stop: NDArray[np.uint8]
+
+
+def _nothing(sink: Nothing, *values: Any) -> None:
+    pass
+
+
+def room(sink: Collect, arity: int) -> int:
+    """Index at which the next tuple goes, -1 when it is full; counts the tuple."""
+    if sink.stop[0] != 0:
+        raise Stopped
+    start = sink.count[0] * arity
+    sink.count[0] += 1
+    return start if start + arity <= len(sink.values) else -1
+
+
+def _collect_1(sink: Collect, *values: Any) -> None:
+    start = room(sink, 1)
+    if start >= 0:
+        sink.values[start] = values[0]
+
+
+def _collect_2(sink: Collect, *values: Any) -> None:
+    start = room(sink, 2)
+    if start >= 0:
+        sink.values[start] = values[0]
+        sink.values[start + 1] = values[1]
+
+
+def _collect_3(sink: Collect, *values: Any) -> None:
+    start = room(sink, 3)
+    if start >= 0:
+        sink.values[start] = values[0]
+        sink.values[start + 1] = values[1]
+        sink.values[start + 2] = values[2]
+
+
+def _collect_4(sink: Collect, *values: Any) -> None:
+    start = room(sink, 4)
+    if start >= 0:
+        sink.values[start] = values[0]
+        sink.values[start + 1] = values[1]
+        sink.values[start + 2] = values[2]
+        sink.values[start + 3] = values[3]
+
+
+def _paint(sink: Paint, *values: Any) -> None:
+    x, y = values[0], values[1]
+    if 0 <= x < sink.image.shape[1] and 0 <= y < sink.image.shape[0]:
+        sink.image[np.uint64(y), np.uint64(x)] = sink.value
+
+
+def _paint_inside(sink: PaintInside, *values: Any) -> None:
+    sink.image[np.uint64(values[1]), np.uint64(values[0])] = sink.value
+
+
+def _blend(sink: Blend, *values: Any) -> None:
+    x, y = values[0], values[1]
+    if 0 <= x < sink.image.shape[1] and 0 <= y < sink.image.shape[0]:
+        under, over, coverage = int(sink.image[y, x]), int(sink.value), values[2]
+        if sink.image.itemsize == 4:
+            mixed = 0
+            for shift in (0, 8, 16):
+                below = (under >> shift) & 255
+                above = (over >> shift) & 255
+                mixed |= int(below + (above - below) * coverage + 0.5) << shift
+        else:
+            mixed = int(np.floor(under + (over - under) * coverage + 0.5))
+        sink.image[y, x] = mixed
+
+
+def _paint_span(sink: PaintSpans, *values: Any) -> None:
+    y = values[0]
+    if 0 <= y < sink.image.shape[0]:
+        left = max(values[1], 0)
+        right = min(values[2], sink.image.shape[1] - 1)
+        if left <= right:
+            sink.image[y, left : right + 1] = sink.value
+
+
+def _hit(sink: Hit, *values: Any) -> None:
+    if sink.stop[0] != 0:
+        raise Stopped
+    if values[0] == sink.x and values[1] == sink.y:
+        if sink.found[0] < len(sink.numbers):
+            sink.numbers[sink.found[0]] = sink.count[0]
+        sink.found[0] += 1
+    sink.count[0] += 1
+
+
+def _hit_span(sink: HitSpan, *values: Any) -> None:
+    if sink.stop[0] != 0:
+        raise Stopped
+    if values[0] == sink.y and values[1] <= sink.x <= values[2]:
+        if sink.found[0] < len(sink.numbers):
+            sink.numbers[sink.found[0]] = sink.count[0]
+        sink.found[0] += 1
+    sink.count[0] += 1
+
+
+_COLLECT = {1: _collect_1, 2: _collect_2, 3: _collect_3, 4: _collect_4}
+_BODIES: dict[type, Callable[..., None]] = {
+    Nothing: _nothing,
+    Paint: _paint,
+    PaintInside: _paint_inside,
+    Blend: _blend,
+    PaintSpans: _paint_span,
+    Hit: _hit,
+    HitSpan: _hit_span,
+}
+# What the bodies call.
+SHARED = (room,)
+
+
+def body(sink: type, arity: int) -> Callable[..., None]:
+    """What ``emit`` does for a sink of this type and so many values."""
+    return _COLLECT[arity] if sink is Collect else _BODIES[sink]
+
+
+def emit(sink: Any, *values: Any) -> None:
+    """Give ``values`` to the sink."""
+    body(type(sink), len(values))(sink, *values)
