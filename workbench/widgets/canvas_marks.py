@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from workbench.widgets.canvas_overlay import BOTH, ONLY_FIRST, TIE_FIRST, TIE_SECOND, Cell
@@ -174,23 +174,19 @@ def _paint_patterns(painter: QPainter, scene: Scene) -> None:
     pen = QPen(QColor(scene.tokens.canvas), max(1.0, min(2 * scene.unit, scene.view.cell / 8)))
     painter.setPen(pen)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    for y, x in zip(rows.tolist(), columns.tolist(), strict=True):
-        value = int(part[y, x])
-        for box in _boxes(scene, ((x + column, y + row),)):
-            inset = box.width() * 0.22
-            inner = box.adjusted(inset, inset, -inset, -inset)
-            if value in (TIE_FIRST, TIE_SECOND):
-                middle = inner.center()
-                painter.drawPolygon(
-                    [
-                        QPointF(middle.x(), inner.top()),
-                        QPointF(inner.right(), middle.y()),
-                        QPointF(middle.x(), inner.bottom()),
-                        QPointF(inner.left(), middle.y()),
-                    ]
-                )
-            elif value == ONLY_FIRST:
-                painter.drawLine(inner.bottomLeft(), inner.topRight())
-            else:
-                painter.drawLine(inner.topLeft(), inner.bottomRight())
+    side = scene.view.cell - scene.hair
+    left = scene.view.left + (columns + column) * scene.view.cell + scene.hair + 0.22 * side
+    top = scene.view.bottom - (rows + row + 1) * scene.view.cell + scene.hair + 0.22 * side
+    side *= 0.56
+    lines = []
+    for value, x, y in zip(part[rows, columns].tolist(), left.tolist(), top.tolist(), strict=True):
+        if value in (TIE_FIRST, TIE_SECOND):
+            half = side / 2
+            corners = (x + half, y), (x + side, y + half), (x + half, y + side), (x, y + half)
+            lines += [QLineF(*corners[k], *corners[k - 1]) for k in range(4)]
+        elif value == ONLY_FIRST:
+            lines.append(QLineF(x, y + side, x + side, y))
+        else:
+            lines.append(QLineF(x, y, x + side, y + side))
+    painter.drawLines(lines)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)

@@ -48,6 +48,7 @@ class Picture:
     def __init__(self, pixels: NDArray[np.uint32], background: int | None = None) -> None:
         self.pixels = pixels
         self.background = background
+        self._kept = pixels
         self._shown: tuple[str, QImage] | None = None
         self._reduced: tuple[float, QImage] | None = None
 
@@ -59,12 +60,13 @@ class Picture:
     def image(self, tokens: Tokens) -> QImage:
         """Top row first, in the colours of the theme; made anew only when the theme changes."""
         if self._shown is None or self._shown[0] != tokens.canvas:
-            upside_down = self.pixels[::-1]
-            shown = np.bitwise_or(upside_down, np.uint32(0xFF000000), dtype=np.uint32)
+            shown = np.ascontiguousarray(self.pixels[::-1], np.uint32)
             if self.background is not None:
-                shown[upside_down == np.uint32(self.background)] = colour(tokens.canvas).rgba()
+                ground = np.uint32(QColor(tokens.canvas).rgb())
+                shown = np.where(shown == np.uint32(self.background), ground, shown)
             height, width = shown.shape
-            image = QImage(shown.data, width, height, 4 * width, QImage.Format.Format_RGB32).copy()
+            self._kept = shown
+            image = QImage(shown.data, width, height, 4 * width, QImage.Format.Format_RGB32)
             self._shown, self._reduced = (tokens.canvas, image), None
         return self._shown[1]
 

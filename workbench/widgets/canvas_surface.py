@@ -170,7 +170,7 @@ class CanvasSurface(QWidget):
         painter.scale(1 / unit, 1 / unit)
         scene = self.scene()
         area = scene.area
-        painter.fillRect(area.left, area.top, area.width, area.height, QColor(scene.tokens.window))
+        painter.fillRect(0, 0, area.right + 1, area.height + 1, QColor(scene.tokens.window))
         paint_scene(painter, self._picture, scene)
         paint_rulers(painter, scene, self._cursor or self._hover)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
