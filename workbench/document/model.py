@@ -9,7 +9,7 @@ from typing import ClassVar
 import msgspec
 
 
-class WorldPoint(msgspec.Struct, frozen=True):
+class WorldPoint(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A control point, in world coordinates."""
 
     id: str
@@ -17,7 +17,7 @@ class WorldPoint(msgspec.Struct, frozen=True):
     y: float
 
 
-class Rectangle(msgspec.Struct, frozen=True):
+class Rectangle(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A window (world) or viewport (device), sides parallel to the axes; xmin < xmax, ymin < ymax."""
 
     xmin: float
@@ -26,10 +26,22 @@ class Rectangle(msgspec.Struct, frozen=True):
     ymax: float
 
 
-class Figure(msgspec.Struct, frozen=True, tag_field="kind"):
-    """What all figures share. ``colour`` is an index into the sheet's palette; ``algorithm`` a catalogue slug."""
+def whole_sheet(width_px: int, height_px: int) -> Rectangle:
+    """The device rectangle that a picture of this size covers."""
+    return Rectangle(-0.5, -0.5, width_px - 0.5, height_px - 0.5)
+
+
+class Figure(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind"):
+    """What all figures share. ``colour`` is a palette index of the sheet, ``algorithm`` a catalogue slug.
+
+    ``algorithms`` are the slugs that can draw this kind of figure, the first one new figures get;
+    ``least_points`` and ``most_points`` bound the number of its control points.
+    """
 
     topic: ClassVar[str] = ""
+    algorithms: ClassVar[tuple[str, ...]] = ()
+    least_points: ClassVar[int] = 1
+    most_points: ClassVar[int] = 1
 
     id: str
     points_world: tuple[WorldPoint, ...]
@@ -43,28 +55,36 @@ class Line(Figure, frozen=True, tag="line"):
     """A segment between two points."""
 
     topic: ClassVar[str] = "lines"
+    algorithms: ClassVar[tuple[str, ...]] = ("bresenham_line", "dda_line", "midpoint_line", "wu_line")
+    least_points: ClassVar[int] = 2
+    most_points: ClassVar[int] = 2
 
 
 class Polyline(Figure, frozen=True, tag="polyline"):
     """Segments through two or more points, and back to the first when closed."""
 
     topic: ClassVar[str] = "lines"
+    algorithms: ClassVar[tuple[str, ...]] = Line.algorithms
+    least_points: ClassVar[int] = 2
+    most_points: ClassVar[int] = 100_000
 
     closed: bool = False
 
 
 class Circle(Figure, frozen=True, tag="circle", kw_only=True):
-    """A circle about its one point."""
+    """A circle about its one point; a radius of 0 is a single pixel."""
 
     topic: ClassVar[str] = "circles"
+    algorithms: ClassVar[tuple[str, ...]] = ("midpoint_circle",)
 
     radius_world: float
 
 
 class Ellipse(Figure, frozen=True, tag="ellipse", kw_only=True):
-    """An ellipse with axes parallel to x and y, about its one point."""
+    """An ellipse with axes parallel to x and y, about its one point; a radius of 0 makes it a segment."""
 
-    topic: ClassVar[str] = "ellipses"
+    topic: ClassVar[str] = "circles"
+    algorithms: ClassVar[tuple[str, ...]] = ("midpoint_ellipse",)
 
     radius_x_world: float
     radius_y_world: float
@@ -74,6 +94,7 @@ class SeedFill(Figure, frozen=True, tag="seed_fill", kw_only=True):
     """A fill from its one point, evaluated on what lies below it; ``boundary`` is a palette index."""
 
     topic: ClassVar[str] = "seed_fill"
+    algorithms: ClassVar[tuple[str, ...]] = ("boundary_fill_4",)
 
     boundary: int = 1
 
@@ -81,8 +102,12 @@ class SeedFill(Figure, frozen=True, tag="seed_fill", kw_only=True):
 AnyFigure = Line | Polyline | Circle | Ellipse | SeedFill
 
 
-class Sheet(msgspec.Struct, frozen=True):
-    """One picture: a size in pixels, window and viewport, palette (0xRRGGBB), figures from back to front."""
+class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One picture: a size in pixels, window and viewport, palette (0xRRGGBB), figures from back to front.
+
+    ``background`` is the palette index of the paper: the canvas shows it as the theme's canvas colour, the
+    tube as an unlit screen.
+    """
 
     id: str
     name: str
@@ -95,7 +120,11 @@ class Sheet(msgspec.Struct, frozen=True):
     background: int = 0
 
 
-class Document(msgspec.Struct, frozen=True):
-    """A list of sheets, at least one."""
+class Document(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A list of sheets, at least one. ``last_id`` is the highest number of an id that was removed.
+
+    No id is given twice in the life of a document: what refers to a removed figure never finds another.
+    """
 
     sheets: tuple[Sheet, ...]
+    last_id: int = 0

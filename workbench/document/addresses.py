@@ -1,0 +1,200 @@
+"""Addresses of attributes: they name sheet, figure and point by id, and so survive every edit of the others.
+
+As text: ``s1/width_px``, ``s1/window_world.xmin``, ``s1/palette.2``, ``s1/f2/radius_world``, ``s1/f2/p3/x``.
+``*`` in place of the attribute means the whole sheet, figure or point; ``sheets``, ``s1/figures`` and
+``s1/f2/points_world`` mean what is in the list and in which order.
+"""
+
+import re
+from collections.abc import Collection
+from typing import Any
+
+import msgspec
+
+from workbench.document.check import ids
+from workbench.document.errors import DocumentError
+from workbench.document.model import AnyFigure, Document, Rectangle, Sheet, WorldPoint
+from workbench.language import _
+
+WHOLE = "*"
+
+
+class Address(msgspec.Struct, frozen=True, order=True):
+    """Where an attribute is: sheet, figure and point by id (empty where it lies further up), and its name."""
+
+    sheet: str = ""
+    figure: str = ""
+    point: str = ""
+    attribute: str = WHOLE
+
+    def __str__(self) -> str:
+        return "/".join(part for part in (self.sheet, self.figure, self.point, self.attribute) if part)
+
+
+def parse(text: str | Address) -> Address:
+    """The address that ``text`` writes; raises DocumentError where it writes none."""
+    if isinstance(text, Address):
+        return text
+    parts = text.split("/")
+    if not 1 <= len(parts) <= 4 or not all(parts):
+        raise DocumentError(
+            text,
+            _("{text!r} is no address; write one such as s1/f2/p3/x or s1/f2/radius_world.").format(
+                text=text
+            ),
+        )
+    sheet, figure, point = (*parts[:-1], "", "", "")[:3]
+    return Address(sheet, figure, point, parts[-1])
+
+
+def sheet_with(document: Document, sheet: str) -> Sheet:
+    """The sheet with this id; raises DocumentError."""
+    for candidate in document.sheets:
+        if candidate.id == sheet:
+            return candidate
+    raise DocumentError(
+        sheet, _("There is no sheet {id!r}; choose one of the document's sheets.").format(id=sheet)
+    )
+
+
+def figure_with(document: Document, figure: str) -> tuple[Sheet, AnyFigure]:
+    """The figure with this id and the sheet it is on; raises DocumentError."""
+    for sheet in document.sheets:
+        for candidate in sheet.figures:
+            if candidate.id == figure:
+                return sheet, candidate
+    raise DocumentError(figure, _("There is no figure {id!r}; it may have been removed.").format(id=figure))
+
+
+def figures_with(document: Document, figures: Collection[str]) -> list[AnyFigure]:
+    """The figures with these ids, in the order of ``figures``; raises DocumentError."""
+    wanted = frozenset(figures)
+    found = {
+        figure.id: figure for sheet in document.sheets for figure in sheet.figures if figure.id in wanted
+    }
+    for identity in figures:
+        if identity not in found:
+            figure_with(document, identity)
+    return [found[identity] for identity in figures]
+
+
+def point_with(figure: AnyFigure, point: str) -> WorldPoint:
+    """The control point of ``figure`` with this id; raises DocumentError."""
+    for candidate in figure.points_world:
+        if candidate.id == point:
+            return candidate
+    raise DocumentError(
+        f"{figure.id}/{point}",
+        _("Figure {figure!r} has no point {id!r}; it may have been removed.").format(
+            figure=figure.id, id=point
+        ),
+    )
+
+
+def owner(document: Document, address: Address) -> Document | Sheet | AnyFigure | WorldPoint:
+    """What the attribute of ``address`` belongs to; raises DocumentError."""
+    if not address.sheet:
+        return document
+    sheet = sheet_with(document, address.sheet)
+    if not address.figure:
+        return sheet
+    for figure in sheet.figures:
+        if figure.id == address.figure:
+            return point_with(figure, address.point) if address.point else figure
+    raise DocumentError(
+        str(address),
+        _("{address}: there is no such figure; it may have been removed.").format(address=address),
+    )
+
+
+def resolve(document: Document, address: Address | str) -> Any:
+    """The value at ``address`` (for ``*`` the sheet, figure or point itself); raises DocumentError."""
+    address = parse(address)
+    value: Any = owner(document, address)
+    if address.attribute == WHOLE:
+        return value
+    for name in address.attribute.split("."):
+        if isinstance(value, tuple) and name.isdecimal() and int(name) < len(value):
+            value = value[int(name)]
+        elif isinstance(value, msgspec.Struct) and name in value.__struct_fields__:
+            value = getattr(value, name)
+        else:
+            raise DocumentError(
+                str(address),
+                _("{address}: there is no such attribute; choose one that is there.").format(address=address),
+            )
+    return value
+
+
+def changed(old: Document, new: Document) -> frozenset[Address]:
+    """The addresses of everything that differs. What came or went is one address of the whole (``*``)."""
+    found: set[Address] = set()
+    if old.sheets is not new.sheets:
+        _lists(found, old.sheets, new.sheets, Address(), "sheets", "sheet")
+    return frozenset(found)
+
+
+_INNER = {"sheets": ("figures", "figure"), "figures": ("points_world", "point"), "points_world": ("", "")}
+
+
+def _lists(
+    found: set[Address],
+    old: tuple[Any, ...],
+    new: tuple[Any, ...],
+    above: Address,
+    attribute: str,
+    level: str,
+) -> None:
+    before = {item.id: item for item in old}
+    after = {item.id: item for item in new}
+    if list(before) != list(after):
+        found.add(msgspec.structs.replace(above, attribute=attribute))
+    for identity in before.keys() | after.keys():
+        a, b = before.get(identity), after.get(identity)
+        if a is b:
+            continue
+        at = msgspec.structs.replace(above, **{level: identity})
+        if a is None or b is None or type(a) is not type(b):
+            found.add(at)
+            continue
+        inner, inner_level = _INNER[attribute]
+        for name in a.__struct_fields__:
+            x, y = getattr(a, name), getattr(b, name)
+            if x is y or name == "id":
+                continue
+            if name == inner:
+                _lists(found, x, y, at, inner, inner_level)
+            elif x != y:
+                found.update(msgspec.structs.replace(at, attribute=text) for text in _parts(name, x, y))
+
+
+def _parts(name: str, old: Any, new: Any) -> list[str]:
+    if isinstance(old, Rectangle):
+        return [
+            f"{name}.{side}" for side in old.__struct_fields__ if getattr(old, side) != getattr(new, side)
+        ]
+    if isinstance(old, tuple):
+        if len(old) != len(new):
+            return [name]
+        return [f"{name}.{index}" for index, (a, b) in enumerate(zip(old, new, strict=True)) if a != b]
+    return [name]
+
+
+_NUMBER = re.compile(r"[0-9]{1,15}$")
+
+
+def highest(document: Document) -> int:
+    """The highest number that an id of ``document`` ends in, or that a removed one ended in."""
+    numbers = (_NUMBER.search(identity) for _path, identity in ids(document))
+    return max((int(number.group()) for number in numbers if number), default=0)
+
+
+def new_ids(document: Document, prefix: str, count: int) -> list[str]:
+    """``count`` ids that ``document`` has never given, such as f7, f8: prefix s, f or p by habit."""
+    first = max(document.last_id, highest(document)) + 1
+    return [f"{prefix}{first + index}" for index in range(count)]
+
+
+def new_id(document: Document, prefix: str) -> str:
+    """An id that ``document`` has never given."""
+    return new_ids(document, prefix, 1)[0]

@@ -1,0 +1,154 @@
+"""What edits are made of: a document with something replaced, figures with ids, plain numbers."""
+
+import operator
+from collections.abc import Iterable
+from typing import Any, SupportsFloat, SupportsIndex
+
+from msgspec.structs import replace
+
+from workbench.document.addresses import Address, figure_with, highest, new_ids
+from workbench.document.errors import DocumentError
+from workbench.document.model import AnyFigure, Document, Polyline, Rectangle, Sheet, WorldPoint
+from workbench.language import _
+
+
+def ids_on(sheet: Sheet) -> list[str]:
+    """Every id on ``sheet``, its own first."""
+    return [sheet.id, *(i for f in sheet.figures for i in (f.id, *(p.id for p in f.points_world)))]
+
+
+def with_sheet(document: Document, sheet: Sheet) -> Document:
+    """``document`` with ``sheet`` in place of the one that has its id."""
+    return replace(document, sheets=tuple(sheet if old.id == sheet.id else old for old in document.sheets))
+
+
+def with_figures(document: Document, sheet: Sheet, figures: tuple[AnyFigure, ...]) -> Document:
+    """``document`` with these figures on ``sheet``."""
+    return with_sheet(document, replace(sheet, figures=figures))
+
+
+def with_changed(document: Document, figures: Iterable[AnyFigure]) -> Document:
+    """``document`` with these in place of the figures that have their ids."""
+    changed = {figure.id: figure for figure in figures}
+    for sheet in document.sheets:
+        if any(figure.id in changed for figure in sheet.figures):
+            kept = tuple(changed.get(figure.id, figure) for figure in sheet.figures)
+            document = with_figures(document, sheet, kept)
+    return document
+
+
+def with_owner(document: Document, where: Address, changed: Any) -> Document:
+    """``document`` with ``changed`` in place of the sheet, figure or point that ``where`` is on."""
+    if where.point:
+        figure = figure_with(document, where.figure)[1]
+        points = tuple(changed if old.id == where.point else old for old in figure.points_world)
+        return with_changed(document, [replace(figure, points_world=points)])
+    if where.figure:
+        return with_changed(document, [changed])
+    return with_sheet(document, changed)
+
+
+def replaced(holder: Any, path: list[str], value: Any) -> Any:
+    """``holder`` with ``value`` at ``path``, a name followed by the name or index inside it, if any."""
+    if not path:
+        return value
+    if isinstance(holder, tuple):
+        at = int(path[0])
+        return (*holder[:at], replaced(holder[at], path[1:], value), *holder[at + 1 :])
+    return replace(holder, **{path[0]: replaced(getattr(holder, path[0]), path[1:], value)})
+
+
+def remembering(before: Document, after: Document) -> Document:
+    """``after``, which will not give the ids again that ``before`` had."""
+    return replace(after, last_id=max(before.last_id, highest(before)))
+
+
+def numbered(document: Document, figure: AnyFigure) -> AnyFigure:
+    """``figure`` with new ids where its own are empty."""
+    fresh = iter(new_ids(document, "", 1 + len(figure.points_world)))
+    identity = figure.id or f"f{next(fresh)}"
+    points = tuple(p if p.id else replace(p, id=f"p{next(fresh)}") for p in figure.points_world)
+    return replace(figure, id=identity, points_world=points)
+
+
+def without_ids(figure: AnyFigure) -> AnyFigure:
+    """``figure`` with empty ids, to be numbered anew."""
+    return replace(figure, id="", points_world=tuple(replace(p, id="") for p in figure.points_world))
+
+
+def moved_by(figure: AnyFigure, dx: float, dy: float) -> AnyFigure:
+    """``figure`` with every control point moved by (dx, dy), world."""
+    points = tuple(replace(p, x=p.x + dx, y=p.y + dy) for p in figure.points_world)
+    return replace(figure, points_world=points)
+
+
+def polyline_with(document: Document, figure: str) -> Polyline:
+    """The polyline with this id; raises DocumentError."""
+    found = figure_with(document, figure)[1]
+    if not isinstance(found, Polyline):
+        sentence = _("Figure {id!r} is no polyline, so its number of points is fixed; choose a polyline.")
+        raise DocumentError(figure, sentence.format(id=figure))
+    return found
+
+
+def position(index: int, most: int, field: str) -> int:
+    """``index`` when it is a place from 0 to ``most``; raises DocumentError."""
+    if type(index) is not int or not 0 <= index <= most:
+        sentence = _("{field}: there is no place {index!r}; choose one from 0 to {most}.")
+        raise DocumentError(field, sentence.format(field=field, index=index, most=most))
+    return index
+
+
+def plain(figure: AnyFigure) -> AnyFigure:
+    """``figure`` with Python's own numbers, whatever number type it was made with."""
+    points = tuple(WorldPoint(p.id, number(p.x), number(p.y)) for p in figure.points_world)
+    radii = {
+        name: number(getattr(figure, name)) for name in figure.__struct_fields__ if name.startswith("radius")
+    }
+    return replace(figure, points_world=points, **radii)
+
+
+def plain_rectangle(rectangle: Rectangle) -> Rectangle:
+    """``rectangle`` with Python's own numbers."""
+    return Rectangle(*(number(getattr(rectangle, side)) for side in rectangle.__struct_fields__))
+
+
+def like(old: Any, value: Any, field: str) -> Any:
+    """``value`` as the kind that ``old`` is; raises DocumentError where it is not of that kind."""
+    if isinstance(old, (bool, str)):
+        if type(value) is type(old):
+            return value
+    elif isinstance(old, int):
+        whole = whole_number(value)
+        if type(whole) is int:
+            return whole
+    elif type(real := number(value)) is float:
+        return real
+    what = {bool: _("true or false"), str: _("a text"), int: _("a whole number"), float: _("a number")}[
+        type(old)
+    ]
+    raise DocumentError(
+        field,
+        _("{field} is {value!r}; give {what}.").format(field=field, value=value, what=what),
+        _("This is {value!r}; give {what}.").format(value=value, what=what),
+    )
+
+
+def number(value: SupportsFloat | Any) -> Any:
+    """``value`` as a float where it is a number of any kind; else itself, for the check to refuse."""
+    if isinstance(value, (bool, str)):
+        return value
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        return value
+
+
+def whole_number(value: SupportsIndex | Any) -> Any:
+    """``value`` as an int where it is whole; else itself, for the check to refuse."""
+    if isinstance(value, bool):
+        return value
+    try:
+        return int(value) if isinstance(value, float) and value.is_integer() else operator.index(value)
+    except TypeError:
+        return value

@@ -1,0 +1,214 @@
+"""What a document must hold to be worked with; edits and files are refused here, with the field's path."""
+
+import math
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from workbench.document.errors import DocumentError
+from workbench.document.model import (
+    AnyFigure,
+    Circle,
+    Document,
+    Ellipse,
+    Rectangle,
+    SeedFill,
+    Sheet,
+)
+from workbench.language import _, ngettext
+
+MAX_COORDINATE = 1_000_000.0
+MIN_EXTENT = 1e-6
+MAX_SIDE_PX = 4096
+MAX_SHEETS = 1_000
+MAX_FIGURES = 100_000
+MAX_PALETTE = 256
+MAX_NAME = 200
+
+_ID = re.compile(r"(?!.*[0-9]{16}$)[A-Za-z][A-Za-z0-9_-]{0,31}")
+
+
+def labels() -> dict[str, str]:
+    """What a person calls a field; fields that the course writes as letters are called so."""
+    return {
+        "radius_world": _("radius"),
+        "radius_x_world": _("horizontal radius"),
+        "radius_y_world": _("vertical radius"),
+        "width_px": _("width"),
+        "height_px": _("height"),
+        "window_world": _("window"),
+        "viewport_device": _("viewport"),
+        "colour": _("colour"),
+        "boundary": _("boundary colour"),
+        "background": _("background"),
+        "algorithm": _("algorithm"),
+        "points_world": _("list of points"),
+    }
+
+
+def refuse(field: str, problem: str) -> DocumentError:
+    """An error whose sentence is ``field`` followed by ``problem``, which begins with a verb."""
+    last = re.sub(r"\[\d+\]$", "", field.rpartition(".")[2])
+    called = labels().get(last, last)
+    short = _("The {field} {problem}.").format(field=called, problem=problem)
+    return DocumentError(field, f"{field} {problem}.", short)
+
+
+def check(document: Document, before: Document | None = None) -> Document:
+    """``document`` itself when it is sound; what it shares with the sound ``before`` is not looked at again.
+
+    Raises DocumentError with the path of the first field that is wrong.
+    """
+    _integer("last_id", document.last_id, 0, 2**53)
+    _count("sheets", document.sheets, 1, MAX_SHEETS, _("sheet"))
+    known = {id(sheet): sheet for sheet in before.sheets} if before else {}
+    by_id = {sheet.id: sheet for sheet in before.sheets} if before else {}
+    for index, sheet in enumerate(document.sheets):
+        if id(sheet) not in known:
+            _sheet(f"sheets[{index}]", sheet, by_id.get(sheet.id))
+    if before is None or before.sheets is not document.sheets:
+        _ids_unique(document)
+    return document
+
+
+def _sheet(at: str, sheet: Sheet, before: Sheet | None) -> None:
+    _name(f"{at}.name", sheet.name)
+    _integer(f"{at}.width_px", sheet.width_px, 1, MAX_SIDE_PX)
+    _integer(f"{at}.height_px", sheet.height_px, 1, MAX_SIDE_PX)
+    _rectangle(f"{at}.window_world", sheet.window_world)
+    _rectangle(f"{at}.viewport_device", sheet.viewport_device)
+    _count(f"{at}.palette", sheet.palette, 2, MAX_PALETTE, _("colour"))
+    for index, colour in enumerate(sheet.palette):
+        _integer(f"{at}.palette[{index}]", colour, 0, 0xFFFFFF)
+    _palette_index(f"{at}.background", sheet.background, sheet)
+    _count(f"{at}.figures", sheet.figures, 0, MAX_FIGURES, _("figure"))
+    same_palette = before is not None and len(before.palette) <= len(sheet.palette)
+    seen = {id(figure) for figure in before.figures} if before is not None and same_palette else set()
+    for index, figure in enumerate(sheet.figures):
+        if id(figure) not in seen:
+            _figure(f"{at}.figures[{index}]", figure, sheet)
+
+
+def _figure(at: str, figure: AnyFigure, sheet: Sheet) -> None:
+    _name(f"{at}.name", figure.name)
+    _truth(f"{at}.visible", figure.visible)
+    if hasattr(figure, "closed"):
+        _truth(f"{at}.closed", figure.closed)
+    if figure.algorithm not in figure.algorithms:
+        choices = ", ".join(figure.algorithms)
+        problem = _("is {value!r}, which cannot draw this figure; choose one of {choices}")
+        raise refuse(f"{at}.algorithm", problem.format(value=figure.algorithm, choices=choices))
+    _palette_index(f"{at}.colour", figure.colour, sheet)
+    _count(f"{at}.points_world", figure.points_world, figure.least_points, figure.most_points, _("point"))
+    for index, point in enumerate(figure.points_world):
+        _coordinate(f"{at}.points_world[{index}].x", point.x)
+        _coordinate(f"{at}.points_world[{index}].y", point.y)
+    if isinstance(figure, Circle):
+        _radius(f"{at}.radius_world", figure.radius_world)
+    elif isinstance(figure, Ellipse):
+        _radius(f"{at}.radius_x_world", figure.radius_x_world)
+        _radius(f"{at}.radius_y_world", figure.radius_y_world)
+    elif isinstance(figure, SeedFill):
+        _palette_index(f"{at}.boundary", figure.boundary, sheet)
+
+
+def ids(document: Document) -> Iterator[tuple[str, str]]:
+    """(path, id) of everything in ``document`` that has an id."""
+    for s, sheet in enumerate(document.sheets):
+        yield f"sheets[{s}].id", sheet.id
+        for f, figure in enumerate(sheet.figures):
+            yield f"sheets[{s}].figures[{f}].id", figure.id
+            for p, point in enumerate(figure.points_world):
+                yield f"sheets[{s}].figures[{f}].points_world[{p}].id", point.id
+
+
+def _ids_unique(document: Document) -> None:
+    seen: set[str] = set()
+    for field, identity in ids(document):
+        if not isinstance(identity, str) or not _ID.fullmatch(identity):
+            problem = _(
+                "is {value!r}; an id is a letter and up to 31 letters, digits, - or _, at most 15 digits last"
+            )
+            raise refuse(field, problem.format(value=identity))
+        if identity in seen:
+            raise refuse(
+                field, _("is {value!r}, which another has too; give it its own").format(value=identity)
+            )
+        seen.add(identity)
+
+
+def _coordinate(field: str, value: Any) -> None:
+    _number(field, value)
+    if not abs(value) <= MAX_COORDINATE:
+        problem = _("is {value}; give a number between -{most:,.0f} and {most:,.0f}")
+        raise refuse(field, problem.format(value=value, most=MAX_COORDINATE))
+
+
+def _radius(field: str, value: Any) -> None:
+    _number(field, value)
+    if not 0 <= value <= MAX_COORDINATE:
+        problem = _("is {value}; give a number between 0 and {most:,.0f}")
+        raise refuse(field, problem.format(value=value, most=MAX_COORDINATE))
+
+
+def _rectangle(field: str, rectangle: Rectangle) -> None:
+    for name in ("xmin", "ymin", "xmax", "ymax"):
+        _coordinate(f"{field}.{name}", getattr(rectangle, name))
+    for low, high, side in (("xmin", "xmax", _("width")), ("ymin", "ymax", _("height"))):
+        a, b = getattr(rectangle, low), getattr(rectangle, high)
+        if not b - a >= MIN_EXTENT:
+            problem = _(
+                "has no {side}: {low} is {a} and {high} is {b}; drag one of its sides, or type another value"
+            )
+            raise refuse(field, problem.format(side=side, low=low, a=a, high=high, b=b))
+
+
+def _palette_index(field: str, value: Any, sheet: Sheet) -> None:
+    _whole(field, value)
+    if not 0 <= value < len(sheet.palette):
+        problem = _("is {value}, but the palette has the colours 0 to {last}; choose one of these")
+        raise refuse(field, problem.format(value=value, last=len(sheet.palette) - 1))
+
+
+def _integer(field: str, value: Any, low: int, high: int) -> None:
+    _whole(field, value)
+    if not low <= value <= high:
+        problem = _("is {value}; give a whole number between {low} and {high}")
+        raise refuse(field, problem.format(value=value, low=low, high=high))
+
+
+def _number(field: str, value: Any) -> None:
+    if type(value) not in (float, int) or not math.isfinite(value):
+        raise refuse(field, _("is {value!r}; give a finite number").format(value=value))
+
+
+def _whole(field: str, value: Any) -> None:
+    if type(value) is not int:
+        raise refuse(field, _("is {value!r}; give a whole number").format(value=value))
+
+
+def _truth(field: str, value: Any) -> None:
+    if type(value) is not bool:
+        raise refuse(field, _("is {value!r}; give true or false").format(value=value))
+
+
+def _name(field: str, value: Any) -> None:
+    if type(value) is not str or len(value) > MAX_NAME:
+        raise refuse(field, _("is too long; give a text of at most {most} characters").format(most=MAX_NAME))
+    if any(0xD800 <= ord(character) <= 0xDFFF for character in value):
+        raise refuse(field, _("has a character that no file can hold; type it again"))
+
+
+def _count(field: str, values: Any, least: int, most: int, what: str) -> None:
+    if not isinstance(values, tuple):
+        raise refuse(field, _("is not a list; give one"))
+    if len(values) < least:
+        problem = ngettext(
+            "has {count} of at least {least} {what}; add what is missing",
+            "has {count} of at least {least} {what}s; add what is missing",
+            least,
+        )
+        raise refuse(field, problem.format(count=len(values), least=least, what=what))
+    if len(values) > most:
+        problem = _("has {count:,} entries of at most {most:,}; remove some")
+        raise refuse(field, problem.format(count=len(values), most=most))

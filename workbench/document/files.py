@@ -1,0 +1,257 @@
+"""The `.gwb` file: one readable, versioned JSON text; ``saving`` puts it on the disk.
+
+    {"format": "graphics-workbench", "version": 1, "document": ..., "session": ..., "blobs": {...}}
+
+Blobs (large meshes, pictures) are base64 by the SHA-256 of their content. Whatever is wrong with a file is
+told as a DocumentError that names the field.
+"""
+
+import hashlib
+import os
+import re
+import stat
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from workbench.document.check import check, refuse
+from workbench.document.errors import DocumentError
+from workbench.document.model import Document
+from workbench.document.places import line_of, path_at
+from workbench.document.saving import replace_file
+from workbench.document.state import SessionState, check_state
+from workbench.language import _
+
+FORMAT = "graphics-workbench"
+VERSION = 1
+MAX_BYTES = 256 * 2**20
+
+Upgrade = Callable[[dict[str, Any]], dict[str, Any]]
+# From each older version to the next one: UPGRADES[1] makes a version 2 of a version 1, as plain JSON values.
+UPGRADES: Mapping[int, Upgrade] = {}
+
+
+class Stored(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What a file holds: the picture, the session beside it, and blobs by the SHA-256 of their content.
+
+    ``origin`` is set in recovery files only: the file that the picture came from, empty when it had none.
+    """
+
+    document: Document
+    session: SessionState = SessionState()
+    blobs: dict[str, bytes] = {}
+    origin: str | None = None
+
+
+class _Head(msgspec.Struct):
+    format: str
+    version: int
+
+
+class _File(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
+    format: str
+    version: int
+    document: Document
+    session: SessionState
+    blobs: dict[str, bytes]
+    origin: str | None = None
+
+
+def load(path: Path | str) -> Document:
+    """The document in a file; raises DocumentError."""
+    return read(path).document
+
+
+def save(document: Document, path: Path | str) -> None:
+    """Put ``document`` into a file, atomically; raises DocumentError, and the old file stays."""
+    write(Stored(document), path)
+
+
+def read(path: Path | str) -> Stored:
+    """Everything in a file; raises DocumentError."""
+    shown = str(path)
+    try:
+        status = os.stat(path)
+        if stat.S_ISDIR(status.st_mode):
+            raise DocumentError("", _("{path} is a folder; choose a file in it.").format(path=shown))
+        if not stat.S_ISREG(status.st_mode):
+            raise DocumentError(
+                "", _("{path} is not a file that can be opened; choose another.").format(path=shown)
+            )
+        if status.st_size > MAX_BYTES:
+            sentence = _(
+                "{path} has {size:,} bytes, and at most {most:,} can be opened; choose another file."
+            )
+            raise DocumentError("", sentence.format(path=shown, size=status.st_size, most=MAX_BYTES))
+        with open(path, "rb") as file:
+            data = file.read(MAX_BYTES + 1)
+    except FileNotFoundError as error:
+        raise DocumentError("", _("There is no file {path}; choose another.").format(path=shown)) from error
+    except PermissionError as error:
+        sentence = _("{path} may not be read by you; change its permissions or choose another file.")
+        raise DocumentError("", sentence.format(path=shown)) from error
+    except (OSError, ValueError) as error:
+        if isinstance(error, DocumentError):
+            raise
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        sentence = _("{path} cannot be read ({reason}); choose another file.")
+        raise DocumentError("", sentence.format(path=shown, reason=reason)) from error
+    return decode(data)
+
+
+def write(stored: Stored, path: Path | str) -> None:
+    """Put ``stored`` into a file, atomically; raises DocumentError, and the old file stays."""
+
+    def verify(data: bytes) -> None:
+        if decode(data) != stored:
+            raise DocumentError(
+                "", _("What was written reads back differently, so the old file was kept; save again.")
+            )
+
+    replace_file(Path(path), encode(stored), verify)
+
+
+def encode(stored: Stored) -> bytes:
+    """The text of a file; raises DocumentError when ``stored`` is not sound."""
+    check(stored.document)
+    check_state(stored.session, stored.document)
+    _check_blobs(stored.blobs)
+    file = _File(FORMAT, VERSION, stored.document, stored.session, stored.blobs, stored.origin)
+    try:
+        return msgspec.json.format(_encoder.encode(file), indent=1) + b"\n"
+    except (TypeError, ValueError) as error:
+        raise DocumentError(
+            "", _("This cannot be put into a file ({reason}).").format(reason=error)
+        ) from error
+
+
+def decode(data: bytes) -> Stored:
+    """What the text of a file holds; raises DocumentError, and nothing else, for whatever bytes."""
+    if not data.strip():
+        raise DocumentError("", _("The file is empty; open another copy of it."))
+    data = data.removeprefix(b"\xef\xbb\xbf")
+    try:
+        data.decode("utf-8")
+        file = _typed(data)
+    except UnicodeDecodeError as error:
+        raise _broken(data, error.start, _("is not UTF-8 text")) from error
+    except msgspec.ValidationError as error:
+        raise _translated(str(error)) from error
+    except msgspec.DecodeError as error:
+        raise _malformed(data, str(error)) from error
+    except RecursionError as error:
+        raise DocumentError("", _("The file is nested too deeply; open another copy of it.")) from error
+    check(file.document)
+    check_state(file.session, file.document)
+    _check_blobs(file.blobs)
+    return Stored(file.document, file.session, file.blobs, file.origin)
+
+
+_encoder = msgspec.json.Encoder(order=None)
+
+
+def _typed(data: bytes) -> _File:
+    try:
+        head = msgspec.json.decode(data, type=_Head)
+    except msgspec.ValidationError as error:
+        if "`$" in str(error):
+            raise
+        raise DocumentError(
+            "", _("This is not a Graphics Workbench file; choose one that ends in .gwb.")
+        ) from error
+    if head.format != FORMAT:
+        raise refuse(
+            "format", _("is {value!r}; choose a file that Graphics Workbench saved").format(value=head.format)
+        )
+    if head.version == VERSION:
+        return msgspec.json.decode(data, type=_File)
+    return msgspec.convert(upgraded(msgspec.json.decode(data), head.version), _File)
+
+
+def upgraded(
+    raw: dict[str, Any], version: int, upgrades: Mapping[int, Upgrade] = UPGRADES, newest: int = VERSION
+) -> dict[str, Any]:
+    """``raw``, the JSON values of a file of an older version, as the newest version; raises DocumentError."""
+    if version > newest:
+        sentence = _("is {value}, newer than this program reads ({newest}); update the program to open it")
+        raise refuse("version", sentence.format(value=version, newest=newest))
+    while version < newest:
+        if version not in upgrades:
+            raise refuse(
+                "version",
+                _("is {value}, which no program has written; open another copy").format(value=version),
+            )
+        try:
+            raw = upgrades[version](raw)
+        except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
+            problem = _("is {value}, but the file does not hold what such a file must; open another copy")
+            raise refuse("version", problem.format(value=version)) from error
+        version += 1
+    return {**raw, "version": newest}
+
+
+def _check_blobs(blobs: Mapping[str, bytes]) -> None:
+    for name, content in blobs.items():
+        if hashlib.sha256(content).hexdigest() != name:
+            shown = name if len(name) <= 16 else name[:16] + "…"
+            raise refuse(
+                f"blobs.{shown}", _("does not match its content, which was damaged; open another copy")
+            )
+
+
+def _malformed(data: bytes, message: str) -> DocumentError:
+    found = re.search(r"\(byte (\d+)\)", message)
+    if found is None:
+        return _broken(data, len(data), _("breaks off"))
+    at = int(found.group(1))
+    constant = re.match(rb"-?(NaN|Infinity)", data[max(0, at - 1) :].lstrip(b" :[,\n")) or re.match(
+        rb"-?(NaN|Infinity)", data[at:]
+    )
+    if constant:
+        field = path_at(data, at).removeprefix("document.")
+        return refuse(field, _("is {value}; give a finite number").format(value=constant.group().decode()))
+    return _broken(data, at, _("is not JSON"))
+
+
+def _broken(data: bytes, offset: int, problem: str) -> DocumentError:
+    field = path_at(data, offset).removeprefix("document.")
+    sentence = _("The file {problem} at line {line}, in {field}; open another copy of it.")
+    where = field or _("its outermost object")
+    return DocumentError(field, sentence.format(problem=problem, line=line_of(data, offset), field=where))
+
+
+def _kinds() -> dict[str, str]:
+    return {
+        "float": _("a number"),
+        "int": _("a whole number"),
+        "str": _("a text"),
+        "bool": _("true or false"),
+        "array": _("a list"),
+        "object": _("an object"),
+        "null": _("nothing"),
+        "bytes": _("base64 text"),
+    }
+
+
+def _translated(message: str) -> DocumentError:
+    """A DocumentError for what msgspec says of a value of the wrong shape."""
+    what, _separator, path = message.partition(" - at `$")
+    field = path.rstrip("`").removeprefix(".").removeprefix("document.").replace("[...]", "")
+    named = re.search(r"(unknown|missing required) field `(.*)`", what, re.DOTALL)
+    if named:
+        inside = "" if field == "document" else field
+        field = f"{inside}.{named.group(2)}" if inside else named.group(2)
+        if named.group(1) == "unknown":
+            return refuse(field, _("is a field that this version does not know; remove it from the file"))
+        return refuse(field, _("is missing; add it to the file or open another copy"))
+    kinds = _kinds()
+    wrong = re.fullmatch(r"Expected `([^`]*)`, got `([^`]*)`.*", what, re.DOTALL)
+    if wrong:
+        wanted = _(" or ").join(kinds.get(kind, kind) for kind in wrong.group(1).split(" | "))
+        got = kinds.get(wrong.group(2), wrong.group(2))
+        problem = _("is {got} where {wanted} belongs; correct it in the file or open another copy")
+        return refuse(field or "document", problem.format(got=got, wanted=wanted))
+    problem = _("is not right ({what}); correct it in the file or open another copy")
+    return refuse(field or "document", problem.format(what=what[0].lower() + what[1:]))

@@ -1,0 +1,75 @@
+"""What a session keeps in the file beside the picture: it is saved, but never a step of undo."""
+
+from typing import Literal
+
+import msgspec
+
+from workbench.document.check import refuse
+from workbench.document.model import Document
+from workbench.language import _
+
+
+class TubeSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """How the tubes are driven; ``slow_motion`` times slower than life, ``time_s`` on the tube's clock."""
+
+    shown: Literal["both", "raster", "vector"] = "both"
+    phosphor: str = "P31"
+    refresh_hz: float = 60.0
+    slow_motion: float = 1.0
+    paused: bool = False
+    time_s: float = 0.0
+
+
+class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Current sheet, selected and active figures (ids), the compared algorithm, the cursor, the tube.
+
+    An empty ``sheet`` means the first one, an empty ``compare`` no comparison. ``step`` counts rows of the
+    hand table, or lines in ``detail``; ``ask_first`` hides the next pixel until it was guessed.
+    """
+
+    sheet: str = ""
+    selection: tuple[str, ...] = ()
+    active: str = ""
+    compare: str = ""
+    step: int = 0
+    detail: bool = False
+    ask_first: bool = False
+    tube: TubeSettings = TubeSettings()
+
+
+def check_state(state: SessionState, document: Document) -> SessionState:
+    """``state`` itself when all it refers to is in ``document``; raises DocumentError with the field."""
+    figures = {figure.id for sheet in document.sheets for figure in sheet.figures}
+    if state.sheet and all(sheet.id != state.sheet for sheet in document.sheets):
+        raise refuse("session.sheet", _missing(state.sheet))
+    for index, figure in enumerate(state.selection):
+        if figure not in figures:
+            raise refuse(f"session.selection[{index}]", _missing(figure))
+    if state.active and state.active not in figures:
+        raise refuse("session.active", _missing(state.active))
+    if not 0 <= state.step < 2**53:
+        raise refuse("session.step", _("is {value}; give a whole number from 0").format(value=state.step))
+    for name, low, high in (("refresh_hz", 0.1, 1000.0), ("slow_motion", 0.001, 1e9), ("time_s", 0.0, 1e9)):
+        value = getattr(state.tube, name)
+        if not low <= value <= high:
+            problem = _("is {value}; give a number between {low:g} and {high:g}")
+            raise refuse(f"session.tube.{name}", problem.format(value=value, low=low, high=high))
+    return state
+
+
+def cleaned(state: SessionState, document: Document) -> SessionState:
+    """``state`` without what is no longer in ``document``; the same object when nothing is missing."""
+    figures = {figure.id for sheet in document.sheets for figure in sheet.figures}
+    sheet = (
+        state.sheet if any(known.id == state.sheet for known in document.sheets) else document.sheets[0].id
+    )
+    selection = tuple(figure for figure in state.selection if figure in figures)
+    active = state.active if state.active in figures else ""
+    if (sheet, selection, active) == (state.sheet, state.selection, state.active):
+        return state
+    step = state.step if active == state.active else 0
+    return msgspec.structs.replace(state, sheet=sheet, selection=selection, active=active, step=step)
+
+
+def _missing(identity: str) -> str:
+    return _("is {id!r}, which is not in the document; remove it or name one that is").format(id=identity)

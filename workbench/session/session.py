@@ -1,0 +1,197 @@
+"""The session: the one holder of the open document, of undo, of what is selected and where the run stands.
+
+Three kinds of state: the document (undone, saved), the session's state (saved, not undone), and the view
+(docks, zoom), which lives in the settings and not here.
+"""
+
+from pathlib import Path
+from typing import Any
+
+from msgspec.structs import replace
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from workbench.document.addresses import changed as changed_addresses
+from workbench.document.edits import Edit, add_sheet
+from workbench.document.errors import DocumentError
+from workbench.document.files import Stored, read, write
+from workbench.document.model import AnyFigure, Document, Sheet
+from workbench.document.samples import blank_sheet, example
+from workbench.document.state import SessionState, check_state, cleaned
+from workbench.language import _
+
+
+class _Change(QUndoCommand):
+    """One step of undo: the documents before and after it."""
+
+    def __init__(self, session: "Session", old: Document, new: Document, name: str) -> None:
+        super().__init__(name)
+        self._session = session
+        self.old = old
+        self.new = new
+
+    def redo(self) -> None:
+        self._session._show(self.new)
+
+    def undo(self) -> None:
+        self._session._show(self.old)
+
+
+class Session(QObject):
+    """Owns the document. Panels read it here, change it by ``apply``, and keep no truth of their own.
+
+    ``changed(old, new, addresses)`` and ``state_changed(old, new)`` come once per turn of the event loop, in
+    this order, with everything that happened since the last time. ``revision`` counts every change at once:
+    a worker answers with the revision it was given, and stale answers are dropped.
+    """
+
+    changed = Signal(object, object, object)
+    state_changed = Signal(object, object)
+    path_changed = Signal(object)
+    dirty_changed = Signal(bool)
+    _due = Signal()
+
+    def __init__(self, parent: QObject | None = None, document: Document | None = None) -> None:
+        super().__init__(parent)
+        self.document = blank_sheet() if document is None else document
+        self.revision = 0
+        self.path: Path | None = None
+        self.undo_stack = QUndoStack(self)
+        self.state = cleaned(SessionState(), self.document)
+        self._blobs: dict[str, bytes] = {}
+        self._told = (self.document, self.state)
+        self._waiting = False
+        self._merging: tuple[str, _Change] | None = None
+        self._pushing = False
+        self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
+        self.undo_stack.cleanChanged.connect(lambda clean: self.dirty_changed.emit(not clean))
+        self.undo_stack.indexChanged.connect(self._index_changed)
+
+    @property
+    def dirty(self) -> bool:
+        """Whether the document differs from what was opened or saved last."""
+        return not self.undo_stack.isClean()
+
+    @property
+    def sheet(self) -> Sheet:
+        """The current sheet."""
+        return next((s for s in self.document.sheets if s.id == self.state.sheet), self.document.sheets[0])
+
+    @property
+    def active_figure(self) -> AnyFigure | None:
+        """The figure whose run is stepped: the active one, or else the front one of the current sheet."""
+        figures = self.sheet.figures
+        return next((f for f in figures if f.id == self.state.active), figures[-1] if figures else None)
+
+    @property
+    def stored(self) -> Stored:
+        """What a file of this session holds."""
+        return Stored(self.document, self.state, self._blobs)
+
+    def apply(self, edit: Edit, name: str, merge: str = "") -> None:
+        """Do ``edit`` as one step of undo called ``name``; raises DocumentError with everything untouched.
+
+        Edits with the same ``merge`` token become one step, until ``end_merge`` or any other edit.
+        """
+        old = self.document
+        new = edit(old)
+        if new == old:
+            return
+        if merge and self._merging and self._merging[0] == merge and self.dirty:
+            self._merging[1].new = new
+            self._show(new)
+            return
+        self.end_merge()
+        change = _Change(self, old, new, name)
+        self._pushing = True
+        try:
+            self.undo_stack.push(change)
+        finally:
+            self._pushing = False
+        if merge:
+            self._merging = (merge, change)
+
+    def end_merge(self) -> None:
+        """End a drag: the next edit is a step of its own. A drag back to its start leaves none."""
+        if self._merging is None:
+            return
+        change = self._merging[1]
+        self._merging = None
+        if change.old == change.new:
+            change.setObsolete(True)
+            self.undo_stack.undo()
+
+    def update_state(self, **changes: Any) -> None:
+        """Change fields of the session's state; raises DocumentError when they refer to nothing."""
+        state = check_state(replace(self.state, **changes), self.document)
+        if state != self.state:
+            self.state = state
+            self._tell_later()
+
+    def flush(self) -> None:
+        """Tell now what changed since the last time, rather than in the next turn of the event loop."""
+        self._waiting = False
+        (old, old_state), self._told = self._told, (self.document, self.state)
+        addresses = changed_addresses(old, self.document)
+        if addresses:
+            self.changed.emit(old, self.document, addresses)
+        if self.state != old_state:
+            self.state_changed.emit(old_state, self.state)
+
+    def new(self, document: Document | None = None) -> None:
+        """Begin anew with a blank sheet or with ``document``, which then has no file and is not dirty."""
+        self._begin(Stored(document or blank_sheet(), SessionState()), None)
+
+    def open_example(self, slug: str) -> None:
+        """Open a built-in example: as a document of its own, or as a sheet beside unsaved work."""
+        chosen = example(slug)
+        if not self.dirty:
+            self.new(chosen.document)
+            return
+        known = {sheet.id for sheet in self.document.sheets}
+        self.apply(add_sheet(chosen.document.sheets[0]), _("Open example"))
+        self.update_state(
+            sheet=next(s.id for s in self.document.sheets if s.id not in known), active="", step=0
+        )
+
+    def open(self, path: Path | str) -> None:
+        """Open a file; raises DocumentError, and what is open stays."""
+        self._begin(read(path), Path(path))
+
+    def save(self) -> None:
+        """Save to the file it came from; raises DocumentError."""
+        if self.path is None:
+            raise DocumentError("", _("This picture has no file yet; choose a name and a folder for it."))
+        self.save_as(self.path)
+
+    def save_as(self, path: Path | str) -> None:
+        """Save to ``path``, which is its file from now on; raises DocumentError."""
+        self.end_merge()
+        write(self.stored, path)
+        self.path = Path(path)
+        self.undo_stack.setClean()
+        self.path_changed.emit(self.path)
+
+    def _begin(self, stored: Stored, path: Path | None) -> None:
+        self._merging = None
+        self.undo_stack.clear()
+        self._blobs = stored.blobs
+        self.path = path
+        self.state = cleaned(stored.session, stored.document)
+        self._show(stored.document)
+        self.path_changed.emit(path)
+
+    def _show(self, document: Document) -> None:
+        self.document = document
+        self.state = cleaned(self.state, document)
+        self.revision += 1
+        self._tell_later()
+
+    def _tell_later(self) -> None:
+        if not self._waiting:
+            self._waiting = True
+            self._due.emit()
+
+    def _index_changed(self) -> None:
+        if not self._pushing:
+            self._merging = None
