@@ -2,8 +2,10 @@
 
 import difflib
 
+from workbench.algorithms.circles import midpoint_circle, midpoint_ellipse
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.lines import bresenham, dda, dda_fixed, dda_single, midpoint, wu
+from workbench.algorithms.seed_fill import boundary_fill_4
 from workbench.algorithms.visibility import depth_buffer
 
 _ENTRIES: tuple[Entry, ...] = (
@@ -13,6 +15,9 @@ _ENTRIES: tuple[Entry, ...] = (
     bresenham.ENTRY,
     midpoint.ENTRY,
     wu.ENTRY,
+    midpoint_circle.ENTRY,
+    midpoint_ellipse.ENTRY,
+    boundary_fill_4.ENTRY,
     depth_buffer.ENTRY,
 )
 

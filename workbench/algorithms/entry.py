@@ -71,7 +71,9 @@ class Entry:
     are the sentences that the tests of this entry prove. ``questions`` are those of the paper it serves,
     ``next_rung`` the slug of the next one on the ladder, ``tie`` the book whose tie it follows.
     ``writes`` names the image argument that the text itself writes in place (then a painting sink writes
-    nothing). ``compiles`` is empty, or says why this text is stepped only.
+    nothing). ``compiles`` is empty, or says why this text is stepped only. ``extent`` is an expression over
+    the parameters for a box (x_min, y_min, x_max, y_max) that no emitted pixel leaves: a figure whose box
+    lies inside the picture is painted without testing each pixel.
     """
 
     function: Callable[..., Iterator[tuple[Any, ...]]]
@@ -91,6 +93,7 @@ class Entry:
     tie: str = ""
     writes: str = ""
     compiles: str = ""
+    extent: str = ""
 
     @property
     def slug(self) -> str:

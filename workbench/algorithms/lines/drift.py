@@ -9,6 +9,7 @@ from typing import SupportsFloat
 import numpy as np
 
 Ends = tuple[int, int, int, int]
+Pixel = tuple[int, int]
 Point = tuple[SupportsFloat, SupportsFloat]
 
 
@@ -20,7 +21,7 @@ def exact(ends: Ends, k: int) -> tuple[float, float]:
 
 
 def drift(point: Point, ends: Ends, k: int, one: int = 1) -> float:
-    """How far ``point``, counted in 1/one, is from the true line along its shorter side: exact, rounded once."""
+    """How far ``point``, counted in 1/one, is from the true line along its shorter side; rounded once."""
     x0, y0, x1, y1 = ends
     flat = abs(x1 - x0) >= abs(y1 - y0)
     value, start, end = (point[1], y0, y1) if flat else (point[0], x0, x1)
@@ -44,8 +45,8 @@ def drift_in(ends: Ends, k: int, kind: type[np.floating]) -> float:
     return drift((added_up(x0, x1), added_up(y0, y1)), ends, k)
 
 
-def beside(x: SupportsFloat, y: SupportsFloat, ends: Ends) -> tuple[tuple[int, int], ...]:
-    """The pixels on either side of a point of the line: above one another on a flat line, else side by side."""
+def beside(x: SupportsFloat, y: SupportsFloat, ends: Ends) -> tuple[Pixel, ...]:
+    """The pixels on either side of a point of the line: one above the other on a flat line."""
     x0, y0, x1, y1 = ends
     x, y = float(x), float(y)
     if abs(x1 - x0) >= abs(y1 - y0):
@@ -55,8 +56,6 @@ def beside(x: SupportsFloat, y: SupportsFloat, ends: Ends) -> tuple[tuple[int, i
     return (math.floor(x), row), (math.floor(x) + 1, row)
 
 
-def others(
-    x: SupportsFloat, y: SupportsFloat, ends: Ends, pixel: tuple[int, int]
-) -> tuple[tuple[int, int], ...]:
+def others(x: SupportsFloat, y: SupportsFloat, ends: Ends, taken: Pixel) -> tuple[Pixel, ...]:
     """Of the pixels beside a point of the line, those that were not taken."""
-    return tuple(place for place in beside(x, y, ends) if place != pixel)
+    return tuple(place for place in beside(x, y, ends) if place != taken)

@@ -64,7 +64,7 @@ ENTRY = Entry(
     function=midpoint_line,
     topic="lines",
     title="Midpoint line",
-    summary="Asks on which side of the line the midpoint between two candidates lies; the same pixels as Bresenham.",
+    summary="Asks on which side of the line the midpoint of two candidates lies; the pixels are Bresenham's.",
     parameters=END_POINTS,
     emits="pixels",
     source="Foley, van Dam, Feiner and Hughes, Computer Graphics, section 3.2.2",
@@ -93,8 +93,8 @@ ENTRY = Entry(
             chosen=_CHOSEN,
             rejected=_STRAIGHT,
             row=_ROW,
-            sentence="2F = {before.p}: the midpoint is on the line; as in Bresenham's, the diagonal is taken, "
-            "{pixel(x + step_x, y, steep)}. Next 2F = {before.p} + 2(a + b) = {p}.",
+            sentence="2F = {before.p}: the midpoint is on the line; as in Bresenham's, the diagonal is "
+            "taken, {pixel(x + step_x, y, steep)}. Next 2F = {before.p} + 2(a + b) = {p}.",
         ),
         View(
             block="Ask on which side the midpoint lies",
@@ -102,8 +102,8 @@ ENTRY = Entry(
             chosen=_CHOSEN,
             rejected=_STRAIGHT,
             row=_ROW,
-            sentence="2F = {before.p} is positive: the midpoint is short of the line, so the line is nearer to "
-            "{pixel(x + step_x, y, steep)}. Next 2F = {before.p} + 2(a + b) = {p}.",
+            sentence="2F = {before.p} is positive: the midpoint is short of the line, so the line is nearer "
+            "to {pixel(x + step_x, y, steep)}. Next 2F = {before.p} + 2(a + b) = {p}.",
         ),
     ),
     laws=(

@@ -1,0 +1,103 @@
+"""The midpoint ellipse.
+
+x, y                point of the quarter from the top to the right, seen from the centre
+rx2, ry2            squares of the two radii
+px, py              2 ry2 x and 2 rx2 y; where px reaches py the slope is -1 and region 2 begins
+k                   number of the step of region 2, from 0
+p_times_4           four times the book's p, so that its quarters stay whole and no sign is rounded
+"""
+
+from collections.abc import Iterator
+
+from workbench.algorithms.circles.ellipse_views import COLUMNS, PARAMETERS, VIEWS
+from workbench.algorithms.entry import Entry
+
+
+def four_points(xc: int, yc: int, x: int, y: int) -> Iterator[tuple[int, int]]:
+    """Emit the mirror images of (x, y) about the centre, each pixel once."""
+    # Drop the duplicates on the axes
+    half_turn = x > 0 or y > 0
+    reflections = x > 0 and y > 0
+
+    # Plot the point and its mirror images
+    yield xc + x, yc + y
+    if half_turn:
+        yield xc - x, yc - y
+    if reflections:
+        yield xc - x, yc + y
+        yield xc + x, yc - y
+
+
+def midpoint_ellipse(xc: int, yc: int, rx: int, ry: int) -> Iterator[tuple[int, int]]:
+    """Emit an ellipse, walking a quarter of it, in columns while it is flat and in rows where it is steep.
+
+    Args: centre and radii (0 or more) in device pixels. Emits: (x, y), each pixel once. A radius of 0 gives a
+    segment, and a very flat ellipse ends in one.
+    Source: Hearn and Baker, Computer Graphics, C Version, section 3-6; there p is rounded to a whole number.
+    """
+    # Set up the constants
+    rx2 = rx * rx
+    ry2 = ry * ry
+
+    # Start region 1 at the top
+    x = 0
+    y = ry
+    px = 0
+    py = 2 * rx2 * y
+    p_times_4 = 4 * (ry2 - rx2 * ry) + rx2
+    yield from four_points(xc, yc, x, y)
+
+    while px < py:
+        # Region 1: choose E or SE
+        x += 1
+        px += 2 * ry2
+        if p_times_4 < 0:
+            p_times_4 += 4 * (ry2 + px)
+        else:
+            y -= 1
+            py -= 2 * rx2
+            p_times_4 += 4 * (ry2 + px - py)
+        yield from four_points(xc, yc, x, y)
+
+    # Change to region 2
+    p_times_4 = ry2 * (2 * x + 1) * (2 * x + 1) + 4 * rx2 * (y - 1) * (y - 1) - 4 * rx2 * ry2
+
+    for k in range(y):
+        # Region 2: choose S or SE
+        y -= 1
+        py -= 2 * rx2
+        if p_times_4 > 0:
+            p_times_4 += 4 * (rx2 - py)
+        else:
+            x += 1
+            px += 2 * ry2
+            p_times_4 += 4 * (rx2 - py + px)
+        yield from four_points(xc, yc, x, y)
+
+    while x < rx:
+        # Finish the tip of a flat ellipse
+        x += 1
+        yield from four_points(xc, yc, x, y)
+
+
+ENTRY = Entry(
+    function=midpoint_ellipse,
+    topic="ellipses",
+    title="Midpoint ellipse",
+    summary="Walks a quarter of the ellipse in two regions, each in steps along its longer direction.",
+    parameters=PARAMETERS,
+    emits="pixels",
+    source="Hearn and Baker, Computer Graphics, C Version, section 3-6",
+    columns=COLUMNS,
+    views=VIEWS,
+    laws=(
+        "Each pixel once.",
+        "The four mirror images of every pixel are there, and the four ends of the axes.",
+        "Every choice agrees with the sign of the ellipse's function at the midpoint, reckoned exactly.",
+        "Neighbouring pixels touch along a side or at a corner.",
+        "With equal radii the pixels are those of the midpoint circle.",
+    ),
+    not_laws=("Every pixel is the nearest to the ellipse: at the ends of a very flat one they need not be.",),
+    labs=("Ellipse drawing: midpoint",),
+    tie="Hearn and Baker: region 1 takes SE on p >= 0, region 2 takes S on p > 0",
+)
