@@ -151,7 +151,7 @@ def kernel(function: Function, emits: Emits | None = None, flavour: str = "") ->
     if entry is not None:
         emits, extent, writes, refusal = (
             entry.emits,
-            getattr(entry, "extent", ""),
+            entry.extent,
             bool(entry.writes),
             entry.compiles,
         )

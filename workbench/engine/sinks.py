@@ -23,10 +23,10 @@ class Nothing(NamedTuple):
 
 
 class Collect(NamedTuple):
-    """Keeps what is emitted, one tuple after another in ``values`` while there is room; ``count`` goes on."""
+    """Keeps what is emitted, one tuple after another in ``values`` while there is room; ``emitted`` goes on."""
 
     values: NDArray[Any]
-    count: NDArray[np.int64]
+    emitted: NDArray[np.int64]
     stop: NDArray[np.uint8]
 
 
@@ -67,7 +67,7 @@ class Hit(NamedTuple):
     x: int
     y: int
     numbers: NDArray[np.int64]
-    count: NDArray[np.int64]
+    emitted: NDArray[np.int64]
     found: NDArray[np.int64]
     stop: NDArray[np.uint8]
 
@@ -78,7 +78,7 @@ class HitSpan(NamedTuple):
     x: int
     y: int
     numbers: NDArray[np.int64]
-    count: NDArray[np.int64]
+    emitted: NDArray[np.int64]
     found: NDArray[np.int64]
     stop: NDArray[np.uint8]
 
@@ -91,8 +91,8 @@ def room(sink: Collect, arity: int) -> int:
     """Index at which the next tuple goes, -1 when it is full; counts the tuple."""
     if sink.stop[0] != 0:
         raise Stopped
-    start = sink.count[0] * arity
-    sink.count[0] += 1
+    start = sink.emitted[0] * arity
+    sink.emitted[0] += 1
     return start if start + arity <= len(sink.values) else -1
 
 
@@ -165,9 +165,9 @@ def _hit(sink: Hit, *values: Any) -> None:
         raise Stopped
     if values[0] == sink.x and values[1] == sink.y:
         if sink.found[0] < len(sink.numbers):
-            sink.numbers[sink.found[0]] = sink.count[0]
+            sink.numbers[sink.found[0]] = sink.emitted[0]
         sink.found[0] += 1
-    sink.count[0] += 1
+    sink.emitted[0] += 1
 
 
 def _hit_span(sink: HitSpan, *values: Any) -> None:
@@ -175,9 +175,9 @@ def _hit_span(sink: HitSpan, *values: Any) -> None:
         raise Stopped
     if values[0] == sink.y and values[1] <= sink.x <= values[2]:
         if sink.found[0] < len(sink.numbers):
-            sink.numbers[sink.found[0]] = sink.count[0]
+            sink.numbers[sink.found[0]] = sink.emitted[0]
         sink.found[0] += 1
-    sink.count[0] += 1
+    sink.emitted[0] += 1
 
 
 _COLLECT = {1: _collect_1, 2: _collect_2, 3: _collect_3, 4: _collect_4}

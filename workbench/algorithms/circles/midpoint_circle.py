@@ -128,4 +128,5 @@ ENTRY = Entry(
     labs=("Circle drawing: midpoint",),
     next_rung="midpoint_ellipse",
     tie="Hearn and Baker: p >= 0 takes SE; the circle of whole radius never meets a midpoint exactly",
+    extent="xc - r, yc - r, xc + r, yc + r",
 )

@@ -100,4 +100,5 @@ ENTRY = Entry(
     not_laws=("Every pixel is the nearest to the ellipse: at the ends of a very flat one they need not be.",),
     labs=("Ellipse drawing: midpoint",),
     tie="Hearn and Baker: region 1 takes SE on p >= 0, region 2 takes S on p > 0",
+    extent="xc - rx, yc - ry, xc + rx, yc + ry",
 )

@@ -9,7 +9,7 @@ k               number of the step, from 0
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, View
-from workbench.algorithms.lines.ends import END_POINTS
+from workbench.algorithms.lines.ends import END_POINTS, EXTENT
 
 
 def bresenham_line(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
@@ -117,4 +117,5 @@ ENTRY = Entry(
     labs=("Line drawing: Bresenham",),
     next_rung="midpoint_line",
     tie="Hearn and Baker: p >= 0 takes the diagonal",
+    extent=EXTENT,
 )

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, View
-from workbench.algorithms.lines.ends import END_POINTS
+from workbench.algorithms.lines.ends import END_POINTS, EXTENT
 
 
 def dda_line(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
@@ -87,4 +87,5 @@ ENTRY = Entry(
     labs=("Line drawing: DDA",),
     next_rung="dda_line_single",
     tie="floor(v + 0.5): halves go up",
+    extent=EXTENT,
 )

@@ -10,3 +10,6 @@ END_POINTS = (
     Parameter("x1", "x_1", "int", 30, LOW, HIGH, "px", "second end point, column"),
     Parameter("y1", "y_1", "int", 18, LOW, HIGH, "px", "second end point, row"),
 )
+
+# The box of a line that never leaves its end points.
+EXTENT = "min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1)"
