@@ -1,0 +1,343 @@
+"""run.py on a copy of its own, with a package so small that a set-up takes seconds."""
+
+import ast
+import os
+import runpy
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+linux_only = pytest.mark.skipif(
+    not sys.platform.startswith("linux"), reason="it looks for libraries on Linux only"
+)
+
+PROJECT = """
+[project]
+dependencies = ["tiny{version}"]
+[project.optional-dependencies]
+test = []
+[tool.graphics-workbench.download-megabytes]
+program = 3
+test = 4
+"""
+PROGRAM = """
+import os, sys, tiny
+print(tiny.__name__, sys.argv[1:], os.getcwd())
+sys.exit(7 if "fail" in sys.argv else 0)
+"""
+
+
+def make_wheel(folder: Path, name: str, version: str) -> None:
+    folder.mkdir(exist_ok=True)
+    information = f"{name}-{version}.dist-info"
+    with zipfile.ZipFile(folder / f"{name}-{version}-py3-none-any.whl", "w") as wheel:
+        wheel.writestr(f"{name}.py", "")
+        wheel.writestr(
+            f"{information}/METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n"
+        )
+        wheel.writestr(
+            f"{information}/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+        )
+        wheel.writestr(f"{information}/RECORD", "")
+
+
+def make_house(folder: Path) -> Path:
+    """A checkout with a space in its path, and the wheels beside it."""
+    house = folder / "a house"
+    (house / "workbench").mkdir(parents=True)
+    (house / "workbench" / "__init__.py").touch()
+    (house / "workbench" / "__main__.py").write_text(PROGRAM)
+    (house / "pyproject.toml").write_text(PROJECT.format(version=""))
+    shutil.copy(ROOT / "run.py", house)
+    make_wheel(folder / "wheels", "tiny", "1.0")
+    return house
+
+
+def environment(**changes: str) -> dict[str, str]:
+    unwanted = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "PYTHONPATH")
+    return {**{name: value for name, value in os.environ.items() if name not in unwanted}, **changes}
+
+
+def run(house: Path, *words: str, **changes: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, house / "run.py", *words],
+        cwd=house.parent,
+        env=environment(**changes),
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+
+
+@pytest.fixture(scope="module")
+def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A house that has been set up from its wheels, with what was said meanwhile kept in ``said``."""
+    house = make_house(tmp_path_factory.mktemp("set-up"))
+    result = run(house, "setup", "--wheels", "wheels")
+    assert result.returncode == 0, result.stdout + result.stderr
+    (house / "said").write_text(result.stderr)
+    return house
+
+
+def said(result: subprocess.CompletedProcess[str]) -> str:
+    """The one line on standard error."""
+    assert result.stderr.count("\n") == 1, result.stderr
+    return result.stderr
+
+
+def test_an_older_python_can_read_it_and_is_told() -> None:
+    source = (ROOT / "run.py").read_text(encoding="utf-8")
+    ast.parse(source, feature_version=(3, 6))
+    old = f"import sys; sys.version_info = (3, 10, 2); exec({source!r}, {{'__name__': '__main__'}})"
+    told = subprocess.run([sys.executable, "-c", old], capture_output=True, text=True, timeout=30)
+    assert told.returncode == 1
+    assert "needs Python 3.11 or newer, and this is Python 3.10" in told.stderr
+
+
+def test_without_ensurepip_it_says_what_to_install(tmp_path: Path) -> None:
+    house = make_house(tmp_path)
+    code = "import runpy, sys; sys.modules['ensurepip'] = None; sys.argv = ['run.py', 'setup']; "
+    code += f"runpy.run_path({str(house / 'run.py')!r}, run_name='__main__')"
+    told = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=30, env=environment()
+    )
+    assert told.returncode == 1
+    assert "lacks the modules venv and ensurepip" in said(told)
+    assert f"python3.{sys.version_info[1]}-venv" in told.stderr
+
+
+@linux_only
+def test_without_a_display_it_says_so_before_it_installs(tmp_path: Path) -> None:
+    house = make_house(tmp_path)
+    told = run(house)
+    assert told.returncode == 1
+    assert "no display" in said(told)
+    assert "python3 run.py tour DIR" in told.stderr
+    assert not (house / ".venv").exists()
+
+
+def test_a_folder_without_wheels_is_refused(tmp_path: Path) -> None:
+    told = run(make_house(tmp_path), "setup", "--wheels", str(tmp_path))
+    assert told.returncode == 1
+    assert "--wheels" in said(told)
+
+
+def test_help_needs_no_set_up(tmp_path: Path) -> None:
+    house = make_house(tmp_path)
+    assert "python3 run.py test" in run(house, "--help").stdout
+    assert not (house / ".venv").exists()
+
+
+def test_set_up_says_where_from(house: Path) -> None:
+    words = (house / "said").read_text()
+    assert str(house.parent / "wheels") in words
+    assert "set-up is complete" in words
+
+
+def test_set_up_once_only(house: Path) -> None:
+    again = run(house, "setup")
+    assert (again.returncode, again.stdout, again.stderr) == (0, "", "")
+
+
+def test_arguments_folder_and_status_are_passed_on(house: Path) -> None:
+    told = run(house, "list", "two words")
+    assert (told.returncode, told.stderr) == (0, "")
+    assert told.stdout == f"tiny ['list', 'two words'] {house.parent}\n"
+    assert run(house, "list", "fail").returncode == 7
+
+
+def test_what_is_to_be_downloaded_is_said_first(house: Path, tmp_path: Path) -> None:
+    """A dependency that is not to be had: the size is said before pip fails, and the failure after it."""
+    other = make_house(tmp_path)
+    shutil.copytree(house / ".venv", other / ".venv", symlinks=True)
+    (other / "pyproject.toml").write_text(PROJECT.format(version=">=9"))
+    told = run(other, "list", PIP_NO_INDEX="1")
+    assert told.returncode == 1
+    lines = told.stderr.splitlines()
+    assert "at most about 3 MB to download" in lines[0]
+    assert "could not be installed" in lines[-1]
+    assert run(other, "test", PIP_NO_INDEX="1").stderr.startswith("Installing 1 packages")
+
+
+def test_changed_requirements_are_installed(tmp_path: Path, house: Path) -> None:
+    other = make_house(tmp_path)
+    shutil.copytree(house / ".venv", other / ".venv", symlinks=True)
+    make_wheel(tmp_path / "wheels", "tiny", "2.0")
+    (other / "pyproject.toml").write_text(PROJECT.format(version=">=2"))
+    told = run(other, "list", "--wheels", str(tmp_path / "wheels"))
+    assert told.returncode == 0
+    assert "tiny-2.0" in told.stdout
+    assert run(other, "list").stderr == ""
+
+
+def test_two_starts_at_once_set_up_once(tmp_path: Path) -> None:
+    house = make_house(tmp_path)
+    command = [sys.executable, house / "run.py", "list", "--wheels", tmp_path / "wheels"]
+    started = [
+        subprocess.Popen(
+            command, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+        for _ in range(2)
+    ]
+    told = [process.communicate(timeout=120) for process in started]
+    assert [process.returncode for process in started] == [0, 0]
+    assert sum("Installing" in error for _, error in told) == 1
+    assert sum("waiting for it" in error for _, error in told) == 1
+    assert all(output.splitlines()[-1].startswith("tiny") for output, _ in told)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="sends a signal as a terminal does")
+def test_stopped_in_the_middle_it_goes_on(tmp_path: Path) -> None:
+    house = make_house(tmp_path)
+    command = [sys.executable, str(house / "run.py"), "list", "--wheels", str(tmp_path / "wheels")]
+    process = subprocess.Popen(
+        command, env=environment(), stderr=subprocess.PIPE, text=True, start_new_session=True
+    )
+    assert process.stderr is not None
+    assert "Making an environment" in process.stderr.readline()
+    while not (house / ".venv" / "pyvenv.cfg").exists():
+        time.sleep(0.01)
+    os.killpg(process.pid, signal.SIGINT)
+    rest = process.communicate(timeout=60)[1]
+    assert process.returncode == 130
+    assert rest.splitlines()[-1] == "Stopped; run the same command again to go on."
+    assert run(house, "list", "--wheels", str(tmp_path / "wheels")).returncode == 0
+
+
+@pytest.fixture
+def script() -> dict[str, Any]:
+    return runpy.run_path(str(ROOT / "run.py"))
+
+
+def offscreen_plugin() -> Path:
+    import PySide6
+
+    return Path(PySide6.__file__).parent / "Qt" / "plugins" / "platforms" / "libqoffscreen.so"
+
+
+@linux_only
+def test_missing_libraries_are_found_by_loading(tmp_path: Path) -> None:
+    # Away from its folder the plugin no longer finds Qt's own libraries; here they may be loaded already.
+    alone = shutil.copy(offscreen_plugin(), tmp_path)
+    look = f"import runpy, sys; print(*runpy.run_path({str(ROOT / 'run.py')!r})['lacking'](sys.argv[1]))"
+    found = [
+        subprocess.run(
+            [sys.executable, "-c", look, plugin], capture_output=True, text=True, check=True
+        ).stdout
+        for plugin in (offscreen_plugin(), alone)
+    ]
+    assert found[0] == "\n"
+    assert {"libQt6Core.so.6", "libQt6Gui.so.6"} <= set(found[1].split())
+
+
+APT_CACHE = """#!/bin/sh
+for known in libxcb-icccm4 libxkbcommon-x11-0 libegl1 libdbus-1-3 libglib2.0-0t64 libgssapi-krb5-2; do
+  [ "$2" = "$known" ] && printf '%s:\\n  Installed: (none)\\n  Candidate: 1.0\\n' "$2"
+done
+[ "$2" = libgthread2.0-0 ] && printf '%s:\\n  Installed: (none)\\n  Candidate: (none)\\n' "$2"
+exit 0
+"""
+APT_GET = """#!/bin/sh
+echo "$@" >> "$APT_LOG"
+"""
+
+
+@pytest.fixture
+def apt(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An apt that knows a few packages and writes down what it is asked to install."""
+    for name, text in (("apt-cache", APT_CACHE), ("apt-get", APT_GET)):
+        (tmp_path / name).write_text(text)
+        (tmp_path / name).chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    monkeypatch.setenv("APT_LOG", str(tmp_path / "log"))
+    return tmp_path / "log"
+
+
+@linux_only
+@pytest.mark.usefixtures("apt")
+@pytest.mark.parametrize(
+    ("library", "package"),
+    [
+        ("libxcb-icccm.so.4", "libxcb-icccm4"),
+        ("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
+        ("libEGL.so.1", "libegl1"),
+        ("libdbus-1.so.3", "libdbus-1-3"),
+        ("libglib-2.0.so.0", "libglib2.0-0t64"),
+        ("libgssapi_krb5.so.2", "libgssapi-krb5-2"),
+        ("libgthread-2.0.so.0", ""),
+    ],
+)
+def test_package_of_a_library(script: dict[str, Any], library: str, package: str) -> None:
+    assert script["debian_package"](library) == package
+
+
+def provide(script: dict[str, Any], root: bool, *missing: list[str]) -> None:
+    """Let run.py provide libraries when each look at the plugin finds the next of ``missing``."""
+    looks = iter([*missing, []])
+    names = script["provide_libraries"].__globals__
+    names["lacking"] = lambda plugin: next(looks)
+    names["os"] = type("System", (), {"geteuid": lambda: 0 if root else 1000, "environ": os.environ})
+    names["provide_libraries"](Path("plugin.so"))
+
+
+@linux_only
+def test_root_installs_until_nothing_is_missing(script: dict[str, Any], apt: Path) -> None:
+    provide(script, True, ["libxcb-icccm.so.4", "libglib-2.0.so.0", "libgthread-2.0.so.0"], ["libEGL.so.1"])
+    update, first, second = apt.read_text().splitlines()
+    assert update == "update -qq"
+    assert first.endswith("--no-install-recommends libglib2.0-0t64 libxcb-icccm4")
+    assert second.endswith("--no-install-recommends libegl1")
+
+
+@linux_only
+def test_others_are_told_the_one_command(script: dict[str, Any], apt: Path) -> None:
+    with pytest.raises(script["SetUpError"]) as told:
+        provide(script, False, ["libxcb-icccm.so.4", "libEGL.so.1"])
+    command = "sudo apt-get install -y --no-install-recommends libegl1 libxcb-icccm4"
+    assert str(told.value).endswith(command)
+    assert not apt.exists()
+
+
+@linux_only
+@pytest.mark.usefixtures("apt")
+def test_a_library_that_stays_missing_ends_it(script: dict[str, Any]) -> None:
+    with pytest.raises(script["SetUpError"], match=r"libgthread-2\.0\.so\.0"):
+        provide(script, True, ["libgthread-2.0.so.0"], ["libgthread-2.0.so.0"])
+
+
+@linux_only
+@pytest.mark.parametrize(
+    ("command", "display", "platform"),
+    [
+        ("list", {}, ""),
+        ("trace", {}, ""),
+        ("draw", {}, ""),
+        ("tour", {}, "offscreen"),
+        ("test", {"DISPLAY": ":0"}, "offscreen"),
+        ("setup", {}, "offscreen"),
+        ("", {"DISPLAY": ":0"}, "xcb"),
+        ("", {"WAYLAND_DISPLAY": "wayland-0"}, "wayland"),
+        ("picture.gwb", {"DISPLAY": ":0", "QT_QPA_PLATFORM": "wayland;xcb"}, "wayland"),
+        ("", {"QT_QPA_PLATFORM": "offscreen:size=10x10"}, "offscreen"),
+    ],
+)
+def test_platform_of_a_command(
+    script: dict[str, Any],
+    monkeypatch: pytest.MonkeyPatch,
+    command: str,
+    display: dict[str, str],
+    platform: str,
+) -> None:
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in display.items():
+        monkeypatch.setenv(name, value)
+    assert script["platform_of"](command) == platform
