@@ -6,7 +6,6 @@ Blobs (large meshes, pictures) are base64 by the SHA-256 of their content. Whate
 told as a DocumentError that names the field.
 """
 
-import hashlib
 import os
 import re
 import stat
@@ -193,6 +192,10 @@ def upgraded(
 
 
 def _check_blobs(blobs: Mapping[str, bytes]) -> None:
+    if not blobs:
+        return
+    import hashlib  # here, since few files have blobs and the first frame waits for this module
+
     for name, content in blobs.items():
         if hashlib.sha256(content).hexdigest() != name:
             shown = name if len(name) <= 16 else name[:16] + "…"

@@ -148,7 +148,7 @@ def _circles() -> Document:
             Circle("", _points((18, 20)), "midpoint_circle", 1, _("Circle"), radius_world=12.0),
             Circle("", _points((18, 20)), "midpoint_circle", 5, _("Small circle"), radius_world=5.0),
             Ellipse(
-                "f3",
+                "",
                 _points((45, 20)),
                 "midpoint_ellipse",
                 2,
@@ -173,7 +173,7 @@ def _house() -> Document:
             _polyline([(31, 13), (31, 19), (38, 19), (38, 13)], 6, _("Window"), True),
             _polyline([(36, 32), (36, 38), (40, 38), (40, 29)], 2, _("Chimney"), False),
             Ellipse(
-                "f7",
+                "",
                 _points((44, 42)),
                 "midpoint_ellipse",
                 7,

@@ -19,6 +19,7 @@ from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.document.samples import blank_sheet, example
 from workbench.document.state import SessionState, check_state, cleaned
 from workbench.language import _
+from workbench.session.recovery import Recoverable, RecoveryFile
 
 
 class _Change(QUndoCommand):
@@ -49,6 +50,7 @@ class Session(QObject):
     state_changed = Signal(object, object)
     path_changed = Signal(object)
     dirty_changed = Signal(bool)
+    autosave_failed = Signal(str)
     _due = Signal()
 
     def __init__(self, parent: QObject | None = None, document: Document | None = None) -> None:
@@ -63,8 +65,9 @@ class Session(QObject):
         self._waiting = False
         self._merging: tuple[str, _Change] | None = None
         self._pushing = False
+        self._recovery: RecoveryFile | None = None
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
-        self.undo_stack.cleanChanged.connect(lambda clean: self.dirty_changed.emit(not clean))
+        self.undo_stack.cleanChanged.connect(self._clean_changed)
         self.undo_stack.indexChanged.connect(self._index_changed)
 
     @property
@@ -137,6 +140,8 @@ class Session(QObject):
             self.changed.emit(old, self.document, addresses)
         if self.state != old_state:
             self.state_changed.emit(old_state, self.state)
+        if self.dirty:
+            self._keep_safe()
 
     def new(self, document: Document | None = None) -> None:
         """Begin anew with a blank sheet or with ``document``, which then has no file and is not dirty."""
@@ -172,6 +177,27 @@ class Session(QObject):
         self.undo_stack.setClean()
         self.path_changed.emit(self.path)
 
+    def start_autosave(self, folder: Path | None = None) -> None:
+        """Keep unsaved work in a recovery file from now on, until ``close``; ``autosave_failed`` tells of trouble."""
+        self._recovery = RecoveryFile(folder, failed=self.autosave_failed.emit)
+        self._keep_safe()
+
+    def restore(self, work: Recoverable) -> None:
+        """Open what a dead process left, as unsaved work; raises DocumentError, and what is open stays."""
+        self._begin(work.read(), work.origin)
+        self.undo_stack.resetClean()
+        if self._recovery is not None:
+            self._keep_safe()
+            self._recovery.flush()
+            if self._recovery.path.exists():
+                work.discard()
+
+    def close(self) -> None:
+        """End the session: nothing unsaved is kept any longer."""
+        if self._recovery is not None:
+            self._recovery.close()
+            self._recovery = None
+
     def _begin(self, stored: Stored, path: Path | None) -> None:
         self._merging = None
         self.undo_stack.clear()
@@ -180,6 +206,15 @@ class Session(QObject):
         self.state = cleaned(stored.session, stored.document)
         self._show(stored.document)
         self.path_changed.emit(path)
+
+    def _clean_changed(self, clean: bool) -> None:
+        self._keep_safe()
+        self.dirty_changed.emit(not clean)
+
+    def _keep_safe(self) -> None:
+        if self._recovery is not None:
+            origin = "" if self.path is None else str(self.path.absolute())
+            self._recovery.keep(replace(self.stored, origin=origin) if self.dirty else None)
 
     def _show(self, document: Document) -> None:
         self.document = document
