@@ -96,14 +96,28 @@ def _listed(value: Any) -> list[Any]:
 
 
 def _points(value: Any) -> Any:
-    rows = [[_real(number) for number in _listed(point)] for point in _listed(value)]
-    if len({len(row) for row in rows}) > 1:
-        raise ValueError(_("its points do not all have the same number of coordinates."))
+    rows = _equally_long([[_real(number) for number in _listed(point)] for point in _listed(value)])
     return np.array(rows, dtype=np.float64).reshape(len(rows), -1)
 
 
 def _integers(value: Any) -> Any:
-    return np.array([_whole(number) for number in _listed(value)], dtype=np.int64)
+    """Whole numbers, or rows of equally many."""
+    listed = _listed(value)
+    if listed and all(isinstance(row, list | tuple) for row in listed):
+        return np.array(_equally_long([[_whole(number) for number in row] for row in listed]), dtype=np.int64)
+    return np.array([_whole(number) for number in listed], dtype=np.int64)
+
+
+def _depths(value: Any) -> Any:
+    """An (h, w) array, row 0 lowest, from rows of numbers, the top row first."""
+    rows = _equally_long([[_real(number) for number in _listed(row)] for row in _listed(value)])
+    return np.array(rows[::-1], dtype=np.float64).reshape(len(rows), -1)
+
+
+def _equally_long(rows: list[list[Any]]) -> list[list[Any]]:
+    if len({len(row) for row in rows}) > 1:
+        raise ValueError(_("its rows are not all equally long."))
+    return rows
 
 
 def _picture(value: Any) -> Any:
@@ -131,6 +145,7 @@ _CONVERT = {
     "bool": _truth,
     "colour": _whole,
     "image": _picture,
+    "depth": _depths,
     "points": _points,
     "ints": _integers,
 }

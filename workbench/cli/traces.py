@@ -23,12 +23,11 @@ _EMITTED: dict[Emits, tuple[str, ...]] = {
 
 def run(entry: Entry, arguments: tuple[Any, ...]) -> Recording:
     """The whole run, recorded. Raises WorkError when it fails or is too long to record."""
-    try:
-        recording = record(entry.function, *arguments)
-    except (ArithmeticError, LookupError, ValueError, RecursionError) as error:
+    recording = record(entry.function, *arguments)
+    if recording.error is not None:
         raise WorkError(
-            _("{slug} stopped with an error: {error}.").format(slug=entry.slug, error=error)
-        ) from None
+            _("{slug} stopped with an error, {error}.").format(slug=entry.slug, error=recording.error)
+        )
     if recording.truncated:
         raise WorkError(
             _("{slug} is not done after {count} lines, the most that are recorded.").format(
@@ -41,7 +40,6 @@ def run(entry: Entry, arguments: tuple[Any, ...]) -> Recording:
 def hand(entry: Entry, recording: Recording) -> Table:
     """The hand table, one row for each step."""
     steps = Steps(entry, recording)
-    steps.update()
     return Table(entry.columns, [tuple(steps[number].row) for number in range(1, len(steps) + 1)])
 
 
