@@ -7,6 +7,7 @@ and with ``compiling=False`` the interpreted reading serves instead of a compila
 
 import functools
 import importlib.util
+import inspect
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -17,10 +18,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Emits
+from workbench.algorithms.entry import Emits, Entry
 from workbench.engine import arguments, kernel_files, sinks
-from workbench.engine.drivers import PAINTING, drivers
-from workbench.engine.lowering import Lowered, lower
+from workbench.engine.drivers import PAINTING, drivers, ticking_drivers
+from workbench.engine.lowering import Lowered, Variant, lower
 from workbench.engine.sinks import Stopped
 from workbench.language import _
 
@@ -59,6 +60,12 @@ def _numba() -> ModuleType | None:
     @overload(sinks.emit, strict=False)
     def _emit(sink: Any, *values: Any) -> Any:
         return sinks.body(sink.instance_class, len(values))
+
+    @overload(sinks.tick, strict=False)
+    def _tick(sink: Any, slot: Any, block: Any) -> Any:
+        return sinks.TICKS[sink.instance_class]
+
+    register_jitable(sinks.probe)
 
     return numba
 
@@ -137,31 +144,46 @@ def use_of(driver: str, values: tuple[Any, ...]) -> str:
 
 
 @functools.cache
-def kernel(function: Function, emits: Emits | None = None, flavour: str = "") -> Kernel:
-    """The kernel of a function, compiled when first called; ``checked`` is the flavour that tests its indexes.
+def kernel(
+    function: Function, emits: Emits | None = None, flavour: str = "", variant: Variant = "plain"
+) -> Kernel:
+    """The kernel of a function, compiled when first called; flavour ``checked`` tests all indexes.
 
-    Raises:
-        DialectError: the text is outside the dialect.
+    ``emits`` is needed only for a function without an entry. Raises DialectError.
     """
-    lowered = lower(function)
     entry = arguments.entry_of(function)
-    extent = ""
-    writes = False
-    refusal = ""
-    if entry is not None:
-        emits, extent, writes, refusal = (
-            entry.emits,
-            entry.extent,
-            bool(entry.writes),
-            entry.compiles,
-        )
-    elif lowered.recursive:
+    emits = entry.emits if entry is not None else emits
+    considers = considered(entry) if entry is not None and variant == "probing" else ()
+    lowered = lower(function, variant, considers)
+    kinds = arguments.kinds(function)
+    refusal = entry.compiles if entry is not None else ""
+    if entry is None and lowered.recursive:
         refusal = _("it calls itself, and nothing tells how deep")
-    text = drivers(lowered.name, arguments.kinds(function), emits, extent)
-    text = lowered.text + "\n" + text
-    return Kernel(
-        function, text, lowered, emits, writes, flavour, refusal, kernel_files.folder(text, flavour)
-    )
+    if emits is None:
+        emits = _inferred(function, lowered.arity)
+    if variant == "plain":
+        added = drivers(lowered.name, kinds, emits, entry.extent if entry is not None else "")
+    else:
+        added = ticking_drivers(lowered.name, kinds, emits, variant == "probing")
+    text = lowered.text + "\n" + added
+    writes = entry is not None and bool(entry.writes)
+    folder = kernel_files.folder(text, flavour)
+    return Kernel(function, text, lowered, emits, writes, flavour, refusal, folder)
+
+
+def considered(entry: Entry) -> tuple[tuple[str, str], ...]:
+    """Each block of an entry that considers pixels, with the expression for one."""
+    return tuple(dict.fromkeys((view.block, view.considers) for view in entry.views if view.considers))
+
+
+def _inferred(function: Function, arity: int) -> Emits | None:
+    """What a function without an entry emits, by how many numbers and what it says of them."""
+    said = str(inspect.signature(function).return_annotation)
+    if arity == 2:
+        return "points" if "float" in said else "pixels"
+    if arity == 3:
+        return "coverage" if "float" in said else "spans" if said.count("int") >= 3 else None
+    return {4: "fragments"}.get(arity) if "float" in said else None
 
 
 def ready(function: Function, driver: str = "paint", dtype: str = "uint32", flavour: str = "") -> bool:

@@ -58,6 +58,29 @@ def _hits(x, y, numbers, count, found, stop, {arguments}):
 """
 
 
+_COUNT = """
+@reading
+def _count(runs, visits, blocks, emitted, stop, {arguments}):
+    {name}(Count(runs, visits, blocks, emitted, stop), {arguments})
+"""
+
+_PROBE = """
+@reading
+def _probe(x, y, touches, found, rows, blocks, steps, emitted, stop, {arguments}):
+    {name}({sink}(x, y, touches, found, rows, blocks, steps, emitted, stop), {arguments})
+"""
+
+
+def ticking_drivers(
+    name: str, parameters: tuple[tuple[str, str | None], ...], emits: Emits | None, probing: bool
+) -> str:
+    """The text of the driver for the counting text of ``name``, or for its probing text."""
+    sink = "Count" if not probing else "ProbeSpan" if emits == "spans" else "ProbePixel"
+    arguments = ", ".join(parameter for parameter, _kind in parameters)
+    text = (_PROBE if probing else _COUNT).format(name=name, arguments=arguments, sink=sink)
+    return _HEAD.format(names=sink) + "\n" + text
+
+
 def drivers(
     name: str, parameters: tuple[tuple[str, str | None], ...], emits: Emits | None, extent: str
 ) -> str:

@@ -1,39 +1,58 @@
 """The only rewriter: from the text that is shown to one that emits into a sink.
 
-``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; nothing else of what
-runs is touched. Everything that the function calls is found by its global name and written, callees first, into
-one text that stands alone: constants as literals, records imported. The same rewriter adds the ticks of the
-counting text and the probes of the probing text.
+``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; nothing else of
+what runs is touched. Everything that the function calls is found by its global name and written, callees
+first, into one text that stands alone: constants as literals, records imported.
+
+Two variants add to that. The *counting* text ticks before each statement, with the number of the statement's
+slot, and so finds the runs of each line and the visits of each titled block exactly as a tracer would. The
+*probing* text also asks, when a block is left whose view considers a pixel, which pixel that was.
 """
 
 import ast
-import builtins
 import copy
 import inspect
 import math
-import textwrap
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from types import FunctionType, ModuleType
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
-from workbench.engine.dialect import DialectError, refusals
+from workbench.engine.blocks import blocks, loop_headers
+from workbench.engine.texts import SINK, VISIT, Text, arity, gather, parameters, recursive
 from workbench.language import _
 
-SINK = "_sink"
-_RESERVED = {SINK, "emit", "tick", "probe"}
+Variant = Literal["plain", "counting", "probing"]
+
+# What a line outside the titled blocks does to the visit of one: a loop's header ends it, others do not.
+LEAVES, KEEPS = -1, -2
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """One place that ticks: a statement of ``function`` at ``line`` of its file, in the block of that number.
+
+    ``expressions`` are what runs there, as nodes. ``counts_line`` is False for a further statement on one line.
+    """
+
+    function: str
+    line: int
+    block: int
+    counts_line: bool
+    expressions: tuple[ast.AST, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Lowered:
     """One function and all it calls, as a text that stands alone.
 
-    ``text`` is the module; ``name`` the function to call in it, with the sink as first argument. ``names`` are all
-    functions in it, callees first, ``sources`` the text of each as it is shown. ``arity`` is how many numbers are
-    emitted at a time. ``recursive`` tells whether one of them calls itself, directly or not.
+    ``text`` is the module; ``name`` the function to call in it, with the sink as first argument. ``names``
+    are all functions in it, callees first, ``sources`` the text of each as it is shown. ``arity`` is how many
+    numbers are emitted at a time; ``recursive`` tells whether one of them calls itself, directly or not. Only
+    where it ticks there are ``slots``, and ``titles``: the title of each block by its number.
     """
 
     name: str
@@ -42,247 +61,234 @@ class Lowered:
     sources: tuple[str, ...]
     arity: int
     recursive: bool
-
-
-@dataclass(slots=True)
-class _Text:
-    """One function on its way: its tree at the line numbers of its file."""
-
-    function: FunctionType
-    source: str
-    tree: ast.FunctionDef
-    generator: bool
-    callees: dict[str, FunctionType]
-    constants: dict[str, Any]
-
-    @property
-    def name(self) -> str:
-        return self.function.__name__
+    slots: tuple[Slot, ...] = ()
+    titles: tuple[str, ...] = ()
 
 
 @lru_cache(maxsize=512)
-def lower(function: Callable[..., Any]) -> Lowered:
-    """Lower a generator function.
+def lower(
+    function: Callable[..., Any], variant: Variant = "plain", considers: tuple[tuple[str, str], ...] = ()
+) -> Lowered:
+    """Lower a generator function; ``considers`` are (title of a block, expression for a pixel) to probe.
 
     Raises:
         DialectError: the text, or one that it calls, is outside the dialect.
     """
-    texts = _gather(function)
-    generators = {text.function: text.generator for text in texts}
-    functions = [_Rewriter(text, generators).rewritten() for text in texts]
+    probed: dict[str, tuple[str, ...]] = {}
+    for title, expression in considers:
+        probed[title] = (*probed.get(title, ()), expression)
+    texts = gather(function, probed)
+    slots: list[Slot] = []
+    titles: list[str] = []
+    functions = []
+    if variant == "plain":
+        sinks = {text.function for text in texts if text.generator}
+        functions = [_Rewriter(text, sinks).rewritten() for text in texts]
+    else:
+        sinks = {text.function for text in texts}
+        functions = [_Ticking(text, sinks, slots, titles).rewritten() for text in texts]
     return Lowered(
         name=function.__name__,
         text=_module(texts, functions),
         names=tuple(text.name for text in texts),
         sources=tuple(text.source for text in texts),
-        arity=_arity(texts),
-        recursive=_recursive(texts),
+        arity=arity(texts),
+        recursive=recursive(texts),
+        slots=tuple(slots),
+        titles=tuple(titles),
     )
 
 
-def _gather(function: Callable[..., Any]) -> list[_Text]:
-    """The function and all it calls, callees first."""
-    found: dict[FunctionType, _Text] = {}
-    order: list[_Text] = []
-
-    def follow(callee: FunctionType) -> None:
-        text = found[callee] = _read(callee)
-        for inner in text.callees.values():
-            if inner not in found:
-                follow(inner)
-        order.append(text)
-
-    if not isinstance(function, FunctionType):
-        raise DialectError(str(function), 0, _("only a function written in Python can be lowered"))
-    follow(function)
-    names: dict[str, FunctionType] = {}
-    for text in order:
-        if names.setdefault(text.name, text.function) is not text.function:
-            line = text.function.__code__.co_firstlineno
-            raise DialectError(
-                text.name, line, _("two functions of this name are called; give one of them another name")
-            )
-        if text.name in _RESERVED:
-            raise DialectError(text.name, text.tree.lineno, _("this name is taken; give it another one"))
-    if not found[function].generator:
-        raise DialectError(
-            function.__name__, found[function].tree.lineno, _("nothing is emitted; add a yield")
-        )
-    return order
-
-
-def _read(function: FunctionType) -> _Text:
-    try:
-        lines, first = inspect.getsourcelines(function)
-    except (OSError, TypeError) as error:
-        raise DialectError(function.__name__, 0, _("its text cannot be found")) from error
-    source = "".join(lines)
-    module = ast.parse(textwrap.dedent(source))
-    tree = module.body[0]
-    if not isinstance(tree, ast.FunctionDef):
-        raise DialectError(function.__name__, first, _("only a function written with def can be lowered"))
-    ast.increment_lineno(module, first - 1)
-    if function.__closure__:
-        raise DialectError(
-            function.__name__, first, _("it uses names of a function around it; pass them instead")
-        )
-    for refusal in refusals(tree):
-        raise DialectError(function.__name__, refusal.line, refusal.sentence)
-    callees, constants = _globals(function, tree)
-    generator = any(isinstance(node, ast.Yield | ast.YieldFrom) for node in ast.walk(tree))
-    return _Text(function, source, tree, generator, callees, constants)
-
-
-def _globals(function: FunctionType, tree: ast.FunctionDef) -> tuple[dict[str, FunctionType], dict[str, Any]]:
-    """What the global names of a text stand for: functions to lower, and everything else."""
-    bound = {argument.arg for argument in _parameters(tree)}
-    bound |= {
-        node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
-    }
-    bound |= {
-        node.name for node in ast.walk(tree) if isinstance(node, ast.MatchAs | ast.MatchStar) and node.name
-    }
-    callees: dict[str, FunctionType] = {}
-    constants: dict[str, Any] = {}
-    for name, line in _loads(tree):
-        if name in bound:
-            if name in _RESERVED:
-                raise DialectError(function.__name__, line, _("the name {name} is taken").format(name=name))
-            continue
-        if name in function.__globals__:
-            value = function.__globals__[name]
-            if isinstance(value, FunctionType):
-                callees[name] = value
-            else:
-                constants[name] = value
-        elif not hasattr(builtins, name):
-            raise DialectError(function.__name__, line, _("{name} is not known here").format(name=name))
-    return callees, constants
-
-
-def _parameters(tree: ast.FunctionDef) -> list[ast.arg]:
-    return [*tree.args.posonlyargs, *tree.args.args, *tree.args.kwonlyargs]
-
-
-def _loads(tree: ast.FunctionDef) -> Iterator[tuple[str, int]]:
-    """Names read by the body; annotations and defaults belong to the definition, not to what runs."""
-    for statement in tree.body:
-        annotations = {
-            id(inner)
-            for node in ast.walk(statement)
-            if isinstance(node, ast.AnnAssign)
-            for inner in ast.walk(node.annotation)
-        }
-        for node in ast.walk(statement):
-            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and id(node) not in annotations:
-                yield node.id, node.lineno
+def _call(name: str, *arguments: ast.expr) -> ast.Call:
+    return ast.Call(ast.Name(name, ast.Load()), [ast.Name(SINK, ast.Load()), *arguments], [])
 
 
 class _Rewriter(ast.NodeTransformer):
-    """Rewrites one function; ``generators`` tells of every function in the text whether it emits."""
+    """Rewrites one function; ``sinks`` are the functions that take a sink as their first argument."""
 
-    def __init__(self, text: _Text, generators: dict[FunctionType, bool]) -> None:
+    def __init__(self, text: Text, sinks: set[FunctionType]) -> None:
         self.text = text
-        self.generators = generators
+        self.sinks = sinks
 
     def rewritten(self) -> ast.FunctionDef:
         tree = copy.deepcopy(self.text.tree)
         tree.returns = None
-        for argument in _parameters(tree):
+        for argument in parameters(tree):
             argument.annotation = None
-        tree.args.defaults = []
-        tree.args.kw_defaults = [None for _argument in tree.args.kwonlyargs]
-        if self.text.generator:
-            tree.args.args.insert(0, ast.arg(SINK))
-        body = tree.body
-        if ast.get_docstring(tree) is not None:
-            body = body[1:]
-        tree.body = [self.visit(statement) for statement in body] or [ast.Pass()]
+        function = self.text.function
+        tree.args.defaults = [_literal(value) for value in function.__defaults__ or ()]
+        named = function.__kwdefaults__ or {}
+        tree.args.kw_defaults = [
+            _literal(named[argument.arg]) if argument.arg in named else None
+            for argument in tree.args.kwonlyargs
+        ]
+        if self.text.function in self.sinks:
+            (tree.args.posonlyargs or tree.args.args).insert(0, ast.arg(SINK))
+        if ast.get_docstring(tree, clean=False) is not None:
+            del tree.body[0]
+        tree.body = self.body(tree.body)
         return ast.fix_missing_locations(tree)
 
+    def body(self, statements: list[ast.stmt]) -> list[ast.stmt]:
+        """The body of the whole function."""
+        return [self.visit(statement) for statement in statements] or [ast.Pass()]
+
     def visit_Expr(self, node: ast.Expr) -> ast.stmt:
-        if isinstance(node.value, ast.Yield):
+        if isinstance(node.value, ast.Yield) and node.value.value is not None:
             value = node.value.value
-            assert value is not None
             items = value.elts if isinstance(value, ast.Tuple) else [value]
-            emitted = [self.visit(item) for item in items]
-            call = ast.Call(ast.Name("emit", ast.Load()), [ast.Name(SINK, ast.Load()), *emitted], [])
-            return ast.copy_location(ast.Expr(call), node)
+            return ast.Expr(_call("emit", *(self.visit(item) for item in items)))
         self.generic_visit(node)
         return node
 
     def visit_YieldFrom(self, node: ast.YieldFrom) -> ast.expr:
-        call = node.value
-        assert isinstance(call, ast.Call)
-        callee = self._callee(call)
-        if callee is None or not self.generators[callee]:
-            raise self._error(node, _("yield from must call a generator function by its name"))
-        arguments = [self.visit(argument) for argument in call.args]
-        keywords = [self.visit(keyword) for keyword in call.keywords]
-        return ast.copy_location(
-            ast.Call(self.visit(call.func), [ast.Name(SINK, ast.Load()), *arguments], keywords), node
-        )
+        assert isinstance(node.value, ast.Call)
+        callee = self._callee(node.value)
+        if callee is None or not inspect.isgeneratorfunction(callee):
+            raise self.text.error(_("yield from must call a generator function by its name"), node.lineno)
+        return self._with_sink(node.value, callee)
 
     def visit_Call(self, node: ast.Call) -> ast.expr:
         callee = self._callee(node)
-        if callee is not None and self.generators[callee]:
-            raise self._error(node, _("{name} emits; take it with yield from").format(name=callee.__name__))
-        if isinstance(node.func, ast.Attribute):
-            self._check_attribute(node.func)
+        if callee is not None and inspect.isgeneratorfunction(callee):
+            raise self.text.error(
+                _("{name} emits; take it with yield from").format(name=callee.__name__), node.lineno
+            )
+        if callee is not None and callee in self.sinks:
+            return self._with_sink(node, callee)
+        if isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Name):
+            module = self.text.constants.get(node.func.value.id)
+            if isinstance(module, ModuleType) and module not in (math, np):
+                raise self.text.error(
+                    _("import {name} by its own name").format(name=node.func.attr), node.lineno
+                )
         self.generic_visit(node)
         return node
 
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.stmt:
         if node.value is None:
-            return ast.copy_location(ast.Pass(), node)
-        return ast.copy_location(ast.Assign([self.visit(node.target)], self.visit(node.value)), node)
+            return ast.Pass()
+        return ast.Assign([self.visit(node.target)], self.visit(node.value))
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
         if node.id in self.text.callees:
-            return ast.copy_location(ast.Name(self.text.callees[node.id].__name__, node.ctx), node)
+            return ast.Name(self.text.callees[node.id].__name__, node.ctx)
         return node
 
     def _callee(self, node: ast.Call) -> FunctionType | None:
         return self.text.callees.get(node.func.id) if isinstance(node.func, ast.Name) else None
 
-    def _check_attribute(self, node: ast.Attribute) -> None:
-        """A function in a module is only found under math and np."""
-        if isinstance(node.value, ast.Name):
-            value = self.text.constants.get(node.value.id)
-            if isinstance(value, ModuleType) and value not in (math, np):
-                raise self._error(node, _("import {name} by its own name").format(name=node.attr))
-
-    def _error(self, node: ast.expr, sentence: str) -> DialectError:
-        return DialectError(self.text.name, node.lineno, sentence)
+    def _with_sink(self, node: ast.Call, callee: FunctionType) -> ast.Call:
+        call = _call(callee.__name__, *(self.visit(argument) for argument in node.args))
+        call.keywords = [self.visit(keyword) for keyword in node.keywords]
+        return call
 
 
-def _module(texts: list[_Text], functions: list[ast.FunctionDef]) -> str:
+class _Ticking(_Rewriter):
+    """Adds the ticks and probes. ``slots`` and ``titles`` are those of the whole text, and grow here."""
+
+    def __init__(self, text: Text, sinks: set[FunctionType], slots: list[Slot], titles: list[str]) -> None:
+        super().__init__(text, sinks)
+        self.slots = slots
+        self.of_line: dict[int, int] = dict.fromkeys(loop_headers(text.function), LEAVES)
+        self.probed: list[tuple[int, int, tuple[ast.expr, ...]]] = []
+        for block in blocks(text.function):
+            if block.title in text.considers:
+                self.probed.append((len(titles), block.first_line, text.considers[block.title]))
+            self.of_line.update(dict.fromkeys(block.lines, len(titles)))
+            titles.append(block.title)
+        self.loops = [
+            (node.lineno, node.end_lineno or node.lineno)
+            for node in ast.walk(text.tree)
+            if isinstance(node, ast.For | ast.While)
+        ]
+        self.seen: set[int] = set()
+
+    def body(self, statements: list[ast.stmt]) -> list[ast.stmt]:
+        start = ast.Assign([ast.Name(VISIT, ast.Store())], ast.Constant(LEAVES))
+        end = self.text.tree.end_lineno or self.text.tree.lineno
+        return [start, *self._suite(statements, []), *self._probes(end + 1)]
+
+    def _suite(self, statements: list[ast.stmt], again: list[ast.stmt]) -> list[ast.stmt]:
+        """``statements`` with a tick before each; ``again`` runs where the loop around them continues."""
+        return [line for statement in statements for line in self._ticked(statement, again)]
+
+    def _ticked(self, node: ast.stmt, again: list[ast.stmt]) -> list[ast.stmt]:
+        if isinstance(node, ast.AnnAssign) and node.value is None:
+            return []
+        match node:
+            case ast.If():
+                tick = self._tick(node, node.test)
+                body, other = self._suite(node.body, again), self._suite(node.orelse, again)
+                return [*tick, ast.If(self.visit(node.test), body, other)]
+            case ast.While():
+                # The header runs before each turn, so the test moves inside
+                tick = self._tick(node, node.test)
+                leave = [*self._suite(node.orelse, again), ast.Break()]
+                test = ast.If(ast.UnaryOp(ast.Not(), self.visit(node.test)), leave, [])
+                return [ast.While(ast.Constant(True), [*tick, test, *self._suite(node.body, [])], [])]
+            case ast.For():
+                tick = self._tick(node, node.target, node.iter)
+                turn = self._tick(node)
+                body = [*self._suite(node.body, turn), *turn]
+                other = self._suite(node.orelse, again)
+                return [*tick, ast.For(self.visit(node.target), self.visit(node.iter), body, other)]
+            case ast.Match():
+                tick = self._tick(node, node.subject)
+                for case in node.cases:
+                    case.body = self._suite(case.body, again)
+                node.subject = self.visit(node.subject)
+                return [*tick, node]
+            case ast.Return():
+                return [*self._tick(node, node), *self._probes(node.lineno), self.visit(node)]
+            case ast.Continue():
+                return [*self._tick(node), *copy.deepcopy(again), node]
+        return [*self._tick(node, node), self.visit(node)]
+
+    def _tick(self, node: ast.stmt, *expressions: ast.AST) -> list[ast.stmt]:
+        """The lines that note that ``node`` runs; a second call for a loop's header is its next turn."""
+        block = self.of_line.get(node.lineno, KEEPS)
+        first = node.lineno not in self.seen or (isinstance(node, ast.For) and not expressions)
+        self.seen.add(node.lineno)
+        kept = tuple(copy.deepcopy(expression) for expression in expressions)
+        self.slots.append(Slot(self.text.name, node.lineno, block, first, kept))
+        call = _call("tick", ast.Constant(len(self.slots) - 1), ast.Name(VISIT, ast.Load()))
+        return [*self._probes(node.lineno, block), ast.Assign([ast.Name(VISIT, ast.Store())], call)]
+
+    def _probes(self, line: int, block: int | None = None) -> list[ast.stmt]:
+        """Ask for the pixel of each block that is left at ``line``: for ``block``, or for good without one."""
+        found: list[ast.stmt] = []
+        for number, first_line, expressions in self.probed:
+            looped = any(low <= line <= high and low <= first_line <= high for low, high in self.loops)
+            if block not in (number, KEEPS) and (looped or line > first_line):
+                asked = [_call("probe", self.visit(copy.deepcopy(pixel))) for pixel in expressions]
+                test = ast.Compare(ast.Name(VISIT, ast.Load()), [ast.Eq()], [ast.Constant(number)])
+                found.append(ast.If(test, [ast.Expr(call) for call in asked], []))
+        return found
+
+
+def _module(texts: list[Text], functions: list[ast.FunctionDef]) -> str:
     """The whole module: imports, constants, functions, callees first."""
     names: dict[str, str] = {}
     for text in texts:
         for name, value in text.constants.items():
             line = _binding(text, name, value)
             if names.setdefault(name, line) != line:
-                raise DialectError(
-                    text.name,
-                    text.tree.lineno,
-                    _("{name} means two things in the functions called; rename one").format(name=name),
+                raise text.error(
+                    _("{name} means two things in the functions called; rename one").format(name=name)
                 )
     imports = sorted(line for line in names.values() if line.startswith(("import ", "from ")))
     literals = sorted(set(names.values()) - set(imports))
-    head = "\n".join(["from workbench.engine.sinks import emit", *imports, *literals])
-    return "\n\n".join([head, *(READING + ast.unparse(function) for function in functions)]) + "\n"
+    head = "\n".join(["from workbench.engine.sinks import emit, probe, tick", *imports, *literals])
+    return "\n\n".join([head, *("@reading\n" + ast.unparse(function) for function in functions)]) + "\n"
 
 
-READING = "@reading\n"
+def _literal(value: Any) -> ast.expr:
+    return ast.parse(repr(value), mode="eval").body
 
 
-def _binding(text: _Text, name: str, value: Any) -> str:
+def _binding(text: Text, name: str, value: Any) -> str:
     """The line that gives ``name`` its value in the new module."""
-
-    def refused(sentence: str) -> DialectError:
-        return DialectError(text.name, text.tree.lineno, sentence.format(name=name))
-
     if isinstance(value, ModuleType):
         return f"import {value.__name__} as {name}"
     if isinstance(value, np.ndarray):
@@ -291,51 +297,19 @@ def _binding(text: _Text, name: str, value: Any) -> str:
         value = value.item()
     if isinstance(value, type) and issubclass(value, tuple) and hasattr(value, "_fields"):
         if value.__module__ == "__main__" or "<" in value.__qualname__:
-            raise refused(_("the record {name} must stand at the head of a file"))
-        return f"from {value.__module__} import {value.__name__} as {name}  # {' '.join(value._fields)}"
+            raise text.error(_("the record {name} must stand at the head of a file").format(name=name))
+        fields = " ".join(value._fields)
+        return f"from {value.__module__} import {value.__name__} as {name}  # {fields}"
     if inspect.isbuiltin(value) and getattr(value, "__module__", "") == "math":
         return f"from math import {value.__name__} as {name}"
     if isinstance(value, float) and not math.isfinite(value):
         return f"{name} = float({str(value)!r})"
-    if value is None or isinstance(value, bool | int | float | str) or _plain(value):
+    if _plain(value):
         return f"{name} = {value!r}"
-    raise refused(_("{name} is neither a number, a tuple, an array nor a record"))
+    raise text.error(_("{name} is neither a number, a tuple, an array nor a record").format(name=name))
 
 
 def _plain(value: Any) -> bool:
-    return type(value) is tuple and all(
-        item is None or isinstance(item, bool | int | float | str) or _plain(item) for item in value
-    )
-
-
-def _arity(texts: list[_Text]) -> int:
-    """How many numbers are emitted at a time: the same at every yield."""
-    arity = 0
-    for text in texts:
-        for node in ast.walk(text.tree):
-            if isinstance(node, ast.Yield) and node.value is not None:
-                here = len(node.value.elts) if isinstance(node.value, ast.Tuple) else 1
-                if arity not in (0, here):
-                    raise DialectError(
-                        text.name,
-                        node.lineno,
-                        _("{here} numbers are emitted here, {there} elsewhere").format(
-                            here=here, there=arity
-                        ),
-                    )
-                arity = here
-    return arity
-
-
-def _recursive(texts: list[_Text]) -> bool:
-    calls = {text.function: set(text.callees.values()) for text in texts}
-    for function in calls:
-        waiting, seen = list(calls[function]), set()
-        while waiting:
-            callee = waiting.pop()
-            if callee is function:
-                return True
-            if callee not in seen:
-                seen.add(callee)
-                waiting.extend(calls[callee])
-    return False
+    if type(value) is tuple:
+        return all(_plain(item) for item in value)
+    return value is None or isinstance(value, bool | int | float | str)

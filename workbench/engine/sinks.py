@@ -83,6 +83,48 @@ class HitSpan(NamedTuple):
     stop: NDArray[np.uint8]
 
 
+class Count(NamedTuple):
+    """For the counting text: ``runs`` of each slot and ``visits`` of each block; ``blocks`` tells a slot's block."""
+
+    runs: NDArray[np.int64]
+    visits: NDArray[np.int64]
+    blocks: NDArray[np.int64]
+    emitted: NDArray[np.int64]
+    stop: NDArray[np.uint8]
+
+
+class ProbePixel(NamedTuple):
+    """For the probing text: keeps what touched the pixel (x, y) or considered it, three numbers each.
+
+    ``touches`` (n, 3) get 1 or 0 for emitted or considered, the number of the emission (of the next one, if only
+    considered) and the number of the step. ``rows`` tells of each block whether its visits are steps.
+    """
+
+    x: int
+    y: int
+    touches: NDArray[np.int64]
+    found: NDArray[np.int64]
+    rows: NDArray[np.bool_]
+    blocks: NDArray[np.int64]
+    steps: NDArray[np.int64]
+    emitted: NDArray[np.int64]
+    stop: NDArray[np.uint8]
+
+
+class ProbeSpan(NamedTuple):
+    """As ``ProbePixel``, for spans (y, x_left, x_right)."""
+
+    x: int
+    y: int
+    touches: NDArray[np.int64]
+    found: NDArray[np.int64]
+    rows: NDArray[np.bool_]
+    blocks: NDArray[np.int64]
+    steps: NDArray[np.int64]
+    emitted: NDArray[np.int64]
+    stop: NDArray[np.uint8]
+
+
 def _nothing(sink: Nothing, *values: Any) -> None:
     pass
 
@@ -180,6 +222,69 @@ def _hit_span(sink: HitSpan, *values: Any) -> None:
     sink.emitted[0] += 1
 
 
+def _count(sink: Count, *values: Any) -> None:
+    sink.emitted[0] += 1
+
+
+def note(sink: ProbePixel | ProbeSpan, emitted: int) -> None:
+    """Keep one touch while there is room; counts it."""
+    found = sink.found[0]
+    if found < len(sink.touches):
+        sink.touches[found, 0] = emitted
+        sink.touches[found, 1] = sink.emitted[0]
+        sink.touches[found, 2] = sink.steps[0]
+    sink.found[0] += 1
+
+
+def _probe_pixel(sink: ProbePixel | ProbeSpan, *values: Any) -> None:
+    if values[0] == sink.x and values[1] == sink.y:
+        note(sink, 1)
+    sink.emitted[0] += 1
+
+
+def _probe_span(sink: ProbePixel | ProbeSpan, *values: Any) -> None:
+    if values[0] == sink.y and values[1] <= sink.x <= values[2]:
+        note(sink, 1)
+    sink.emitted[0] += 1
+
+
+def _tick_count(sink: Count, slot: int, block: int) -> int:
+    if sink.stop[0] != 0:
+        raise Stopped
+    sink.runs[slot] += 1
+    here = sink.blocks[slot]
+    if here == -2:
+        return block
+    if here >= 0 and here != block:
+        sink.visits[here] += 1
+    return here
+
+
+def _tick_probe(sink: ProbePixel | ProbeSpan, slot: int, block: int) -> int:
+    if sink.stop[0] != 0:
+        raise Stopped
+    here = sink.blocks[slot]
+    if here == -2:
+        return block
+    if here >= 0 and here != block and sink.rows[here]:
+        sink.steps[0] += 1
+    return here
+
+
+TICKS: dict[type, Callable[..., int]] = {Count: _tick_count, ProbePixel: _tick_probe, ProbeSpan: _tick_probe}
+
+
+def tick(sink: Any, slot: int, block: int) -> int:
+    """Note that the statement of ``slot`` runs within a visit of ``block``; returns the block it belongs to."""
+    return TICKS[type(sink)](sink, slot, block)
+
+
+def probe(sink: Any, pixel: tuple[int, int]) -> None:
+    """Note that a block considered ``pixel``."""
+    if pixel[0] == sink.x and pixel[1] == sink.y:
+        note(sink, 0)
+
+
 _COLLECT = {1: _collect_1, 2: _collect_2, 3: _collect_3, 4: _collect_4}
 _BODIES: dict[type, Callable[..., None]] = {
     Nothing: _nothing,
@@ -189,9 +294,12 @@ _BODIES: dict[type, Callable[..., None]] = {
     PaintSpans: _paint_span,
     Hit: _hit,
     HitSpan: _hit_span,
+    Count: _count,
+    ProbePixel: _probe_pixel,
+    ProbeSpan: _probe_span,
 }
 # What the bodies call.
-SHARED = (room,)
+SHARED = (room, note)
 
 
 def body(sink: type, arity: int) -> Callable[..., None]:
