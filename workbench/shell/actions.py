@@ -1,0 +1,292 @@
+"""Every command of the window in one table: what it is called, its keys, where it is found, what it does.
+
+Menus, tool bar, command palette and key table are all made from this table. ``KEYS_ELSEWHERE`` lists the keys
+that belong to one part of the window only, so that the key table is whole and clashes are seen.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from PySide6.QtGui import QKeySequence
+
+from workbench.language import _
+
+if TYPE_CHECKING:
+    from workbench.shell.window import MainWindow
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """One command. ``needs`` is "document" or "run" for what waits until one is there; ``separated`` draws a
+    line above it in its menu.
+    """
+
+    id: str
+    text: str
+    handler: "Callable[[MainWindow], object]"
+    keys: tuple[str, ...] = ()
+    icon: str = ""
+    tooltip: str = ""
+    menu: str = ""
+    needs: str = ""
+    separated: bool = False
+
+
+def key_text(key: str) -> str:
+    """A key as this system writes it."""
+    return QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
+
+
+def menu_titles() -> tuple[tuple[str, str], ...]:
+    """Id and title of each menu, in order."""
+    return (
+        ("file", _("&File")),
+        ("edit", _("&Edit")),
+        ("run", _("&Run")),
+        ("view", _("&View")),
+        ("help", _("&Help")),
+    )
+
+
+def commands() -> tuple[Command, ...]:
+    """The table."""
+    return (
+        Command(
+            "new",
+            _("New"),
+            lambda w: w.files.new(),
+            ("Ctrl+N",),
+            "file-plus",
+            _("Start an empty picture"),
+            "file",
+            "document",
+        ),
+        Command(
+            "open",
+            _("Open..."),
+            lambda w: w.files.open(),
+            ("Ctrl+O",),
+            "folder-open",
+            _("Open a picture from a file"),
+            "file",
+            "document",
+        ),
+        Command(
+            "save",
+            _("Save"),
+            lambda w: w.files.save(),
+            ("Ctrl+S",),
+            "floppy-disk",
+            _("Save the picture in its file"),
+            "file",
+            "document",
+            separated=True,
+        ),
+        Command(
+            "save_as",
+            _("Save as..."),
+            lambda w: w.files.save_as(),
+            ("Ctrl+Shift+S",),
+            "",
+            _("Save the picture in another file"),
+            "file",
+            "document",
+        ),
+        Command(
+            "quit",
+            _("Quit"),
+            lambda w: w.close(),
+            ("Ctrl+Q",),
+            "sign-out",
+            _("Close the window; unsaved changes are asked about"),
+            "file",
+            separated=True,
+        ),
+        Command(
+            "undo",
+            _("Undo"),
+            lambda w: w.undo(),
+            ("Ctrl+Z",),
+            "arrow-u-up-left",
+            _("Take the last edit back"),
+            "edit",
+            "document",
+        ),
+        Command(
+            "redo",
+            _("Redo"),
+            lambda w: w.redo(),
+            ("Ctrl+Shift+Z", "Ctrl+Y"),
+            "arrow-u-up-right",
+            _("Make the edit again"),
+            "edit",
+            "document",
+        ),
+        Command(
+            "settings",
+            _("Settings"),
+            lambda w: w.show_page("settings"),
+            ("Ctrl+,",),
+            "gear",
+            _("Theme, type size, calm, ask first"),
+            "edit",
+            separated=True,
+        ),
+        Command(
+            "first",
+            _("First step"),
+            lambda w: w.run_do("first"),
+            (),
+            "skip-back",
+            _("Go to the start of the run"),
+            "run",
+            "run",
+        ),
+        Command(
+            "back",
+            _("Step back"),
+            lambda w: w.run_do("back"),
+            (",",),
+            "caret-left",
+            _("Go one step back"),
+            "run",
+            "run",
+        ),
+        Command(
+            "forward",
+            _("Step forward"),
+            lambda w: w.run_do("forward"),
+            (".",),
+            "caret-right",
+            _("Go one step forward"),
+            "run",
+            "run",
+        ),
+        Command(
+            "last",
+            _("Last step"),
+            lambda w: w.run_do("last"),
+            (),
+            "skip-forward",
+            _("Go to the end of the run"),
+            "run",
+            "run",
+        ),
+        Command(
+            "detail",
+            _("Step or every line"),
+            lambda w: w.toggle_detail(),
+            ("D",),
+            "list-numbers",
+            _("Change between rows of the hand table and every line"),
+            "run",
+            "run",
+            separated=True,
+        ),
+        Command(
+            "ask_first",
+            _("Ask first"),
+            lambda w: w.toggle_ask_first(),
+            ("A",),
+            "question",
+            _("Choose the next pixel yourself before it is shown"),
+            "run",
+            "document",
+        ),
+        Command(
+            "home",
+            _("Home"),
+            lambda w: w.show_page("home"),
+            ("Ctrl+H",),
+            "house",
+            _("Recent pictures, examples and questions"),
+            "view",
+        ),
+        Command(
+            "palette",
+            _("Find a command..."),
+            lambda w: w.show_palette(),
+            ("Ctrl+K",),
+            "magnifying-glass",
+            _("Type a few letters of any command"),
+            "view",
+        ),
+        Command(
+            "swap",
+            _("Swap canvas and tube"),
+            lambda w: w.views.swap(),
+            ("T",),
+            "swap",
+            _("Show the tube large and the canvas small, or back"),
+            "view",
+            "document",
+            separated=True,
+        ),
+        Command(
+            "alone",
+            _("Focused view alone"),
+            lambda w: w.views.toggle_alone(),
+            ("F11",),
+            "corners-out",
+            _("Show only the view that has the focus; the same key brings the rest back"),
+            "view",
+        ),
+        Command(
+            "reset",
+            _("Reset workspace"),
+            lambda w: w.reset_workspace(),
+            (),
+            "layout",
+            _("Put every dock back where it was at first"),
+            "view",
+        ),
+        Command(
+            "help", _("Help"), lambda w: w.show_page("help"), ("F1",), "question", _("How to begin"), "help"
+        ),
+        Command(
+            "keys",
+            _("Keys"),
+            lambda w: w.show_page("keys"),
+            ("?",),
+            "keyboard",
+            _("All keys in one table"),
+            "help",
+        ),
+        Command(
+            "hints",
+            _("Show the hints again"),
+            lambda w: w.show_hints_again(),
+            (),
+            "lightbulb",
+            _("Point at canvas, step bar and source once more"),
+            "help",
+            "document",
+        ),
+        Command(
+            "about",
+            _("About"),
+            lambda w: w.show_page("about"),
+            (),
+            "info",
+            _("Version, licence, and a diagnosis to copy"),
+            "help",
+            separated=True,
+        ),
+    )
+
+
+def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
+    """Keys that one part of the window answers while it has the focus: part, key, what it does."""
+    stepping = _("Step bar, or canvas with nothing selected")
+    canvas = _("Canvas")
+    return (
+        (stepping, "Space", _("Play or pause")),
+        (stepping, "Left", _("Step back")),
+        (stepping, "Right", _("Step forward")),
+        (stepping, "Home", _("First step")),
+        (stepping, "End", _("Last step")),
+        (_("Canvas with a selection"), "Left, Right, Up, Down", _("Move by one pixel; with Shift by ten")),
+        (canvas, "Delete", _("Remove what is selected")),
+        (canvas, "Esc", _("Let go of what is being drawn or selected")),
+    )

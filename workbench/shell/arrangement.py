@@ -1,0 +1,138 @@
+"""The docks of the workspaces: made from panels, arranged, remembered with a version, and put back."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
+
+from workbench.language import _
+from workbench.shell.settings import Settings
+
+VERSION = 1
+_HIGH_PX = 860
+_SIDE_SHARE = 0.34
+_AREAS = {
+    "left": Qt.DockWidgetArea.LeftDockWidgetArea,
+    "right": Qt.DockWidgetArea.RightDockWidgetArea,
+    "top": Qt.DockWidgetArea.TopDockWidgetArea,
+    "bottom": Qt.DockWidgetArea.BottomDockWidgetArea,
+}
+
+DockPart = tuple[str, str, QWidget, str | Qt.DockWidgetArea]
+
+
+@dataclass
+class _Set:
+    """The docks of one workspace, with the area each belongs in at first."""
+
+    docks: list[QDockWidget] = field(default_factory=list)
+    areas: dict[str, Qt.DockWidgetArea] = field(default_factory=dict)
+    centre: QWidget | None = None
+
+
+class Arrangements:
+    """Shows the docks of one workspace at a time on ``window``, as they were left."""
+
+    def __init__(self, window: QMainWindow, settings: Settings) -> None:
+        self._window = window
+        self._settings = settings
+        self._sets: dict[str, _Set] = {}
+        self.current = ""
+        window.setDockOptions(
+            QMainWindow.DockOption.AllowTabbedDocks
+            | QMainWindow.DockOption.AllowNestedDocks
+            | QMainWindow.DockOption.GroupedDragging
+        )
+        window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
+
+    def add(self, workspace: str, parts: Sequence[DockPart]) -> None:
+        """Make docks of a panel's parts, hidden until their workspace is shown."""
+        held = self._sets.setdefault(workspace, _Set())
+        for name, title, widget, area in parts:
+            dock = QDockWidget(title, self._window)
+            dock.setObjectName(f"{workspace}.{name}")
+            dock.setWidget(widget)
+            dock.toggleViewAction().setToolTip(_("Show or hide {title}").format(title=title))
+            where = _AREAS[area] if isinstance(area, str) else area
+            held.docks.append(dock)
+            held.areas[dock.objectName()] = where
+            self._window.addDockWidget(where, dock)
+            dock.hide()
+
+    def has(self, workspace: str) -> bool:
+        """Whether the docks of a workspace were made."""
+        return workspace in self._sets
+
+    def docks(self, workspace: str) -> list[QDockWidget]:
+        """The docks of a workspace, in the order of its panels."""
+        return list(self._sets[workspace].docks) if workspace in self._sets else []
+
+    def show(self, workspace: str) -> bool:
+        """Show the docks of one workspace; False when what was remembered could not be used."""
+        self.leave()
+        self.current = workspace
+        if workspace not in self._sets:
+            return True
+        kept = self._settings.arrangement(workspace)
+        if kept is None:
+            self.reset()
+            return True
+        if self._restored(kept):
+            return True
+        self._settings.forget_arrangement(workspace)
+        self.reset()
+        return False
+
+    def leave(self) -> None:
+        """Remember the present arrangement and hide its docks."""
+        if self.current in self._sets:
+            self._settings.keep_arrangement(self.current, self._window.saveState(VERSION))
+            for dock in self._sets[self.current].docks:
+                dock.hide()
+        self.current = ""
+
+    def reset(self) -> None:
+        """Put the docks of the current workspace where they were at first."""
+        held = self._sets.get(self.current)
+        if held is None:
+            return
+        for dock in held.docks:
+            dock.setFloating(False)
+            self._window.removeDockWidget(dock)
+        by_area: dict[Qt.DockWidgetArea, list[QDockWidget]] = {}
+        for dock in held.docks:
+            by_area.setdefault(held.areas[dock.objectName()], []).append(dock)
+        for area, docks in by_area.items():
+            self._place(area, docks)
+
+    def _place(self, area: Qt.DockWidgetArea, docks: list[QDockWidget]) -> None:
+        """The side column: tabs above the last dock when the window is low, all stacked when it is high."""
+        window = self._window
+        sideways = area in (_AREAS["left"], _AREAS["right"])
+        along = Qt.Orientation.Vertical if sideways else Qt.Orientation.Horizontal
+        for dock in docks:
+            window.addDockWidget(area, dock, along)
+            dock.show()
+        if sideways and window.height() < _HIGH_PX and len(docks) > 2:
+            alone = docks[-1] if docks[-1].objectName().endswith(".tube") else None
+            tabbed = [dock for dock in docks if dock is not alone]
+            for dock in tabbed[1:]:
+                window.tabifyDockWidget(tabbed[0], dock)
+            tabbed[0].raise_()
+            if alone is not None:
+                high = window.height()
+                window.resizeDocks([tabbed[0], alone], [round(high * 0.6), round(high * 0.4)], along)
+        if sideways:
+            width = round(window.width() * _SIDE_SHARE)
+            window.resizeDocks([docks[0]], [width], Qt.Orientation.Horizontal)
+
+    def _restored(self, kept: QByteArray) -> bool:
+        """Take a remembered arrangement; it is bad when Qt refuses it or another workspace's docks show."""
+        if not self._window.restoreState(kept, VERSION):
+            return False
+        for workspace, held in self._sets.items():
+            if workspace != self.current:
+                for dock in held.docks:
+                    dock.hide()
+        return True

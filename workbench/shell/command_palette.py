@@ -1,0 +1,189 @@
+"""Any command by a few letters of its name (Ctrl+K)."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QFrame, QLabel, QLineEdit, QListWidget, QListWidgetItem, QVBoxLayout
+
+from workbench.language import _
+from workbench.shell.actions import commands, key_text
+
+if TYPE_CHECKING:
+    from workbench.shell.window import MainWindow
+
+_WIDTH, _ROWS = 520, 10
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """One thing that can be done."""
+
+    text: str
+    keys: str
+    act: Callable[[], object]
+
+
+def match(letters: str, text: str) -> float | None:
+    """How well ``letters`` name ``text``, less being better; None when they do not occur in this order.
+
+    Letters that begin words or follow each other count as near.
+    """
+    wanted = letters.lower().replace(" ", "")
+    low = text.lower()
+    cost, last = 0.0, -1
+    for letter in wanted:
+        places = [i for i in range(last + 1, len(low)) if low[i] == letter]
+        if not places:
+            return None
+        begins = [i for i in places if i == 0 or not low[i - 1].isalnum()]
+        if last >= 0 and places[0] == last + 1:
+            found = places[0]
+        elif begins:
+            found = begins[0]
+            cost += 0.5
+        else:
+            found = places[0]
+            cost += 2 + 0.1 * (found - last)
+        last = found
+    return cost + 0.01 * len(text)
+
+
+def offers(window: "MainWindow") -> list[Offer]:
+    """What can be done now: commands, workspaces, what the panels offer, examples, recent files."""
+    made = [
+        Offer(
+            command.text,
+            key_text(command.keys[0]) if command.keys else "",
+            partial(window.do, command),
+        )
+        for command in commands()
+        if window.menus.actions[command.id].isEnabled() and command.id != "palette"
+    ]
+    for slug, title in window.workspace_titles():
+        made.append(Offer(_("Workspace: {title}").format(title=title), "", partial(window.go, slug)))
+    for panel in window.panels(window.place):
+        for action in panel.actions():
+            if action.isEnabled() and action.text():
+                made.append(
+                    Offer(
+                        action.text().replace("&", ""),
+                        action.shortcut().toString(action.shortcut().SequenceFormat.NativeText),
+                        action.trigger,
+                    )
+                )
+    if window.session is not None:
+        from workbench.document.samples import examples
+
+        for example in examples():
+            text = _("Example: {title}").format(title=example.title)
+            made.append(Offer(text, "", partial(window.open_example, example.slug)))
+        for path in window.settings.recent():
+            text = _("Open {name}").format(name=path.name)
+            made.append(Offer(text, "", partial(window.files.open_path, path)))
+    return made
+
+
+class CommandPalette(QFrame):
+    """A field and a list over the upper part of the window; Esc or a click elsewhere closes it."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self.setObjectName("palette")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._offers = offers(window)
+        self._back_to = window.focusWidget()
+        self.field = QLineEdit()
+        self.field.setPlaceholderText(_("Type a few letters of a command"))
+        self.field.setAccessibleName(_("Find a command"))
+        self.list = QListWidget()
+        self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.list.setAccessibleName(_("Commands"))
+        self._nothing = QLabel(_("No command is called that."))
+        self._nothing.setProperty("role", "muted")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(8, 8, 8, 8)
+        for part in (self.field, self.list, self._nothing):
+            column.addWidget(part)
+        self.field.textChanged.connect(self._search)
+        self.list.itemClicked.connect(self._run)
+        self.field.installEventFilter(self)
+        self._search("")
+        width = min(_WIDTH, window.width() - 32)
+        self.setGeometry((window.width() - width) // 2, 64, width, min(380, window.height() - 96))
+
+    @classmethod
+    def open_over(cls, window: "MainWindow") -> "CommandPalette":
+        """Show it, or close it when it is there."""
+        earlier = window.findChild(cls)
+        made = cls(window)
+        if earlier is not None:
+            earlier.close()
+        made.show()
+        made.raise_()
+        made.field.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        return made
+
+    def _search(self, letters: str) -> None:
+        ranked = []
+        for place, offer in enumerate(self._offers):
+            cost = match(letters, offer.text)
+            if cost is not None:
+                ranked.append((cost if letters else 0.0, place, offer))
+        ranked.sort(key=lambda each: each[:2])
+        self.list.clear()
+        for _cost, _place, offer in ranked:
+            item = QListWidgetItem(self.list)
+            item.setData(Qt.ItemDataRole.UserRole, offer)
+            row = QLabel(
+                f"{offer.text}<span>&nbsp;&nbsp;</span><i>{offer.keys}</i>" if offer.keys else offer.text
+            )
+            row.setTextFormat(Qt.TextFormat.RichText)
+            row.setContentsMargins(6, 4, 6, 4)
+            row.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+            item.setSizeHint(row.sizeHint())
+            self.list.setItemWidget(item, row)
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, offer.text)
+        self.list.setVisible(bool(ranked))
+        self._nothing.setVisible(not ranked)
+        self.list.setCurrentRow(0)
+
+    def _run(self, item: QListWidgetItem | None) -> None:
+        if item is None:
+            return
+        offer: Offer = item.data(Qt.ItemDataRole.UserRole)
+        self._leave()
+        offer.act()
+
+    def _leave(self) -> None:
+        self.field.removeEventFilter(self)
+        self.close()
+        if self._back_to is not None:
+            self._back_to.setFocus()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.FocusOut:
+            self._leave()
+        elif isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+            moves = {
+                Qt.Key.Key_Down: 1,
+                Qt.Key.Key_Up: -1,
+                Qt.Key.Key_PageDown: _ROWS,
+                Qt.Key.Key_PageUp: -_ROWS,
+            }
+            key = Qt.Key(event.key())
+            if key in moves:
+                last = self.list.count() - 1
+                self.list.setCurrentRow(max(0, min(last, self.list.currentRow() + moves[key])))
+                return True
+            if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+                self._run(self.list.currentItem())
+                return True
+            if key == Qt.Key.Key_Escape:
+                self._leave()
+                return True
+        return super().eventFilter(watched, event)

@@ -1,0 +1,150 @@
+"""Opening and saving: names, the question about unsaved changes, recent files, recovery after a crash."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QFileDialog
+
+from workbench.language import _
+
+if TYPE_CHECKING:
+    from workbench.shell.window import MainWindow
+
+SUFFIX = ".gwb"
+
+
+class Files(QObject):
+    """The commands of the File menu. Every failure is said in the window; what is open then stays open."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._window = window
+
+    @property
+    def _session(self) -> Any:
+        return self._window.session
+
+    @property
+    def name(self) -> str:
+        """What the picture is called in titles."""
+        path = self._session.path
+        return path.stem if path else _("Untitled")
+
+    def new(self) -> None:
+        """Begin an empty picture."""
+        self.unless_unsaved(self._new)
+
+    def open(self) -> None:
+        """Ask for a file and open it."""
+        folder = self._session.path.parent if self._session.path else Path.home()
+        chosen, __ = QFileDialog.getOpenFileName(
+            self._window, _("Open a picture"), str(folder), _("Pictures of the workbench (*.gwb)")
+        )
+        if chosen:
+            self.open_path(Path(chosen))
+
+    def open_path(self, path: Path) -> None:
+        """Open a file, after the question about unsaved changes."""
+        self.unless_unsaved(lambda: self._open(path))
+
+    def example(self, slug: str, then: Callable[[], object] | None = None) -> None:
+        """Open a built-in picture; unsaved work stays open beside it."""
+        self._session.open_example(slug)
+        if then:
+            then()
+
+    def save(self) -> bool:
+        """Save; the first time a name is asked for. True when it was saved."""
+        if self._session.path is None:
+            return self.save_as()
+        return self._save(self._session.path)
+
+    def save_as(self) -> bool:
+        """Ask for a name and save there."""
+        start = self._session.path or Path.home() / (_("Untitled") + SUFFIX)
+        chosen, __ = QFileDialog.getSaveFileName(
+            self._window, _("Save the picture"), str(start), _("Pictures of the workbench (*.gwb)")
+        )
+        if not chosen:
+            return False
+        path = Path(chosen)
+        return self._save(path if path.suffix else path.with_suffix(SUFFIX))
+
+    def unless_unsaved(self, then: Callable[[], object]) -> None:
+        """Do ``then`` at once, or after a person has saved or given up the unsaved changes."""
+        if not self._session.dirty:
+            then()
+            return
+        self._window.messages.ask(
+            _("{name} has changes that are not saved.").format(name=self.name),
+            [
+                (_("Save"), lambda: self.save() and then()),
+                (_("Discard changes"), then),
+                (_("Cancel"), lambda: None),
+            ],
+        )
+
+    def offer_recovery(self) -> None:
+        """Offer the newest of what crashed runs left behind; unanswered it is offered again next time."""
+        from workbench.session.recovery import recoverable
+
+        for lost in recoverable():
+            self._window.messages.ask(
+                _("The program ended before {name} was saved; its last state was kept.").format(
+                    name=lost.name
+                ),
+                [
+                    (_("Recover"), partial(self._recover, lost)),
+                    (_("Discard"), lost.discard),
+                ],
+            )
+            return
+
+    def _recover(self, lost: Any) -> None:
+        from workbench.document.errors import DocumentError
+
+        try:
+            self._session.recover(lost)
+        except DocumentError as error:
+            self._window.messages.say(_("Nothing could be recovered: {error}").format(error=error), "error")
+            return
+        self._window.enter("draw")
+
+    def _new(self) -> None:
+        self._session.new()
+        self._window.enter("draw")
+
+    def _open(self, path: Path) -> None:
+        from workbench.document.errors import DocumentError
+
+        try:
+            self._session.open(path)
+        except DocumentError as error:
+            self._window.messages.say(
+                _("{name} was not opened: {error}").format(name=path.name, error=error), "error"
+            )
+            return
+        self._remember(path)
+        if self._window.place not in self._window.workspace_slugs:
+            self._window.enter("draw")
+
+    def _save(self, path: Path) -> bool:
+        from workbench.document.errors import DocumentError
+
+        try:
+            self._session.save_as(path)
+        except DocumentError as error:
+            self._window.messages.say(
+                _("{name} was not saved: {error}").format(name=path.name, error=error), "error"
+            )
+            return False
+        self._remember(path)
+        self._window.say_status(_("Saved {name}.").format(name=path.name))
+        return True
+
+    def _remember(self, path: Path) -> None:
+        self._window.settings.add_recent(path)
+        self._window.refresh_recent()

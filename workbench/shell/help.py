@@ -1,0 +1,105 @@
+"""Help: how to begin, and all keys in one table."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton
+
+from workbench.language import _
+from workbench.shell.actions import commands, key_text, keys_elsewhere, menu_titles
+from workbench.shell.pages import Page, heading, paragraph
+
+if TYPE_CHECKING:
+    from workbench.shell.window import MainWindow
+
+
+class HelpPage(Page):
+    """The first ten minutes."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(_("Help"))
+        for title, text in (
+            (
+                _("Draw"),
+                _(
+                    "Drag on the canvas to draw a line. Drag its ends, or type their coordinates in the card "
+                    "at the top left. The wheel zooms at the pointer."
+                ),
+            ),
+            (
+                _("Step"),
+                _(
+                    "The bar below the canvas walks through the algorithm that made the picture: the keys . "
+                    "and , go forward and back everywhere. The two lines of words say what was decided "
+                    "and why."
+                ),
+            ),
+            (
+                _("Read"),
+                _(
+                    "Source shows the algorithm itself with the current line marked, Variables what changed, "
+                    "and the hand table is the one you would write on paper."
+                ),
+            ),
+            (
+                _("Guess"),
+                _("With Ask first on, click the next pixel before it is shown; right and wrong are counted."),
+            ),
+            (
+                _("See it glow"),
+                _(
+                    "Display shows the same picture on a raster tube and on a vector tube. Slow the beam "
+                    "down until you see it move."
+                ),
+            ),
+            (
+                _("Keep"),
+                _("Save keeps picture and step in one .gwb file. Ctrl+K finds any command by a few letters."),
+            ),
+        ):
+            heading(self.column, title)
+            paragraph(self.column, text)
+        row = QHBoxLayout()
+        for name in ("hints", "keys", "about"):
+            action = window.menus.actions[name]
+            button = QPushButton(action.text())
+            button.setToolTip(action.toolTip())
+            button.clicked.connect(action.trigger)
+            row.addWidget(button)
+        row.addStretch(1)
+        self.column.addSpacing(8)
+        self.column.addLayout(row)
+        self.column.addStretch(1)
+
+
+class KeysPage(Page):
+    """The key table, made from the table of commands."""
+
+    def __init__(self) -> None:
+        super().__init__(_("Keys"))
+        titles = {name: title.replace("&", "") for name, title in menu_titles()}
+        groups: dict[str, list[tuple[str, str]]] = {}
+        for command in commands():
+            if command.keys:
+                keys = "  ".join(key_text(key) for key in command.keys)
+                groups.setdefault(titles[command.menu], []).append((keys, command.tooltip))
+        for part, keys, text in keys_elsewhere():
+            groups.setdefault(part, []).append((keys, text))
+        for part, rows in groups.items():
+            heading(self.column, part)
+            grid = QGridLayout()
+            grid.setHorizontalSpacing(16)
+            grid.setVerticalSpacing(4)
+            grid.setColumnMinimumWidth(0, 200)
+            grid.setColumnStretch(1, 1)
+            for place, (keys, text) in enumerate(rows):
+                for column, words in enumerate((keys, text)):
+                    label = QLabel(words)
+                    label.setTextFormat(Qt.TextFormat.PlainText)
+                    label.setWordWrap(column == 1)
+                    label.setAlignment(Qt.AlignmentFlag.AlignTop)
+                    if column == 1:
+                        label.setProperty("role", "muted")
+                    grid.addWidget(label, place, column)
+            self.column.addLayout(grid)
+        self.column.addStretch(1)

@@ -1,0 +1,160 @@
+"""Home: what was worked on last, examples, and the questions of a first course."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QFontMetrics, QPixmap
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout
+
+from workbench.language import _
+from workbench.paths import resource
+from workbench.shell.pages import Page, heading, paragraph
+from workbench.shell.questions import questions
+
+_EXAMPLE_COLUMNS = 4
+THUMBNAIL = QSize(132, 84)
+
+
+class HomePage(Page):
+    """Sends what was chosen; it knows no document. Examples arrive after the first frame."""
+
+    new_wanted = Signal()
+    open_wanted = Signal()
+    file_chosen = Signal(object)
+    example_chosen = Signal(str)
+    question_chosen = Signal(object)
+
+    def __init__(self, recent: Sequence[Path]) -> None:
+        super().__init__("", width=1040)
+        self.column.addLayout(self._head())
+        self._recent_title = heading(self.column, _("Recent pictures"))
+        self._recent = QGridLayout()
+        self._recent.setSpacing(8)
+        self.column.addLayout(self._recent)
+        heading(self.column, _("Examples"))
+        self._cards: list[QPushButton] = []
+        self._examples = QGridLayout()
+        self._examples.setSpacing(8)
+        self._examples.setRowMinimumHeight(0, THUMBNAIL.height() + 46)
+        self.column.addLayout(self._examples)
+        heading(self.column, _("Twelve questions of a first course"))
+        self.column.addLayout(self._questions())
+        self.column.addStretch(1)
+        self.show_recent(recent)
+
+    def _head(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setSpacing(16)
+        picture = QLabel()
+        image = QPixmap(str(resource("icon", "graphics-workbench-128.png")))
+        ratio = self.devicePixelRatioF()
+        image = image.scaledToHeight(round(64 * ratio), Qt.TransformationMode.SmoothTransformation)
+        image.setDevicePixelRatio(ratio)
+        picture.setPixmap(image)
+        picture.setFixedSize(64, 64)
+        row.addWidget(picture)
+        words = QVBoxLayout()
+        words.setSpacing(2)
+        words.addStretch(1)
+        heading(words, "Graphics Workbench")
+        paragraph(
+            words, _("Draw something, watch the algorithm make it pixel by pixel, and see it glow."), "muted"
+        )
+        words.addStretch(1)
+        row.addLayout(words, 1)
+        begin = QPushButton(_("New picture"))
+        begin.setProperty("primary", True)
+        begin.setToolTip(_("Start an empty picture (Ctrl+N)"))
+        begin.clicked.connect(self.new_wanted)
+        other = QPushButton(_("Open..."))
+        other.setToolTip(_("Open a picture from a file (Ctrl+O)"))
+        other.clicked.connect(self.open_wanted)
+        for button in (begin, other):
+            row.addWidget(button, 0, Qt.AlignmentFlag.AlignVCenter)
+        return row
+
+    def _questions(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(16)
+        grid.setVerticalSpacing(2)
+        for column in (0, 1):
+            grid.setColumnStretch(column, 1)
+        offered = [each for each in questions() if each.workspace]
+        listed = [each for each in questions() if not each.workspace]
+        for place, question in enumerate(offered):
+            button = QPushButton(f"{question.number}   {question.text}")
+            button.setProperty("card", True)
+            button.setToolTip(question.text)
+            button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+            button.clicked.connect(
+                lambda _checked=False, question=question: self.question_chosen.emit(question)
+            )
+            grid.addWidget(button, place, 0, 1, 2)
+        later = paragraph(QVBoxLayout(), _("No workspace yet for these:"), "muted")
+        grid.addWidget(later, len(offered), 0, 1, 2)
+        half = (len(listed) + 1) // 2
+        for place, question in enumerate(listed):
+            label = QLabel(f"{question.number}   {question.text}")
+            label.setProperty("role", "muted")
+            label.setWordWrap(True)
+            label.setAlignment(Qt.AlignmentFlag.AlignTop)
+            grid.addWidget(label, len(offered) + 1 + place % half, place // half)
+        return grid
+
+    def show_recent(self, recent: Sequence[Path]) -> None:
+        """List the files opened last; nothing of it is seen while there are none."""
+        _empty(self._recent)
+        self._recent_title.setVisible(bool(recent))
+        for place, path in enumerate(recent[:4]):
+            button = QPushButton()
+            button.setProperty("card", True)
+            button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+            metrics = QFontMetrics(button.font())
+            button.setText(metrics.elidedText(path.stem, Qt.TextElideMode.ElideMiddle, 200))
+            button.setToolTip(str(path))
+            button.setAccessibleName(_("Open {name}").format(name=path.name))
+            button.clicked.connect(lambda _checked=False, path=path: self.file_chosen.emit(path))
+            self._recent.addWidget(button, 0, place)
+        for place in range(4):
+            self._recent.setColumnStretch(place, 1)
+
+    def show_examples(self, examples: Sequence[tuple[str, str, QPixmap]]) -> None:
+        """Offer examples: name, title, picture."""
+        _empty(self._examples)
+        self._cards = []
+        for place, (name, title, picture) in enumerate(examples):
+            card = QPushButton()
+            card.setProperty("card", True)
+            card.setToolTip(_("Open the example: {title}").format(title=title))
+            card.setAccessibleName(title)
+            card.setFixedHeight(THUMBNAIL.height() + 46)
+            card.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+            column = QVBoxLayout(card)
+            column.setContentsMargins(10, 10, 10, 8)
+            column.setSpacing(6)
+            image = QLabel()
+            image.setPixmap(picture)
+            image.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            words = QLabel(title)
+            words.setAlignment(Qt.AlignmentFlag.AlignLeft)
+            for label in (image, words):
+                label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+                column.addWidget(label)
+            self._cards.append(card)
+            card.clicked.connect(lambda _checked=False, name=name: self.example_chosen.emit(name))
+            self._examples.addWidget(card, place // _EXAMPLE_COLUMNS, place % _EXAMPLE_COLUMNS)
+        for place in range(_EXAMPLE_COLUMNS):
+            self._examples.setColumnStretch(place, 1)
+
+    def example_buttons(self) -> list[QPushButton]:
+        """The example cards, in order."""
+        return list(self._cards)
+
+
+def _empty(grid: QGridLayout) -> None:
+    while grid.count():
+        item = grid.takeAt(0)
+        widget = item.widget() if item is not None else None
+        if widget:
+            widget.deleteLater()

@@ -1,0 +1,43 @@
+"""Small pictures of the examples, for Home."""
+
+from collections.abc import Iterator
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
+
+from workbench.document.samples import Example, examples
+from workbench.rendering import frame_buffer
+from workbench.shell.home import THUMBNAIL
+from workbench.widgets.tokens import LIGHT
+
+
+def thumbnails(ratio: float) -> Iterator[tuple[str, str, QPixmap]]:
+    """Slug, title and picture of each example, one at a time since each takes a few milliseconds."""
+    for example in examples():
+        yield example.slug, example.title, _thumbnail(example, ratio)
+
+
+def _thumbnail(example: Example, ratio: float) -> QPixmap:
+    """The picture on paper: as large as it fits in whole device pixels per cell."""
+    pixels = frame_buffer(example.document.sheets[0])
+    height, width = pixels.shape
+    paper = example.document.sheets[0].palette[example.document.sheets[0].background]
+    flipped = pixels[::-1].copy()
+    flipped[flipped == paper] = int(LIGHT.canvas[1:], 16)
+    flipped |= 0xFF000000
+    image = QImage(flipped.data, width, height, width * 4, QImage.Format.Format_RGB32).copy()
+    room = THUMBNAIL * ratio
+    made = QPixmap(room)
+    made.fill(QColor(LIGHT.canvas))
+    cells = max(1.0, min(room.width() // width, room.height() // height))
+    scaled = image.scaled(
+        round(width * cells),
+        round(height * cells),
+        Qt.AspectRatioMode.KeepAspectRatio,
+        Qt.TransformationMode.FastTransformation,
+    )
+    painter = QPainter(made)
+    painter.drawImage((room.width() - scaled.width()) // 2, (room.height() - scaled.height()) // 2, scaled)
+    painter.end()
+    made.setDevicePixelRatio(ratio)
+    return made

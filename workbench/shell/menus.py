@@ -1,0 +1,109 @@
+"""Menus and actions, made from the table of commands, and kept as able as the session is."""
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QMenu
+
+from workbench.language import _
+from workbench.shell.actions import commands, key_text, menu_titles
+from workbench.shell.workspace_bar import WorkspaceBar
+
+if TYPE_CHECKING:
+    from workbench.shell.window import MainWindow
+
+_CHECKABLE = ("ask_first", "detail")
+_ON_THE_BAR = ("undo", "redo", "palette", "settings")
+
+
+class Menus(QObject):
+    """``actions`` and ``commands`` by their id."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._window = window
+        self.commands = {command.id: command for command in commands()}
+        self.actions: dict[str, QAction] = {}
+        for command in self.commands.values():
+            action = QAction(command.text, window)
+            action.setObjectName(command.id)
+            action.setShortcuts([QKeySequence(key) for key in command.keys])
+            keys = f" ({key_text(command.keys[0])})" if command.keys else ""
+            action.setToolTip(command.tooltip + keys)
+            action.setStatusTip(command.tooltip)
+            action.setCheckable(command.id in _CHECKABLE)
+            action.triggered.connect(lambda _checked=False, command=command: window.do(command))
+            window.addAction(action)
+            self.actions[command.id] = action
+        self._make_menus()
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Enable what can be done now; name what undo and redo would do."""
+        session = self._window.session
+        run = getattr(session, "run", None)
+        stepping = run is not None and getattr(run, "entry", None) is not None
+        for command in self.commands.values():
+            if command.needs == "run":
+                self.actions[command.id].setEnabled(stepping)
+        stack = None if session is None else session.undo_stack
+        for name, able, what in (
+            ("undo", stack and stack.canUndo(), stack and stack.undoText()),
+            ("redo", stack and stack.canRedo(), stack and stack.redoText()),
+        ):
+            verb = self.commands[name].text
+            self.actions[name].setEnabled(bool(able))
+            self.actions[name].setText(f"{verb}: {what}" if able and what else verb)
+
+    def add_icons(self, bar: WorkspaceBar) -> Iterator[None]:
+        """Give the actions their icons, and the bar its buttons."""
+        from workbench.widgets.icons import set_icon
+
+        yield
+        bar.add_commands([(self.actions[name], self.commands[name].icon) for name in _ON_THE_BAR])
+        yield
+        for command in self.commands.values():
+            if command.icon and command.id not in _ON_THE_BAR:
+                set_icon(self.actions[command.id], command.icon)
+        yield
+
+    def _make_menus(self) -> None:
+        for menu_id, title in menu_titles():
+            menu = self._window.menu_bar.addMenu(title)
+            menu.setToolTipsVisible(True)
+            for command in self.commands.values():
+                if command.menu != menu_id:
+                    continue
+                if command.separated:
+                    menu.addSeparator()
+                menu.addAction(self.actions[command.id])
+                if command.id == "open":
+                    self._recent = menu.addMenu(_("Open recent"))
+                    self._recent.aboutToShow.connect(self._fill_recent)
+            if menu_id == "view":
+                menu.addSeparator()
+                self._docks = menu.addMenu(_("Docks"))
+                self._docks.aboutToShow.connect(self._fill_docks)
+
+    def _fill_recent(self) -> None:
+        window, menu = self._window, self._recent
+        menu.clear()
+        for path in window.settings.recent():
+            entry = menu.addAction(path.name)
+            entry.setToolTip(str(path))
+            entry.triggered.connect(partial(window.when_ready, partial(window.files.open_path, path)))
+        self._if_empty(menu, _("None yet"))
+
+    def _fill_docks(self) -> None:
+        self._docks.clear()
+        for dock in self._window.arrangements.docks(self._window.place):
+            self._docks.addAction(dock.toggleViewAction())
+        self._if_empty(self._docks, _("This page has none"))
+
+    @staticmethod
+    def _if_empty(menu: QMenu, text: str) -> None:
+        if menu.isEmpty():
+            menu.addAction(text).setEnabled(False)

@@ -1,0 +1,64 @@
+"""The twelve questions that a first course asks, in our own words, and where each can be worked on."""
+
+from dataclasses import dataclass
+
+from workbench.language import _
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """One question. ``workspace`` and ``example`` say where it is worked on, if anywhere yet."""
+
+    number: int
+    text: str
+    topic: str
+    workspace: str = ""
+    example: str = ""
+    step: int = 0
+
+
+def questions() -> tuple[Question, ...]:
+    """All twelve, in the order of the paper."""
+    return (
+        Question(
+            1,
+            _("How does a scene in space become a flat picture, and why is it divided by depth?"),
+            _("Projection"),
+        ),
+        Question(
+            2,
+            _("How does a depth buffer decide which surface is seen, and what does it cost?"),
+            _("Surfaces"),
+        ),
+        Question(
+            3, _("How is a polygon filled row by row, and how does a fill grow from a seed?"), _("Filling")
+        ),
+        Question(4, _("How does a window onto the world land in a viewport on the screen?"), _("Viewing")),
+        Question(5, _("What does perspective give up that parallel projection keeps?"), _("Projection")),
+        Question(
+            6,
+            _("How does a cathode-ray tube turn a beam of electrons into light?"),
+            _("Display"),
+            "display",
+            "house",
+        ),
+        Question(7, _("Deciding what is hidden: surface against surface, or pixel by pixel?"), _("Surfaces")),
+        Question(8, _("Through its points or only near them: which spline does which?"), _("Curves")),
+        Question(9, _("How do a few key frames become a smooth motion?"), _("Animation")),
+        Question(
+            10,
+            _("Row by row or stroke by stroke: how do raster and random scan draw one picture?"),
+            _("Display"),
+            "display",
+            "octants",
+        ),
+        Question(
+            11,
+            _("How does a DDA walk along a line, and where does its rounding show?"),
+            _("Lines"),
+            "draw",
+            "slopes",
+            1,
+        ),
+        Question(12, _("How is a picture turned about a point that is not the origin?"), _("Transformation")),
+    )

@@ -1,0 +1,82 @@
+"""Settings, as a page: every choice takes effect at once."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QPushButton
+
+from workbench.language import _
+from workbench.shell.pages import Page, heading, paragraph
+from workbench.widgets.comfort import comfort
+
+if TYPE_CHECKING:
+    from workbench.shell.window import MainWindow
+
+
+class SettingsPage(Page):
+    """Theme, size of type, calm, ask first, hints."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(_("Settings"))
+        self._window = window
+        settings = window.settings
+        heading(self.column, _("Appearance"))
+        form = QFormLayout()
+        form.setHorizontalSpacing(16)
+        self.theme = QComboBox()
+        for name, title in (("system", _("As the system")), ("light", _("Light")), ("dark", _("Dark"))):
+            self.theme.addItem(title, name)
+        self.theme.setCurrentIndex(max(0, self.theme.findData(settings.get("theme"))))
+        self.theme.setToolTip(_("The colours of the program"))
+        self.theme.setAccessibleName(_("Theme"))
+        self.theme.currentIndexChanged.connect(self._take_theme)
+        label = QLabel(_("&Theme"))
+        label.setBuddy(self.theme)
+        form.addRow(label, self.theme)
+        self.column.addLayout(form)
+        self.large = self._choice("large_text", _("Larger type"), _("Words a quarter larger everywhere"))
+        self.large.toggled.connect(lambda on: window.themes.choose(window.themes.choice, on))
+        heading(self.column, _("Comfort"))
+        self.calm = self._choice("calm", _("Calm"), _("Hold flicker, flashing and motion still"))
+        self.calm.toggled.connect(comfort.set_calm)
+        paragraph(
+            self.column,
+            _("With Calm on, tubes show steady light and nothing moves that was not asked to."),
+            "muted",
+        )
+        heading(self.column, _("Stepping"))
+        self.ask = self._choice(
+            "ask_first", _("Ask for the next pixel first"), _("New pictures start with Ask first switched on")
+        )
+        self.ask.toggled.connect(self._take_ask_first)
+        heading(self.column, _("Hints and history"))
+        self.hints = self._choice("hints", _("Show hints in Draw"), _("Three short hints for the first time"))
+        forget = QPushButton(_("Forget recent pictures"))
+        forget.setToolTip(_("Empty the list of recent pictures; the files stay"))
+        forget.clicked.connect(self._forget)
+        self.column.addWidget(forget)
+        self.column.setAlignment(forget, self.column.alignment())
+        forget.setMaximumWidth(forget.sizeHint().width() + 24)
+        paragraph(self.column, _("Kept in {path}").format(path=settings.path), "muted")
+        self.column.addStretch(1)
+
+    def _choice(self, name: str, text: str, tooltip: str) -> QCheckBox:
+        box = QCheckBox(text)
+        box.setToolTip(tooltip)
+        box.setChecked(self._window.settings.get(name))
+        box.toggled.connect(lambda on: self._window.settings.set(name, on))
+        self.column.addWidget(box)
+        return box
+
+    def _take_theme(self) -> None:
+        choice = self.theme.currentData()
+        self._window.settings.set("theme", choice)
+        self._window.themes.choose(choice)
+
+    def _take_ask_first(self, on: bool) -> None:
+        if self._window.session is not None:
+            self._window.session.update_state(ask_first=on)
+
+    def _forget(self) -> None:
+        self._window.settings.forget_recent()
+        self._window.refresh_recent()
+        self._window.say_status(_("The list of recent pictures is empty."))

@@ -1,0 +1,126 @@
+"""Starts the program: first a window with Home, then, once that is painted, everything else."""
+
+import sys
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from importlib import import_module
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtWidgets import QApplication
+
+from workbench.language import _
+from workbench.shell.settings import Settings
+from workbench.shell.theme import ThemeSwitch
+from workbench.shell.window import PROGRAM, MainWindow
+
+_SLOW_IMPORTS = ("numpy", "workbench.session.session", "workbench.shell.home_examples", "qtawesome")
+QUIT_AFTER_FIRST_FRAME = "--quit-after-first-frame"
+
+
+class Building(QObject):
+    """Builds the rest of the window after the first frame: imports on a thread, then slices on this one."""
+
+    built = Signal()
+    _imported = Signal()
+
+    def __init__(self, window: MainWindow, path: Path | None = None) -> None:
+        super().__init__(window)
+        self._window = window
+        self._path = path
+        self._slices: Iterator[None] = iter(())
+        self._timer = QTimer(self)
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(self._slice)
+        self._imported.connect(self._begin)
+        self._importing = threading.Thread(target=self._import, name="imports", daemon=True)
+
+    def start(self) -> None:
+        """Begin importing."""
+        self._importing.start()
+
+    def wait(self) -> None:
+        """Wait for the imports, which must not outlive the interpreter."""
+        if self._importing.is_alive():
+            self._importing.join()
+
+    def _import(self) -> None:
+        for module in (*_SLOW_IMPORTS, *self._window.panel_modules()):
+            with suppress(Exception):  # the same failure is said where the module is needed
+                import_module(module)
+        self._imported.emit()
+
+    def _begin(self) -> None:
+        self._slices = self._build()
+        self._timer.start()
+
+    def _slice(self) -> None:
+        if next(self._slices, self) is self:
+            self._timer.stop()
+            self.built.emit()
+
+    def _build(self) -> Iterator[None]:
+        from workbench.document.samples import example_document
+        from workbench.session.session import Session
+
+        window = self._window
+        session = Session(window, example_document())
+        if window.settings.get("ask_first"):
+            session.update_state(ask_first=True)
+        yield
+        window.attach(session)
+        yield
+        yield from window.build()
+        if self._path is not None:
+            window.files.open_path(self._path)
+            yield
+        window.status.preparing("")
+        window.files.offer_recovery()
+
+
+def make_window(settings: Settings | None = None) -> MainWindow:
+    """The window in its theme, over the running QApplication."""
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    application.setApplicationName(PROGRAM)
+    application.setDesktopFileName("graphics-workbench")
+    kept = settings or Settings()
+    themes = application.findChild(ThemeSwitch)
+    if themes is None:
+        themes = ThemeSwitch(application, kept.get("theme"), kept.get("large_text"))
+    else:
+        themes.choose(kept.get("theme"), kept.get("large_text"))
+    from workbench.widgets.comfort import comfort
+
+    comfort.set_calm(kept.get("calm"))
+    return MainWindow(kept, themes)
+
+
+def start(argv: Sequence[str]) -> int:
+    """Open the window, with the file named on the command line if there is one; the exit status."""
+    words = [word for word in argv if word != QUIT_AFTER_FIRST_FRAME]
+    if len(words) > 1 or (words and words[0].startswith("-")):
+        sys.stderr.write(
+            _("Give one picture to open, or nothing: {words}").format(words=" ".join(words)) + "\n"
+        )
+        return 2
+    path = Path(words[0]) if words else None
+    if path is not None and not path.is_file():
+        sys.stderr.write(_("There is no file {path}.").format(path=path) + "\n")
+        return 2
+    application = QApplication([PROGRAM])
+    window = make_window()
+    if QUIT_AFTER_FIRST_FRAME in argv:
+        window.first_frame.connect(application.quit)
+        window.show()
+        return application.exec()
+    from workbench.shell.failures import Failures
+
+    Failures(window).install()
+    building = Building(window, path)
+    window.first_frame.connect(building.start)
+    window.show()
+    status = application.exec()
+    building.wait()
+    return status

@@ -1,0 +1,84 @@
+"""The status bar: what is under the pointer, what is run, the zoom, and how ready the program is."""
+
+from typing import Any
+
+from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar
+
+from workbench.language import _
+
+_PASSING_MS = 6000
+
+
+class Status(QObject):
+    """Four fields: hover text, run, zoom, readiness.
+
+    Panels fill them by the signals ``hover_text``, ``run_text`` and ``zoom_text``, where they have them.
+    """
+
+    def __init__(self, bar: QStatusBar) -> None:
+        super().__init__(bar)
+        bar.setSizeGripEnabled(False)
+        self.hover, self.run, self.zoom, self.ready = (QLabel() for _field in range(4))
+        self.hover.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.hover.setTextFormat(Qt.TextFormat.PlainText)
+        bar.addWidget(self.hover, 3)
+        bar.addWidget(self.run, 2)
+        bar.addPermanentWidget(self.zoom)
+        bar.addPermanentWidget(self.ready)
+        for field, name in (
+            (self.hover, _("Under the pointer")),
+            (self.run, _("Run")),
+            (self.zoom, _("Zoom")),
+            (self.ready, _("Readiness")),
+        ):
+            field.setAccessibleName(name)
+        self._passing = QTimer(self)
+        self._passing.setSingleShot(True)
+        self._passing.timeout.connect(self.hover.clear)
+
+    def say(self, text: str) -> None:
+        """Say something in passing."""
+        self.hover.setText(text)
+        self._passing.start(_PASSING_MS)
+
+    def show_hover(self, text: str) -> None:
+        """Show what is under the pointer."""
+        self._passing.stop()
+        self.hover.setText(text)
+
+    def preparing(self, text: str) -> None:
+        """Say what is being prepared, and how far; "" means ready."""
+        self.ready.setText(text or _("ready"))
+
+    def listen(self, panel: Any) -> None:
+        """Take the texts of a panel that offers them."""
+        for name, slot in (
+            ("hover_text", self.show_hover),
+            ("run_text", self.run.setText),
+            ("zoom_text", self.zoom.setText),
+        ):
+            signal = getattr(panel, name, None)
+            if signal is not None:
+                signal.connect(slot)
+
+    def follow(self, run: Any) -> None:
+        """Name the run that is stepped, and where it stands."""
+
+        def tell() -> None:
+            entry = run.entry
+            self.run.setText("" if entry is None else self._run_text(run))
+
+        for signal in (run.changed, run.moved, run.grown):
+            signal.connect(tell)
+        tell()
+
+    @staticmethod
+    def _run_text(run: Any) -> str:
+        title = _(run.entry.title)
+        total = run.total_steps
+        if run.detail:
+            return _("{title}, line {n}").format(title=title, n=run.position)
+        if total is None:
+            return _("{title}, step {n}").format(title=title, n=run.position)
+        return _("{title}, step {n} of {total}").format(title=title, n=run.position, total=total)

@@ -1,0 +1,27 @@
+"""The one style sheet (``resources/controls/style.qss``), over Fusion: flat surfaces,
+hair lines, an edge on what can be typed into. ``@token`` in it stands for a token's value.
+"""
+
+from workbench.paths import resource
+from workbench.widgets.tokens import RADIUS, TITLE_PX, Tokens
+
+
+def style_sheet(chosen: Tokens, scale: float = 1.0) -> str:
+    """The style sheet of one theme; ``scale`` enlarges the few type sizes it names."""
+    text = resource("controls", "style.qss").read_text(encoding="utf-8")
+    values = {
+        "accent_hover": _towards(chosen.accent, chosen.text, 0.15),
+        "controls": resource("controls").as_posix(),
+        "radius": f"{RADIUS}px",
+        "title_px": f"{round(TITLE_PX * scale)}px",
+        **{name: getattr(chosen, name) for name in Tokens.__dataclass_fields__ if name != "data"},
+    }
+    for name in sorted(values, key=len, reverse=True):
+        text = text.replace(f"@{name}", values[name])
+    return text
+
+
+def _towards(start: str, end: str, part: float) -> str:
+    """The colour ``part`` of the way from one to another."""
+    pairs = ((int(start[i : i + 2], 16), int(end[i : i + 2], 16)) for i in (1, 3, 5))
+    return "#" + "".join(f"{round(a + (b - a) * part):02X}" for a, b in pairs)

@@ -1,0 +1,86 @@
+"""Puts a theme on the whole program: Qt's palette, the style sheet, the tokens that painted widgets read."""
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QColor, QFont, QPalette
+from PySide6.QtWidgets import QApplication
+
+from workbench.shell.style_sheet import style_sheet
+from workbench.widgets.tokens import DARK, LIGHT, TEXT_PX, Tokens, theme
+
+CHOICES = ("system", "light", "dark")
+_LARGE = 1.25
+
+
+def palette_of(chosen: Tokens) -> QPalette:
+    """Qt's palette for one theme."""
+    role = QPalette.ColorRole
+    made = QPalette()
+    for which, value in (
+        (role.Window, chosen.window),
+        (role.Base, chosen.surface),
+        (role.AlternateBase, chosen.window),
+        (role.Button, chosen.raised),
+        (role.Text, chosen.text),
+        (role.WindowText, chosen.text),
+        (role.ButtonText, chosen.text),
+        (role.BrightText, chosen.error),
+        (role.PlaceholderText, chosen.muted),
+        (role.ToolTipBase, chosen.raised),
+        (role.ToolTipText, chosen.text),
+        (role.Highlight, chosen.accent),
+        (role.HighlightedText, chosen.on_accent),
+        (role.Link, chosen.accent),
+        (role.LinkVisited, chosen.accent),
+        (role.Light, chosen.raised),
+        (role.Midlight, chosen.line),
+        (role.Mid, chosen.line),
+        (role.Dark, chosen.field_edge),
+        (role.Shadow, chosen.field_edge),
+        (role.Accent, chosen.accent),
+    ):
+        made.setColor(which, QColor(value))
+    for which in (role.Text, role.WindowText, role.ButtonText):
+        made.setColor(QPalette.ColorGroup.Disabled, which, QColor(chosen.field_edge))
+    return made
+
+
+class ThemeSwitch(QObject):
+    """Keeps the application in the chosen theme: light, dark, or whatever the system says, as it says it."""
+
+    def __init__(self, application: QApplication, choice: str = "system", large: bool = False) -> None:
+        super().__init__(application)
+        self._application = application
+        self._choice = choice if choice in CHOICES else "system"
+        self._large = large
+        self._shown: tuple[str, bool] | None = None
+        self._base = application.font()
+        application.setStyle("Fusion")
+        application.styleHints().colorSchemeChanged.connect(self.apply)
+        self.apply()
+
+    @property
+    def choice(self) -> str:
+        """ "system", "light" or "dark"."""
+        return self._choice
+
+    def choose(self, choice: str, large: bool | None = None) -> None:
+        """Take another theme, or larger type."""
+        self._choice = choice if choice in CHOICES else "system"
+        self._large = self._large if large is None else large
+        self.apply()
+
+    def apply(self) -> None:
+        """Show the theme that the choice and the system ask for."""
+        system_dark = self._application.styleHints().colorScheme() == Qt.ColorScheme.Dark
+        dark = self._choice == "dark" or (self._choice == "system" and system_dark)
+        if self._shown == (("dark" if dark else "light"), self._large):
+            return
+        chosen = DARK if dark else LIGHT
+        self._shown = (chosen.name, self._large)
+        scale = _LARGE if self._large else 1.0
+        font = QFont(self._base)
+        font.setPixelSize(round(TEXT_PX * scale))
+        self._application.setFont(font)
+        self._application.setPalette(palette_of(chosen))
+        theme.use(chosen)
+        self._application.setStyleSheet(style_sheet(chosen, scale))

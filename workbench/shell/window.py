@@ -1,0 +1,368 @@
+"""The main window: bars, pages and workspaces around one session, which arrives after the first frame."""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QIcon, QPaintEvent
+from PySide6.QtWidgets import QMainWindow, QMenuBar, QStackedWidget, QToolBar, QVBoxLayout, QWidget
+
+from workbench.language import _
+from workbench.paths import resource
+from workbench.shell.actions import Command
+from workbench.shell.arrangement import Arrangements
+from workbench.shell.files import SUFFIX, Files
+from workbench.shell.home import HomePage
+from workbench.shell.menus import Menus
+from workbench.shell.message_bar import MessageBar
+from workbench.shell.questions import Question
+from workbench.shell.settings import Settings
+from workbench.shell.status import Status
+from workbench.shell.theme import ThemeSwitch
+from workbench.shell.views import Views
+from workbench.shell.workspace_bar import WorkspaceBar
+from workbench.shell.workspaces import Workspace, panel_class, workspaces
+
+PROGRAM = "Graphics Workbench"
+FIRST_SIZE = (1280, 680)
+SMALLEST = (640, 420)
+
+
+class MainWindow(QMainWindow):
+    """Home can be painted without a session; ``attach`` brings one, and ``build`` the rest in slices.
+
+    ``place`` is the slug of the workspace or page in the middle. ``first_frame`` is sent once, after the
+    first frame has been painted; ``entered`` after a workspace is shown.
+    """
+
+    first_frame = Signal()
+    entered = Signal(str)
+
+    def __init__(
+        self, settings: Settings, themes: ThemeSwitch, offered: Sequence[Workspace] | None = None
+    ) -> None:
+        super().__init__()
+        self.settings = settings
+        self.themes = themes
+        self.session: Any = None
+        self.place = ""
+        self._offered = {each.slug: each for each in (workspaces() if offered is None else offered)}
+        self._panels: dict[str, list[Any]] = {}
+        self.centres: dict[str, QWidget] = {}
+        self._pages: dict[str, QWidget] = {}
+        self._painted = False
+        self._closing = False
+        self._wanted: list[Callable[[], object]] = []
+        self.setWindowTitle(PROGRAM)
+        self.setWindowIcon(QIcon(str(resource("icon", "graphics-workbench.png"))))
+        self.setMinimumSize(*SMALLEST)
+        self.resize(*FIRST_SIZE)
+        self.setAcceptDrops(True)
+        self.files = Files(self)
+        self.arrangements = Arrangements(self, settings)
+        self.views = Views(self)
+        self._make_frame()
+        self.menus = Menus(self)
+        geometry = settings.arrangement("window")
+        if geometry is not None:
+            self.restoreGeometry(geometry)
+        self.show_page("home")
+
+    # What stands around the middle
+
+    def _make_frame(self) -> None:
+        places = [("home", _("Home"), _("Recent pictures, examples and questions"))]
+        places += [(each.slug, each.title, each.tooltip) for each in self._offered.values()]
+        self.bar = WorkspaceBar(places)
+        self.bar.chosen.connect(self.go)
+        self.messages = MessageBar()
+        self.stack = QStackedWidget()
+        self.menu_bar = QMenuBar()
+        self.top = QWidget()
+        column = QVBoxLayout(self.top)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        for part in (self.menu_bar, self.bar, self.messages):
+            column.addWidget(part)
+        self.setMenuWidget(self.top)
+        self.steps = QToolBar(_("Step bar"), self)
+        self.steps.setObjectName("steps")
+        self.steps.setMovable(False)
+        self.steps.toggleViewAction().setVisible(False)
+        self.addToolBar(Qt.ToolBarArea.BottomToolBarArea, self.steps)
+        self.steps.hide()
+        self.setCentralWidget(self.stack)
+        self.status = Status(self.statusBar())
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.NoContextMenu)
+        for area, corner in (
+            (Qt.DockWidgetArea.LeftDockWidgetArea, Qt.Corner.BottomLeftCorner),
+            (Qt.DockWidgetArea.RightDockWidgetArea, Qt.Corner.BottomRightCorner),
+        ):
+            self.setCorner(corner, area)
+
+    def do(self, command: Command) -> None:
+        """Carry out a command of the table, or keep it until the session it needs is there."""
+        if command.needs:
+            self.when_ready(partial(command.handler, self))
+        else:
+            command.handler(self)
+
+    # After the first frame
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if not self._painted:
+            self._painted = True
+            QTimer.singleShot(0, self.first_frame.emit)
+
+    def attach(self, session: Any) -> None:
+        """Take the session that everything works on."""
+        self.session = session
+        session.changed.connect(lambda *_args: self.menus.refresh())
+        session.undo_stack.indexChanged.connect(lambda _index: self.menus.refresh())
+        session.path_changed.connect(lambda _path: self._refresh_title())
+        session.dirty_changed.connect(lambda _dirty: self._refresh_title())
+        session.state_changed.connect(lambda _old, new: self._take_state(new))
+        run = getattr(session, "run", None)
+        if run is not None:
+            run.changed.connect(self.menus.refresh)
+            self.status.follow(run)
+        self._refresh_title()
+        self.menus.refresh()
+        self._take_state(session.state)
+        wanted, self._wanted = self._wanted, []
+        for act in wanted:
+            act()
+
+    def build(self) -> Iterator[None]:
+        """The rest of the window, one slice per step."""
+        from workbench.shell.home_examples import thumbnails
+
+        yield from self.menus.add_icons(self.bar)
+        home = self._pages["home"]
+        assert isinstance(home, HomePage)
+        shown = []
+        for example in thumbnails(self.devicePixelRatioF()):
+            shown.append(example)
+            yield
+        home.show_examples(shown)
+
+    # Workspaces and pages
+
+    @property
+    def workspace_slugs(self) -> tuple[str, ...]:
+        """The workspaces offered, in order."""
+        return tuple(self._offered)
+
+    def go(self, slug: str) -> None:
+        """Show a page or a workspace."""
+        if slug in self._offered:
+            self.enter(slug)
+        else:
+            self.show_page(slug)
+
+    def enter(self, slug: str) -> None:
+        """Show a workspace; its panels are made the first time."""
+        if self.session is None:
+            self.bar.set_waiting(slug, True)
+            self.status.preparing(_("Preparing {title}").format(title=self._offered[slug].title))
+            self._wanted.append(lambda: self.enter(slug))
+            return
+        self.views.together()
+        if slug not in self._panels:
+            self._make_panels(slug)
+        if self.place == slug:
+            return
+        usable = self.arrangements.show(slug)
+        self.stack.setCurrentWidget(self.centres[slug])
+        self.steps.setVisible(self._offered[slug].steps and bool(self.steps.actions()))
+        self.place = slug
+        self.bar.show_current(slug)
+        if not usable:
+            self.messages.say(_("The remembered arrangement could not be used; this is the first one again."))
+        self.centres[slug].setFocus()
+        self.entered.emit(slug)
+
+    def workspace_titles(self) -> list[tuple[str, str]]:
+        """Slug and title of each workspace."""
+        return [(each.slug, each.title) for each in self._offered.values()]
+
+    def panel_modules(self) -> list[str]:
+        """The modules that panels come from, in order."""
+        return list(dict.fromkeys(module for each in self._offered.values() for module in each.modules))
+
+    def panels(self, slug: str) -> list[Any]:
+        """The panels of a workspace, empty before it was first shown."""
+        return list(self._panels.get(slug, []))
+
+    def _make_panels(self, slug: str) -> None:
+        workspace = self._offered[slug]
+        made = [panel_class(panel)(self.session) for panel in workspace.panels]
+        self._panels[slug] = made
+        host = QWidget()
+        layout = QVBoxLayout(host)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(made[0].center)
+        host.setFocusProxy(made[0].center)
+        self.centres[slug] = host
+        self.stack.addWidget(host)
+        for panel in made:
+            self.arrangements.add(slug, panel.docks())
+            for action in panel.actions():
+                self.addAction(action)
+            bar = getattr(panel, "step_bar", None)
+            if bar is not None:
+                self.steps.addWidget(bar)
+            self.status.listen(panel)
+
+    def show_page(self, name: str) -> None:
+        """Show a page: home, settings, help, keys or about."""
+        self.views.together()
+        if name not in self._pages:
+            self._pages[name] = self._make_page(name)
+            self.stack.addWidget(self._pages[name])
+        self.arrangements.leave()
+        self.steps.hide()
+        self.stack.setCurrentWidget(self._pages[name])
+        self.place = name
+        self.bar.show_current(name)
+
+    def _make_page(self, name: str) -> QWidget:
+        if name == "home":
+            home = HomePage(self.settings.recent())
+            home.new_wanted.connect(lambda: self.do(self.menus.commands["new"]))
+            home.open_wanted.connect(lambda: self.do(self.menus.commands["open"]))
+            home.file_chosen.connect(lambda path: self.when_ready(lambda: self.files.open_path(path)))
+            home.example_chosen.connect(lambda slug: self.when_ready(lambda: self.open_example(slug)))
+            home.question_chosen.connect(lambda q: self.when_ready(lambda: self.open_question(q)))
+            return home
+        from workbench.shell.about import AboutPage
+        from workbench.shell.help import HelpPage, KeysPage
+        from workbench.shell.settings_page import SettingsPage
+
+        makers: dict[str, Callable[[], QWidget]] = {
+            "settings": lambda: SettingsPage(self),
+            "about": lambda: AboutPage(self),
+            "help": lambda: HelpPage(self),
+            "keys": KeysPage,
+        }
+        return makers[name]()
+
+    def when_ready(self, act: Callable[[], object]) -> None:
+        """Do something now, or as soon as the session is there."""
+        if self.session is None:
+            self._wanted.append(act)
+        else:
+            act()
+
+    def open_example(self, slug: str) -> None:
+        """Open a built-in picture in its workspace."""
+        from workbench.document.samples import example
+
+        workspace = example(slug).workspace
+        self.files.example(slug, lambda: self.enter(workspace))
+
+    def open_question(self, question: Question) -> None:
+        """Open workspace, example and step of a question."""
+        self.files.example(question.example)
+        self.session.update_state(step=question.step)
+        self.enter(question.workspace)
+
+    def refresh_recent(self) -> None:
+        """Show the recent files anew."""
+        home = self._pages.get("home")
+        if isinstance(home, HomePage):
+            home.show_recent(self.settings.recent())
+
+    # Commands that the table names
+
+    def undo(self) -> None:
+        """Take the last edit back."""
+        self.session.end_merge()
+        self.session.undo_stack.undo()
+
+    def redo(self) -> None:
+        """Make the edit again."""
+        self.session.undo_stack.redo()
+
+    def run_do(self, name: str) -> None:
+        """Move the cursor of the run: first, back, forward, last."""
+        getattr(self.session.run, name)()
+
+    def toggle_detail(self) -> None:
+        """Change between rows and lines."""
+        self.session.run.set_detail(not self.session.run.detail)
+
+    def toggle_ask_first(self) -> None:
+        """Ask for the next pixel before it is shown, or stop asking."""
+        self.session.update_state(ask_first=not self.session.state.ask_first)
+
+    def _take_state(self, state: Any) -> None:
+        self.menus.actions["ask_first"].setChecked(state.ask_first)
+        self.menus.actions["detail"].setChecked(state.detail)
+
+    def show_palette(self) -> None:
+        """Find a command by a few letters."""
+        from workbench.shell.command_palette import CommandPalette
+
+        CommandPalette.open_over(self)
+
+    def show_hints_again(self) -> None:
+        """Point at canvas, step bar and source once more."""
+        self.settings.set("hints", True)
+        self.enter("draw")
+        self.show_hints()
+
+    def show_hints(self) -> None:
+        """Point at canvas, step bar and source, unless this was dismissed for good."""
+        from workbench.shell.hints import show_hints
+
+        show_hints(self)
+
+    def reset_workspace(self) -> None:
+        """Put every dock back where it was at first."""
+        self.settings.forget_arrangement(self.place)
+        self.arrangements.reset()
+
+    def say_status(self, text: str) -> None:
+        """Say something in passing."""
+        self.status.say(text)
+
+    # Title, dropped files, closing
+
+    def _refresh_title(self) -> None:
+        self.setWindowTitle(f"{self.files.name}[*] - {PROGRAM}")
+        self.setWindowModified(self.session.dirty)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if _dropped(event) is not None:
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        path = _dropped(event)
+        if path is not None:
+            self.when_ready(lambda: self.files.open_path(path))
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if self.session is not None and self.session.dirty and not self._closing:
+            event.ignore()
+            self.files.unless_unsaved(self._close_now)
+            return
+        self.views.together()
+        self.arrangements.leave()
+        self.settings.keep_arrangement("window", self.saveGeometry())
+        self.settings.write()
+        super().closeEvent(event)
+
+    def _close_now(self) -> None:
+        self._closing = True
+        self.close()
+
+
+def _dropped(event: QDropEvent) -> Path | None:
+    urls = event.mimeData().urls()
+    if len(urls) == 1 and urls[0].isLocalFile() and urls[0].toLocalFile().endswith(SUFFIX):
+        return Path(urls[0].toLocalFile())
+    return None

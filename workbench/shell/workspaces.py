@@ -1,0 +1,56 @@
+"""The workspaces, in the order of the course: each an arrangement of panels over one session."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
+
+from workbench.language import _
+
+
+@dataclass(frozen=True, slots=True)
+class Workspace:
+    """One workspace. ``panels`` are "module:class", the first of which fills the middle; they are made when
+    the workspace is first shown. ``steps`` tells whether the step bar belongs to it.
+    """
+
+    slug: str
+    title: str
+    tooltip: str
+    icon: str
+    panels: tuple[str, ...]
+    steps: bool = False
+
+    @property
+    def modules(self) -> tuple[str, ...]:
+        """The modules that its panels come from."""
+        return tuple(panel.partition(":")[0] for panel in self.panels)
+
+
+def panel_class(panel: str) -> Callable[..., Any]:
+    """The class behind "module:class"."""
+    module, __, name = panel.partition(":")
+    made: Callable[..., Any] = getattr(import_module(module), name)
+    return made
+
+
+def workspaces() -> tuple[Workspace, ...]:
+    """Those that exist."""
+    inspector = "workbench.panels.inspector:InspectorPanel"
+    return (
+        Workspace(
+            "draw",
+            _("Draw"),
+            _("Lines, circles and ellipses, pixel by pixel"),
+            "pencil-line",
+            ("workbench.panels.draw:DrawPanel", inspector),
+            steps=True,
+        ),
+        Workspace(
+            "display",
+            _("Display"),
+            _("The picture on a cathode-ray tube"),
+            "monitor",
+            ("workbench.panels.display:DisplayPanel",),
+        ),
+    )
