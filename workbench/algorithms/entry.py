@@ -67,13 +67,14 @@ class View:
 class Entry:
     """One algorithm of the catalogue.
 
-    ``columns`` heads the hand table as the course writes it: ``p_k`` is shown with a subscript. ``laws``
-    are the sentences that the tests of this entry prove. ``questions`` are those of the paper it serves,
-    ``next_rung`` the slug of the next one on the ladder, ``tie`` the book whose tie it follows.
-    ``writes`` names the image argument that the text itself writes in place (then a painting sink writes
-    nothing). ``compiles`` is empty, or says why this text is stepped only. ``extent`` is an expression over
-    the parameters for a box (x_min, y_min, x_max, y_max) that no emitted pixel leaves: a figure whose box
-    lies inside the picture is painted without testing each pixel.
+    ``columns`` heads the hand table as the course writes it: ``p_k`` is shown with a subscript.
+    ``view_functions`` are plain functions that the views may call, beside what the text itself knows.
+    ``laws`` are the sentences that the tests of this entry prove, ``not_laws`` what one might believe and is
+    not so. ``questions`` are those of the paper it serves, ``next_rung`` the slug of the next one on the
+    ladder, ``tie`` the book whose tie it follows. ``writes`` names the image argument that the text itself
+    writes in place (then a painting sink writes nothing). ``compiles`` is empty, or says why this text is
+    stepped only. ``extent`` is an expression over the parameters for a box (x_min, y_min, x_max, y_max) that
+    no emitted pixel leaves: a figure whose box lies inside the picture is painted without testing each pixel.
     """
 
     function: Callable[..., Iterator[tuple[Any, ...]]]
@@ -85,6 +86,7 @@ class Entry:
     source: str
     columns: tuple[str, ...] = ()
     views: tuple[View, ...] = ()
+    view_functions: tuple[Callable[..., Any], ...] = ()
     laws: tuple[str, ...] = ()
     not_laws: tuple[str, ...] = ()
     questions: tuple[int, ...] = ()

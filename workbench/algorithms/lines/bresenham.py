@@ -9,6 +9,7 @@ k               number of the step, from 0
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.lines.axes import neighbours, pixel
 from workbench.algorithms.lines.ends import END_POINTS, EXTENT
 
 
@@ -70,6 +71,7 @@ ENTRY = Entry(
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-2",
     columns=("k", "p_k", "(x_{k+1}, y_{k+1})"),
+    view_functions=(neighbours, pixel),
     views=(
         View(
             block="Plot the first end point",

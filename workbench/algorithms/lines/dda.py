@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.lines.drift import beside, drift, exact, others
 from workbench.algorithms.lines.ends import END_POINTS, EXTENT
 
 
@@ -56,6 +57,7 @@ ENTRY = Entry(
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-2",
     columns=("k", "x_{k+1}", "y_{k+1}", "pixel", "exact", "drift"),
+    view_functions=(beside, drift, exact, others),
     views=(
         View(
             block="Divide the sides into that many increments",

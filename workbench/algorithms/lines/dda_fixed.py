@@ -11,6 +11,7 @@ k                           number of the step, from 0
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.lines.drift import beside, drift, drift_in, others
 from workbench.algorithms.lines.ends import END_POINTS
 
 
@@ -64,6 +65,7 @@ ENTRY = Entry(
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-2",
     columns=("k", "x_{k+1}", "y_{k+1}", "pixel", "drift", "in 32 bits", "in 64 bits"),
+    view_functions=(beside, drift, drift_in, others),
     views=(
         View(
             block="Round the increments to whole parts",
@@ -76,8 +78,8 @@ ENTRY = Entry(
             candidates=f"beside((x + x_increment) / one, (y + y_increment) / one, {_ENDS})",
             chosen=f"({_PIXEL},)",
             rejected=f"others(x / one, y / one, {_ENDS}, {_PIXEL})",
-            row=f"(k, x / one, y / one, {_PIXEL}, {_DRIFT}, drift_in({_ENDS}, k + 1, np.float32), "
-            f"drift_in({_ENDS}, k + 1, np.float64))",
+            row=f"(k, x / one, y / one, {_PIXEL}, {_DRIFT}, drift_in({_ENDS}, k + 1, 'float32'), "
+            f"drift_in({_ENDS}, k + 1, 'float64'))",
             sentence="x = {before.x} + {x_increment} = {x} parts, y = {before.y} + {y_increment} = {y} "
             f"parts; rounded, {{{_PIXEL}}}. Drift so far: {{{_DRIFT}}} pixels.",
         ),

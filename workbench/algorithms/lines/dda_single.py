@@ -13,6 +13,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.lines.drift import beside, drift, drift_in, others
 from workbench.algorithms.lines.ends import END_POINTS
 
 
@@ -48,7 +49,7 @@ def dda_line_single(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, i
 _ENDS = "(x0, y0, x1, y1)"
 _PIXEL = "(math.floor(x + np.float32(0.5)), math.floor(y + np.float32(0.5)))"
 _DRIFT = f"drift((x, y), {_ENDS}, k + 1)"
-_DRIFT_64 = f"drift_in({_ENDS}, k + 1, np.float64)"
+_DRIFT_64 = f"drift_in({_ENDS}, k + 1, 'float64')"
 
 ENTRY = Entry(
     function=dda_line_single,
@@ -59,6 +60,7 @@ ENTRY = Entry(
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-2",
     columns=("k", "x_{k+1}", "y_{k+1}", "pixel", "drift", "drift in 64 bits"),
+    view_functions=(beside, drift, drift_in, others),
     views=(
         View(
             block="Divide the sides into that many increments",

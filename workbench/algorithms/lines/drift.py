@@ -32,9 +32,10 @@ def drift(point: Point, ends: Ends, k: int, one: int = 1) -> float:
     return (numerator * steps - true * denominator) / (denominator * steps)
 
 
-def drift_in(ends: Ends, k: int, kind: type[np.floating]) -> float:
-    """The drift of the DDA after k steps in floating-point numbers of this kind."""
+def drift_in(ends: Ends, k: int, name: str) -> float:
+    """The drift of the DDA after k steps in floating-point numbers of the kind that NumPy gives this name."""
     x0, y0, x1, y1 = ends
+    kind = np.dtype(name).type
     steps = kind(max(abs(x1 - x0), abs(y1 - y0), 1))
 
     def added_up(start: int, end: int) -> float:

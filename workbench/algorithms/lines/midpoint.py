@@ -10,6 +10,7 @@ k                           number of the step, from 0
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.lines.axes import neighbours, pixel
 from workbench.algorithms.lines.ends import END_POINTS, EXTENT
 
 
@@ -69,6 +70,7 @@ ENTRY = Entry(
     emits="pixels",
     source="Foley, van Dam, Feiner and Hughes, Computer Graphics, section 3.2.2",
     columns=("k", "F(M_k)", "(x_{k+1}, y_{k+1})"),
+    view_functions=(neighbours, pixel),
     views=(
         View(
             block="Plot the first end point",

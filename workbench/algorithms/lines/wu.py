@@ -9,6 +9,7 @@ k           number of the step, from 0
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.lines.axes import pixel
 from workbench.algorithms.lines.ends import END_POINTS
 
 
@@ -73,6 +74,7 @@ ENTRY = Entry(
     emits="coverage",
     source="Wu, An efficient antialiasing technique, SIGGRAPH 1991",
     columns=("k", "e_{k+1}", "near", "coverage", "far", "coverage"),
+    view_functions=(pixel,),
     views=(
         View(
             block="Plot the first end point",

@@ -1,0 +1,279 @@
+"""What a person sees of a run: the steps of its hand table, with pixels, tables and a sentence.
+
+A *visit* is one passage through a titled block that has views (see ``algorithms.entry``). Visits that
+bear a row are the steps. Step i >= 1 begins where the i-th of them is entered and ends before the next
+one is; step 0 is everything before the first. Visits are found by NumPy over the recording's columns,
+only in what has grown; expressions are evaluated when a step is asked for.
+"""
+
+from bisect import bisect_right
+from collections import OrderedDict
+from collections.abc import Iterator
+from dataclasses import dataclass
+from types import CodeType, SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.entry import Entry, View
+from workbench.engine.blocks import block_at
+from workbench.engine.recording import Recording
+from workbench.engine.sentences import Part, fill_in, joined
+from workbench.engine.visits import ViewError, Visits
+from workbench.language import _
+
+_STEPS_KEPT = 4096
+_STATES_KEPT = 16
+_LOOKED_BACK = 8
+
+Pixels = tuple[tuple[int, int], ...]
+Table = tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One row of the hand table, or (number 0) what comes before the first.
+
+    ``first`` and ``last`` are its line events, both included; ``emitted_from`` up to ``emitted_to`` is
+    what it emitted. ``tables`` maps a title to column headings and rows. ``view`` is the view that held,
+    ``row`` is empty in step 0.
+    """
+
+    number: int
+    title: str
+    first: int
+    last: int
+    candidates: Pixels
+    chosen: Pixels
+    rejected: Pixels
+    row: tuple[Any, ...]
+    tables: dict[str, Table]
+    sentence: tuple[Part, ...]
+    emitted_from: int
+    emitted_to: int
+    view: View | None
+
+
+class Steps:
+    """The steps of ``recording`` as the views of ``entry`` show them. Call ``update`` when it has grown.
+
+    ``len`` is the number of rows so far; ``steps[0]`` is what comes before the first row,
+    ``steps[len(steps)]`` the last step. Raises ViewError when a view names a block that the text does not
+    have.
+    """
+
+    def __init__(self, entry: Entry, recording: Recording) -> None:
+        self.entry = entry
+        self.recording = recording
+        self._functions = {function.__name__: function for function in entry.view_functions}
+        self._visits = Visits(entry, recording)
+        self._tells = self._visits.blocks_where(lambda view: bool(view.sentence) and not view.row)
+        self._tabulates = self._visits.blocks_where(lambda view: bool(view.tables))
+        self._length = 0
+        self._steps: OrderedDict[int, Step] = OrderedDict()
+        self._states: OrderedDict[int, dict[str, Any]] = OrderedDict()
+        self._decisions: list[int] = []
+        self._judged = 0
+        self._last_view: View | None = None
+        self.update()
+
+    # What there is
+
+    def update(self) -> bool:
+        """Look at what was recorded since; True when there are more steps."""
+        self._visits.update()
+        before = self._length
+        self._length = self._visits.rows_left(before)
+        self._steps.pop(before, None)
+        return self._length > before
+
+    def __len__(self) -> int:
+        return self._length
+
+    def __iter__(self) -> Iterator[Step]:
+        return (self[number] for number in range(len(self) + 1))
+
+    def __getitem__(self, number: int) -> Step:
+        if not 0 <= number <= self._length:
+            raise IndexError(f"There is no step {number}; the last so far is {self._length}.")
+        if number in self._steps:
+            self._steps.move_to_end(number)
+            return self._steps[number]
+        step = self._step(number)
+        self._steps[number] = step
+        if len(self._steps) > _STEPS_KEPT:
+            self._steps.popitem(last=False)
+        return step
+
+    def step_of(self, event: int) -> int:
+        """Number of the step that a line event belongs to."""
+        entered = self._visits.entered[self._visits.rows[: self._length]]
+        return int(np.searchsorted(entered, event, side="right"))
+
+    def span(self, number: int) -> tuple[int, int]:
+        """First and last line event of a step, without evaluating anything."""
+        rows, entered = self._visits.rows, self._visits.entered
+        first = int(entered[rows[number - 1]]) if number else 0
+        last = int(entered[rows[number]]) - 1 if number < len(rows) else self._visits.seen - 1
+        return first, last
+
+    def title_of(self, event: int) -> str:
+        """Title of the block that a line event is in, or an empty text."""
+        moment_text = self.recording.frame_texts[self.recording.frame_column[event]]
+        block = block_at(self.recording.texts[moment_text].function, self.recording.line_column[event])
+        return block.title if block else ""
+
+    def told(self, event: int) -> tuple[Part, ...]:
+        """The sentence of the last visit that was left before ``event``, for stepping in detail."""
+        visits = self._visits
+        for visit in range(bisect_right(visits.entered, event) - 1, -1, -1):
+            if visits.last[visit] < event and self._is_left(visit):
+                sentence = self._sentence_of(visit)
+                if sentence:
+                    return sentence
+        return ()
+
+    def candidates_next(self, number: int) -> Pixels:
+        """The candidates of the step after this one, as they stand before its choice; none after the last."""
+        if number >= len(self._visits.rows):
+            return ()
+        visit = int(self._visits.rows[number])
+        view = self._view_of(visit) if number < self._length else self._visits.block_of(visit).views[0]
+        return self._candidates(visit, view) if view else ()
+
+    @property
+    def decisions(self) -> tuple[int, ...]:
+        """Steps whose view differs from that of the step before. Looks at all of them."""
+        return self.find_decisions(self._length)
+
+    def find_decisions(self, most: int) -> tuple[int, ...]:
+        """Look at up to ``most`` further steps; returns the decisions found so far."""
+        for number in range(self._judged + 1, min(self._judged + most, self._length) + 1):
+            view = self._view_of(int(self._visits.rows[number - 1]))
+            if number > 1 and view is not self._last_view:
+                self._decisions.append(number)
+            self._last_view = view
+            self._judged = number
+        return tuple(self._decisions)
+
+    # Showing one step
+
+    def _step(self, number: int) -> Step:
+        first, last = self.span(number)
+        low = int(self._visits.rows[number - 1]) if number else 0
+        high = int(self._visits.rows[number]) if number < len(self._visits.rows) else len(self._visits)
+        told = self._some_of(self._tells, low, high)
+        told = [low, *told[:1]] if number else told[2::-1]
+        shown = told[0] if told else None
+        view = self._view_of(shown) if shown is not None else None
+        whole = last + 1 == self._visits.seen
+        return Step(
+            number=number,
+            title=self._visits.block_of(shown).title if shown is not None else "",
+            first=first,
+            last=last,
+            candidates=self._candidates(shown, view) if shown is not None and view is not None else (),
+            chosen=self._pixels(shown, view, "chosen"),
+            rejected=self._pixels(shown, view, "rejected"),
+            row=tuple(map(_plain, self._value(low, view, view.row))) if view is not None and view.row else (),
+            tables=self._tables(low, high),
+            sentence=tuple(joined(map(self._sentence_of, told))),
+            emitted_from=self.recording.emitted_count(first) if self._visits.seen else 0,
+            emitted_to=len(self.recording.emitted) if whole else self.recording.emitted_count(last + 1),
+            view=view,
+        )
+
+    def _some_of(self, blocks: NDArray[np.bool_], low: int, high: int) -> list[int]:
+        """The last few of the visits low to high whose block is one of these and has a view; latest first."""
+        found = self._visits.of_blocks(blocks, low, high)[-_LOOKED_BACK:]
+        latest = map(int, found[self._visits.left(found)][::-1])
+        return [visit for visit in latest if self._view_of(visit) is not None]
+
+    def _tables(self, low: int, high: int) -> dict[str, Table]:
+        """The tables of the last of these visits that shows any."""
+        for visit in self._some_of(self._tabulates, low, high)[:1]:
+            view = self._view_of(visit)
+            assert view is not None
+            return {
+                title: (columns, _table_rows(self._value(visit, view, expression)))
+                for title, (expression, columns) in view.tables.items()
+            }
+        return {}
+
+    def _is_left(self, visit: int) -> bool:
+        return bool(self._visits.left(np.array([visit]))[0])
+
+    def _before(self, visit: int) -> dict[str, Any]:
+        """Variables when the visit was entered."""
+        return self.recording[int(self._visits.entered[visit])].variables
+
+    def _left_with(self, visit: int) -> dict[str, Any]:
+        """Variables when the visit was left, and ``before`` those of its entering."""
+        if visit not in self._states:
+            after = self.recording.after(int(self._visits.last[visit]))
+            self._states[visit] = {**after, "before": SimpleNamespace(**self._before(visit))}
+            if len(self._states) > _STATES_KEPT:
+                self._states.popitem(last=False)
+        return self._states[visit]
+
+    def _view_of(self, visit: int) -> View | None:
+        """The first view of the visit's block that holds."""
+        for view in self._visits.block_of(visit).views:
+            if view.when == "True" or self._value(visit, view, view.when):
+                return view
+        return None
+
+    def _value(self, visit: int, view: View, expression: str) -> Any:
+        return self._evaluate(visit, view, expression, self._left_with(visit))
+
+    def _candidates(self, visit: int, view: View) -> Pixels:
+        return _pixels(self._evaluate(visit, view, view.candidates, self._before(visit)))
+
+    def _evaluate(self, visit: int, view: View, expression: str, variables: dict[str, Any]) -> Any:
+        if expression == "()":
+            return ()
+        function = self._visits.block_of(visit).function
+        try:
+            return eval(_compiled(expression), {**function.__globals__, **self._functions, **variables})
+        except Exception as error:
+            raise ViewError(
+                _("{title}, block “{block}”: {expression} cannot be evaluated: {error}.").format(
+                    title=self.entry.title, block=view.block, expression=expression, error=error
+                )
+            ) from error
+
+    def _pixels(self, visit: int | None, view: View | None, which: str) -> Pixels:
+        return _pixels(self._value(visit, view, getattr(view, which))) if visit is not None and view else ()
+
+    def _sentence_of(self, visit: int) -> tuple[Part, ...]:
+        view = self._view_of(visit)
+        if view is None or not view.sentence:
+            return ()
+        return fill_in(_(view.sentence), lambda expression: self._value(visit, view, expression))
+
+
+_codes: dict[str, CodeType] = {}
+
+
+def _compiled(expression: str) -> CodeType:
+    code = _codes.get(expression)
+    if code is None:
+        code = _codes[expression] = compile(expression.strip(), "<view>", "eval")
+    return code
+
+
+def _pixels(value: Any) -> Pixels:
+    return tuple((int(x), int(y)) for x, y in value)
+
+
+def _plain(value: Any) -> Any:
+    """A NumPy number as Python's own, with no more digits than it shows."""
+    if isinstance(value, np.generic):
+        return float(str(value)) if isinstance(value, np.floating) else value.item()
+    return tuple(map(_plain, value)) if isinstance(value, tuple) else value
+
+
+def _table_rows(value: Any) -> tuple[tuple[Any, ...], ...]:
+    rows = (row if isinstance(row, (tuple, list, np.ndarray)) else (row,) for row in value)
+    return tuple(tuple(map(_plain, row)) for row in rows)
