@@ -22,12 +22,14 @@ from workbench.display.spot import Patch, stroke_energy, stroke_remainder
 Floats = NDArray[np.floating[Any]]
 
 PICOSECOND = Fraction(1, 10**12)
+WHOLE = slice(None), slice(None)
 
 
 class Tube:
     """A face of ``size_px`` (columns, rows) and ``size_mm`` (width, height), one phosphor per gun.
 
-    ``tick`` is the length of one tick in seconds. ``precision`` is the type of the state: float64 for
+    ``tick`` is the length of one tick in seconds. A spot is followed out to ``reach`` of its standard
+    deviations (4 lose 1e-4 of the energy, 8 nothing). ``precision`` is the type of the state: float64 for
     measuring, float32 for looking. Raises ValueError for a face without area or without a gun.
     """
 
@@ -38,6 +40,7 @@ class Tube:
         guns: Sequence[Phosphor],
         *,
         spot_mm: float = 0.3,
+        reach: float = 8.0,
         tick: Fraction = PICOSECOND,
         precision: type[np.floating[Any]] = np.float64,
     ) -> None:
@@ -49,6 +52,7 @@ class Tube:
         self.size_mm = size_mm
         self.guns = tuple(guns)
         self.spot_mm = spot_mm
+        self.reach = reach
         self.tick = tick
         self._ticks = Fraction(0)
         columns, rows = size_px
@@ -97,17 +101,48 @@ class Tube:
         for k, term in enumerate(self.guns[gun].terms):
             self.stored[gun][k] += energy * (self._shares[gun][k] / term.tau_s)
 
-    def deposit_aged(self, energy: Floats, remainders: Sequence[Floats], gun: int = 0) -> None:
-        """Add hits that fell during the time just passed, already partly decayed.
+    def deposit_aged(
+        self,
+        energy: Floats,
+        remainders: Sequence[Floats],
+        gun: int = 0,
+        region: tuple[slice, slice] = WHOLE,
+    ) -> None:
+        """Add hits that fell during the time just passed, already partly decayed, on a region of the face.
 
-        ``energy`` (rows, columns) is all that was deposited; ``remainders[k]`` is the part of it that, were
-        all the light in term k, would still be stored now. What is no longer stored has been emitted.
+        ``energy`` is all that was deposited; ``remainders[k]`` is what of it would still be stored now,
+        were all its light in term k. What is no longer stored has been emitted.
         """
         self._deposited += float(energy.sum(dtype=np.float64))
         for k, term in enumerate(self.guns[gun].terms):
             share = self._shares[gun][k]
-            self.stored[gun][k] += remainders[k] * (share / term.tau_s)
-            self._light[gun][self._layers[gun][k]] += (energy - remainders[k]) * share
+            self.stored[gun][k][region] += remainders[k] * (share / term.tau_s)
+            self._light[gun][self._layers[gun][k]][region] += (energy - remainders[k]) * share
+
+    def sustain(self, power: Floats, ticks: int | Fraction, gun: int = 0) -> None:
+        """Let time pass for one gun under an even stream of energy, (rows, columns) per second.
+
+        What a refreshed picture comes to when its flicker is averaged away. ``ticks`` are counted by gun 0.
+        """
+        dt = float(ticks * self.tick)
+        if gun == 0:
+            self._ticks += ticks
+        self._deposited += float(power.sum(dtype=np.float64)) * dt
+        for k, term in enumerate(self.guns[gun].terms):
+            state, share = self.stored[gun][k], self._shares[gun][k]
+            fading = -float(np.expm1(-dt / term.tau_s))
+            light = self._light[gun][self._layers[gun][k]]
+            light += state * (term.tau_s * fading)
+            light += power * (share * (dt - term.tau_s * fading))
+            state *= 1.0 - fading
+            state += power * (share * fading)
+
+    def settle(self, luminances: Sequence[Floats], gun: int = 0) -> None:
+        """Start afresh for one gun with a given luminance per term, as if it had long been so."""
+        before = self.stored_energy()
+        for k in range(len(self.guns[gun].terms)):
+            self.stored[gun][k][...] = luminances[k]
+        self._deposited += self.stored_energy() - before
 
     def deposit_stroke(
         self,
@@ -130,7 +165,7 @@ class Tube:
         if not spot > 0.0 or not energy >= 0.0:
             raise ValueError("A stroke needs a spot wider than 0 mm and an energy that is not negative.")
         self.advance(ticks)
-        patch = stroke_energy(self.size_px, self.size_mm, start_mm, end_mm, spot, energy)
+        patch = stroke_energy(self.size_px, self.size_mm, start_mm, end_mm, spot, energy, self.reach)
         self._deposited += float(patch.values.sum())
         dt = float(ticks * self.tick)
         for k, term in enumerate(self.guns[gun].terms):
