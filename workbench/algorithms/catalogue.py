@@ -1,24 +1,25 @@
 """Every algorithm there is, in teaching order. A new one is its file and one line here."""
 
 import difflib
+from importlib import import_module
 
-from workbench.algorithms.circles import midpoint_circle, midpoint_ellipse
 from workbench.algorithms.entry import Entry
-from workbench.algorithms.lines import bresenham, dda, dda_fixed, dda_single, midpoint, wu
-from workbench.algorithms.seed_fill import boundary_fill_4
-from workbench.algorithms.visibility import depth_buffer
 
-_ENTRIES: tuple[Entry, ...] = (
-    dda.ENTRY,
-    dda_single.ENTRY,
-    dda_fixed.ENTRY,
-    bresenham.ENTRY,
-    midpoint.ENTRY,
-    wu.ENTRY,
-    midpoint_circle.ENTRY,
-    midpoint_ellipse.ENTRY,
-    boundary_fill_4.ENTRY,
-    depth_buffer.ENTRY,
+_TEACHING_ORDER = (
+    "lines.dda",
+    "lines.dda_single",
+    "lines.dda_fixed",
+    "lines.bresenham",
+    "lines.midpoint",
+    "lines.wu",
+    "circles.midpoint_circle",
+    "circles.midpoint_ellipse",
+    "seed_fill.boundary_fill_4",
+    "visibility.depth_buffer",
+)
+
+_ENTRIES: tuple[Entry, ...] = tuple(
+    import_module(f"workbench.algorithms.{name}").ENTRY for name in _TEACHING_ORDER
 )
 
 _BY_SLUG = {entry.slug: entry for entry in _ENTRIES}

@@ -85,8 +85,8 @@ class Visits:
         calls = self._table[_CALL, visits]
         ends = np.array(recording.frame_ends[:], np.int64)[calls]
         gone = (ends != 0) & (ends <= 2 * self.seen)
-        other: NDArray[np.bool_] = np.not_equal(self._visit_in[calls], visits)
-        return np.logical_or(gone, other)
+        left: NDArray[np.bool_] = np.logical_or(gone, self._visit_in[calls] != visits)
+        return left
 
     def rows_left(self, sure: int) -> int:
         """How many rows come before the first whose visit is under way; ``sure`` of them are known to."""
