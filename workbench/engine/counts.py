@@ -69,8 +69,8 @@ def counts(
     lines: Counter[tuple[str, int]] = Counter()
     done: Counter[str] = Counter()
     for slot, times in zip(one.lowered.slots, runs, strict=True):
-        if slot.counts_line:
-            lines[slot.function, slot.line] += int(times)
+        for line in slot.lines:
+            lines[slot.function, line] += int(times)
         written = operations(slot.expressions)
         for name in Operations.__slots__:
             done[name] += getattr(written, name) * int(times)

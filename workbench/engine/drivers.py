@@ -1,6 +1,6 @@
 """The loops around a lowered text: what calls it with which sink. They are written behind the text and kept with it.
 
-Each driver takes the algorithm's own arguments last, all of them, in order.
+Each driver takes the algorithm's own arguments last, all of them, in order; its own names begin with ``_``.
 """
 
 from workbench.algorithms.entry import Emits
@@ -11,18 +11,18 @@ _HEAD = "from workbench.engine.sinks import {names}"
 
 _PLAIN = """
 @reading
-def _collect(values, count, stop, {arguments}):
-    {name}(Collect(values, count, stop), {arguments})
+def _collect(_values, _count, _stop, {arguments}):
+    {name}(Collect(_values, _count, _stop), {arguments})
 
 @reading
-def _run(stop, {arguments}):
-    {name}(Nothing(stop), {arguments})
+def _run(_stop, {arguments}):
+    {name}(Nothing(_stop), {arguments})
 """
 
 _PAINT = """
 @reading
-def _paint(image, value, {arguments}):
-    {name}({sink}(image, value), {arguments})
+def _paint(_image, _value, {arguments}):
+    {name}({sink}(_image, _value), {arguments})
 """
 
 _PAINT_WITHIN = """
@@ -31,43 +31,43 @@ def _extent({arguments}):
     return {extent}
 
 @reading
-def _paint(image, value, {arguments}):
-    height, width = image.shape
-    box = _extent({arguments})
-    left, right = min(box[0], box[2]), max(box[0], box[2])
-    low, high = min(box[1], box[3]), max(box[1], box[3])
-    if left >= 0 and low >= 0 and right < width and high < height:
-        {name}(PaintInside(image, value), {arguments})
-    elif left < width and right >= 0 and low < height and high >= 0:
-        {name}({sink}(image, value), {arguments})
+def _paint(_image, _value, {arguments}):
+    _height, _width = _image.shape
+    _box = _extent({arguments})
+    _left, _right = min(_box[0], _box[2]), max(_box[0], _box[2])
+    _low, _high = min(_box[1], _box[3]), max(_box[1], _box[3])
+    if _left >= 0 and _low >= 0 and _right < _width and _high < _height:
+        {name}(PaintInside(_image, _value), {arguments})
+    elif _left < _width and _right >= 0 and _low < _height and _high >= 0:
+        {name}({sink}(_image, _value), {arguments})
 """
 
 _PAINT_MANY = """
 @reading
-def _paint_many(image, value, stop, rows):
-    for row in range(len(rows)):
-        if stop[0] != 0:
+def _paint_many(_image, _value, _stop, _rows):
+    for row in range(len(_rows)):
+        if _stop[0] != 0:
             raise Stopped
-        _paint(image, value, {columns})
+        _paint(_image, _value, {columns})
 """
 
 _HITS = """
 @reading
-def _hits(x, y, numbers, count, found, stop, {arguments}):
-    {name}({sink}(x, y, numbers, count, found, stop), {arguments})
+def _hits(_x, _y, _numbers, _count, _found, _stop, {arguments}):
+    {name}({sink}(_x, _y, _numbers, _count, _found, _stop), {arguments})
 """
 
 
 _COUNT = """
 @reading
-def _count(runs, visits, blocks, emitted, stop, {arguments}):
-    {name}(Count(runs, visits, blocks, emitted, stop), {arguments})
+def _count(_runs, _visits, _blocks, _emitted, _stop, {arguments}):
+    {name}(Count(_runs, _visits, _blocks, _emitted, _stop), {arguments})
 """
 
 _PROBE = """
 @reading
-def _probe(x, y, touches, found, rows, blocks, steps, emitted, stop, {arguments}):
-    {name}({sink}(x, y, touches, found, rows, blocks, steps, emitted, stop), {arguments})
+def _probe(_x, _y, _touches, _found, _rows, _blocks, _steps, _emitted, _stop, {arguments}):
+    {name}({sink}(_x, _y, _touches, _found, _rows, _blocks, _steps, _emitted, _stop), {arguments})
 """
 
 
@@ -113,5 +113,5 @@ def drivers(
 
 
 def _column(number: int, kind: str | None) -> str:
-    item = f"rows[row, {number}]"
+    item = f"_rows[row, {number}]"
     return f"float({item})" if kind == "float" else f"bool({item})" if kind == "bool" else f"int({item})"

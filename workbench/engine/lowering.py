@@ -4,8 +4,7 @@
 what runs is touched. Everything that the function calls is found by its global name and written, callees
 first, into one text that stands alone: constants as literals, records imported.
 
-Two variants add to that. The *counting* text ticks before each statement, with the number of the statement's
-slot, and so finds the runs of each line and the visits of each titled block exactly as a tracer would. The
+Two variants add to that. The *counting* text ticks before statements, with the number of their slot, and so finds the runs of each line and the visits of each titled block exactly as a tracer would. The
 *probing* text also asks, when a block is left whose view considers a pixel, which pixel that was.
 """
 
@@ -14,34 +13,33 @@ import copy
 import inspect
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from types import FunctionType, ModuleType
 from typing import Any, Literal
 
 import numpy as np
 
-from workbench.engine.blocks import blocks, loop_headers
+from workbench.engine.blocks import blocks
 from workbench.engine.texts import SINK, VISIT, Text, arity, gather, parameters, recursive
 from workbench.language import _
 
 Variant = Literal["plain", "counting", "probing"]
 
-# What a line outside the titled blocks does to the visit of one: a loop's header ends it, others do not.
-LEAVES, KEEPS = -1, -2
+NO_BLOCK = -1
 
 
 @dataclass(frozen=True, slots=True)
 class Slot:
-    """One place that ticks: a statement of ``function`` at ``line`` of its file, in the block of that number.
+    """One place that ticks: statements of ``function`` that run one after another, in one block.
 
-    ``expressions`` are what runs there, as nodes. ``counts_line`` is False for a further statement on one line.
+    ``lines`` are those of its file on which they begin, ``block`` the number of their titled block or
+    ``NO_BLOCK``, ``expressions`` what runs there, as nodes.
     """
 
     function: str
-    line: int
+    lines: tuple[int, ...]
     block: int
-    counts_line: bool
     expressions: tuple[ast.AST, ...]
 
 
@@ -184,38 +182,49 @@ class _Rewriter(ast.NodeTransformer):
         return call
 
 
+_Again = Callable[[int], list[ast.stmt]]
+
+
+def _nowhere(_line: int) -> list[ast.stmt]:
+    """What runs where a loop goes on, outside of all loops."""
+    return []
+
+
+def _after(loop: ast.For | ast.While) -> int:
+    """A line behind the body of a loop."""
+    return (loop.body[-1].end_lineno or loop.body[-1].lineno) + 1
+
+
 class _Ticking(_Rewriter):
     """Adds the ticks and probes. ``slots`` and ``titles`` are those of the whole text, and grow here."""
 
     def __init__(self, text: Text, sinks: set[FunctionType], slots: list[Slot], titles: list[str]) -> None:
         super().__init__(text, sinks)
         self.slots = slots
-        self.of_line: dict[int, int] = dict.fromkeys(loop_headers(text.function), LEAVES)
+        self.of_line: dict[int, int] = {}
         self.probed: list[tuple[int, int, tuple[ast.expr, ...]]] = []
         for block in blocks(text.function):
             if block.title in text.considers:
                 self.probed.append((len(titles), block.first_line, text.considers[block.title]))
             self.of_line.update(dict.fromkeys(block.lines, len(titles)))
             titles.append(block.title)
-        self.loops = [
-            (node.lineno, node.end_lineno or node.lineno)
-            for node in ast.walk(text.tree)
-            if isinstance(node, ast.For | ast.While)
-        ]
-        self.seen: set[int] = set()
+        self.open = -1
 
     def body(self, statements: list[ast.stmt]) -> list[ast.stmt]:
-        start = ast.Assign([ast.Name(VISIT, ast.Store())], ast.Constant(LEAVES))
+        start = ast.Assign([ast.Name(VISIT, ast.Store())], ast.Constant(NO_BLOCK))
         end = self.text.tree.end_lineno or self.text.tree.lineno
-        return [start, *self._suite(statements, []), *self._probes(end + 1)]
+        return [start, *self._suite(statements, _nowhere), *self._probes(end + 1)]
 
-    def _suite(self, statements: list[ast.stmt], again: list[ast.stmt]) -> list[ast.stmt]:
-        """``statements`` with a tick before each; ``again`` runs where the loop around them continues."""
-        return [line for statement in statements for line in self._ticked(statement, again)]
+    def _suite(self, statements: list[ast.stmt], again: _Again) -> list[ast.stmt]:
+        """``statements`` with their ticks; ``again`` gives what runs where the loop around them goes on."""
+        lines: list[ast.stmt] = []
+        self.open = -1
+        for statement in statements:
+            lines += self._ticked(statement, again)
+        self.open = -1
+        return lines
 
-    def _ticked(self, node: ast.stmt, again: list[ast.stmt]) -> list[ast.stmt]:
-        if isinstance(node, ast.AnnAssign) and node.value is None:
-            return []
+    def _ticked(self, node: ast.stmt, again: _Again) -> list[ast.stmt]:
         match node:
             case ast.If():
                 tick = self._tick(node, node.test)
@@ -223,16 +232,23 @@ class _Ticking(_Rewriter):
                 return [*tick, ast.If(self.visit(node.test), body, other)]
             case ast.While():
                 # The header runs before each turn, so the test moves inside
+                self.open = -1
                 tick = self._tick(node, node.test)
+                block = self.slots[-1].block
                 leave = [*self._suite(node.orelse, again), ast.Break()]
                 test = ast.If(ast.UnaryOp(ast.Not(), self.visit(node.test)), leave, [])
-                return [ast.While(ast.Constant(True), [*tick, test, *self._suite(node.body, [])], [])]
+                body = self._suite(node.body, lambda line: self._probes(line, block))
+                last = self._probes(_after(node), block)
+                return [ast.While(ast.Constant(True), [*tick, test, *body, *last], [])]
             case ast.For():
                 tick = self._tick(node, node.target, node.iter)
-                turn = self._tick(node)
-                body = [*self._suite(node.body, turn), *turn]
+                block = self.slots[self.open].block
+                number = len(self.slots)
+                self.slots.append(Slot(self.text.name, (node.lineno,), block, ()))
+                body = self._suite(node.body, lambda line: self._mark(number, line))
+                last = self._mark(number, _after(node))
                 other = self._suite(node.orelse, again)
-                return [*tick, ast.For(self.visit(node.target), self.visit(node.iter), body, other)]
+                return [*tick, ast.For(self.visit(node.target), self.visit(node.iter), [*body, *last], other)]
             case ast.Match():
                 tick = self._tick(node, node.subject)
                 for case in node.cases:
@@ -242,25 +258,35 @@ class _Ticking(_Rewriter):
             case ast.Return():
                 return [*self._tick(node, node), *self._probes(node.lineno), self.visit(node)]
             case ast.Continue():
-                return [*self._tick(node), *copy.deepcopy(again), node]
+                return [*self._tick(node), *again(node.lineno), node]
+            case ast.AnnAssign(value=None):
+                return []
         return [*self._tick(node, node), self.visit(node)]
 
     def _tick(self, node: ast.stmt, *expressions: ast.AST) -> list[ast.stmt]:
-        """The lines that note that ``node`` runs; a second call for a loop's header is its next turn."""
-        block = self.of_line.get(node.lineno, KEEPS)
-        first = node.lineno not in self.seen or (isinstance(node, ast.For) and not expressions)
-        self.seen.add(node.lineno)
+        """The lines that note that ``node`` runs: none where the slot before it runs as often."""
+        block = self.of_line.get(node.lineno, NO_BLOCK)
         kept = tuple(copy.deepcopy(expression) for expression in expressions)
-        self.slots.append(Slot(self.text.name, node.lineno, block, first, kept))
-        call = _call("tick", ast.Constant(len(self.slots) - 1), ast.Name(VISIT, ast.Load()))
-        return [*self._probes(node.lineno, block), ast.Assign([ast.Name(VISIT, ast.Store())], call)]
+        if self.open >= 0 and self.slots[self.open].block == block:
+            before = self.slots[self.open]
+            lines = before.lines if node.lineno in before.lines else (*before.lines, node.lineno)
+            self.slots[self.open] = replace(before, lines=lines, expressions=(*before.expressions, *kept))
+            return []
+        self.open = len(self.slots)
+        self.slots.append(Slot(self.text.name, (node.lineno,), block, kept))
+        return self._mark(self.open, node.lineno)
+
+    def _mark(self, number: int, line: int) -> list[ast.stmt]:
+        """The tick of a slot, standing at ``line``, behind the probes of the blocks that it leaves."""
+        call = _call("tick", ast.Constant(number), ast.Name(VISIT, ast.Load()))
+        tick = ast.Assign([ast.Name(VISIT, ast.Store())], call)
+        return [*self._probes(line, self.slots[number].block), tick]
 
     def _probes(self, line: int, block: int | None = None) -> list[ast.stmt]:
         """Ask for the pixel of each block that is left at ``line``: for ``block``, or for good without one."""
         found: list[ast.stmt] = []
         for number, first_line, expressions in self.probed:
-            looped = any(low <= line <= high and low <= first_line <= high for low, high in self.loops)
-            if block not in (number, KEEPS) and (looped or line > first_line):
+            if block != number and line > first_line:
                 asked = [_call("probe", self.visit(copy.deepcopy(pixel))) for pixel in expressions]
                 test = ast.Compare(ast.Name(VISIT, ast.Load()), [ast.Eq()], [ast.Constant(number)])
                 found.append(ast.If(test, [ast.Expr(call) for call in asked], []))

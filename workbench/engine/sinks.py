@@ -253,8 +253,6 @@ def _tick_count(sink: Count, slot: int, block: int) -> int:
         raise Stopped
     sink.runs[slot] += 1
     here = sink.blocks[slot]
-    if here == -2:
-        return block
     if here >= 0 and here != block:
         sink.visits[here] += 1
     return here
@@ -264,8 +262,6 @@ def _tick_probe(sink: ProbePixel | ProbeSpan, slot: int, block: int) -> int:
     if sink.stop[0] != 0:
         raise Stopped
     here = sink.blocks[slot]
-    if here == -2:
-        return block
     if here >= 0 and here != block and sink.rows[here]:
         sink.steps[0] += 1
     return here
