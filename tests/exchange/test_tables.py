@@ -53,6 +53,11 @@ def test_text_is_the_table_of_the_book() -> None:
     )  # fmt: skip
 
 
+def test_names_of_variables_are_no_formulas() -> None:
+    table = Table(("two_dy_minus_dx", "step_x"), ((1, 2),), formulas=False)
+    assert to_text(table).split() == ["two_dy_minus_dx", "step_x", "1", "2"]
+
+
 def test_text_without_subscripts() -> None:
     assert to_text(HAND, subscripts=False).splitlines()[0] == " k  p_k  (x_k+1, y_k+1)"
 
@@ -71,6 +76,7 @@ def test_table_without_rows_has_its_headings() -> None:
         ("x_{k+1}", "xₖ₊₁", "x_k+1"),
         ("p_{20}", "p₂₀", "p_20"),
         ("2Δy", "2Δy", "2Δy"),
+        ("2r_x^2", "2rₓ²", "2r_x^2"),
         ("x_{Q}", "x_Q", "x_Q"),
         ("a_{k?}", "a_k?", "a_k?"),
     ],

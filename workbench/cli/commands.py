@@ -70,7 +70,7 @@ def _list(options: argparse.Namespace) -> str:
     from workbench.exchange.tables import Table, to_text
 
     rows = [(entry.slug, entry.topic, _(entry.title)) for entry in catalogue.entries()]
-    return to_text(Table((_("slug"), _("topic"), _("title")), rows))
+    return to_text(Table((_("slug"), _("topic"), _("title")), rows, formulas=False))
 
 
 def _trace(options: argparse.Namespace) -> str:

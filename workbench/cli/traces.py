@@ -7,7 +7,8 @@ from typing import Any
 from workbench.algorithms.entry import Emits, Entry
 from workbench.cli.failure import WorkError
 from workbench.engine.observation import Steps
-from workbench.engine.recorder import Recording, record
+from workbench.engine.recorder import record
+from workbench.engine.recording import Recording
 from workbench.exchange.tables import Table
 from workbench.language import _
 
@@ -48,7 +49,8 @@ def pixels(entry: Entry, recording: Recording) -> Table:
     rows = [tuple(emitted) for emitted in recording.emitted]
     names = _EMITTED[entry.emits]
     width = len(rows[0]) if rows else len(names)
-    return Table(names if len(names) == width else tuple(f"value {n + 1}" for n in range(width)), rows)
+    headings = names if len(names) == width else tuple(f"value {n + 1}" for n in range(width))
+    return Table(headings, rows, formulas=False)
 
 
 def lines(entry: Entry, recording: Recording) -> Table:
@@ -62,7 +64,7 @@ def lines(entry: Entry, recording: Recording) -> Table:
             values = (moment.variables.get(name) for name in names)
             yield number, moment.line, linecache.getline(file, moment.line).strip(), *values
 
-    return Table(("number", "line", "text", *names), list(rows()))
+    return Table(("number", "line", "text", *names), list(rows()), formulas=False)
 
 
 TABLES: dict[str, Callable[[Entry, Recording], Table]] = {"hand": hand, "pixels": pixels, "lines": lines}

@@ -16,32 +16,40 @@ from typing import Any
 import numpy as np
 
 _SUBSCRIPTS = str.maketrans("0123456789+-=()aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ")
-_SUBSCRIPT = re.compile(r"_(?:\{([^}]*)\}|(\w))")
+_SUPERSCRIPTS = str.maketrans("0123456789+-=()n", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁿ")
+_RAISED_OR_LOWERED = re.compile(r"([_^])(?:\{([^}]*)\}|(\w))")
 _DECIMALS = 4
 
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Headings as an entry writes them (``p_k``, ``x_{k+1}``), and rows as long as the headings."""
+    """Headings, and rows as long; ``formulas`` tells that they are written as in an entry: ``x_{k+1}``."""
 
     columns: tuple[str, ...]
     rows: Sequence[tuple[Any, ...]]
+    formulas: bool = True
+
+    def headings(self, subscripts: bool) -> list[str]:
+        """The headings with real subscripts, or in plain characters."""
+        if not self.formulas:
+            return list(self.columns)
+        return [typeset(column) if subscripts else plain(column) for column in self.columns]
 
 
 def typeset(heading: str) -> str:
-    """A heading with real subscripts: pₖ. What has no such character keeps its plain form."""
+    """A heading with real sub- and superscripts: pₖ. What has no such character keeps its plain form."""
 
-    def lowered(match: re.Match[str]) -> str:
-        text = match[1] or match[2]
-        small = text.translate(_SUBSCRIPTS)
-        return f"_{text}" if any(character in text for character in small) else small
+    def placed(match: re.Match[str]) -> str:
+        sign, text = match[1], match[2] or match[3]
+        small = text.translate(_SUBSCRIPTS if sign == "_" else _SUPERSCRIPTS)
+        return f"{sign}{text}" if any(character in text for character in small) else small
 
-    return _SUBSCRIPT.sub(lowered, heading)
+    return _RAISED_OR_LOWERED.sub(placed, heading)
 
 
 def plain(heading: str) -> str:
-    """A heading without markup, in ASCII if it was: p_k, x_k+1."""
-    return _SUBSCRIPT.sub(lambda match: f"_{match[1] or match[2]}", heading)
+    """A heading without braces: p_k, x_k+1."""
+    return _RAISED_OR_LOWERED.sub(lambda match: match[1] + (match[2] or match[3]), heading)
 
 
 def number(value: float) -> str:
@@ -71,8 +79,7 @@ def shown(value: Any) -> str:
 
 def to_text(table: Table, subscripts: bool = True) -> str:
     """Columns lined up, numbers to the right, one heading line. Ends in a newline."""
-    heading = typeset if subscripts else plain
-    cells = [[heading(column) for column in table.columns]]
+    cells = [table.headings(subscripts)]
     cells += [[shown(value) for value in row] for row in table.rows]
     right = [_numeric(table, index) for index in range(len(table.columns))]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
@@ -98,7 +105,7 @@ def to_tsv(table: Table) -> str:
 
 def to_html(table: Table) -> str:
     """An HTML table, for the clipboard: pastes as a table where tabs would not."""
-    head = "".join(f"<th>{html.escape(typeset(column))}</th>" for column in table.columns)
+    head = "".join(f"<th>{html.escape(heading)}</th>" for heading in table.headings(subscripts=True))
     body = "".join(
         "<tr>" + "".join(f"<td>{html.escape(shown(value))}</td>" for value in row) + "</tr>"
         for row in table.rows
@@ -109,7 +116,7 @@ def to_html(table: Table) -> str:
 def to_json(table: Table) -> str:
     """An object with ``columns`` and ``rows``. A number JSON cannot write (infinity) becomes its name."""
     content = {
-        "columns": [plain(column) for column in table.columns],
+        "columns": table.headings(subscripts=False),
         "rows": [[_json_value(value) for value in row] for row in table.rows],
     }
     return json.dumps(content, ensure_ascii=False) + "\n"
@@ -122,7 +129,7 @@ def _numeric(table: Table, index: int) -> bool:
 def _separated(table: Table, separator: str, text: Any) -> str:
     lines = io.StringIO()
     writer = csv.writer(lines, delimiter=separator, lineterminator="\n")
-    writer.writerow([plain(column) for column in table.columns])
+    writer.writerow(table.headings(subscripts=False))
     writer.writerows([text(value) for value in row] for row in table.rows)
     return lines.getvalue()
 

@@ -1,0 +1,226 @@
+"""The commands as a person gives them: what they print, where, and how they end."""
+
+import csv
+import io
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import cv2
+import pytest
+
+from workbench.__main__ import main
+from workbench.algorithms import catalogue
+from workbench.document import save
+from workbench.document.samples import example_document
+from workbench.rendering import frame_buffer
+
+PICTURE = """
+0000000
+0011100
+0010100
+0010100
+0011100
+0000000
+"""
+
+
+def refused(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    """The one line that a command with bad input says on standard error."""
+    assert main(words) == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err.startswith("graphics-workbench: ")
+    assert said.err.endswith("\n")
+    assert said.err.count("\n") == 1
+    return said.err
+
+
+def printed(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    assert main(words) == 0
+    said = capsys.readouterr()
+    assert said.err == ""
+    return said.out
+
+
+def test_list_names_every_entry(capsys: pytest.CaptureFixture[str]) -> None:
+    heading, *lines = printed(capsys, "list").splitlines()
+    assert heading.split() == ["slug", "topic", "title"]
+    assert [line.split()[0] for line in lines] == [entry.slug for entry in catalogue.entries()]
+    assert all(entry.title in line for entry, line in zip(catalogue.entries(), lines, strict=True))
+
+
+def test_hand_table_of_the_course_books(capsys: pytest.CaptureFixture[str]) -> None:
+    heading, *lines = printed(capsys, "trace", "bresenham_line", "20", "10", "30", "18").splitlines()
+    assert heading.split()[:2] in (["k", "pₖ"], ["k", "p_k"])
+    rows = [line.split(maxsplit=2) for line in lines]
+    assert [int(p) for _, p, _ in rows] == [6, 2, -2, 14, 10, 6, 2, -2, 14, 10]
+    assert [int(k) for k, _, _ in rows] == list(range(10))
+    reached = ["(21, 11)", "(22, 12)", "(23, 12)", "(24, 13)", "(25, 14)"]
+    reached += ["(26, 15)", "(27, 16)", "(28, 16)", "(29, 17)", "(30, 18)"]
+    assert [pixel for _, _, pixel in rows] == reached
+
+
+@pytest.mark.parametrize("table", ["hand", "pixels", "lines"])
+def test_the_three_formats_have_the_same_rows(capsys: pytest.CaptureFixture[str], table: str) -> None:
+    given = ("trace", "midpoint_circle", "0", "0", "5", "--table", table)
+    content = json.loads(printed(capsys, *given, "--format", "json"))
+    heading, *rows = csv.reader(io.StringIO(printed(capsys, *given, "--format", "csv")))
+    lines = printed(capsys, *given).splitlines()
+    assert heading == content["columns"]
+    assert len(rows) == len(content["rows"]) == len(lines) - 1
+    assert len(rows) > 3
+
+
+def test_pixels_are_what_is_emitted(capsys: pytest.CaptureFixture[str]) -> None:
+    content = json.loads(
+        printed(capsys, "trace", "dda_line", "-3", "2", "4", "-1", "--table", "pixels", "--format", "json")
+    )
+    assert content["columns"] == ["x", "y"]
+    emitted = catalogue.get("dda_line").function(-3, 2, 4, -1)
+    assert content["rows"] == [list(pixel) for pixel in emitted]
+
+
+def test_lines_have_the_variables_before_each(capsys: pytest.CaptureFixture[str]) -> None:
+    given = ("trace", "bresenham_line", "0", "0", "3", "1", "--table", "lines", "--format", "json")
+    content = json.loads(printed(capsys, *given))
+    rows = [dict(zip(content["columns"], row, strict=True)) for row in content["rows"]]
+    assert rows[0]["text"] == "steep = abs(y1 - y0) > abs(x1 - x0)"
+    assert rows[0]["steep"] is None
+    assert rows[1]["steep"] is False
+    at_choice = [row for row in rows if row["text"] == "if p < 0:"]
+    assert [row["p"] for row in at_choice] == [-1, 1, -3]
+
+
+def test_a_picture_comes_from_a_file_top_row_first(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    file = tmp_path / "ring.txt"
+    file.write_text(PICTURE)
+    given = (
+        "trace",
+        "boundary_fill_4",
+        f"@{file}",
+        "3",
+        "3",
+        "2",
+        "1",
+        "--table",
+        "pixels",
+        "--format",
+        "json",
+    )
+    assert sorted(json.loads(printed(capsys, *given))["rows"]) == [[3, 2], [3, 3]]
+
+
+def test_a_picture_can_be_written_on_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
+    rows = str(PICTURE.split())
+    given = ("trace", "boundary_fill_4", rows, "3", "3", "2", "1", "--table", "pixels", "--format", "json")
+    assert sorted(json.loads(printed(capsys, *given))["rows"]) == [[3, 2], [3, 3]]
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        (("trase",), "trase"),
+        (("trace",), "SLUG"),
+        (("trace", "bresenham"), "bresenham_line"),
+        (("trace", "bresenham_line", "1", "2", "3"), "4 arguments (x0 y0 x1 y1), and 3"),
+        (("trace", "bresenham_line", "1", "2", "3", "x"), "y1 = x"),
+        (("trace", "bresenham_line", "1", "2", "3", "4.5"), "y1 = 4.5: it must be a whole number"),
+        (("trace", "bresenham_line", "1", "2", "3", "True"), "y1 = True"),
+        (("trace", "bresenham_line", "1", "2", "3", "10**3"), "y1 = 10**3"),
+        (("trace", "bresenham_line", "1", "2", "3", "9" * 30), "y1 = 999"),
+        (("trace", "bresenham_line", "1", "2", "3", "(" * 9000), "y1"),
+        (("trace", "midpoint_circle", "0", "0", "-1"), "r = -1: it must be at least 0"),
+        (
+            ("trace", "bresenham_line", "1", "2", "3", "@nowhere.txt"),
+            "y1 = @nowhere.txt: the file cannot be read",
+        ),
+        (("trace", "boundary_fill_4", "['01', '0']", "0", "0", "2", "1"), "row 2"),
+        (("trace", "boundary_fill_4", "['0a']", "0", "0", "2", "1"), "row 1"),
+        (("trace", "boundary_fill_4", "[]", "0", "0", "2", "1"), "image = []: the picture is empty"),
+        (("trace", "boundary_fill_4", "7", "0", "0", "2", "1"), "image = 7: it must be a list"),
+        (("trace", "bresenham_line", "1", "2", "3", "4", "--table", "foot"), "foot"),
+        (("draw", "nowhere.gwb", "-o", "a.png"), "nowhere.gwb"),
+        (("draw", "nowhere.gwb", "-o", "a.jpg"), "a.jpg"),
+        (("draw", "nowhere.gwb"), "-o"),
+    ],
+)
+def test_bad_input_is_named_in_one_line(
+    capsys: pytest.CaptureFixture[str], words: tuple[str, ...], named: str
+) -> None:
+    assert named in refused(capsys, *words)
+
+
+def test_help_and_version(capsys: pytest.CaptureFixture[str]) -> None:
+    for words, expected in ((("--help",), "trace"), (("--version",), "0.1.0")):
+        with pytest.raises(SystemExit) as left:
+            main(words)
+        assert left.value.code == 0
+        assert expected in capsys.readouterr().out
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / "example.gwb"
+    save(example_document(), path)
+    return path
+
+
+def test_draw_writes_the_frame_buffer(capsys: pytest.CaptureFixture[str], file: Path) -> None:
+    output = file.with_suffix(".png")
+    assert printed(capsys, "draw", str(file), "-o", str(output), "--cell", "3") == ""
+    image = frame_buffer(example_document().sheets[0])
+    height, width = image.shape
+    picture = cv2.imread(str(output))
+    assert picture.shape == (3 * height, 3 * width, 3)
+    for x, y in ((20, 10), (30, 18), (0, 0), (25, 14)):
+        blue, green, red = (int(channel) for channel in picture[3 * (height - 1 - y) + 1, 3 * x + 1])
+        assert red << 16 | green << 8 | blue == image[y, x]
+
+
+def test_draw_says_what_is_wrong(capsys: pytest.CaptureFixture[str], file: Path) -> None:
+    output = str(file.with_suffix(".png"))
+    assert "no sheet 7" in refused(capsys, "draw", str(file), "-o", output, "--sheet", "7")
+    assert "cell" in refused(capsys, "draw", str(file), "-o", output, "--cell", "0")
+    file.write_text(file.read_text()[:-40])
+    assert str(file) in refused(capsys, "draw", str(file), "-o", output)
+    assert not Path(output).exists()
+
+
+def test_a_picture_that_cannot_be_written_is_no_bad_input(
+    capsys: pytest.CaptureFixture[str], file: Path
+) -> None:
+    assert main(("draw", str(file), "-o", str(file.parent / "nowhere" / "a.png"))) == 1
+    assert "a.png" in capsys.readouterr().err
+
+
+def test_a_reader_that_goes_away_is_no_traceback() -> None:
+    read, write = os.pipe()
+    os.close(read)
+    command = [
+        sys.executable,
+        "-m",
+        "workbench",
+        "trace",
+        "midpoint_circle",
+        "0",
+        "0",
+        "300",
+        "--table",
+        "lines",
+    ]
+    done = subprocess.run(command, stdout=write, stderr=subprocess.PIPE, text=True, timeout=60)
+    os.close(write)
+    assert (done.returncode, done.stderr) == (141, "")
+
+
+def test_an_ascii_terminal_gets_ascii() -> None:
+    command = [sys.executable, "-m", "workbench", "trace", "bresenham_line", "0", "0", "2", "1"]
+    environment = {**os.environ, "PYTHONIOENCODING": "ascii"}
+    done = subprocess.run(command, env=environment, capture_output=True, timeout=60, check=True)
+    assert done.stdout.splitlines()[0].split()[:2] == [b"k", b"p_k"]
+    assert done.stdout.isascii()
