@@ -174,9 +174,8 @@ def _parts(name: str, old: Any, new: Any) -> list[str]:
             f"{name}.{side}" for side in old.__struct_fields__ if getattr(old, side) != getattr(new, side)
         ]
     if isinstance(old, tuple):
-        if len(old) != len(new):
-            return [name]
-        return [f"{name}.{index}" for index, (a, b) in enumerate(zip(old, new, strict=True)) if a != b]
+        parts = [f"{name}.{index}" for index, (a, b) in enumerate(zip(old, new, strict=False)) if a != b]
+        return parts if len(old) == len(new) else [name, *parts]
     return [name]
 
 

@@ -7,6 +7,7 @@ from typing import Any, SupportsFloat, SupportsIndex
 from msgspec.structs import replace
 
 from workbench.document.addresses import Address, figure_with, highest, new_ids
+from workbench.document.check import shown
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Document, Polyline, Rectangle, Sheet, WorldPoint
 from workbench.language import _
@@ -77,7 +78,8 @@ def without_ids(figure: AnyFigure) -> AnyFigure:
 
 
 def moved_by(figure: AnyFigure, dx: float, dy: float) -> AnyFigure:
-    """``figure`` with every control point moved by (dx, dy), world."""
+    """``figure`` with every control point moved by (dx, dy), world; raises DocumentError."""
+    dx, dy = like(0.0, dx, "dx_world"), like(0.0, dy, "dy_world")
     points = tuple(replace(p, x=p.x + dx, y=p.y + dy) for p in figure.points_world)
     return replace(figure, points_world=points)
 
@@ -129,8 +131,8 @@ def like(old: Any, value: Any, field: str) -> Any:
     ]
     raise DocumentError(
         field,
-        _("{field} is {value!r}; give {what}.").format(field=field, value=value, what=what),
-        _("This is {value!r}; give {what}.").format(value=value, what=what),
+        _("{field} is {value}; give {what}.").format(field=field, value=shown(value), what=what),
+        _("This is {value}; give {what}.").format(value=shown(value), what=what),
     )
 
 

@@ -54,6 +54,15 @@ def refuse(field: str, problem: str) -> DocumentError:
     return DocumentError(field, f"{field} {problem}.", short)
 
 
+def shown(value: Any) -> str:
+    """``value`` as an error shows it: at most forty characters."""
+    try:
+        text = repr(value)
+    except ValueError:
+        return _("a number of thousands of digits")
+    return text if len(text) <= 40 else text[:39] + "…"
+
+
 def check(document: Document, before: Document | None = None) -> Document:
     """``document`` itself when it is sound; what it shares with the sound ``before`` is not looked at again.
 
@@ -96,8 +105,8 @@ def _figure(at: str, figure: AnyFigure, sheet: Sheet) -> None:
         _truth(f"{at}.closed", figure.closed)
     if figure.algorithm not in figure.algorithms:
         choices = ", ".join(figure.algorithms)
-        problem = _("is {value!r}, which cannot draw this figure; choose one of {choices}")
-        raise refuse(f"{at}.algorithm", problem.format(value=figure.algorithm, choices=choices))
+        problem = _("is {value}, which cannot draw this figure; choose one of {choices}")
+        raise refuse(f"{at}.algorithm", problem.format(value=shown(figure.algorithm), choices=choices))
     _palette_index(f"{at}.colour", figure.colour, sheet)
     _count(f"{at}.points_world", figure.points_world, figure.least_points, figure.most_points, _("point"))
     for index, point in enumerate(figure.points_world):
@@ -127,12 +136,12 @@ def _ids_unique(document: Document) -> None:
     for field, identity in ids(document):
         if not isinstance(identity, str) or not _ID.fullmatch(identity):
             problem = _(
-                "is {value!r}; an id is a letter and up to 31 letters, digits, - or _, at most 15 digits last"
+                "is {value}; an id is a letter and up to 31 letters, digits, - or _, at most 15 digits last"
             )
-            raise refuse(field, problem.format(value=identity))
+            raise refuse(field, problem.format(value=shown(identity)))
         if identity in seen:
             raise refuse(
-                field, _("is {value!r}, which another has too; give it its own").format(value=identity)
+                field, _("is {value}, which another has too; give it its own").format(value=shown(identity))
             )
         seen.add(identity)
 
@@ -141,14 +150,14 @@ def _coordinate(field: str, value: Any) -> None:
     _number(field, value)
     if not abs(value) <= MAX_COORDINATE:
         problem = _("is {value}; give a number between -{most:,.0f} and {most:,.0f}")
-        raise refuse(field, problem.format(value=value, most=MAX_COORDINATE))
+        raise refuse(field, problem.format(value=shown(value), most=MAX_COORDINATE))
 
 
 def _radius(field: str, value: Any) -> None:
     _number(field, value)
     if not 0 <= value <= MAX_COORDINATE:
         problem = _("is {value}; give a number between 0 and {most:,.0f}")
-        raise refuse(field, problem.format(value=value, most=MAX_COORDINATE))
+        raise refuse(field, problem.format(value=shown(value), most=MAX_COORDINATE))
 
 
 def _rectangle(field: str, rectangle: Rectangle) -> None:
@@ -167,29 +176,29 @@ def _palette_index(field: str, value: Any, sheet: Sheet) -> None:
     _whole(field, value)
     if not 0 <= value < len(sheet.palette):
         problem = _("is {value}, but the palette has the colours 0 to {last}; choose one of these")
-        raise refuse(field, problem.format(value=value, last=len(sheet.palette) - 1))
+        raise refuse(field, problem.format(value=shown(value), last=len(sheet.palette) - 1))
 
 
 def _integer(field: str, value: Any, low: int, high: int) -> None:
     _whole(field, value)
     if not low <= value <= high:
         problem = _("is {value}; give a whole number between {low} and {high}")
-        raise refuse(field, problem.format(value=value, low=low, high=high))
+        raise refuse(field, problem.format(value=shown(value), low=low, high=high))
 
 
 def _number(field: str, value: Any) -> None:
-    if type(value) not in (float, int) or not math.isfinite(value):
-        raise refuse(field, _("is {value!r}; give a finite number").format(value=value))
+    if type(value) is not int and (type(value) is not float or not math.isfinite(value)):
+        raise refuse(field, _("is {value}; give a finite number").format(value=shown(value)))
 
 
 def _whole(field: str, value: Any) -> None:
     if type(value) is not int:
-        raise refuse(field, _("is {value!r}; give a whole number").format(value=value))
+        raise refuse(field, _("is {value}; give a whole number").format(value=shown(value)))
 
 
 def _truth(field: str, value: Any) -> None:
     if type(value) is not bool:
-        raise refuse(field, _("is {value!r}; give true or false").format(value=value))
+        raise refuse(field, _("is {value}; give true or false").format(value=shown(value)))
 
 
 def _name(field: str, value: Any) -> None:

@@ -41,7 +41,7 @@ from workbench.document.building import (
     with_sheet,
     without_ids,
 )
-from workbench.document.check import check
+from workbench.document.check import MAX_SIDE_PX, check
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Document, Rectangle, Sheet, WorldPoint, whole_sheet
 from workbench.language import _
@@ -109,7 +109,7 @@ def duplicate_figures(figures: Iterable[str], dx_world: float = 1.0, dy_world: f
     def edit(document: Document) -> Document:
         for identity in wanted:
             sheet, figure = figure_with(document, identity)
-            copy = numbered(document, moved_by(without_ids(figure), number(dx_world), number(dy_world)))
+            copy = numbered(document, moved_by(without_ids(figure), dx_world, dy_world))
             at = sheet.figures.index(figure) + 1
             document = with_figures(document, sheet, (*sheet.figures[:at], copy, *sheet.figures[at:]))
         return document
@@ -158,9 +158,7 @@ def move_figures(figures: Iterable[str], dx_world: float, dy_world: float) -> Ed
 
     def edit(document: Document) -> Document:
         found = figures_with(document, wanted)
-        return with_changed(
-            document, [moved_by(figure, number(dx_world), number(dy_world)) for figure in found]
-        )
+        return with_changed(document, [moved_by(figure, dx_world, dy_world) for figure in found])
 
     return edit
 
@@ -305,7 +303,7 @@ def set_sheet_size(sheet: str, width_px: int, height_px: int) -> Edit:
         new = replace(old, width_px=width_px, height_px=height_px)
         sizes = (old.width_px, old.height_px, width_px, height_px)
         if old.viewport_device == whole_sheet(*sizes[:2]) and all(
-            type(size) is int and size > 0 for size in sizes
+            type(size) is int and 0 < size <= MAX_SIDE_PX for size in sizes
         ):
             window = old.window_world
             wide = (window.xmax - window.xmin) * (width_px / old.width_px)

@@ -157,9 +157,9 @@ def _typed(data: bytes) -> _File:
     except msgspec.ValidationError as error:
         if "`$" in str(error):
             raise
-        raise DocumentError(
-            "", _("This is not a Graphics Workbench file; choose one that ends in .gwb.")
-        ) from error
+        field = _translated(str(error)).field
+        sentence = _("This is not a Graphics Workbench file ({field}); choose one that ends in .gwb.")
+        raise DocumentError(field, sentence.format(field=field)) from error
     if head.format != FORMAT:
         raise refuse(
             "format", _("is {value!r}; choose a file that Graphics Workbench saved").format(value=head.format)

@@ -55,7 +55,14 @@ class Line(Figure, frozen=True, tag="line"):
     """A segment between two points."""
 
     topic: ClassVar[str] = "lines"
-    algorithms: ClassVar[tuple[str, ...]] = ("bresenham_line", "dda_line", "midpoint_line", "wu_line")
+    algorithms: ClassVar[tuple[str, ...]] = (
+        "bresenham_line",
+        "dda_line",
+        "dda_line_single",
+        "dda_line_fixed",
+        "midpoint_line",
+        "wu_line",
+    )
     least_points: ClassVar[int] = 2
     most_points: ClassVar[int] = 2
 
@@ -83,7 +90,7 @@ class Circle(Figure, frozen=True, tag="circle", kw_only=True):
 class Ellipse(Figure, frozen=True, tag="ellipse", kw_only=True):
     """An ellipse with axes parallel to x and y, about its one point; a radius of 0 makes it a segment."""
 
-    topic: ClassVar[str] = "circles"
+    topic: ClassVar[str] = "ellipses"
     algorithms: ClassVar[tuple[str, ...]] = ("midpoint_ellipse",)
 
     radius_x_world: float

@@ -171,7 +171,7 @@ def _house() -> Document:
             _polyline([(10, 23), (28, 37), (46, 23)], 2, _("Roof"), False),
             _polyline([(19, 6), (19, 16), (25, 16), (25, 6)], 5, _("Door"), False),
             _polyline([(31, 13), (31, 19), (38, 19), (38, 13)], 6, _("Window"), True),
-            _polyline([(36, 32), (36, 38), (40, 38), (40, 29)], 2, _("Chimney"), False),
+            _polyline([(36, 31), (36, 38), (40, 38), (40, 28)], 2, _("Chimney"), False),
             Ellipse(
                 "",
                 _points((44, 42)),

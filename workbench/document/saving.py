@@ -29,7 +29,7 @@ def replace_file(path: Path, data: bytes, verify: Callable[[bytes], None]) -> No
             raise DocumentError(
                 "", _("{path} may not be changed; save under another name.").format(path=path)
             )
-        _sweep(target)
+        sweep(target.parent, _prefix(target))
         temporary = target.with_name(f"{_prefix(target)}{os.getpid()}{_ENDING}")
         try:
             _put(temporary, data, old)
@@ -76,13 +76,12 @@ def _sync_folder(folder: Path) -> None:
             os.close(descriptor)
 
 
-def _sweep(target: Path) -> None:
-    """Remove what processes that died while saving ``target`` have left beside it."""
-    prefix = _prefix(target)
-    with os.scandir(target.parent) as entries:
+def sweep(folder: Path, prefix: str = ".") -> None:
+    """Remove what processes that died while saving left in ``folder``, under names with ``prefix``."""
+    with os.scandir(folder) as entries:
         left = [entry for entry in entries if entry.name.startswith(prefix) and entry.name.endswith(_ENDING)]
     for entry in left:
-        number = entry.name[len(prefix) : -len(_ENDING)]
+        number = entry.name.removesuffix(_ENDING).rpartition(".")[2]
         if number.isdecimal() and not _alive(int(number)):
             with suppress(OSError):
                 os.unlink(entry.path)

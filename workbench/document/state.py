@@ -1,11 +1,11 @@
 """What a session keeps in the file beside the picture: it is saved, but never a step of undo."""
 
-from typing import Literal
+from typing import Literal, get_args
 
 import msgspec
 
-from workbench.document.check import refuse
-from workbench.document.model import Document
+from workbench.document.check import refuse, shown
+from workbench.document.model import AnyFigure, Document
 from workbench.language import _
 
 
@@ -47,8 +47,13 @@ def check_state(state: SessionState, document: Document) -> SessionState:
             raise refuse(f"session.selection[{index}]", _missing(figure))
     if state.active and state.active not in figures:
         raise refuse("session.active", _missing(state.active))
+    slugs = {slug for kind in get_args(AnyFigure) for slug in kind.algorithms}
+    if state.compare and state.compare not in slugs:
+        raise refuse("session.compare", _missing(state.compare))
     if not 0 <= state.step < 2**53:
         raise refuse("session.step", _("is {value}; give a whole number from 0").format(value=state.step))
+    if not state.tube.phosphor.isalnum() or len(state.tube.phosphor) > 32:
+        raise refuse("session.tube.phosphor", _("is no name; give one such as P31"))
     for name, low, high in (("refresh_hz", 0.1, 1000.0), ("slow_motion", 0.001, 1e9), ("time_s", 0.0, 1e9)):
         value = getattr(state.tube, name)
         if not low <= value <= high:
@@ -72,4 +77,6 @@ def cleaned(state: SessionState, document: Document) -> SessionState:
 
 
 def _missing(identity: str) -> str:
-    return _("is {id!r}, which is not in the document; remove it or name one that is").format(id=identity)
+    return _("is {value}, which there is not; remove it or name one that there is").format(
+        value=shown(identity)
+    )

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from workbench.document.errors import DocumentError
 from workbench.document.files import Stored, read, write
+from workbench.document.saving import sweep
 from workbench.language import _
 from workbench.paths import recovery_folder
 
@@ -28,7 +29,7 @@ _LOCK = ".lock"
 
 @dataclass(frozen=True, slots=True)
 class Recoverable:
-    """Work that a dead process left: its recovery file, the file it came from (if any), and when it was kept."""
+    """Work that a dead process left: its recovery file, the file it came from if any, when it was kept."""
 
     path: Path
     origin: Path | None
@@ -61,9 +62,8 @@ class RecoveryFile:
     ) -> None:
         folder = recovery_folder() if folder is None else folder
         folder.mkdir(parents=True, exist_ok=True)
-        stem = f"{os.getpid()}-{secrets.token_hex(4)}"
-        self.path = folder / (stem + _DOCUMENT)
-        self._lock_file = _locked(folder / (stem + _LOCK))
+        sweep(folder)
+        self.path, self._lock_file = _fresh(folder)
         self._delay_s = delay_s
         self._failed = failed
         self._state = threading.Condition()
@@ -130,7 +130,9 @@ def recoverable(folder: Path | None = None) -> list[Recoverable]:
     found: list[Recoverable] = []
     if not folder.is_dir():
         return found
-    for lock in sorted(folder.glob(f"*{_LOCK}")):
+    sweep(folder)
+    stems = {file.stem for ending in (_DOCUMENT, _LOCK) for file in folder.glob(f"*{ending}")}
+    for lock in (folder / (stem + _LOCK) for stem in sorted(stems)):
         try:
             descriptor = _locked(lock)
         except OSError:
@@ -154,6 +156,22 @@ def _described(path: Path) -> Recoverable:
         return Recoverable(path, None, _("Damaged"), kept_at)
     origin = Path(stored.origin) if stored.origin else None
     return Recoverable(path, origin, origin.name if origin else stored.document.sheets[0].name, kept_at)
+
+
+def _fresh(folder: Path) -> tuple[Path, int]:
+    """A new recovery file's path, and a descriptor that holds its lock."""
+    while True:
+        path = folder / f"{os.getpid()}-{secrets.token_hex(4)}{_DOCUMENT}"
+        lock = path.with_suffix(_LOCK)
+        try:
+            descriptor = _locked(lock)
+        except OSError:
+            if lock.exists():
+                continue  # another process took it for a dead one's, between its making and its locking
+            raise
+        if lock.exists():
+            return path, descriptor
+        os.close(descriptor)
 
 
 def _remove(path: Path) -> None:

@@ -178,7 +178,7 @@ class Session(QObject):
         self.path_changed.emit(self.path)
 
     def start_autosave(self, folder: Path | None = None) -> None:
-        """Keep unsaved work in a recovery file from now on, until ``close``; ``autosave_failed`` tells of trouble."""
+        """Keep unsaved work in a recovery file until ``close``; ``autosave_failed`` tells of trouble."""
         self._recovery = RecoveryFile(folder, failed=self.autosave_failed.emit)
         self._keep_safe()
 

@@ -1,0 +1,69 @@
+"""What is there from the start is sound, worth looking at, and legible on both canvases."""
+
+import pytest
+
+from workbench.algorithms import catalogue
+from workbench.document.check import check
+from workbench.document.edits import set_algorithm
+from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, SeedFill
+from workbench.document.samples import PALETTE, blank_sheet, example, example_document, examples
+
+KINDS: list[type[AnyFigure]] = [Line, Polyline, Circle, Ellipse, SeedFill]
+
+
+def test_the_first_picture_is_the_line_of_the_course() -> None:
+    (sheet,) = example_document().sheets
+    (line,) = sheet.figures
+    assert isinstance(line, Line)
+    assert [(p.x, p.y) for p in line.points_world] == [(20, 10), (30, 18)]
+    assert line.algorithm == "bresenham_line"
+    assert (sheet.width_px, sheet.height_px) == (40, 28)
+    assert sheet.window_world == sheet.viewport_device
+
+
+def test_a_blank_sheet_is_blank() -> None:
+    assert check(blank_sheet(12, 7)).sheets[0].figures == ()
+
+
+@pytest.mark.parametrize("slug", [one.slug for one in examples()])
+def test_every_example_is_sound_and_in_its_picture(slug: str) -> None:
+    one = example(slug)
+    assert check(one.document) is one.document
+    assert one.title
+    assert one.description.endswith(".")
+    for sheet in one.document.sheets:
+        for figure in sheet.figures:
+            for point in figure.points_world:
+                assert 0 <= point.x < sheet.width_px
+                assert 0 <= point.y < sheet.height_px
+
+
+def test_there_is_no_example_of_another_name() -> None:
+    with pytest.raises(LookupError, match="octants"):
+        example("octant")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_algorithms_of_a_kind_are_those_of_the_catalogue(kind: type[AnyFigure]) -> None:
+    for slug in kind.algorithms:
+        assert catalogue.get(slug).topic == kind.topic
+    if kind is Line:
+        assert set(kind.algorithms) == {entry.slug for entry in catalogue.topic("lines")}
+
+
+def test_an_algorithm_can_be_chosen_for_every_figure_that_it_draws() -> None:
+    for slug in Line.algorithms:
+        assert set_algorithm("f1", slug)(example_document()).sheets[0].figures[0].algorithm == slug
+
+
+def _luminance(colour: int) -> float:
+    parts = [(colour >> shift & 255) / 255 for shift in (16, 8, 0)]
+    red, green, blue = (p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+@pytest.mark.parametrize("colour", PALETTE[1:], ids=hex)
+@pytest.mark.parametrize("canvas", [0xFFFFFF, 0x101316], ids=hex)
+def test_every_colour_is_legible_on_light_and_dark(colour: int, canvas: int) -> None:
+    low, high = sorted([_luminance(colour), _luminance(canvas)])
+    assert (high + 0.05) / (low + 0.05) >= 3.0
