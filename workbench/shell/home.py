@@ -1,18 +1,24 @@
 """Home: what was worked on last, examples, and the questions of a first course."""
 
-from collections.abc import Sequence
-from pathlib import Path
+from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QFontMetrics, QPixmap
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSize, Signal, SignalInstance
+from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout
 
 from workbench.language import _
 from workbench.paths import resource
 from workbench.shell.pages import Page, heading, paragraph
-from workbench.shell.questions import questions
 
-_EXAMPLE_COLUMNS = 4
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+_EXAMPLE_COLUMNS = 5
+_NAME_LENGTH = 28
 THUMBNAIL = QSize(132, 84)
 
 
@@ -39,7 +45,10 @@ class HomePage(Page):
         self._examples.setRowMinimumHeight(0, THUMBNAIL.height() + 46)
         self.column.addLayout(self._examples)
         heading(self.column, _("Twelve questions of a first course"))
-        self.column.addLayout(self._questions())
+        self._questions = QGridLayout()
+        self._questions.setHorizontalSpacing(16)
+        self._questions.setVerticalSpacing(4)
+        self.column.addLayout(self._questions)
         self.column.addStretch(1)
         self.show_recent(recent)
 
@@ -47,10 +56,9 @@ class HomePage(Page):
         row = QHBoxLayout()
         row.setSpacing(16)
         picture = QLabel()
-        image = QPixmap(str(resource("icon", "graphics-workbench-128.png")))
-        ratio = self.devicePixelRatioF()
-        image = image.scaledToHeight(round(64 * ratio), Qt.TransformationMode.SmoothTransformation)
-        image.setDevicePixelRatio(ratio)
+        factor = 1 if self.devicePixelRatioF() <= 1 else 2
+        image = QPixmap(str(resource("icon", f"graphics-workbench-{64 * factor}.png")))
+        image.setDevicePixelRatio(factor)
         picture.setPixmap(image)
         picture.setFixedSize(64, 64)
         row.addWidget(picture)
@@ -71,13 +79,16 @@ class HomePage(Page):
         other.setToolTip(_("Open a picture from a file (Ctrl+O)"))
         other.clicked.connect(self.open_wanted)
         for button in (begin, other):
-            row.addWidget(button, 0, Qt.AlignmentFlag.AlignVCenter)
+            row.addWidget(button)
         return row
 
-    def _questions(self) -> QGridLayout:
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(16)
-        grid.setVerticalSpacing(2)
+    def show_questions(self) -> None:
+        """List the questions: those that can be worked on as buttons, the others below them."""
+        from PySide6.QtCore import Qt
+
+        from workbench.shell.questions import questions
+
+        grid = self._questions
         for column in (0, 1):
             grid.setColumnStretch(column, 1)
         offered = [each for each in questions() if each.workspace]
@@ -85,13 +96,12 @@ class HomePage(Page):
         for place, question in enumerate(offered):
             button = QPushButton(f"{question.number}   {question.text}")
             button.setProperty("card", True)
-            button.setToolTip(question.text)
+            button.setToolTip(_("Open workspace, example and step of this question"))
             button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(
-                lambda _checked=False, question=question: self.question_chosen.emit(question)
-            )
+            button.clicked.connect(partial(self._choose, self.question_chosen, question))
             grid.addWidget(button, place, 0, 1, 2)
-        later = paragraph(QVBoxLayout(), _("No workspace yet for these:"), "muted")
+        later = QLabel(_("These have no workspace yet:"))
+        later.setProperty("role", "muted")
         grid.addWidget(later, len(offered), 0, 1, 2)
         half = (len(listed) + 1) // 2
         for place, question in enumerate(listed):
@@ -100,7 +110,10 @@ class HomePage(Page):
             label.setWordWrap(True)
             label.setAlignment(Qt.AlignmentFlag.AlignTop)
             grid.addWidget(label, len(offered) + 1 + place % half, place // half)
-        return grid
+
+    @staticmethod
+    def _choose(signal: SignalInstance, what: object, _checked: bool = False) -> None:
+        signal.emit(what)
 
     def show_recent(self, recent: Sequence[Path]) -> None:
         """List the files opened last; nothing of it is seen while there are none."""
@@ -110,17 +123,20 @@ class HomePage(Page):
             button = QPushButton()
             button.setProperty("card", True)
             button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-            metrics = QFontMetrics(button.font())
-            button.setText(metrics.elidedText(path.stem, Qt.TextElideMode.ElideMiddle, 200))
+            button.setText(
+                path.stem if len(path.stem) <= _NAME_LENGTH else path.stem[: _NAME_LENGTH - 1] + "\u2026"
+            )
             button.setToolTip(str(path))
             button.setAccessibleName(_("Open {name}").format(name=path.name))
-            button.clicked.connect(lambda _checked=False, path=path: self.file_chosen.emit(path))
+            button.clicked.connect(partial(self._choose, self.file_chosen, path))
             self._recent.addWidget(button, 0, place)
         for place in range(4):
             self._recent.setColumnStretch(place, 1)
 
     def show_examples(self, examples: Sequence[tuple[str, str, QPixmap]]) -> None:
         """Offer examples: name, title, picture."""
+        from PySide6.QtCore import Qt
+
         _empty(self._examples)
         self._cards = []
         for place, (name, title, picture) in enumerate(examples):
@@ -142,7 +158,7 @@ class HomePage(Page):
                 label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
                 column.addWidget(label)
             self._cards.append(card)
-            card.clicked.connect(lambda _checked=False, name=name: self.example_chosen.emit(name))
+            card.clicked.connect(partial(self._choose, self.example_chosen, name))
             self._examples.addWidget(card, place // _EXAMPLE_COLUMNS, place % _EXAMPLE_COLUMNS)
         for place in range(_EXAMPLE_COLUMNS):
             self._examples.setColumnStretch(place, 1)

@@ -1,6 +1,5 @@
 """A page fills the middle of the window in place of a dialog: a title, and one column of text and fields."""
 
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 
@@ -11,8 +10,6 @@ class Page(QScrollArea):
         super().__init__()
         self.setObjectName("page")
         self.setWidgetResizable(True)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         body = QWidget()
         body.setObjectName("pageBody")
         outer = QHBoxLayout(body)

@@ -1,12 +1,11 @@
 """The twelve questions that a first course asks, in our own words, and where each can be worked on."""
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from workbench.language import _
 
 
-@dataclass(frozen=True, slots=True)
-class Question:
+class Question(NamedTuple):
     """One question. ``workspace`` and ``example`` say where it is worked on, if anywhere yet."""
 
     number: int

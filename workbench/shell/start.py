@@ -1,11 +1,13 @@
 """Starts the program: first a window with Home, then, once that is painted, everything else."""
 
+from __future__ import annotations
+
 import sys
 import threading
-from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
@@ -14,6 +16,9 @@ from workbench.language import _
 from workbench.shell.settings import Settings
 from workbench.shell.theme import ThemeSwitch
 from workbench.shell.window import PROGRAM, MainWindow
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
 
 _SLOW_IMPORTS = ("numpy", "workbench.session.session", "workbench.shell.home_examples", "qtawesome")
 QUIT_AFTER_FIRST_FRAME = "--quit-after-first-frame"
@@ -37,7 +42,8 @@ class Building(QObject):
         self._importing = threading.Thread(target=self._import, name="imports", daemon=True)
 
     def start(self) -> None:
-        """Begin importing."""
+        """Complete the window, and begin importing."""
+        self._window.complete()
         self._importing.start()
 
     def wait(self) -> None:

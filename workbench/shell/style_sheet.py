@@ -14,7 +14,7 @@ def style_sheet(chosen: Tokens, scale: float = 1.0) -> str:
         "controls": resource("controls").as_posix(),
         "radius": f"{RADIUS}px",
         "title_px": f"{round(TITLE_PX * scale)}px",
-        **{name: getattr(chosen, name) for name in Tokens.__dataclass_fields__ if name != "data"},
+        **{name: getattr(chosen, name) for name in Tokens._fields if name != "data"},
     }
     for name in sorted(values, key=len, reverse=True):
         text = text.replace(f"@{name}", values[name])

@@ -1,6 +1,6 @@
 """Puts a theme on the whole program: Qt's palette, the style sheet, the tokens that painted widgets read."""
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject
 from PySide6.QtGui import QColor, QFont, QPalette
 from PySide6.QtWidgets import QApplication
 
@@ -55,7 +55,20 @@ class ThemeSwitch(QObject):
         self._shown: tuple[str, bool] | None = None
         self._base = application.font()
         application.setStyle("Fusion")
-        application.styleHints().colorSchemeChanged.connect(self.apply)
+        self._system_dark = application.palette().window().color().lightness() < 128
+        self.apply()
+
+    def follow_system(self) -> None:
+        """Ask the system for its colour scheme and follow it from now on; before, its palette told."""
+        hints = self._application.styleHints()
+        hints.colorSchemeChanged.connect(self._take_scheme)
+        self._take_scheme(hints.colorScheme())
+
+    def _take_scheme(self, scheme: object) -> None:
+        from PySide6.QtCore import Qt
+
+        if scheme != Qt.ColorScheme.Unknown:
+            self._system_dark = scheme == Qt.ColorScheme.Dark
         self.apply()
 
     @property
@@ -71,8 +84,7 @@ class ThemeSwitch(QObject):
 
     def apply(self) -> None:
         """Show the theme that the choice and the system ask for."""
-        system_dark = self._application.styleHints().colorScheme() == Qt.ColorScheme.Dark
-        dark = self._choice == "dark" or (self._choice == "system" and system_dark)
+        dark = self._choice == "dark" or (self._choice == "system" and self._system_dark)
         if self._shown == (("dark" if dark else "light"), self._large):
             return
         chosen = DARK if dark else LIGHT

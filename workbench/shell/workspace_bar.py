@@ -1,47 +1,22 @@
 """The bar along the top: Home and the workspaces, the current one underlined; a drop-down when narrow."""
 
-from collections.abc import Sequence
+from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QAction, QColor, QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QSizePolicy, QToolButton, QWidget
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 from workbench.language import _
-from workbench.widgets.icons import set_icon
-from workbench.widgets.tokens import tokens
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from PySide6.QtCore import QSize
+    from PySide6.QtGui import QAction, QResizeEvent
 
 HEIGHT_PX = 36
-
-
-class _Tab(QToolButton):
-    """One workspace; a line under it while it is current."""
-
-    def __init__(self, title: str, tooltip: str, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setText(title)
-        self.setToolTip(tooltip)
-        self.setAccessibleName(title)
-        self.setCheckable(True)
-        self.setAutoRaise(True)
-        self.setFixedHeight(HEIGHT_PX - 1)
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.setObjectName("workspaceTab")
-
-    def sizeHint(self) -> QSize:
-        return QSize(self.fontMetrics().horizontalAdvance(self.text()) + 28, HEIGHT_PX - 1)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        now = tokens()
-        painter = QPainter(self)
-        if self.underMouse() or self.hasFocus():
-            painter.fillRect(self.rect().adjusted(0, 4, 0, -4), QColor(now.selected))
-        if self.isChecked():
-            painter.fillRect(8, self.height() - 3, self.width() - 16, 3, QColor(now.accent))
-        painter.setPen(QColor(now.text if self.isChecked() or self.underMouse() else now.muted))
-        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.text())
-        if self.hasFocus():
-            painter.setPen(QColor(now.accent))
-            painter.drawRoundedRect(self.rect().adjusted(1, 4, -2, -5), 4, 4)
 
 
 class WorkspaceBar(QWidget):
@@ -52,37 +27,35 @@ class WorkspaceBar(QWidget):
     def __init__(self, places: Sequence[tuple[str, str, str]], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("workspaces")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setFixedHeight(HEIGHT_PX)
         self.setAccessibleName(_("Workspaces"))
-        self._tabs: dict[str, _Tab] = {}
+        self._places = list(places)
+        self._tabs: dict[str, QToolButton] = {}
+        self._current = ""
+        self._folded: QToolButton | None = None
+        self._commands: list[QToolButton] = []
         self._row = QHBoxLayout(self)
-        self._row.setContentsMargins(4, 0, 6, 1)
+        self._row.setContentsMargins(4, 0, 6, 0)
         self._row.setSpacing(0)
-        self._folded = QToolButton(self)
-        self._folded.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self._folded.setToolTip(_("Change the workspace"))
-        self._folded.setMenu(QMenu(self._folded))
-        self._folded.hide()
-        self._row.addWidget(self._folded)
         for slug, title, tooltip in places:
-            tab = _Tab(title, tooltip, self)
-            tab.clicked.connect(lambda _checked=False, slug=slug: self.chosen.emit(slug))
+            tab = QToolButton(self)
+            tab.setObjectName("workspaceTab")
+            tab.setText(title)
+            tab.setToolTip(tooltip)
+            tab.setAccessibleName(title)
+            tab.setCheckable(True)
+            tab.setFixedHeight(HEIGHT_PX)
+            tab.clicked.connect(partial(self._choose, slug))
             self._row.addWidget(tab)
             self._tabs[slug] = tab
-            entry = self._folded.menu().addAction(title)
-            entry.triggered.connect(lambda _checked=False, slug=slug: self.chosen.emit(slug))
         self._row.addStretch(1)
-        self._commands: list[QToolButton] = []
 
     def show_current(self, slug: str) -> None:
         """Mark where one is; a page that is no workspace marks none."""
+        self._current = slug
         for each, tab in self._tabs.items():
             tab.setChecked(each == slug)
-            if each == slug:
-                self._folded.setText(tab.text() + "  \u25be")
-        if slug not in self._tabs:
-            self._folded.setText(_("Workspaces") + "  \u25be")
+        self._name_folded()
 
     def set_waiting(self, slug: str, waiting: bool) -> None:
         """Tell that a workspace is being prepared."""
@@ -90,13 +63,16 @@ class WorkspaceBar(QWidget):
 
     def add_commands(self, actions: Sequence[tuple[QAction, str]]) -> None:
         """Put commands with their icons at the right end."""
+        from PySide6.QtCore import QSize
+
+        from workbench.widgets.icons import set_icon
+
         for action, name in actions:
             button = QToolButton(self)
-            button.setDefaultAction(action)
-            button.setAccessibleName(action.text().replace("&", ""))
-            button.setIconSize(QSize(20, 20))
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             set_icon(action, name)
+            button.setDefaultAction(action)
+            button.setAccessibleName(action.text())
+            button.setIconSize(QSize(20, 20))
             self._row.addWidget(button)
             self._commands.append(button)
         self._fold()
@@ -104,20 +80,47 @@ class WorkspaceBar(QWidget):
     @property
     def folded(self) -> bool:
         """Whether the workspaces are a drop-down now."""
-        return not self._folded.isHidden()
+        return self._folded is not None and not self._folded.isHidden()
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(160, HEIGHT_PX)
+        return super().minimumSizeHint() * 0  # narrower than its tabs: they fold
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fold()
 
+    def _choose(self, slug: str, _checked: bool = False) -> None:
+        self.show_current(self._current)  # a press does not mark; arriving does
+        self.chosen.emit(slug)
+
     def _fold(self) -> None:
-        needed = sum(tab.sizeHint().width() for tab in self._tabs.values())
-        needed += sum(button.sizeHint().width() for button in self._commands) + 24
+        needed = sum(button.sizeHint().width() for button in (*self._tabs.values(), *self._commands)) + 24
         narrow = needed > self.width()
-        self._folded.setVisible(narrow)
-        for tab in self._tabs.values():
-            tab.setVisible(not narrow)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        if narrow and self._folded is None:
+            self._make_folded()
+        if self._folded is not None:
+            self._folded.setVisible(narrow)
+            for tab in self._tabs.values():
+                tab.setVisible(not narrow)
+
+    def _make_folded(self) -> None:
+        from PySide6.QtWidgets import QMenu
+
+        self._folded = QToolButton(self)
+        self._folded.setObjectName("workspaceTab")
+        self._folded.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self._folded.setToolTip(_("Change the workspace"))
+        menu = QMenu(self._folded)
+        for slug, title, _tooltip in self._places:
+            menu.addAction(title).triggered.connect(partial(self._choose, slug))
+        self._folded.setMenu(menu)
+        self._row.insertWidget(0, self._folded)
+        self._name_folded()
+
+    def _name_folded(self) -> None:
+        if self._folded is not None:
+            title = next(
+                (title for slug, title, _tip in self._places if slug == self._current), _("Workspaces")
+            )
+            self._folded.setText(title + "  \u25be")
+            self._folded.setAccessibleName(_("Workspace: {title}").format(title=title))

@@ -1,15 +1,13 @@
 """The workspaces, in the order of the course: each an arrangement of panels over one session."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from importlib import import_module
-from typing import Any
+from typing import Any, NamedTuple
 
 from workbench.language import _
 
 
-@dataclass(frozen=True, slots=True)
-class Workspace:
+class Workspace(NamedTuple):
     """One workspace. ``panels`` are "module:class", the first of which fills the middle; they are made when
     the workspace is first shown. ``steps`` tells whether the step bar belongs to it.
     """

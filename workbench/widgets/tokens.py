@@ -2,14 +2,13 @@
 ``paintEvent`` and repaints on ``theme.changed``; only the shell changes the theme.
 """
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QColor
 
 
-@dataclass(frozen=True, slots=True)
-class Tokens:
+class Tokens(NamedTuple):
     """One theme. Every colour is a ``#RRGGBB`` text; ``colour`` makes it a QColor.
 
     ``data`` are six colours for data, told apart also without colour vision: the first algorithm takes
