@@ -5,6 +5,7 @@ belongs to nobody any more and can be offered. No Qt here.
 """
 
 import os
+import re
 import secrets
 import sys
 import threading
@@ -25,6 +26,7 @@ DELAY_S = 2.0
 
 _DOCUMENT = ".gwb"
 _LOCK = ".lock"
+_STEM = re.compile(r"[0-9]+-[0-9a-f]{8}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,7 +133,8 @@ def recoverable(folder: Path | None = None) -> list[Recoverable]:
     if not folder.is_dir():
         return found
     sweep(folder)
-    stems = {file.stem for ending in (_DOCUMENT, _LOCK) for file in folder.glob(f"*{ending}")}
+    files = [file for ending in (_DOCUMENT, _LOCK) for file in folder.glob(f"*{ending}")]
+    stems = {file.stem for file in files if _STEM.fullmatch(file.stem)}
     for lock in (folder / (stem + _LOCK) for stem in sorted(stems)):
         try:
             descriptor = _locked(lock)
