@@ -113,7 +113,7 @@ def test_the_settled_state_is_that_after_very_many_frames(pairs, frames: Fractio
 
 
 def test_energy_per_length_does_not_depend_on_the_length_at_constant_speed() -> None:
-    tube, beam = made([((5, 10), (15, 10)), ((5, 30), (35, 30))])
+    _, beam = made([((5, 10), (15, 10)), ((5, 30), (35, 30))])
     energy = beam.energy_per_frame()
     short, long = energy[5:15].sum(), energy[25:35].sum()
     assert math.isclose(long, 2 * 3 * short, rel_tol=1e-6)  # three times as long, twice the current

@@ -15,11 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.display.beam import BeamState
-from workbench.display.spot import across_rows, along_row
+from workbench.display.spot import across_rows, along_row, narrowed
 from workbench.display.timings import RasterTiming
 from workbench.display.tube import Tube
 
 Floats = NDArray[np.floating[Any]]
+
+
+_BLOCK = 16
+"""Rows deposited together: a spot reaches few lines, so the product of all rows would be mostly zeros."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,8 +61,8 @@ class RasterBeam:
         cuts = np.linspace(left, right, timing.h_active + 1)
         self._row_pitch = (top - bottom) / timing.v_active
         self._centres = bottom + (np.arange(timing.v_active) + 0.5) * self._row_pitch
-        self._along: Floats = np.ascontiguousarray(along_row(cuts, x_edges, tube.spot_mm).T, dtype=kind)
-        self._across: Floats = across_rows(self._centres, y_edges, tube.spot_mm).astype(kind)
+        self._along: Floats = narrowed(along_row(cuts, x_edges, tube.spot_mm).T, kind)
+        self._across: Floats = narrowed(across_rows(self._centres, y_edges, tube.spot_mm), kind)
         self._face_pitch = tube.size_mm[1] / rows
         self._margin = (tube.reach + 0.5) * tube.spot_mm
         lines = [timing.line_of_row(timing.v_active - 1 - row) for row in range(timing.v_active)]
@@ -88,7 +92,7 @@ class RasterBeam:
             aged = self.drive[gun]
             if math.isfinite(tau_s):
                 clocks = np.arange(self.timing.h_active - 1, -1, -1)
-                aged = aged * np.exp(-clocks * (float(self.timing.pixel_s) / tau_s)).astype(aged.dtype)
+                aged = aged * narrowed(np.exp(-clocks * (float(self.timing.pixel_s) / tau_s)), aged.dtype)
             self._spread[key] = aged @ self._along
         return self._spread[key]
 
@@ -153,14 +157,18 @@ class RasterBeam:
                 self._deposit_part(tube, gun, part, taus, now)
 
     def _deposit_rows(self, tube: Tube, gun: int, full: _Rows, taus: list[float]) -> None:
-        face = self._face_rows(int(full.rows.min()), int(full.rows.max()))
-        across = self._across[face][:, full.rows] * self._hit
-        energy = across @ (full.counts[:, None].astype(across.dtype) * self._take(gun, math.inf, full.rows))
-        remainders = []
-        for tau in taus:
-            kept = self._kept(full.ages_clocks, full.counts, tau).astype(across.dtype)
-            remainders.append(across @ (kept[:, None] * self._take(gun, tau, full.rows)))
-        tube.deposit_aged(energy, remainders, gun, (face, slice(None)))
+        counts = full.counts.astype(self._across.dtype)
+        kept = [counts, *(self._kept(full.ages_clocks, full.counts, tau) for tau in taus)]
+        for first in range(0, len(full.rows), _BLOCK):
+            block = slice(first, first + _BLOCK)
+            rows = full.rows[block]
+            face = self._face_rows(int(rows.min()), int(rows.max()))
+            across = self._across[face][:, rows] * self._hit
+            energy, *remainders = (
+                across @ (share[block, None] * self._take(gun, tau, rows))
+                for tau, share in zip((math.inf, *taus), kept, strict=True)
+            )
+            tube.deposit_aged(energy, remainders, gun, (face, slice(None)))
 
     def _take(self, gun: int, tau_s: float, rows: NDArray[np.int64]) -> Floats:
         return self._spread_rows(gun, tau_s)[rows]
@@ -171,7 +179,7 @@ class RasterBeam:
         youngest = np.exp(-ages_clocks * (clock / tau_s))
         together = 1.0 if counts is None else -np.expm1(-counts * (frame / tau_s))
         kept: Floats = youngest * together / -math.expm1(-frame / tau_s)
-        return kept
+        return narrowed(kept, self._across.dtype)
 
     def _deposit_part(
         self, tube: Tube, gun: int, part: tuple[int, int, int, int], taus: list[float], now_clocks: Fraction
@@ -186,7 +194,7 @@ class RasterBeam:
         across = self._across[self._face_rows(row, row), row] * self._hit
         age = float(now_clocks - line_start - Fraction(1, 2)) - np.arange(low, high)
         current = self.drive[gun, row, low:high]
-        kept = np.exp(-age * (float(self.timing.pixel_s) / tau_s)).astype(current.dtype)
+        kept = narrowed(np.exp(-age * (float(self.timing.pixel_s) / tau_s)), current.dtype)
         return np.outer(across, (current * kept) @ self._along[low:high])
 
     def settle(self, tube: Tube) -> None:
@@ -198,7 +206,7 @@ class RasterBeam:
         for gun, phosphor in enumerate(tube.guns):
             luminances = []
             for term, share in zip(phosphor.terms, phosphor.energy_fractions, strict=True):
-                kept = self._kept(full.ages_clocks, None, term.tau_s).astype(self._across.dtype)
+                kept = self._kept(full.ages_clocks, None, term.tau_s)
                 rows = kept[:, None] * self._take(gun, term.tau_s, full.rows)
                 left = self._across[:, full.rows] @ rows * self._hit
                 for part in begun:

@@ -17,7 +17,9 @@ from workbench.display.error_function import erf, erfc_scaled
 Floats = NDArray[np.float64]
 
 DWELL = 1e-4
-"""A stroke shorter than this many standard deviations is a dwell, a round spot: 4e-10 off, and no cancellation."""
+"""A stroke shorter than this many standard deviations is a dwell, a round spot; that is 4e-10 off."""
+
+_NEGLIGIBLE = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +98,13 @@ def stroke_remainder(patch: Patch, duration: float) -> Floats:
 
     lengthwise = (tail(u - length, 1.0) - tail(u, math.exp(-duration))) * (0.5 / length)
     return np.maximum(patch.energy_per_pixel * profile * lengthwise, 0.0)
+
+
+def narrowed(values: NDArray[Any], kind: Any) -> NDArray[Any]:
+    """Shares (0 to 1) as ``kind``; in float32 what is too small to matter becomes 0: denormals are slow."""
+    if np.dtype(kind) == np.float32:
+        values = np.where(np.abs(values) < _NEGLIGIBLE, 0.0, values)
+    return np.ascontiguousarray(values, dtype=kind)
 
 
 def _integral(z: Floats) -> Floats:

@@ -22,6 +22,7 @@ from workbench.display.spot import Patch, stroke_energy, stroke_remainder
 Floats = NDArray[np.floating[Any]]
 
 PICOSECOND = Fraction(1, 10**12)
+_LOWEST = np.float32(1e-6)
 WHOLE = slice(None), slice(None)
 
 
@@ -30,7 +31,8 @@ class Tube:
 
     ``tick`` is the length of one tick in seconds. A spot is followed out to ``reach`` of its standard
     deviations (4 lose 1e-4 of the energy, 8 nothing). ``precision`` is the type of the state: float64 for
-    measuring, float32 for looking. Raises ValueError for a face without area or without a gun.
+    measuring, float32 for looking (luminances should then be about 1). Raises ValueError for a face without
+    area or without a gun.
     """
 
     def __init__(
@@ -93,7 +95,15 @@ class Tube:
             for k, term in enumerate(phosphor.terms):
                 state = self.stored[gun][k]
                 self._light[gun][self._layers[gun][k]] += state * (term.tau_s * -np.expm1(-dt / term.tau_s))
-                state *= np.exp(-dt / term.tau_s)
+                self._fade(state, float(np.exp(-dt / term.tau_s)))
+
+    @staticmethod
+    def _fade(state: Floats, factor: float) -> None:
+        state *= factor
+        if state.dtype == np.float32:
+            # Denormal numbers are a hundred times slower; the sum and difference sets them to zero.
+            state += _LOWEST
+            state -= _LOWEST
 
     def deposit(self, energy: Floats, gun: int = 0) -> None:
         """Add an energy map (rows, columns) at this instant."""
@@ -134,8 +144,12 @@ class Tube:
             light = self._light[gun][self._layers[gun][k]]
             light += state * (term.tau_s * fading)
             light += power * (share * (dt - term.tau_s * fading))
-            state *= 1.0 - fading
+            self._fade(state, 1.0 - fading)
             state += power * (share * fading)
+
+    def skip(self, ticks: int | Fraction) -> None:
+        """Let the clock run while the face stays as it is: a picture that is kept up evenly."""
+        self._ticks += ticks
 
     def settle(self, luminances: Sequence[Floats], gun: int = 0) -> None:
         """Start afresh for one gun with a given luminance per term, as if it had long been so."""

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.display.beam import BeamState
-from workbench.display.spot import stroke_energy, stroke_remainder
+from workbench.display.spot import narrowed, stroke_energy, stroke_remainder
 from workbench.display.tube import Tube
 from workbench.display.vector_timing import VectorTiming
 
@@ -71,8 +71,8 @@ def _marks(
     kind: str,
 ) -> _Marks:
     patch = stroke_energy(size_px, size_mm, begin, end, spot_mm, 1.0, reach)
-    left = tuple(stroke_remainder(patch, duration).astype(kind) for duration in durations)
-    return _Marks((patch.rows, patch.columns), patch.values.astype(kind), left)
+    left = tuple(narrowed(stroke_remainder(patch, duration), kind) for duration in durations)
+    return _Marks((patch.rows, patch.columns), narrowed(patch.values, kind), left)
 
 
 def schedule(
