@@ -23,6 +23,7 @@ import shutil
 import subprocess
 import tomllib
 from contextlib import contextmanager
+from importlib import metadata
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent
@@ -121,13 +122,28 @@ def locked():
         yield
 
 
+def halfway():
+    """The records of packages that a stopped pip left without all of their files."""
+    for record in [
+        *VENV.glob("lib/python*/site-packages/*.dist-info"),
+        *VENV.glob("Lib/site-packages/*.dist-info"),
+    ]:
+        files = metadata.Distribution.at(record).files or []
+        paths = [(Path(file.locate()), file.size) for file in files if file.suffix != ".pyc"]
+        if not paths or not all(
+            path.exists() and size in (None, path.stat().st_size) for path, size in paths
+        ):
+            yield record
+
+
 def usable():
-    """Whether .venv holds a Python of this version with pip."""
+    """Whether .venv holds a Python of this version with all of pip."""
     probe = f"import sys, pip; sys.exit(tuple(sys.version_info[:2]) != {sys.version_info[:2]})"
     try:
-        return subprocess.run([str(PYTHON), "-I", "-c", probe], stderr=subprocess.DEVNULL).returncode == 0
+        answer = subprocess.run([str(PYTHON), "-I", "-c", probe], stderr=subprocess.DEVNULL)
     except OSError:
         return False
+    return answer.returncode == 0 and not any(record.name.startswith("pip-") for record in halfway())
 
 
 def make_environment():
@@ -159,6 +175,8 @@ def set_up(extras, wheels):
             return
         if not usable():
             make_environment()
+        for record in halfway():
+            shutil.rmtree(record)
         if wheels:
             source = ["--no-index", "--find-links", str(wheels)]
             say(f"Installing {len(requirements)} packages and what they need from {wheels}, no network.")
@@ -183,7 +201,7 @@ def set_up(extras, wheels):
 
 def plugin_file(platform):
     """The file of one of Qt's platform plugins, None when this PySide6 has no such plugin."""
-    found = VENV.glob(f"lib*/python*/site-packages/PySide6/Qt/plugins/platforms/libq{platform}.so")
+    found = VENV.glob(f"lib/python*/site-packages/PySide6/Qt/plugins/platforms/libq{platform}.so")
     return next(found, None)
 
 

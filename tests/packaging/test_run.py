@@ -212,6 +212,16 @@ def test_stopped_in_the_middle_it_goes_on(tmp_path: Path) -> None:
     assert run(house, "list", "--wheels", str(tmp_path / "wheels")).returncode == 0
 
 
+def test_a_package_that_was_left_halfway_is_installed_anew(tmp_path: Path, house: Path) -> None:
+    other = make_house(tmp_path)
+    shutil.copytree(house / ".venv", other / ".venv", symlinks=True)
+    next((other / ".venv").rglob("tiny.py")).unlink()
+    for stamp in (other / ".venv").glob(".installed*"):
+        stamp.unlink()
+    assert run(other, "list", "--wheels", str(tmp_path / "wheels")).returncode == 0
+    assert len(list((other / ".venv").rglob("tiny.py"))) == 1
+
+
 @pytest.fixture
 def script() -> dict[str, Any]:
     return runpy.run_path(str(ROOT / "run.py"))
