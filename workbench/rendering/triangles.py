@@ -1,0 +1,78 @@
+"""Triangles through the depth buffer, in bands of rows on two threads."""
+
+from concurrent.futures import Future, ThreadPoolExecutor
+from functools import cache, partial
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from workbench.algorithms.visibility.depth_buffer import depth_buffer
+from workbench.engine.compiled import Stop, paint
+from workbench.language import _
+
+# More bands than threads, so that a thread that is done early takes another one.
+BANDS = 4
+THREADS = 2
+FARTHEST = 1.0
+
+
+def depth_buffer_triangles(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    colours: ArrayLike,
+    size: tuple[int, int],
+    stop: Stop | None = None,
+) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
+    """Draw triangles in any order; at each pixel the nearest wins, on equal depths the first.
+
+    Args: vertices (n, 3), x and y in pixels, y upwards, z from 0 (near) to 1 (far); faces (m, 3), indices of
+    vertices; colours (m,), 0xRRGGBB; size (width, height) in pixels. Returns the picture (height, width), 0
+    where nothing was drawn, and the depth there, 1 where nothing was drawn.
+
+    Raises:
+        ValueError: a shape, an index or a number is wrong; the sentence names it.
+        Stopped: ``stop`` was set; bands that were begun are finished first.
+    """
+    points, corners, colour = _checked(vertices, faces, colours)
+    width, height = size
+    if width < 1 or height < 1:
+        raise ValueError(
+            _("size is {width} x {height}; both must be 1 or more").format(width=width, height=height)
+        )
+    image = np.zeros((height, width), np.uint32)
+    depth = np.full((height, width), FARTHEST)
+    edges = [height * band // BANDS for band in range(BANDS + 1)]
+    draw = partial(paint, depth_buffer, image, 0, image, depth, points, corners, colour, stop=stop)
+    _finish([_threads().submit(draw, low, high) for low, high in pairwise(edges)])
+    return image, depth
+
+
+def _checked(
+    vertices: ArrayLike, faces: ArrayLike, colours: ArrayLike
+) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.int64]]:
+    points = np.ascontiguousarray(vertices, np.float64)
+    corners = np.ascontiguousarray(faces, np.int64)
+    colour = np.ascontiguousarray(colours, np.int64)
+    if points.ndim != 2 or points.shape[1] != 3:
+        raise ValueError(_("vertices need three numbers each: x, y, z"))
+    if corners.ndim != 2 or corners.shape[1] != 3:
+        raise ValueError(_("faces need three indices each"))
+    if colour.shape != (len(corners),):
+        raise ValueError(_("colours need one number for each face"))
+    if not np.isfinite(points).all():
+        raise ValueError(_("vertices must be finite"))
+    if corners.size and not 0 <= corners.min() <= corners.max() < len(points):
+        raise ValueError(_("faces name a vertex that is not there"))
+    return points, corners, colour
+
+
+@cache
+def _threads() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(THREADS, thread_name_prefix="triangles")
+
+
+def _finish(bands: list[Future[Any]]) -> None:
+    for band in bands:
+        band.result()
