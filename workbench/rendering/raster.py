@@ -42,10 +42,10 @@ def _run(function: Function, compilable: bool, arguments: tuple[Any, ...]) -> Em
     given = tuple(a.copy() if isinstance(a, np.ndarray) else a for a in arguments)
     rows: Emitted
     if compilable and _expected_length(given) > _LONG_RUN and "numba" in sys.modules:
-        from workbench.engine import compiled
+        from workbench.engine.compiled import collect, ready
 
-        if compiled.ready(function):
-            rows = compiled.collect(function, *given)
+        if ready(function, "collect"):
+            rows = collect(function, *given, compiling=False)
             return rows
     listed = list(function(*given))
     rows = np.array(listed) if listed else np.empty((0, 2), dtype=np.int64)
