@@ -1,4 +1,4 @@
-"""From a sheet to a frame buffer: the viewing pipeline, the order of figures, fills, and one changed figure."""
+"""From a sheet to a frame buffer: viewing pipeline, order of figures, fills, one changed figure."""
 
 import numpy as np
 import pytest
