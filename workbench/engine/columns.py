@@ -84,10 +84,16 @@ class Emissions(_Tuples):
     def add(self, item: tuple[Any, ...], events: int) -> None:
         """Append ``item``, emitted after ``events`` line events; ValueError when its length differs."""
         kinds = tuple(map(type, item))
-        if kinds != self._kinds:
+        if kinds != self._kinds and self._kinds != (None,) * len(kinds):
             self._fit(item, kinds)
-        for column, part in zip(self._parts, item, strict=True):
-            column.append(part)
+        try:
+            for column, part in zip(self._parts, item, strict=True):
+                column.append(part)
+        except OverflowError:
+            self._parts = tuple(
+                [*part[: self._count], value] for part, value in zip(self._parts, item, strict=True)
+            )
+            self._kinds = (None,) * len(item)
         self._events.append(events)
         self._count += 1
 

@@ -19,7 +19,7 @@ _HEADERS = (ast.For, ast.While, ast.If, ast.With, ast.Match, ast.Try)
 class Effects(NamedTuple):
     """What a line can change.
 
-    ``binds`` are names it can bind. ``tails`` are lists it only appends to or pops from, at their end, and the
+    ``binds`` are names it can bind. ``tails`` are lists that it only appends to and pops from, with the
     number of pops. ``touches`` are names through which it can change a container in some other way.
     """
 

@@ -4,14 +4,14 @@ Each line that is about to run is an *event*. What the line before it can have c
 syntax (``effects``), so only that is looked at, and only what did change is kept (``columns``,
 ``containers``). A value at any event is then found by bisection, nothing is run again.
 
-A generator's frame sees a ``call`` at each resume and a ``return`` at each yield; only the code objects of the
+A generator's frame sees a ``call`` at each resume and a ``return`` at each yield; only the code of the
 entry and of the functions it can call are followed.
 """
 
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dis import opmap
 from inspect import CO_GENERATOR
@@ -186,7 +186,10 @@ class _Tracer:
             if known is not None:
                 line, function = walk.tb_lineno, recording.texts[known.number].name
                 depth += 1
-            walk = walk.tb_next
+            if known is None or not self.overflow or depth < (self._depth_limit or 0):
+                walk = walk.tb_next
+            else:
+                break
         return Failure(exception, line, function, depth, isinstance(exception, RecursionError))
 
 
@@ -200,17 +203,19 @@ def _tracing(trace: Any) -> Iterator[None]:
         sys.settrace(before)
 
 
-def _run(tracer: _Tracer, function: Callable[..., Any], args: tuple[Any, ...]) -> None:
+def _run(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]]) -> None:
     recording = tracer.recording
     add = recording.emitted.add
+    generator = recording.texts[0].code.co_flags & CO_GENERATOR
     try:
         with _tracing(tracer.call):
-            running = function(*args)
-            if recording.texts[0].code.co_flags & CO_GENERATOR:
+            for args in calls:
+                running = function(*args)
+                if not generator:
+                    recording.result = running
+                    continue
                 for item in running:
                     add(item if isinstance(item, tuple) else (item,), recording.count)
-            else:
-                recording.result = running
         recording.complete = True
     except _Ended as ended:
         recording.truncated = ended.truncated
@@ -230,15 +235,23 @@ def record(
     function.
     """
     recording = Recording(texts_of(function))
-    _run(_Tracer(recording, limit, depth_limit, None), function, args)
+    _run(_Tracer(recording, limit, depth_limit, None), function, (args,))
     return recording
 
 
 class Recorder:
-    """Records on a thread of its own, in slices, so that an interface stays free; ``hold`` makes it wait."""
+    """Records on a thread of its own, in slices, so that an interface stays free; ``hold`` makes it wait.
+
+    ``then`` are the arguments of further calls, which are recorded behind the first.
+    """
 
     def __init__(
-        self, function: Callable[..., Any], *args: Any, limit: int = LIMIT, depth_limit: int | None = None
+        self,
+        function: Callable[..., Any],
+        *args: Any,
+        limit: int = LIMIT,
+        depth_limit: int | None = None,
+        then: Iterable[tuple[Any, ...]] = (),
     ) -> None:
         self.recording = Recording(texts_of(function))
         self._may_run = threading.Event()
@@ -246,7 +259,10 @@ class Recorder:
         self._stopped = False
         tracer = _Tracer(self.recording, limit, depth_limit, self._pause)
         self._thread = threading.Thread(
-            target=_run, args=(tracer, function, args), name=f"record {function.__name__}", daemon=True
+            target=_run,
+            args=(tracer, function, (args, *then)),
+            name=f"record {function.__name__}",
+            daemon=True,
         )
 
     def _pause(self) -> None:

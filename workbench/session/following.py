@@ -1,0 +1,68 @@
+"""Makes the runs of a session follow its active figure, and keeps their cursor in the session's state."""
+
+from typing import Any
+
+from PySide6.QtCore import QObject
+
+from workbench.rendering.pipeline import Call
+from workbench.rendering.raster import figure_calls
+from workbench.session.run import Run
+
+
+class Following(QObject):
+    """``run`` follows the active figure of ``session``; ``follower`` the compared algorithm, step for step."""
+
+    def __init__(self, session: Any, run: Run, follower: Run) -> None:
+        super().__init__(session)
+        self._session, self._run, self._follower = session, run, follower
+        self._telling = False
+        session.changed.connect(self.update)
+        session.state_changed.connect(self.update)
+        run.moved.connect(self._moved)
+        run.grown.connect(self._lock)
+
+    def update(self) -> None:
+        """Follow what is active now."""
+        session, state = self._session, self._session.state
+        figure = session.active_figure
+        calls = [] if figure is None else figure_calls(session.sheet, figure)
+        another = figure is not None and figure.id != self._run.figure_id
+        self._telling = True
+        try:
+            self._follow(self._run, calls, "" if figure is None else figure.id)
+            self._run.set_ask_first(state.ask_first)
+            self._run.set_detail(state.detail)
+            if another or state.step != self._run.position:
+                self._run.go(state.step)
+        finally:
+            self._telling = False
+        other: list[Call] = []
+        if figure is not None and state.compare in figure.algorithms and state.compare != figure.algorithm:
+            other = figure_calls(session.sheet, figure, state.compare)
+        self._follow(self._follower, other, "" if figure is None else figure.id)
+        self._lock()
+
+    def _follow(self, run: Run, calls: list[Call], figure: str) -> None:
+        if not calls:
+            run.clear()
+            return
+        sheet = self._session.sheet
+        arguments = [call.arguments for call in calls if call.entry is calls[0].entry]
+        run.follow(calls[0].entry, arguments[0], figure, (sheet.width_px, sheet.height_px), arguments[1:])
+
+    def _moved(self) -> None:
+        self._lock()
+        run = self._run
+        if not self._telling and run.entry is not None:
+            self._session.update_state(step=run.target, detail=run.detail)
+
+    def _lock(self) -> None:
+        """The follower shows as many steps as the run, all of them when that is at its end."""
+        if self._follower.entry is None:
+            return
+        step = self._run.step
+        if step is None:
+            return
+        if self._follower.detail:
+            self._follower.set_detail(False)
+        self._follower.go(step.number if not self._run.ended else self._follower.last_position)

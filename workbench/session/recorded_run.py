@@ -1,0 +1,210 @@
+"""The recording of one figure's run, made in the background and watched from the event loop."""
+
+import threading
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from workbench.algorithms.entry import Entry
+from workbench.engine import compiled, counts
+from workbench.engine.observation import Steps
+from workbench.engine.recorder import LIMIT, Recorder
+from workbench.engine.recording import Recording
+from workbench.language import _
+
+DEPTH_LIMIT = 900
+_LOOK_MS = 16
+_FIRST_LOOK_MS = 2
+_LONG = 50_000
+
+
+class RecordedRun(QObject):
+    """Records ``entry`` on ``calls`` and says how far that is.
+
+    ``changed``: another run, or none. ``grown``: more was recorded, or the total became known.
+    """
+
+    changed = Signal()
+    grown = Signal()
+    _total_found = Signal(object, int)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.entry: Entry | None = None
+        self.calls: tuple[tuple[Any, ...], ...] = ()
+        self.figure_id = ""
+        self.image_size = (0, 0)
+        self.recording: Recording | None = None
+        self.steps: Steps | None = None
+        self.total_steps: int | None = None
+        self.limit = LIMIT
+        self._held = False
+        self._recorder: Recorder | None = None
+        self._counted: Recorder | None = None
+        self._look = QTimer(self)
+        self._look.timeout.connect(self._look_again)
+        self._total_found.connect(self._take_total)
+
+    # Which run
+
+    def follow(
+        self,
+        entry: Entry,
+        arguments: tuple[Any, ...],
+        figure_id: str,
+        image_size: tuple[int, int],
+        then: Sequence[tuple[Any, ...]] = (),
+    ) -> None:
+        """Run ``entry`` on ``arguments``, and ``then`` on these, one run. The same run goes on as it is.
+
+        The cursor stays where it was when the figure is the same; array arguments are copied.
+        """
+        calls = (arguments, *then)
+        same = self.figure_id == figure_id and self.entry is entry
+        if same and self.image_size == image_size and _equal(calls, self.calls):
+            return
+        self._leaving(same)
+        self._forget()
+        self.entry, self.calls, self.figure_id, self.image_size = entry, calls, figure_id, image_size
+        copies = [tuple(a.copy() if isinstance(a, np.ndarray) else a for a in call) for call in calls]
+        self._recorder = Recorder(
+            entry.function, *copies[0], limit=self.limit, depth_limit=DEPTH_LIMIT, then=copies[1:]
+        )
+        self.recording = self._recorder.recording
+        self.steps = Steps(entry, self.recording)
+        if self._held:
+            self._recorder.hold()
+        self._recorder.start()
+        self._look.start(_FIRST_LOOK_MS)
+        self.changed.emit()
+
+    def clear(self) -> None:
+        """No run."""
+        if self.entry is None:
+            return
+        self._leaving(False)
+        self._forget()
+        self.entry, self.calls, self.figure_id = None, (), ""
+        self.changed.emit()
+
+    def _leaving(self, same: bool) -> None:
+        """Another run follows, of the ``same`` figure and algorithm or not."""
+
+    def _recorded(self, done: bool) -> None:
+        """More was recorded, or it is done."""
+
+    def _forget(self) -> None:
+        if self._recorder is not None:
+            self._recorder.stop()
+        self._recorder = None
+        self._look.stop()
+        self.recording = self.steps = self.total_steps = None
+
+    @property
+    def arguments(self) -> tuple[Any, ...]:
+        """Device arguments of the first call; () without a run."""
+        return self.calls[0] if self.calls else ()
+
+    # Recording
+
+    def hold(self) -> None:
+        """Let the recording wait, as while the mouse is pressed."""
+        self._held = True
+        if self._recorder is not None:
+            self._recorder.hold()
+
+    def go_on(self) -> None:
+        """End the wait."""
+        self._held = False
+        if self._recorder is not None:
+            self._recorder.go_on()
+
+    def stop(self) -> None:
+        """Record no further; what is recorded stays."""
+        if self._recorder is not None:
+            self._recorder.stop()
+
+    @property
+    def done(self) -> bool:
+        """Whether all there will be is recorded and looked at."""
+        return not self._look.isActive()
+
+    def _look_again(self) -> None:
+        recorder = self._recorder
+        if recorder is None or self.steps is None:
+            self._look.stop()
+            return
+        done = recorder.done
+        if done or self._look.interval() == _FIRST_LOOK_MS:
+            self._look.setInterval(_LOOK_MS)
+        self.steps.update()
+        if done:
+            self._look.stop()
+            self.total_steps = len(self.steps) if recorder.recording.complete else self.total_steps
+            if not recorder.recording.complete:
+                self._find_total()
+        elif recorder.recording.count > _LONG:
+            self._find_total()
+        self.grown.emit()
+        self._recorded(done)
+
+    def _find_total(self) -> None:
+        """Ask the compiled reading for the number of steps, on another thread, if it needs no compilation."""
+        entry, recorder, calls = self.entry, self._recorder, self.calls
+        if entry is None or entry.compiles or not compiled.available() or self.total_steps is not None:
+            return
+        if recorder is self._counted or not _counting_is_ready(entry):
+            return
+        self._counted = recorder
+
+        def count() -> None:
+            total = sum(counts.step_total(entry, *call, compiling=False) for call in calls)
+            self._total_found.emit(recorder, total)
+
+        threading.Thread(target=count, name="count steps", daemon=True).start()
+
+    def _take_total(self, recorder: object, total: int) -> None:
+        if recorder is self._recorder:
+            self.total_steps = total
+            self.grown.emit()
+
+    @property
+    def message(self) -> str:
+        """One sentence when the run did not come to its end, else ""."""
+        recording = self.recording
+        if recording is None:
+            return ""
+        if recording.truncated:
+            return _("The run is longer than {limit:,} lines: {steps:,} steps are shown.").format(
+                limit=self.limit, steps=len(self.steps) if self.steps else 0
+            )
+        if recording.error is not None:
+            if recording.error.overflow:
+                return _("The recursion overflowed {depth} calls deep, in line {line}.").format(
+                    depth=recording.error.depth, line=recording.error.line
+                )
+            return _("The run stopped: {error}.").format(error=recording.error)
+        return ""
+
+
+def _counting_is_ready(entry: Entry) -> bool:
+    try:
+        kernel = compiled.kernel(entry.function, None, "", "counting")
+    except ValueError:
+        return False
+    return any(use.startswith("count") for use in kernel.used) or any(kernel.folder.glob("count*.ready"))
+
+
+def same_value(a: Any, b: Any) -> bool:
+    """Equality of two values of a variable, arrays included."""
+    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+        return isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and np.array_equal(a, b)
+    return type(a) is type(b) and bool(a == b)
+
+
+def _equal(a: Sequence[tuple[Any, ...]], b: Sequence[tuple[Any, ...]]) -> bool:
+    return len(a) == len(b) and all(
+        len(x) == len(y) and all(map(same_value, x, y)) for x, y in zip(a, b, strict=True)
+    )

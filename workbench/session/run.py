@@ -1,0 +1,371 @@
+"""The stepped run of one figure: where its cursor stands, and what is seen there.
+
+A run is recorded in the background and can be read from the first instant. Its cursor counts *steps* (rows of
+the hand table, 0 is before the first) or, in detail, lines that ran (the number of lines is the end).
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from workbench.engine.columns import EmittedSoFar
+from workbench.engine.observation import Step
+from workbench.engine.recording import Moment
+from workbench.engine.sentences import Part
+from workbench.session.recorded_run import RecordedRun, same_value
+
+SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
+_FASTEST_TICK_MS = 33
+_FAR = 2**53
+
+
+class Run(RecordedRun):
+    """The cursor of a run.
+
+    ``moved``: the cursor, or what it counts. ``played``: playing began or ended. ``asked``: asking was
+    switched, or an answer was counted.
+    """
+
+    moved = Signal()
+    played = Signal(bool)
+    asked = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.detail = False
+        self.ask_first = False
+        self.right = 0
+        self.wrong = 0
+        self._position = 0
+        self._wanted: int | None = None
+        self._seen = 0
+        self._speed = 4.0
+        self._tick = QTimer(self)
+        self._tick.timeout.connect(self._play_on)
+        self.changed.connect(self.moved)
+
+    def _leaving(self, same: bool) -> None:
+        at_end = same and self.done and 0 < self._position >= self.last_position
+        if at_end:
+            self._wanted = _FAR
+        elif same:
+            self._wanted = self._position if self._wanted is None else self._wanted
+        else:
+            self._wanted = None
+            self.right = self.wrong = self._seen = 0
+        self.pause()
+        self._position = 0
+
+    def _recorded(self, done: bool) -> None:
+        if self._wanted is not None:
+            wanted = self._wanted
+            self._move_to(wanted)
+            if done or wanted <= self.last_position:
+                self._wanted = None
+
+    # Where the cursor is
+
+    @property
+    def position(self) -> int:
+        """The step, or in detail the line event."""
+        return self._position
+
+    @property
+    def target(self) -> int:
+        """Where the cursor is, or is going as soon as that is recorded."""
+        return self._position if self._wanted is None else min(self._wanted, 2**53 - 1)
+
+    @property
+    def ended(self) -> bool:
+        """Whether the cursor is at the end of a whole run."""
+        return self._at_end
+
+    @property
+    def last_position(self) -> int:
+        """The last position recorded so far."""
+        if self.recording is None or self.steps is None:
+            return 0
+        if self.detail:
+            return max(len(self.recording) - (not self.recording.complete), 0)
+        return len(self.steps)
+
+    @property
+    def total_text(self) -> str:
+        """How many positions there are: a number, or ``46+`` while nobody knows."""
+        total = self.last_position
+        if not self.detail and self.total_steps is not None:
+            return str(self.total_steps)
+        finished = self.done and self.recording is not None and self.recording.complete
+        return str(total) if finished or self.recording is None else f"{total}+"
+
+    def _event(self) -> int:
+        """The line event shown; -1 when nothing is recorded."""
+        if self.recording is None or self.steps is None or not len(self.recording):
+            return -1
+        if self.detail:
+            return min(self._position, len(self.recording) - 1)
+        return max(self.steps.span(self._position)[1], 0)
+
+    @property
+    def _at_end(self) -> bool:
+        recording = self.recording
+        if recording is None or not recording.complete:
+            return False
+        return self._position >= self.last_position if self.detail else self._event() == len(recording) - 1
+
+    @property
+    def moment(self) -> Moment | None:
+        """Line, variables and what was emitted at the cursor; at the end of the run, after its last line."""
+        event = self._event()
+        if event < 0 or self.recording is None:
+            return None
+        moment = self.recording[event]
+        if not self._at_end:
+            return moment
+        emitted = EmittedSoFar(self.recording.emitted, len(self.recording.emitted))
+        variables = self.recording.after(event)
+        return Moment(moment.line, moment.function, moment.depth, variables, emitted)
+
+    @property
+    def step(self) -> Step | None:
+        """The step the cursor is in."""
+        if self.recording is None or self.steps is None or not len(self.recording):
+            return None
+        number = self.steps.step_of(self._event()) if self.detail else self._position
+        return self.steps[min(number, len(self.steps))]
+
+    @property
+    def sentence(self) -> tuple[Part, ...]:
+        """What is said at the cursor."""
+        if self.steps is None or self._event() < 0:
+            return ()
+        if self.detail and not self._at_end:
+            return self.steps.told(self._event())
+        step = self.step
+        return step.sentence if step else ()
+
+    @property
+    def changed_names(self) -> frozenset[str]:
+        """Variables that became others with this step, or in detail with the line before."""
+        event = self._event()
+        if event < 0 or self.recording is None or self.steps is None:
+            return frozenset()
+        if self.detail and not self._at_end:
+            return self.recording.changed(event)
+        if self._position == 0:
+            return frozenset()
+        moment = self.moment
+        assert moment is not None
+        before = self.recording[event if self.detail else max(self.steps.span(self._position)[0], 0)]
+        if before.depth != moment.depth:
+            return frozenset()
+        return frozenset(n for n, v in moment.variables.items() if not same_value(before.variables.get(n), v))
+
+    @property
+    def lines_run(self) -> frozenset[tuple[str, int]]:
+        """(function, line) of what ran in this step; in detail the one line that runs next."""
+        moment = self.moment
+        if moment is None or self.recording is None or self.steps is None:
+            return frozenset()
+        if self.detail:
+            return frozenset(((moment.function, moment.line),))
+        first, last = self.steps.span(self._position)
+        names = [text.name for text in self.recording.texts]
+        last = min(last, first + 100_000)
+        pairs = np.unique(
+            np.stack([self.recording.codes[first : last + 1], self.recording.lines[first : last + 1]]), axis=1
+        )
+        return frozenset((names[code], int(line)) for code, line in pairs.T)
+
+    def image(self) -> NDArray[np.bool_]:
+        """(height, width) which pixels were painted up to the cursor."""
+        width, height = self.image_size
+        painted = np.zeros((height, width), bool)
+        moment = self.moment
+        if moment is None or self.entry is None or self.recording is None:
+            return painted
+        step = None if self.detail else self.step
+        count = len(moment.emitted) if step is None else step.emitted_to
+        rows = self.recording.emitted.array(0, count)
+        if not len(rows):
+            return painted
+        if self.entry.emits == "spans":
+            for y, left, right in rows[:, :3].astype(int):
+                if 0 <= y < height:
+                    painted[y, max(left, 0) : max(right + 1, 0)] = True
+            return painted
+        x, y = rows[:, 0].astype(int), rows[:, 1].astype(int)
+        inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+        painted[y[inside], x[inside]] = True
+        return painted
+
+    # Moving it
+
+    def go(self, position: int) -> None:
+        """Move to ``position``, or as far as there is; further as soon as that is recorded."""
+        self._wanted = position if position > self.last_position and not self.done else None
+        self._move_to(position)
+
+    def _move_to(self, position: int) -> None:
+        allowed = self.last_position
+        if self.ask_first and not self.detail and self.questioned(self._seen + 1):
+            allowed = min(allowed, self._seen)
+        position = max(0, min(position, allowed))
+        if position != self._position:
+            self._position = position
+            if not self.detail:
+                self._seen = max(self._seen, position)
+            self.moved.emit()
+
+    def forward(self) -> None:
+        """One step, or one line."""
+        self.go(self._position + 1)
+
+    def back(self) -> None:
+        """One step, or one line, back."""
+        self.go(self._position - 1)
+
+    def first(self) -> None:
+        """Before the first step."""
+        self.go(0)
+
+    def last(self) -> None:
+        """To the end of the run, or as far as it is recorded."""
+        self.go(max(self.last_position, self.total_steps or 0) if not self.detail else self.last_position)
+
+    def set_detail(self, detail: bool) -> None:
+        """Count lines, or rows of the hand table; the cursor stays in its step."""
+        if detail == self.detail:
+            return
+        event = self._event()
+        end = self._at_end
+        self.detail = detail
+        self._wanted = None
+        if self.steps is None or event < 0:
+            self._position = 0
+        elif detail:
+            self._position = self.last_position if end else event
+        else:
+            self._position = self.steps.step_of(event)
+        self.moved.emit()
+
+    def run_to_line(self, line: int, function: str = "") -> bool:
+        """Go to where this line of the source file runs next; False, and no move, when it does not."""
+        if self.recording is None or self.steps is None:
+            return False
+        start = self._event() + 1
+        found = self.recording.lines[start:] == line
+        if function:
+            names = [text.name for text in self.recording.texts]
+            found = found & (self.recording.codes[start : start + len(found)] == names.index(function))
+        if not found.any():
+            return False
+        event = start + int(np.argmax(found))
+        before = self._position
+        self.go(event if self.detail else self.steps.step_of(event))
+        return self._position != before
+
+    def run_to_pixel(self, x: int, y: int) -> bool:
+        """Go to the next step that emits pixel (x, y), or else the first; False when none does."""
+        if self.recording is None or self.steps is None or self.entry is None:
+            return False
+        rows = self.recording.emitted.array()
+        if not len(rows):
+            return False
+        if self.entry.emits == "spans":
+            hits = np.flatnonzero((rows[:, 0] == y) & (rows[:, 1] <= x) & (x <= rows[:, 2]))
+        else:
+            hits = np.flatnonzero((rows[:, 0] == x) & (rows[:, 1] == y))
+        if not len(hits):
+            return False
+        event = self._event()
+        later = [at for at in (self.recording.event_at(int(hit)) for hit in hits[:4096]) if at > event]
+        target = later[0] if later else self.recording.event_at(int(hits[0]))
+        self.go(target + 1 if self.detail else self.steps.step_of(target))
+        return True
+
+    # Playing
+
+    @property
+    def playing(self) -> bool:
+        """Whether the cursor moves by itself."""
+        return self._tick.isActive()
+
+    @property
+    def speed(self) -> float:
+        """Steps a second."""
+        return self._speed
+
+    def set_speed(self, speed: float) -> None:
+        """Set how many steps a second are played."""
+        self._speed = speed
+        self._tick.setInterval(max(round(1000 / speed), _FASTEST_TICK_MS))
+
+    def play(self) -> None:
+        """Play from here, at the end from the start."""
+        if self.recording is None or self.playing:
+            return
+        if self._position >= self.last_position and self.done:
+            self.first()
+        self.set_speed(self._speed)
+        self._tick.start()
+        self.played.emit(True)
+
+    def pause(self) -> None:
+        """Stop playing."""
+        if self.playing:
+            self._tick.stop()
+            self.played.emit(False)
+
+    def toggle_play(self) -> None:
+        """Play, or pause."""
+        if self.playing:
+            self.pause()
+        else:
+            self.play()
+
+    def _play_on(self) -> None:
+        before = self._position
+        self.go(before + max(round(self._tick.interval() * self._speed / 1000), 1))
+        if self._position == before and (self.done or self.waiting):
+            self.pause()
+
+    # Ask first
+
+    def set_ask_first(self, ask: bool) -> None:
+        """Show a step only after its pixel was guessed, from here on."""
+        if ask != self.ask_first:
+            self.ask_first = ask
+            self.right = self.wrong = 0
+            self._seen = self._position if not self.detail else (self.step.number if self.step else 0)
+            self.asked.emit()
+
+    def questioned(self, number: int) -> bool:
+        """Whether step ``number`` has a pixel that can be asked for."""
+        if self.steps is None or not 1 <= number <= len(self.steps):
+            return False
+        return bool(self.steps[number].chosen)
+
+    @property
+    def waiting(self) -> bool:
+        """Whether the next step is shown only after an answer."""
+        return (
+            self.ask_first
+            and not self.detail
+            and self._position == self._seen
+            and self.questioned(self._seen + 1)
+        )
+
+    def answer(self, x: int, y: int) -> bool:
+        """The pixel (x, y) is said to come next: show the step, tell whether that was right, and count."""
+        if not self.waiting or self.steps is None:
+            return False
+        number = self._seen + 1
+        right = (x, y) in self.steps[number].chosen
+        self.right += right
+        self.wrong += not right
+        self._seen = number
+        self._position = number
+        self.moved.emit()
+        self.asked.emit()
+        return right
