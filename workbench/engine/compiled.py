@@ -1,8 +1,8 @@
-"""The compiled reading: the lowered text at the speed of a hand-written loop. The only place that knows numba.
+"""The compiled reading: the lowered text at the speed of a hand-written loop. Only this module knows numba.
 
-Every function here also serves without numba, then by running the same lowered text as Python. Kernels are kept
-(see ``kernel_files``); they are compiled on first use, which takes a second or more: ``ready`` tells beforehand,
-and with ``compiling=False`` the interpreted reading serves instead of a compilation.
+Every function here also serves without numba, then by running the same lowered text as Python. Kernels are
+kept (see ``kernel_files``); they are compiled on first use, which takes a second or more: ``ready`` tells
+beforehand, and with ``compiling=False`` the interpreted reading serves instead of a compilation.
 """
 
 import functools
@@ -113,7 +113,12 @@ class Kernel:
             kernel_files.mark(self.folder, use)
 
     def ready(self, use: str) -> bool:
+        """Whether this use was compiled before."""
         return use in self.used or kernel_files.marked(self.folder, use)
+
+    def known(self) -> set[str]:
+        """All uses that were compiled before."""
+        return self.used | kernel_files.marks(self.folder)
 
     def _module(self, compiled: bool) -> ModuleType:
         with self.lock:
@@ -124,12 +129,13 @@ class Kernel:
     def _load(self) -> ModuleType:
         numba = _numba()
         assert numba is not None
-        reading = numba.njit(cache=True, nogil=True, boundscheck=self.flavour == "checked")
-        return kernel_files.load(kernel_files.write(self.text, self.folder), reading)
+        options = {"cache": True, "nogil": True, "boundscheck": self.flavour == "checked"}
+        marks = {"reading": numba.njit(**options), "part": numba.njit(**options, forceinline=True)}
+        return kernel_files.load(kernel_files.write(self.text, self.folder), marks)
 
     def _interpreted(self) -> ModuleType:
         module = ModuleType(f"interpreted_{self.lowered.name}")
-        vars(module)["reading"] = _unchanged
+        vars(module).update(reading=_unchanged, part=_unchanged)
         exec(compile(self.text, f"<{self.lowered.name}>", "exec"), vars(module))
         return module
 
@@ -183,21 +189,25 @@ def _inferred(function: Function, arity: int) -> Emits | None:
         return "points" if "float" in said else "pixels"
     if arity == 3:
         return "coverage" if "float" in said else "spans" if said.count("int") >= 3 else None
-    return {4: "fragments"}.get(arity) if "float" in said else None
+    return "fragments" if arity == 4 and "float" in said else None
 
 
-def ready(function: Function, driver: str = "paint", dtype: str = "uint32", flavour: str = "") -> bool:
-    """Whether this use needs no compilation now: ``driver`` is one of collect, run, paint, paint_many, hits.
+def ready(function: Function, use: str = "paint", dtype: str = "uint32", flavour: str = "") -> bool:
+    """Whether a use needs no compilation now: paint, paint_many, collect, count, probe or hits.
 
-    Without a compiler nothing is ever ready. ``dtype`` is that of the picture painted or read.
+    ``dtype`` is that of the picture painted. Without a compiler, and for a text that is stepped only, nothing
+    is ever ready.
     """
-    one = kernel(function, flavour=flavour)
+    variant: Variant = "counting" if use == "count" else "probing" if use == "probe" else "plain"
+    one = kernel(function, None, flavour, variant)
     if one.refusal or not available():
         return False
-    prefix = f"{driver}-{np.dtype(dtype).str[1:]}" if driver.startswith("paint") else driver
-    return any(use == prefix or use.startswith(prefix + "-") for use in one.used) or any(
-        one.folder.glob(f"{prefix}*.ready")
-    )
+    prefix = use
+    if use == "paint" and one.writes:
+        prefix = "run"
+    elif use in ("paint", "paint_many"):
+        prefix = f"{use}-{np.dtype(dtype).str[1:]}"
+    return any(f"{known}-".startswith(f"{prefix}-") for known in one.known())
 
 
 def collect(
@@ -207,7 +217,7 @@ def collect(
     compiling: bool = True,
     flavour: str = "",
 ) -> NDArray[Any]:
-    """Everything emitted, an (n, k) array: int64 where all numbers are whole, else float64. Arrays are copied.
+    """Everything emitted, an (n, k) array: int64 for pixels and spans, else float64. Arrays are copied.
 
     Raises:
         Stopped: ``stop`` was set. DialectError, NotCompilable: the text cannot be run so.

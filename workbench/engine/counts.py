@@ -1,8 +1,8 @@
-"""How much work a run is: runs of each line, visits of each titled block, and the operations on the lines.
+"""How much work a run is: runs of each line, visits of each titled block, operations on the lines.
 
-Runs and visits come from the compiled reading of the counting text. Operations are those written on a line, taken
-from its syntax tree, times its runs: both sides of ``and`` and of a choice count, and what a loop's header adds
-and compares unseen does not.
+Runs and visits come from the compiled reading of the counting text. Operations are those written on a line,
+taken from its syntax tree, times its runs: both sides of ``and`` and of a choice count, and what a loop's
+header adds and compares unseen does not.
 """
 
 import ast
@@ -38,7 +38,7 @@ class Operations:
 class Counts:
     """The work of one run.
 
-    ``writes`` are pixels: elements stored in arrays where the text writes its own picture, else what it emits.
+    ``writes`` are pixels: elements stored in arrays where the text writes its own picture, else emissions.
     ``line_runs`` are by (function, line of its file), ``block_visits`` by title.
     """
 

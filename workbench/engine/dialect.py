@@ -1,7 +1,7 @@
-"""The part of Python that an algorithm may use so that its compiled reading does exactly what the text says.
+"""The part of Python that an algorithm may use, so that its compiled reading does what the text says.
 
-Refused is what numba cannot compile, and, worse, what compiles but gives other numbers. Only the text is looked
-at, no types; the readings test finds the rest. Used for the catalogue and for functions that a person writes.
+Refused is what numba cannot compile, and, worse, what compiles but gives other numbers. Only the text is
+looked at, no types; the readings test finds the rest. For the catalogue and for functions a person writes.
 """
 
 import ast
@@ -64,7 +64,8 @@ _CALLS = {
     "dict": _("a dictionary cannot be compiled here; use a list"),
 }
 _NUMPY = {
-    "dot", "matmul", "linalg", "random", "einsum", "vdot", "inner", "tensordot", "sum", "mean", "cross", "argpartition"
+    "dot", "matmul", "linalg", "random", "einsum", "vdot", "inner", "tensordot", "sum", "mean", "cross",
+    "argpartition",
 }  # fmt: skip
 
 
@@ -124,7 +125,7 @@ def _nodes(function: ast.FunctionDef) -> Iterator[Refusal]:
 
 
 def _walk(function: ast.FunctionDef) -> Iterator[ast.AST]:
-    """Every node of the body; annotations say nothing to either reading, a raised sentence may be composed."""
+    """Every node of the body, but for annotations: they say nothing to either reading."""
     waiting: list[ast.AST] = list(reversed(function.body))
     while waiting:
         node = waiting.pop()

@@ -1,4 +1,4 @@
-"""The loops around a lowered text: what calls it with which sink. They are written behind the text and kept with it.
+"""The loops around a lowered text: what calls it with which sink. Written behind the text, kept with it.
 
 Each driver takes the algorithm's own arguments last, all of them, in order; its own names begin with ``_``.
 """
@@ -86,8 +86,8 @@ def drivers(
 ) -> str:
     """The text of the drivers for the function ``name``.
 
-    ``parameters`` are names and kinds; ``extent`` is an expression over them for (x_min, y_min, x_max, y_max) of
-    everything that is emitted, or empty.
+    ``parameters`` are names and kinds; ``extent`` is an expression over them for a box (x_min, y_min, x_max,
+    y_max) around everything that is emitted, or empty.
     """
     arguments = ", ".join(parameter for parameter, _kind in parameters)
     fields = {"name": name, "arguments": arguments}

@@ -1,7 +1,7 @@
 """Where compiled readings are kept: one folder per text, named by everything that went into it.
 
-A folder that cannot be written, or that holds rubbish, only costs time: another one in the temporary folder of
-the system serves this process.
+A folder that cannot be written, or that holds rubbish, only costs time: another one in the temporary folder
+of the system serves this process.
 """
 
 import functools
@@ -12,7 +12,6 @@ import os
 import platform
 import sys
 import tempfile
-from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -56,7 +55,7 @@ def folder(text: str, flavour: str) -> Path:
 
 
 def write(text: str, wanted: Path) -> Path:
-    """Put ``text`` into ``kernel.py`` under ``wanted``, or under a temporary folder when that cannot be; its path."""
+    """Put ``text`` into ``kernel.py`` under ``wanted``, else under a temporary folder; its path."""
     target = wanted / "kernel.py"
     try:
         if target.is_file() and target.read_text(encoding="utf-8") == text:
@@ -91,14 +90,14 @@ def _temporary() -> Path:
     return Path(tempfile.mkdtemp(prefix="graphics-workbench-"))
 
 
-def load(target: Path, reading: Callable[[Any], Any]) -> ModuleType:
-    """Import the text at ``target``; its ``@reading`` is what is given here."""
+def load(target: Path, marks: dict[str, Any]) -> ModuleType:
+    """Import the text at ``target``; its decorators are what is given here by name."""
     name = f"workbench_kernel_{target.parent.name}"
     specification = importlib.util.spec_from_file_location(name, target)
     assert specification is not None
     assert specification.loader is not None
     module = importlib.util.module_from_spec(specification)
-    vars(module)["reading"] = reading
+    vars(module).update(marks)
     sys.modules[name] = module
     specification.loader.exec_module(module)
     return module
@@ -115,3 +114,11 @@ def mark(place: Path, use: str) -> None:
 def marked(place: Path, use: str) -> bool:
     """Whether this use of a kernel was compiled here before."""
     return (place / f"{use}.ready").is_file()
+
+
+def marks(place: Path) -> set[str]:
+    """All uses of a kernel that were compiled here before."""
+    try:
+        return {path.stem for path in place.glob("*.ready")}
+    except OSError:
+        return set()

@@ -4,8 +4,9 @@
 what runs is touched. Everything that the function calls is found by its global name and written, callees
 first, into one text that stands alone: constants as literals, records imported.
 
-Two variants add to that. The *counting* text ticks before statements, with the number of their slot, and so finds the runs of each line and the visits of each titled block exactly as a tracer would. The
-*probing* text also asks, when a block is left whose view considers a pixel, which pixel that was.
+Two variants add to that. The *counting* text ticks before statements, with the number of their slot, and so
+finds the runs of each line and the visits of each titled block exactly as a tracer would. The *probing* text
+also asks, when a block is left whose view considers a pixel, which pixel that was.
 """
 
 import ast
@@ -87,7 +88,7 @@ def lower(
         functions = [_Ticking(text, sinks, slots, titles).rewritten() for text in texts]
     return Lowered(
         name=function.__name__,
-        text=_module(texts, functions),
+        text=_module(texts, functions, inlined=variant == "plain" and not recursive(texts)),
         names=tuple(text.name for text in texts),
         sources=tuple(text.source for text in texts),
         arity=arity(texts),
@@ -283,7 +284,7 @@ class _Ticking(_Rewriter):
         return [*self._probes(line, self.slots[number].block), tick]
 
     def _probes(self, line: int, block: int | None = None) -> list[ast.stmt]:
-        """Ask for the pixel of each block that is left at ``line``: for ``block``, or for good without one."""
+        """Ask for the pixel of each block left at ``line``, for ``block`` or, without one, for good."""
         found: list[ast.stmt] = []
         for number, first_line, expressions in self.probed:
             if block != number and line > first_line:
@@ -293,8 +294,8 @@ class _Ticking(_Rewriter):
         return found
 
 
-def _module(texts: list[Text], functions: list[ast.FunctionDef]) -> str:
-    """The whole module: imports, constants, functions, callees first."""
+def _module(texts: list[Text], functions: list[ast.FunctionDef], inlined: bool) -> str:
+    """The whole module: imports, constants, functions, callees first; ``@part`` asks for inlining."""
     names: dict[str, str] = {}
     for text in texts:
         for name, value in text.constants.items():
@@ -306,7 +307,9 @@ def _module(texts: list[Text], functions: list[ast.FunctionDef]) -> str:
     imports = sorted(line for line in names.values() if line.startswith(("import ", "from ")))
     literals = sorted(set(names.values()) - set(imports))
     head = "\n".join(["from workbench.engine.sinks import emit, probe, tick", *imports, *literals])
-    return "\n\n".join([head, *("@reading\n" + ast.unparse(function) for function in functions)]) + "\n"
+    marks = ["@part\n" if inlined else "@reading\n"] * (len(functions) - 1) + ["@reading\n"]
+    written = [mark + ast.unparse(function) for mark, function in zip(marks, functions, strict=True)]
+    return "\n\n".join([head, *written]) + "\n"
 
 
 def _literal(value: Any) -> ast.expr:

@@ -1,7 +1,7 @@
 """What emitted numbers go to. Each sink is a named tuple and one body; the same body serves both readings.
 
-``emit(sink, *values)`` runs the body of the sink's type, here as plain Python, compiled as the overload that
-``compiled`` makes of the same function. Coordinates are integers in device pixels, pictures are (h, w) arrays.
+``emit(sink, *values)`` runs the body of the sink's type, here as plain Python, compiled as the overload
+that ``compiled`` makes of it. Coordinates are integers in device pixels, pictures are (h, w) arrays.
 Every sink that may see a long run looks at ``stop`` and raises ``Stopped``.
 """
 
@@ -23,7 +23,7 @@ class Nothing(NamedTuple):
 
 
 class Collect(NamedTuple):
-    """Keeps what is emitted, one tuple after another in ``values`` while there is room; ``emitted`` goes on."""
+    """Keeps what is emitted, one tuple after another, while there is room; ``emitted`` counts on."""
 
     values: NDArray[Any]
     emitted: NDArray[np.int64]
@@ -84,7 +84,7 @@ class HitSpan(NamedTuple):
 
 
 class Count(NamedTuple):
-    """For the counting text: ``runs`` of each slot and ``visits`` of each block; ``blocks`` tells a slot's block."""
+    """For the counting text: ``runs`` of each slot, ``visits`` of each block, ``blocks`` of the slots."""
 
     runs: NDArray[np.int64]
     visits: NDArray[np.int64]
@@ -94,10 +94,10 @@ class Count(NamedTuple):
 
 
 class ProbePixel(NamedTuple):
-    """For the probing text: keeps what touched the pixel (x, y) or considered it, three numbers each.
+    """For the probing text: keeps what touched or considered the pixel (x, y).
 
-    ``touches`` (n, 3) get 1 or 0 for emitted or considered, the number of the emission (of the next one, if only
-    considered) and the number of the step. ``rows`` tells of each block whether its visits are steps.
+    ``touches`` (n, 3) get 1 or 0 for emitted or considered, the number of the emission (of the next one, if
+    only considered) and the number of the step. ``rows`` tells of each block whether its visits are steps.
     """
 
     x: int
@@ -252,7 +252,7 @@ def _tick_count(sink: Count, slot: int, block: int) -> int:
     if sink.stop[0] != 0:
         raise Stopped
     sink.runs[slot] += 1
-    here = sink.blocks[slot]
+    here: int = sink.blocks[slot]
     if here >= 0 and here != block:
         sink.visits[here] += 1
     return here
@@ -261,7 +261,7 @@ def _tick_count(sink: Count, slot: int, block: int) -> int:
 def _tick_probe(sink: ProbePixel | ProbeSpan, slot: int, block: int) -> int:
     if sink.stop[0] != 0:
         raise Stopped
-    here = sink.blocks[slot]
+    here: int = sink.blocks[slot]
     if here >= 0 and here != block and sink.rows[here]:
         sink.steps[0] += 1
     return here
@@ -271,7 +271,7 @@ TICKS: dict[type, Callable[..., int]] = {Count: _tick_count, ProbePixel: _tick_p
 
 
 def tick(sink: Any, slot: int, block: int) -> int:
-    """Note that the statement of ``slot`` runs within a visit of ``block``; returns the block it belongs to."""
+    """Note that the statements of ``slot`` run, after a visit of ``block``; returns their own block."""
     return TICKS[type(sink)](sink, slot, block)
 
 
@@ -294,6 +294,8 @@ _BODIES: dict[type, Callable[..., None]] = {
     ProbePixel: _probe_pixel,
     ProbeSpan: _probe_span,
 }
+
+
 # What the bodies call.
 SHARED = (room, note)
 

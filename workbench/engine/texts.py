@@ -22,8 +22,8 @@ RESERVED = {SINK, VISIT, "emit", "tick", "probe"}
 class Text:
     """One function: its source as it is shown, and its tree at the line numbers of its file.
 
-    ``callees`` and ``constants`` are what its global names stand for. ``considers`` are the expressions, by title
-    of block, that are to be probed when such a block is left.
+    ``callees`` and ``constants`` are what its global names stand for. ``considers`` are the expressions, by
+    title of block, that are to be probed when such a block is left.
     """
 
     function: FunctionType

@@ -1,0 +1,144 @@
+"""Compiles ahead, in a process of its own at low priority, what a workspace is about to need.
+
+The parent starts ``Warming`` and reads its progress; it then only loads what lies in the cache. The child prints
+one line per kernel, ``done total slug use``, and one that begins with ``failed`` where a text was refused.
+"""
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from workbench.algorithms import catalogue
+from workbench.algorithms.entry import Entry
+from workbench.engine import compiled, counts, touches
+from workbench.engine.drivers import PAINTING
+
+# In the order in which they are felt: a drag, the step bar, a question about a pixel.
+USES = ("paint", "paint_many", "collect", "count", "probe", "hits")
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far the child has come; ``slug`` and ``use`` name what it has just finished."""
+
+    done: int
+    total: int
+    slug: str
+    use: str
+
+
+class Warming:
+    """A child process that compiles the entries named, most used first.
+
+    ``uses`` are those of ``USES`` that are wanted. Without a compiler, or without anything to do, no process is
+    started and ``finished`` holds at once.
+    """
+
+    def __init__(self, slugs: Sequence[str], uses: Sequence[str] = USES) -> None:
+        self._process: subprocess.Popen[str] | None = None
+        if compiled.available() and any(not warm(slug, use) for slug, use in _work(slugs, uses)):
+            command = [sys.executable, "-m", "workbench.engine.warm", ",".join(uses), *slugs]
+            self._process = subprocess.Popen(
+                command,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                text=True,
+            )
+
+    @property
+    def finished(self) -> bool:
+        """Whether the child has ended, or was not needed."""
+        return self._process is None or self._process.poll() is not None
+
+    def follow(self, report: Callable[[Progress], None]) -> None:
+        """Report each kernel as it is finished; returns when the child ends. For a thread of its own."""
+        if self._process is None or self._process.stdout is None:
+            return
+        for line in self._process.stdout:
+            words = line.split()
+            if len(words) == 4 and words[0].isdigit():
+                report(Progress(int(words[0]), int(words[1]), words[2], words[3]))
+        self._process.wait()
+
+    def stop(self) -> None:
+        """End the child; what it has finished stays."""
+        if self._process is not None and self._process.poll() is None:
+            self._process.terminate()
+            self._process.wait()
+        if self._process is not None and self._process.stdout is not None:
+            self._process.stdout.close()
+
+
+def warm(slug: str, use: str) -> bool:
+    """Whether this use of an entry needs no compilation any more."""
+    return compiled.ready(catalogue.get(slug).function, use)
+
+
+def _work(slugs: Sequence[str], uses: Sequence[str]) -> list[tuple[str, str]]:
+    """What there is to do: the first use of every entry, then the second."""
+    entries = [catalogue.get(slug) for slug in slugs]
+    return [(entry.slug, use) for use in uses for entry in entries if not entry.compiles and _has(entry, use)]
+
+
+def _has(entry: Entry, use: str) -> bool:
+    match use:
+        case "paint":
+            return bool(entry.writes) or entry.emits in PAINTING
+        case "paint_many":
+            numbers = all(item.kind in ("int", "float", "bool", "colour") for item in entry.parameters)
+            return numbers and entry.emits in PAINTING
+        case "hits":
+            return entry.emits in ("pixels", "coverage", "spans", "fragments")
+    return True
+
+
+def compile_use(entry: Entry, use: str) -> None:
+    """Run one use of an entry on its example, which compiles it."""
+    function, example = entry.function, _screen_example(entry)
+    image = np.zeros((4, 4), np.uint32)
+    match use:
+        case "paint":
+            compiled.paint(function, image, 1, *example)
+        case "paint_many":
+            compiled.paint_many(function, image, 1, [example])
+        case "collect":
+            compiled.collect(function, *example)
+        case "count":
+            counts.counts(function, *example)
+        case "probe":
+            touches.touches(function, 0, 0, *example)
+        case "hits":
+            compiled.hits(function, 0, 0, *example)
+
+
+def _screen_example(entry: Entry) -> tuple[Any, ...]:
+    """The entry's example, its picture in the form of a frame buffer."""
+    return tuple(
+        np.asarray(value, np.uint32) if parameter.kind == "image" else value
+        for parameter, value in zip(entry.parameters, entry.example, strict=True)
+    )
+
+
+def main(arguments: Sequence[str]) -> int:
+    """The child: ``USES SLUG...``."""
+    if hasattr(os, "nice"):
+        os.nice(15)
+    uses, *slugs = arguments
+    work = _work(slugs, uses.split(","))
+    for number, (slug, use) in enumerate(work, 1):
+        try:
+            compile_use(catalogue.get(slug), use)
+        except ValueError as error:
+            print("failed", slug, use, str(error), flush=True)
+        print(number, len(work), slug, use, flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
