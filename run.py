@@ -55,35 +55,34 @@ def say(text):
 # -- The environment in .venv ------------------------------------------------------------
 
 
+class Part:
+    """What pyproject.toml asks for under one name: the program, or an extra of its dependencies."""
+
+    def __init__(self, name, requirements, megabytes):
+        self.name = name
+        self.requirements = requirements
+        self.megabytes = megabytes
+        self.stamp = VENV / f".installed-{name}"
+        made_from = json.dumps([requirements, sys.version_info[:2], sys.platform])
+        self.fingerprint = hashlib.sha256(made_from.encode()).hexdigest()
+
+    def installed(self):
+        """Whether the environment was completed for exactly these requirements."""
+        try:
+            return PYTHON.exists() and self.stamp.read_text() == self.fingerprint
+        except OSError:
+            return False
+
+
 def wanted(extras):
-    """The requirements of pyproject.toml, and at most how many megabytes they are to download."""
+    """The parts that are needed, with at most how many megabytes each is to download."""
     with open(ROOT / "pyproject.toml", "rb") as file:
         declared = tomllib.load(file)
     project = declared["project"]
     sizes = declared["tool"]["graphics-workbench"]["download-megabytes"]
-    requirements, megabytes = list(project["dependencies"]), sizes["program"]
-    for extra in extras:
-        requirements += project["optional-dependencies"][extra]
-        megabytes += sizes[extra]
-    return requirements, megabytes
-
-
-def stamp_of(extras):
-    return VENV / ("-".join([".installed", *extras]) + ".json")
-
-
-def fingerprint(requirements):
-    """What an installed environment was made from: the requirements and the Python."""
-    text = json.dumps([requirements, sys.version_info[:2], sys.platform])
-    return hashlib.sha256(text.encode()).hexdigest()
-
-
-def installed(extras, requirements):
-    """Whether the environment was completed for exactly these requirements."""
-    try:
-        return PYTHON.exists() and stamp_of(extras).read_text() == fingerprint(requirements)
-    except OSError:
-        return False
+    asked = {"program": project["dependencies"]}
+    asked.update((extra, project["optional-dependencies"][extra]) for extra in extras)
+    return [Part(name, requirements, sizes[name]) for name, requirements in asked.items()]
 
 
 @contextmanager
@@ -166,33 +165,38 @@ def make_environment():
 
 
 def set_up(extras, wheels):
-    """Install what is not installed yet; the stamp comes last, so that a stopped set-up is gone on with."""
-    requirements, megabytes = wanted(extras)
-    if installed(extras, requirements):
+    """Install what is not installed yet; the stamps come last, so that a stopped set-up is gone on with."""
+    parts = wanted(extras)
+    if all(part.installed() for part in parts):
         return
     with locked():
-        if installed(extras, requirements):
+        missing = [part for part in parts if not part.installed()]
+        if not missing:
             return
         if not usable():
             make_environment()
         for record in halfway():
             shutil.rmtree(record)
+        count = sum(len(part.requirements) for part in missing)
         if wheels:
             source = ["--no-index", "--find-links", str(wheels)]
-            say(f"Installing {len(requirements)} packages and what they need from {wheels}, no network.")
+            say(f"Installing {count} packages and what they need from {wheels}, no network.")
         else:
             source = []
+            megabytes = sum(part.megabytes for part in missing)
             say(
-                f"Installing {len(requirements)} packages and what they need: at most about {megabytes} MB "
-                "to download, less what pip has kept from before."
+                f"Installing {count} packages and what they need: at most about {megabytes} MB to download, "
+                "less what pip has kept from before."
             )
         pip = [str(PYTHON), "-I", "-m", "pip", "install", "--disable-pip-version-check", "--no-input"]
+        requirements = [one for part in parts for one in part.requirements]
         if subprocess.call([*pip, *source, *requirements]) != 0:
             hint = (
                 f"look into {wheels}" if wheels else "look at the network, or name a folder with --wheels DIR"
             )
             raise SetUpError(f"The packages could not be installed, as pip says above; {hint}, and {RETRY}.")
-        stamp_of(extras).write_text(fingerprint(requirements))
+        for part in parts:
+            part.stamp.write_text(part.fingerprint)
         say("The set-up is complete.")
 
 

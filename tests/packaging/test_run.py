@@ -164,7 +164,16 @@ def test_what_is_to_be_downloaded_is_said_first(house: Path, tmp_path: Path) -> 
     lines = told.stderr.splitlines()
     assert "at most about 3 MB to download" in lines[0]
     assert "could not be installed" in lines[-1]
-    assert run(other, "test", PIP_NO_INDEX="1").stderr.startswith("Installing 1 packages")
+
+
+def test_the_tests_add_only_their_own_packages(house: Path, tmp_path: Path) -> None:
+    other = make_house(tmp_path)
+    shutil.copytree(house / ".venv", other / ".venv", symlinks=True)
+    told = run(other, "test", PIP_NO_INDEX="1")
+    assert "Installing 0 packages" in told.stderr
+    assert "at most about 4 MB to download" in told.stderr
+    assert "No module named pytest" in told.stderr
+    assert run(other, "setup").stderr == ""
 
 
 def test_changed_requirements_are_installed(tmp_path: Path, house: Path) -> None:
