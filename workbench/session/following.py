@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 
 from workbench.rendering.pipeline import Call
 from workbench.rendering.raster import figure_calls
@@ -10,16 +10,18 @@ from workbench.session.run import Run
 
 
 class Following(QObject):
-    """``run`` follows the active figure of ``session``; ``follower`` the compared algorithm, step for step."""
+    """``run`` follows the active figure of ``session``, ``follower`` the compared algorithm step for step."""
 
     def __init__(self, session: Any, run: Run, follower: Run) -> None:
         super().__init__(session)
         self._session, self._run, self._follower = session, run, follower
         self._telling = False
+        self._step = 0
         session.changed.connect(self.update)
         session.state_changed.connect(self.update)
         run.moved.connect(self._moved)
         run.grown.connect(self._lock)
+        QTimer.singleShot(0, self.update)
 
     def update(self) -> None:
         """Follow what is active now."""
@@ -32,8 +34,9 @@ class Following(QObject):
             self._follow(self._run, calls, "" if figure is None else figure.id)
             self._run.set_ask_first(state.ask_first)
             self._run.set_detail(state.detail)
-            if another or state.step != self._run.position:
+            if another or state.step != self._step:
                 self._run.go(state.step)
+            self._step = state.step
         finally:
             self._telling = False
         other: list[Call] = []
@@ -53,7 +56,8 @@ class Following(QObject):
     def _moved(self) -> None:
         self._lock()
         run = self._run
-        if not self._telling and run.entry is not None:
+        if not self._telling and run.entry is not None and run.target is not None:
+            self._step = run.target
             self._session.update_state(step=run.target, detail=run.detail)
 
     def _lock(self) -> None:

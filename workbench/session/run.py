@@ -71,9 +71,9 @@ class Run(RecordedRun):
         return self._position
 
     @property
-    def target(self) -> int:
-        """Where the cursor is, or is going as soon as that is recorded."""
-        return self._position if self._wanted is None else min(self._wanted, 2**53 - 1)
+    def target(self) -> int | None:
+        """Where the cursor is, or is going as soon as that is recorded; None for an end not yet known."""
+        return self._position if self._wanted is None else None if self._wanted >= _FAR else self._wanted
 
     @property
     def ended(self) -> bool:

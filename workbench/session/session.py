@@ -19,7 +19,9 @@ from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.document.samples import blank_sheet, example
 from workbench.document.state import SessionState, check_state, cleaned
 from workbench.language import _
+from workbench.session.following import Following
 from workbench.session.recovery import Recoverable, RecoveryFile
+from workbench.session.run import Run
 
 
 class _Change(QUndoCommand):
@@ -66,6 +68,8 @@ class Session(QObject):
         self._merging: tuple[str, _Change] | None = None
         self._pushing = False
         self._recovery: RecoveryFile | None = None
+        self.run, self.follower = Run(self), Run(self)
+        self._following = Following(self, self.run, self.follower)
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
         self.undo_stack.cleanChanged.connect(self._clean_changed)
         self.undo_stack.indexChanged.connect(self._index_changed)
@@ -100,7 +104,7 @@ class Session(QObject):
         new = edit(old)
         if new == old:
             return
-        if merge and self._merging and self._merging[0] == merge and self.dirty:
+        if merge and self._merging and self._merging[0] == merge:
             self._merging[1].new = new
             self._show(new)
             return
@@ -125,10 +129,15 @@ class Session(QObject):
             self.undo_stack.undo()
 
     def update_state(self, **changes: Any) -> None:
-        """Change fields of the session's state; raises DocumentError when they refer to nothing."""
+        """Change fields of the session's state; raises DocumentError when they refer to nothing.
+
+        Where another figure becomes the active one, its run begins at step 0 unless ``step`` is given too.
+        """
         state = check_state(replace(self.state, **changes), self.document)
         if state != self.state:
+            figure = self.active_figure
             self.state = state
+            self._another_figure(figure, "step" in changes)
             self._tell_later()
 
     def flush(self) -> None:
@@ -182,7 +191,7 @@ class Session(QObject):
         self._recovery = RecoveryFile(folder, failed=self.autosave_failed.emit)
         self._keep_safe()
 
-    def restore(self, work: Recoverable) -> None:
+    def recover(self, work: Recoverable) -> None:
         """Open what a dead process left, as unsaved work; raises DocumentError, and what is open stays."""
         self._begin(work.read(), work.origin)
         self.undo_stack.resetClean()
@@ -194,6 +203,8 @@ class Session(QObject):
 
     def close(self) -> None:
         """End the session: nothing unsaved is kept any longer."""
+        self.run.clear()
+        self.follower.clear()
         if self._recovery is not None:
             self._recovery.close()
             self._recovery = None
@@ -203,8 +214,8 @@ class Session(QObject):
         self.undo_stack.clear()
         self._blobs = stored.blobs
         self.path = path
-        self.state = cleaned(stored.session, stored.document)
         self._show(stored.document)
+        self.state = cleaned(stored.session, stored.document)
         self.path_changed.emit(path)
 
     def _clean_changed(self, clean: bool) -> None:
@@ -217,10 +228,17 @@ class Session(QObject):
             self._recovery.keep(replace(self.stored, origin=origin) if self.dirty else None)
 
     def _show(self, document: Document) -> None:
+        figure = self.active_figure
         self.document = document
         self.state = cleaned(self.state, document)
+        self._another_figure(figure, False)
         self.revision += 1
         self._tell_later()
+
+    def _another_figure(self, before: AnyFigure | None, told_step: bool) -> None:
+        now = self.active_figure
+        if not told_step and (now and now.id) != (before and before.id):
+            self.state = replace(self.state, step=0)
 
     def _tell_later(self) -> None:
         if not self._waiting:
