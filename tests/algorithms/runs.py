@@ -1,0 +1,47 @@
+"""Generated arguments for every entry of the catalogue, near-degenerate ones among them."""
+
+from typing import Any
+
+import numpy as np
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from workbench.algorithms.entry import Entry
+
+near = st.integers(-9, 9)
+radius = st.integers(0, 9)
+
+_lines = st.tuples(near, near, near, near)
+_pictures = st.tuples(st.integers(1, 6), st.integers(1, 6)).flatmap(
+    lambda shape: arrays(np.int64, shape, elements=st.integers(0, 3))
+)
+_fills = st.tuples(_pictures, st.integers(-1, 6), st.integers(-1, 6), st.just(2), st.just(1))
+
+
+@st.composite
+def _scenes(draw: st.DrawFn) -> tuple[Any, ...]:
+    corner = st.tuples(st.integers(-8, 40), st.integers(-8, 32), st.integers(0, 15))
+    triangles = draw(st.lists(st.tuples(corner, corner, corner), min_size=1, max_size=2))
+    vertices = np.array(triangles, float).reshape(-1, 3) / (4, 4, 16)
+    faces = np.arange(len(vertices)).reshape(-1, 3)
+    colours = np.arange(1, len(faces) + 1)
+    return np.zeros((6, 8), np.int64), np.ones((6, 8)), vertices, faces, colours, 0, 6
+
+
+STRATEGIES: dict[str, st.SearchStrategy[tuple[Any, ...]]] = {
+    "dda_line": _lines,
+    "dda_line_single": _lines,
+    "dda_line_fixed": st.tuples(near, near, near, near, st.integers(1, 24)),
+    "bresenham_line": _lines,
+    "midpoint_line": _lines,
+    "wu_line": _lines,
+    "midpoint_circle": st.tuples(near, near, radius),
+    "midpoint_ellipse": st.tuples(near, near, radius, radius),
+    "boundary_fill_4": _fills,
+    "depth_buffer": _scenes(),
+}
+
+
+def arguments(entry: Entry) -> st.SearchStrategy[tuple[Any, ...]]:
+    """Generated arguments for this entry; its own example where nothing more is known of it."""
+    return STRATEGIES.get(entry.slug, st.builds(lambda: entry.example))
