@@ -110,7 +110,7 @@ def test_what_a_dead_process_left_is_offered_and_restored(
     path = left_by_a_dead_process(tmp_path, str(origin))
     (work,) = recoverable(tmp_path)
     assert (work.path, work.origin, work.name) == (path, origin, "lab 3.gwb")
-    session.restore(work)
+    session.recover(work)
     assert session.document == MOVE(example_document())
     assert session.path == origin
     assert session.dirty
@@ -129,7 +129,7 @@ def test_work_that_had_no_file_is_called_by_its_sheet(tmp_path: Path) -> None:
 def test_work_stays_until_the_new_session_keeps_it_itself(qtbot: QtBot, tmp_path: Path) -> None:
     left_by_a_dead_process(tmp_path)
     session = Session()
-    session.restore(recoverable(tmp_path)[0])
+    session.recover(recoverable(tmp_path)[0])
     assert len(recoverable(tmp_path)) == 1
 
 
@@ -138,7 +138,7 @@ def test_damaged_work_is_refused_and_what_is_open_stays(session: Session, tmp_pa
     path.write_bytes(path.read_bytes()[:300])
     (work,) = recoverable(tmp_path)
     with pytest.raises(DocumentError):
-        session.restore(work)
+        session.recover(work)
     assert session.document == example_document()
     assert path.exists()
 
