@@ -8,9 +8,9 @@ only in what has grown; expressions are evaluated when a step is asked for.
 
 from bisect import bisect_right
 from collections import OrderedDict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from types import CodeType, SimpleNamespace
+from types import CodeType
 from typing import Any
 
 import numpy as np
@@ -53,6 +53,18 @@ class Step:
     emitted_from: int
     emitted_to: int
     view: View | None
+
+
+class _Before:
+    """The variables as attributes; read when first asked for, since most expressions do not ask."""
+
+    def __init__(self, read: Callable[[], dict[str, Any]]) -> None:
+        self._read = read
+
+    def __getattr__(self, name: str) -> Any:
+        variables = self._read()
+        self.__dict__.update(variables)
+        return variables[name]
 
 
 class Steps:
@@ -212,7 +224,7 @@ class Steps:
         """Variables when the visit was left, and ``before`` those of its entering."""
         if visit not in self._states:
             after = self.recording.after(int(self._visits.last[visit]))
-            self._states[visit] = {**after, "before": SimpleNamespace(**self._before(visit))}
+            self._states[visit] = {**after, "before": _Before(lambda: self._before(visit))}
             if len(self._states) > _STATES_KEPT:
                 self._states.popitem(last=False)
         return self._states[visit]
@@ -271,9 +283,15 @@ def _plain(value: Any) -> Any:
     """A NumPy number as Python's own, with no more digits than it shows."""
     if isinstance(value, np.generic):
         return float(str(value)) if isinstance(value, np.floating) else value.item()
-    return tuple(map(_plain, value)) if isinstance(value, tuple) else value
+    if isinstance(value, tuple) and any(isinstance(part, (np.generic, tuple)) for part in value):
+        return tuple(map(_plain, value))
+    return value
 
 
 def _table_rows(value: Any) -> tuple[tuple[Any, ...], ...]:
+    """The rows of a table; a long list of plain tuples, as a stack is one, passes as it is."""
+    ends = (value[0], value[-1]) if isinstance(value, list) and value else ()
+    if ends and all(isinstance(row, tuple) and _plain(row) is row for row in ends):
+        return tuple(value)
     rows = (row if isinstance(row, (tuple, list, np.ndarray)) else (row,) for row in value)
     return tuple(tuple(map(_plain, row)) for row in rows)
