@@ -1,6 +1,7 @@
 """How long from the start of the process to the first painted frame, against a bare PySide6 main window.
 
-Run it by hand: ``python tests/bench/first_frame.py [RUNS]``. The two kinds of run take turns; medians are compared.
+Run it by hand: ``python tests/bench/first_frame.py [RUNS] [--window]``, the latter on a real screen. The two
+kinds of run take turns; their medians are compared.
 """
 
 import os
@@ -36,14 +37,18 @@ def seconds(arguments: list[str], environment: dict[str, str]) -> float:
     """From starting the process until it has left again, which it does as soon as the frame is painted."""
     begin = time.perf_counter()
     subprocess.run(
-        [sys.executable, *arguments], check=True, env=environment, cwd=Path(__file__).parents[2], capture_output=True
+        [sys.executable, *arguments],
+        check=True,
+        env=environment,
+        cwd=Path(__file__).parents[2],
+        capture_output=True,
     )
     return time.perf_counter() - begin
 
 
 def main() -> None:
     """Print both medians and their ratio."""
-    runs = int(sys.argv[1]) if len(sys.argv) > 1 else 10
+    runs = int(next((word for word in sys.argv[1:] if word.isdecimal()), 10))
     with tempfile.TemporaryDirectory() as profile:
         environment = {**os.environ, "GRAPHICS_WORKBENCH_PROFILE": profile, "QT_QPA_PLATFORM": "offscreen"}
         if "--window" in sys.argv:

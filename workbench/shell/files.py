@@ -13,6 +13,7 @@ from workbench.language import _
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
 
+PROGRAM = "Graphics Workbench"
 SUFFIX = ".gwb"
 
 
@@ -32,6 +33,15 @@ class Files(QObject):
         """What the picture is called in titles."""
         path = self._session.path
         return path.stem if path else _("Untitled")
+
+    def refresh_title(self, *_what: Any) -> None:
+        """Name the picture in the title, with a mark while it is not saved."""
+        self._window.setWindowTitle(f"{self.name}[*] - {PROGRAM}")
+        self._window.setWindowModified(self._session.dirty)
+
+    def warn(self, sentence: str) -> None:
+        """Say that unsaved work could not be kept safe."""
+        self._window.messages.say(sentence, "warn")
 
     def new(self) -> None:
         """Begin an empty picture."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QKeySequence
@@ -41,7 +41,7 @@ class Menus(QObject):
         self._make_menus()
         self.refresh()
 
-    def refresh(self) -> None:
+    def refresh(self, *_what: Any) -> None:
         """Enable what can be done now; name what undo and redo would do."""
         session = self._window.session
         run = getattr(session, "run", None)
@@ -57,6 +57,11 @@ class Menus(QObject):
             verb = self.commands[name].text
             self.actions[name].setEnabled(bool(able))
             self.actions[name].setText(f"{verb}: {what}" if able and what else verb)
+
+    def take_state(self, _old: Any, state: Any) -> None:
+        """Check what is switched on."""
+        for name in _CHECKABLE:
+            self.actions[name].setChecked(getattr(state, name))
 
     def add_icons(self, bar: WorkspaceBar) -> Iterator[None]:
         """Give the actions their icons, and the bar its buttons."""

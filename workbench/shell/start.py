@@ -20,6 +20,8 @@ from workbench.shell.window import PROGRAM, MainWindow
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from workbench.shell.workspaces import Workspace
+
 _SLOW_IMPORTS = ("numpy", "workbench.session.session", "workbench.shell.home_examples", "qtawesome")
 QUIT_AFTER_FIRST_FRAME = "--quit-after-first-frame"
 
@@ -81,11 +83,15 @@ class Building(QObject):
         if self._path is not None:
             window.files.open_path(self._path)
             yield
-        window.status.preparing("")
         window.files.offer_recovery()
+        session.autosave_failed.connect(window.files.warn)
+        session.start_autosave()
+        window.status.preparing("")
+        session.autosave_failed.connect(lambda sentence: window.messages.say(sentence, "error"))
+        session.start_autosave()
 
 
-def make_window(settings: Settings | None = None) -> MainWindow:
+def make_window(settings: Settings | None = None, offered: Sequence[Workspace] | None = None) -> MainWindow:
     """The window in its theme, over the running QApplication."""
     application = QApplication.instance()
     assert isinstance(application, QApplication)
@@ -100,7 +106,7 @@ def make_window(settings: Settings | None = None) -> MainWindow:
     from workbench.widgets.comfort import comfort
 
     comfort.set_calm(kept.get("calm"))
-    return MainWindow(kept, themes)
+    return MainWindow(kept, themes, offered)
 
 
 def start(argv: Sequence[str]) -> int:

@@ -69,16 +69,11 @@ class Status(QObject):
             entry = run.entry
             self.run.setText("" if entry is None else self._run_text(run))
 
-        for signal in (run.changed, run.moved, run.grown):
+        for signal in (run.moved, run.grown):
             signal.connect(tell)
         tell()
 
     @staticmethod
     def _run_text(run: Any) -> str:
-        title = _(run.entry.title)
-        total = run.total_steps
-        if run.detail:
-            return _("{title}, line {n}").format(title=title, n=run.position)
-        if total is None:
-            return _("{title}, step {n}").format(title=title, n=run.position)
-        return _("{title}, step {n} of {total}").format(title=title, n=run.position, total=total)
+        text = _("{title}, line {n} of {total}") if run.detail else _("{title}, step {n} of {total}")
+        return text.format(title=_(run.entry.title), n=run.position, total=run.total_text)

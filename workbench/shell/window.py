@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QMainWindow, QMenuBar, QStackedWidget, QVBoxLayout
 
 from workbench.language import _
 from workbench.paths import resource
-from workbench.shell.home import HomePage
+from workbench.shell.places import HomePage, make_page
 from workbench.shell.settings import Settings
 from workbench.shell.theme import ThemeSwitch
 from workbench.shell.workspace_bar import WorkspaceBar
@@ -155,18 +155,18 @@ class MainWindow(QMainWindow):
         """Take the session that everything works on."""
         self.complete()
         self.session = session
-        session.changed.connect(lambda *_args: self.menus.refresh())
-        session.undo_stack.indexChanged.connect(lambda _index: self.menus.refresh())
-        session.path_changed.connect(lambda _path: self._refresh_title())
-        session.dirty_changed.connect(lambda _dirty: self._refresh_title())
-        session.state_changed.connect(lambda _old, new: self._take_state(new))
+        session.changed.connect(self.menus.refresh)
+        session.undo_stack.indexChanged.connect(self.menus.refresh)
+        session.state_changed.connect(self.menus.take_state)
+        session.path_changed.connect(self.files.refresh_title)
+        session.dirty_changed.connect(self.files.refresh_title)
         run = getattr(session, "run", None)
         if run is not None:
             run.changed.connect(self.menus.refresh)
             self.status.follow(run)
-        self._refresh_title()
+        self.files.refresh_title()
         self.menus.refresh()
-        self._take_state(session.state)
+        self.menus.take_state(session.state, session.state)
         wanted, self._wanted = self._wanted, []
         for act in wanted:
             act()
@@ -257,36 +257,22 @@ class MainWindow(QMainWindow):
     def show_page(self, name: str) -> None:
         """Show a page: home, settings, help, keys or about."""
         if name not in self._pages:
-            self._pages[name] = self._make_page(name)
+            self._pages[name] = make_page(self, name)
             self.stack.addWidget(self._pages[name])
         if self._complete:
-            self.views.together()
-            self.arrangements.leave()
-            self.steps.hide()
+            self._leave()
         self.stack.setCurrentWidget(self._pages[name])
         self.place = name
         self.bar.show_current(name)
 
-    def _make_page(self, name: str) -> QWidget:
-        if name == "home":
-            home = HomePage(self.settings.recent())
-            home.new_wanted.connect(lambda: self.do(self.menus.commands["new"]))
-            home.open_wanted.connect(lambda: self.do(self.menus.commands["open"]))
-            home.file_chosen.connect(lambda path: self.when_ready(lambda: self.files.open_path(path)))
-            home.example_chosen.connect(lambda slug: self.when_ready(lambda: self.open_example(slug)))
-            home.question_chosen.connect(lambda q: self.when_ready(lambda: self.open_question(q)))
-            return home
-        from workbench.shell.about import AboutPage
-        from workbench.shell.help import HelpPage, KeysPage
-        from workbench.shell.settings_page import SettingsPage
+    def _leave(self) -> None:
+        """Take leave of a workspace: what floats over it goes, its arrangement is remembered."""
+        from workbench.shell.hints import end_hints
 
-        makers: dict[str, Callable[[], QWidget]] = {
-            "settings": lambda: SettingsPage(self),
-            "about": lambda: AboutPage(self),
-            "help": lambda: HelpPage(self),
-            "keys": KeysPage,
-        }
-        return makers[name]()
+        end_hints(self)
+        self.views.together()
+        self.arrangements.leave()
+        self.steps.hide()
 
     def when_ready(self, act: Callable[[], object]) -> None:
         """Do something now, or as soon as the session is there."""
@@ -337,10 +323,6 @@ class MainWindow(QMainWindow):
         """Ask for the next pixel before it is shown, or stop asking."""
         self.session.update_state(ask_first=not self.session.state.ask_first)
 
-    def _take_state(self, state: Any) -> None:
-        self.menus.actions["ask_first"].setChecked(state.ask_first)
-        self.menus.actions["detail"].setChecked(state.detail)
-
     def show_palette(self) -> None:
         """Find a command by a few letters."""
         from workbench.shell.command_palette import CommandPalette
@@ -368,11 +350,7 @@ class MainWindow(QMainWindow):
         """Say something in passing."""
         self.status.say(text)
 
-    # Title, dropped files, closing
-
-    def _refresh_title(self) -> None:
-        self.setWindowTitle(f"{self.files.name}[*] - {PROGRAM}")
-        self.setWindowModified(self.session.dirty)
+    # Dropped files, closing
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if _dropped(event) is not None:
@@ -393,6 +371,11 @@ class MainWindow(QMainWindow):
             self.arrangements.leave()
         self.settings.keep_arrangement("window", self.saveGeometry())
         self.settings.write()
+        if self.session is not None:
+            self.session.undo_stack.indexChanged.disconnect(
+                self.menus.refresh
+            )  # its end sends this once more
+            self.session.close()
         super().closeEvent(event)
 
     def _close_now(self) -> None:

@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLayout, QToolButton, QWidget
 
 from workbench.language import _
 
@@ -37,6 +37,7 @@ class WorkspaceBar(QWidget):
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(4, 0, 6, 0)
         self._row.setSpacing(0)
+        self._row.setSizeConstraint(QLayout.SizeConstraint.SetNoConstraint)
         for slug, title, tooltip in places:
             tab = QToolButton(self)
             tab.setObjectName("workspaceTab")

@@ -1,0 +1,123 @@
+"""One table of commands: its keys are unambiguous, and menus, palette and key table come from it."""
+
+import itertools
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction, QKeySequence, QShortcut
+from PySide6.QtWidgets import QLabel
+from pytestqt.qtbot import QtBot
+
+from workbench.shell.actions import commands, keys_elsewhere, menu_titles
+from workbench.shell.command_palette import CommandPalette, match
+from workbench.shell.window import MainWindow
+from workbench.widgets.icons import icon
+
+
+def test_ids_menus_and_words() -> None:
+    table = commands()
+    assert len({command.id for command in table}) == len(table)
+    menus = {name for name, _title in menu_titles()}
+    for command in table:
+        assert command.menu in menus
+        assert command.tooltip
+        assert command.needs in ("", "document", "run")
+
+
+def test_keys_of_the_window_are_unambiguous() -> None:
+    keys = [QKeySequence(key) for command in commands() for key in command.keys]
+    for key in keys:
+        assert not key.isEmpty()
+    for one, other in itertools.combinations(keys, 2):
+        assert one.matches(other) == QKeySequence.SequenceMatch.NoMatch, (one.toString(), other.toString())
+
+
+def test_keys_elsewhere_clash_with_no_window_key() -> None:
+    window_keys = {QKeySequence(key).toString() for command in commands() for key in command.keys}
+    seen = set()
+    for part, keys, _text in keys_elsewhere():
+        for key in keys.split(", "):
+            assert QKeySequence(key).toString() not in window_keys
+            assert (part, key) not in seen
+            seen.add((part, key))
+
+
+def test_no_shortcut_of_the_open_window_is_ambiguous(window: MainWindow) -> None:
+    everywhere = Qt.ShortcutContext.WindowShortcut, Qt.ShortcutContext.ApplicationShortcut
+    actions = {
+        id(action): action
+        for action in window.findChildren(QAction)
+        if action.shortcutContext() in everywhere
+    }
+    taken = [key.toString() for action in actions.values() for key in action.shortcuts() if not key.isEmpty()]
+    taken += [
+        each.key().toString() for each in window.findChildren(QShortcut) if each.context() in everywhere
+    ]
+    assert len(taken) == len(set(taken))
+
+
+def test_every_icon_of_the_table_exists(window: MainWindow) -> None:
+    for command in commands():
+        if command.icon:
+            assert not icon(command.icon).isNull()
+
+
+def test_the_key_table_lists_every_key(qtbot: QtBot, window: MainWindow) -> None:
+    qtbot.keyClick(window, "?")
+    assert window.place == "keys"
+    words = " ".join(label.text() for label in window.stack.currentWidget().findChildren(QLabel))
+    for command in commands():
+        for key in command.keys:
+            assert QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText) in words
+
+
+@pytest.mark.parametrize(
+    ("letters", "better", "worse"),
+    [
+        ("sa", "Save as...", "Last step"),
+        ("rw", "Reset workspace", "Show the hints again, forward"),
+        ("un", "Undo", "Run"),
+    ],
+)
+def test_the_nearer_name_wins(letters: str, better: str, worse: str) -> None:
+    near, far = match(letters, better), match(letters, worse)
+    assert near is not None
+    assert far is None or near < far
+
+
+def test_letters_in_another_order_do_not_match() -> None:
+    assert match("odnu", "Undo") is None
+    assert match("", "Undo") is not None
+
+
+def test_a_command_is_found_and_run_by_a_few_letters(qtbot: QtBot, window: MainWindow) -> None:
+    qtbot.keyClick(window, "K", Qt.KeyboardModifier.ControlModifier)
+    palette = window.findChild(CommandPalette)
+    assert palette is not None
+    assert palette.isVisible()
+    qtbot.keyClicks(palette.field, "sttngs")
+    qtbot.keyClick(palette.field, Qt.Key.Key_Return)
+    assert window.place == "settings"
+    assert not palette.isVisible()
+
+
+def test_the_palette_says_when_nothing_is_called_so(qtbot: QtBot, window: MainWindow) -> None:
+    window.show_palette()
+    palette = window.findChild(CommandPalette)
+    assert palette is not None
+    qtbot.keyClicks(palette.field, "qqq")
+    assert not palette.list.isVisible()
+    qtbot.keyClick(palette.field, Qt.Key.Key_Return)
+    assert palette.isVisible()
+    qtbot.keyClick(palette.field, Qt.Key.Key_Escape)
+    assert not palette.isVisible()
+
+
+def test_the_palette_opens_examples_and_workspaces(qtbot: QtBot, window: MainWindow) -> None:
+    window.show_palette()
+    palette = window.findChild(CommandPalette)
+    assert palette is not None
+    qtbot.keyClicks(palette.field, "example circle")
+    qtbot.keyClick(palette.field, Qt.Key.Key_Return)
+    assert window.place == "draw"
+    assert window.session.sheet.name == "Circle and ellipse"

@@ -1,0 +1,156 @@
+"""Opening, saving and not losing work, as a person does it."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDropEvent
+from PySide6.QtWidgets import QFileDialog, QPushButton
+from pytestqt.qtbot import QtBot
+
+from workbench.document.files import load
+from workbench.shell.window import MainWindow
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+
+@pytest.fixture
+def chosen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The file that a person names whenever they are asked for one."""
+    path = tmp_path / "my lines.gwb"
+    for ask in ("getOpenFileName", "getSaveFileName"):
+        monkeypatch.setattr(QFileDialog, ask, lambda *_args: (str(path), ""))
+    return path
+
+
+def draw_a_line(qtbot: QtBot, window: MainWindow) -> None:
+    window.go("draw")
+    qtbot.mouseClick(window.panels("draw")[0], Qt.MouseButton.LeftButton, pos=QPoint(30, 30))
+    window.session.flush()
+
+
+def answer(window: MainWindow, text: str) -> None:
+    next(button for button in window.messages.buttons() if button.text() == text).click()
+
+
+def test_draw_undo_redo_save_and_reopen(qtbot: QtBot, window: MainWindow, chosen: Path) -> None:
+    before = window.session.document
+    draw_a_line(qtbot, window)
+    drawn = window.session.document
+    assert window.isWindowModified()
+    assert window.menus.actions["undo"].text() == "Undo: Draw a line"
+    qtbot.keyClick(window, "Z", CONTROL)
+    assert window.session.document == before
+    assert not window.menus.actions["undo"].isEnabled()
+    qtbot.keyClick(window, "Z", CONTROL | SHIFT)
+    assert window.session.document == drawn
+    qtbot.keyClick(window, "S", CONTROL)
+    assert load(chosen) == drawn
+    assert not window.isWindowModified()
+    assert window.windowTitle() == "my lines[*] - Graphics Workbench"
+    qtbot.keyClick(window, "N", CONTROL)
+    assert window.session.sheet.figures == ()
+    qtbot.keyClick(window, "O", CONTROL)
+    assert window.session.document == drawn
+
+
+def test_a_name_without_ending_gets_one(
+    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_args: (str(tmp_path / "plain"), ""))
+    assert window.files.save_as()
+    assert (tmp_path / "plain.gwb").is_file()
+
+
+def test_a_damaged_file_is_refused_in_one_sentence(qtbot: QtBot, window: MainWindow, chosen: Path) -> None:
+    chosen.write_text('{"version": 1, "sheets"', encoding="utf-8")
+    before = window.session.document
+    qtbot.keyClick(window, "O", CONTROL)
+    assert window.session.document is before
+    assert window.messages.text.startswith("my lines.gwb was not opened: ")
+    assert "\n" not in window.messages.text
+
+
+def test_a_folder_that_cannot_be_written_is_said(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_args: (str(tmp_path / "no" / "x.gwb"), ""))
+    assert not window.files.save_as()
+    assert window.messages.text.startswith("x.gwb was not saved: ")
+    assert window.session.path is None
+
+
+def test_closing_asks_and_cancel_keeps_the_window(qtbot: QtBot, window: MainWindow) -> None:
+    draw_a_line(qtbot, window)
+    window.close()
+    assert window.isVisible()
+    assert window.messages.text == "Untitled has changes that are not saved."
+    answer(window, "Cancel")
+    assert window.isVisible()
+    assert window.messages.text == ""
+    window.close()
+    qtbot.keyClick(window.messages, Qt.Key.Key_Escape)
+    assert window.isVisible()
+
+
+def test_closing_can_save_first(qtbot: QtBot, window: MainWindow, chosen: Path) -> None:
+    draw_a_line(qtbot, window)
+    drawn = window.session.document
+    window.close()
+    answer(window, "Save")
+    assert not window.isVisible()
+    assert load(chosen) == drawn
+
+
+def test_closing_can_discard(qtbot: QtBot, window: MainWindow) -> None:
+    draw_a_line(qtbot, window)
+    window.close()
+    answer(window, "Discard changes")
+    assert not window.isVisible()
+
+
+def test_opening_asks_too_and_a_failed_save_loses_nothing(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    draw_a_line(qtbot, window)
+    drawn = window.session.document
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_args: ("", ""))
+    qtbot.keyClick(window, "N", CONTROL)
+    answer(window, "Save")
+    assert window.session.document is drawn
+
+
+def test_recent_files_are_on_home_and_in_the_menu(
+    qtbot: QtBot, window: MainWindow, chosen: Path, open_window: Callable[[], MainWindow]
+) -> None:
+    assert window.files.save_as()
+    window.settings.write()
+    again = open_window()
+    again.go("home")
+    names = [b.text() for b in again.stack.currentWidget().findChildren(QPushButton)]
+    assert "my lines" in names
+    next(b for b in again.stack.currentWidget().findChildren(QPushButton) if b.text() == "my lines").click()
+    assert again.session.path == chosen.resolve()
+    assert again.place == "draw"
+    chosen.unlink()
+    assert again.settings.recent() == []
+
+
+def test_a_file_dropped_on_the_window_opens(window: MainWindow, chosen: Path) -> None:
+    assert window.files.save_as()
+    window.session.new()
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(chosen))])
+    left = Qt.MouseButton.LeftButton
+    event = QDropEvent(QPointF(9, 9), Qt.DropAction.CopyAction, data, left, Qt.KeyboardModifier.NoModifier)
+    window.dropEvent(event)
+    assert window.session.path == chosen
+
+
+def test_an_example_opens_beside_unsaved_work(qtbot: QtBot, window: MainWindow) -> None:
+    draw_a_line(qtbot, window)
+    window.open_example("octants")
+    assert window.session.sheet.name == "A star in all octants"
+    assert len(window.session.document.sheets) == 2

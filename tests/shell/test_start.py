@@ -1,0 +1,95 @@
+"""From the start of the process to a whole window."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from workbench.shell.start import Building, make_window, start
+
+ROOT = Path(__file__).resolve().parents[2]
+SLOW = ("numpy", "numba", "pyqtgraph", "qtawesome", "msgspec", "PIL", "pygments", "PySide6.QtSvg")
+OURS = (
+    "workbench.session",
+    "workbench.panels",
+    "workbench.engine",
+    "workbench.algorithms",
+    "workbench.rendering",
+)
+
+LISTING = """
+import json, sys
+from PySide6.QtWidgets import QApplication
+from workbench.shell.start import make_window
+application = QApplication([])
+window = make_window()
+def painted():
+    print(json.dumps(sorted(sys.modules)))
+    application.quit()
+window.first_frame.connect(painted)
+window.show()
+sys.exit(application.exec())
+"""
+
+
+def run(*words: str, **environment: str) -> "subprocess.CompletedProcess[str]":
+    return subprocess.run(
+        [sys.executable, "-W", "error", *words],
+        env={**os.environ, "PYTHONPATH": str(ROOT), **environment},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+
+
+def test_the_first_frame_loads_nothing_slow() -> None:
+    done = run("-c", LISTING)
+    assert done.returncode == 0, done.stderr
+    loaded = set(json.loads(done.stdout))
+    assert "workbench.shell.home" in loaded
+    assert loaded.isdisjoint(SLOW)
+    assert not [name for name in loaded if name.startswith(OURS)]
+
+
+def test_quit_after_first_frame() -> None:
+    done = run("-m", "workbench", "--quit-after-first-frame")
+    assert (done.returncode, done.stdout) == (0, "")
+
+
+def test_words_that_are_no_picture_are_refused() -> None:
+    assert start(["nowhere.gwb"]) == 2
+    assert start(["--sideways"]) == 2
+
+
+def test_the_rest_is_built_behind_the_first_frame(qtbot: QtBot) -> None:
+    window = make_window()
+    building = Building(window)
+    window.first_frame.connect(building.start)
+    with qtbot.waitSignal(building.built, timeout=60_000):
+        window.show()
+    building.wait()
+    assert window.session.sheet.figures
+    home = window._pages["home"]
+    assert len(home.example_buttons()) >= 3
+    home.example_buttons()[1].click()
+    assert window.place == "draw"
+    window.close()
+    window.deleteLater()
+    QApplication.processEvents()
+
+
+def test_tour_refuses_in_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from workbench.shell.tour import main
+
+    for words in (["--theme", "green"], ["--scale", "0"], ["--size", "big"], ["--nothing"]):
+        assert main([str(tmp_path), *words]) == 2
+        assert capsys.readouterr().err.count("\n") == 1
+    blocked = tmp_path / "file"
+    blocked.write_text("")
+    assert main([str(blocked)]) == 2
+    assert capsys.readouterr().err.count("\n") == 1

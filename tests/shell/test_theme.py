@@ -1,0 +1,109 @@
+"""Contrast in both themes, and switching between them."""
+
+import re
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication, QPushButton
+
+from workbench.paths import resource
+from workbench.shell.style_sheet import style_sheet
+from workbench.shell.window import MainWindow
+from workbench.widgets.icons import icon, set_icon
+from workbench.widgets.tokens import DARK, LIGHT, Tokens, theme, tokens
+
+THEMES = pytest.mark.parametrize("chosen", [LIGHT, DARK], ids=["light", "dark"])
+
+
+def luminance(value: str) -> float:
+    """Relative luminance as WCAG 2 defines it."""
+    parts = (int(value[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(one: str, other: str) -> float:
+    low, high = sorted((luminance(one), luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def test_contrast_of_black_and_white_is_21() -> None:
+    assert contrast("#000000", "#FFFFFF") == pytest.approx(21)
+
+
+@THEMES
+@pytest.mark.parametrize("words", ["text", "muted", "accent", "warn", "error"])
+@pytest.mark.parametrize("ground", ["window", "surface", "raised", "canvas", "selected"])
+def test_words_can_be_read(chosen: Tokens, words: str, ground: str) -> None:
+    assert contrast(getattr(chosen, words), getattr(chosen, ground)) >= 4.5
+
+
+@THEMES
+def test_words_on_the_accent_can_be_read(chosen: Tokens) -> None:
+    assert contrast(chosen.on_accent, chosen.accent) >= 4.5
+
+
+@THEMES
+@pytest.mark.parametrize("ground", ["window", "surface", "raised"])
+def test_edges_of_fields_and_controls_are_seen(chosen: Tokens, ground: str) -> None:
+    for edge in (chosen.field_edge, chosen.accent):
+        assert contrast(edge, getattr(chosen, ground)) >= 3
+
+
+@THEMES
+def test_data_is_seen_on_canvas_and_surface(chosen: Tokens) -> None:
+    for data in (*chosen.data, chosen.agreement):
+        assert contrast(data, chosen.canvas) >= 3
+        assert contrast(data, chosen.surface) >= 3
+    assert len(set(chosen.data)) == 6
+
+
+@THEMES
+def test_the_style_sheet_names_only_tokens_and_files_that_exist(chosen: Tokens) -> None:
+    text = style_sheet(chosen)
+    assert "@" not in text
+    pictures = re.findall(r"url\(([^)]*)\)", text)
+    assert pictures
+    for picture in pictures:
+        assert resource("controls", picture.rpartition("/")[2]).is_file()
+
+
+def test_following_the_system_and_choosing(window: MainWindow) -> None:
+    themes = window.themes
+    themes.choose("system")
+    themes._take_scheme(Qt.ColorScheme.Dark)
+    assert tokens() is DARK
+    themes._take_scheme(Qt.ColorScheme.Light)
+    assert tokens() is LIGHT
+    themes.choose("dark")
+    assert tokens() is DARK
+    assert QApplication.palette().window().color() == QColor(DARK.window)
+    themes._take_scheme(Qt.ColorScheme.Light)
+    assert tokens() is DARK
+    themes.choose("light")
+    assert QApplication.palette().window().color() == QColor(LIGHT.window)
+
+
+def test_icons_follow_the_theme(window: MainWindow) -> None:
+    window.themes.choose("light")
+    button = QPushButton()
+    set_icon(button, "play")
+    before = button.icon().cacheKey()
+    window.themes.choose("dark")
+    assert button.icon().cacheKey() != before
+    window.themes.choose("light")
+    assert button.icon().cacheKey() == before
+
+
+def test_an_unknown_icon_is_refused() -> None:
+    with pytest.raises(LookupError, match="no icon named nonsense"):
+        icon("nonsense")
+
+
+def test_larger_type(window: MainWindow) -> None:
+    window.themes.choose("light", large=True)
+    large = QApplication.font().pixelSize()
+    window.themes.choose("light", large=False)
+    assert (large, QApplication.font().pixelSize()) == (16, 13)
+    assert theme.current is LIGHT

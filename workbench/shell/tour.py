@@ -1,0 +1,213 @@
+"""Pictures of every place in the program, without a screen: one PNG for each theme and scale.
+
+A scale is fixed when Qt starts, so each is shot by a process of its own, in a fresh profile.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+from workbench.language import _
+
+if TYPE_CHECKING:
+    from workbench.shell.window import MainWindow
+
+THEMES = ("light", "dark")
+_SETTLE_MS = 700
+_LIMIT_MS = 120_000
+_SCALES = (0.5, 4.0)
+_SIZES = ((320, 240), (7680, 4320))
+
+
+class _Words(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        sys.stderr.write(f"tour: {message}\n")
+        raise SystemExit(2)
+
+
+def main(argv: Sequence[str]) -> int:
+    """``tour DIR --theme light,dark --scale 1,1.5,2 --size WxH``; the exit status."""
+    words = _Words(prog="graphics-workbench tour", description=_("A picture of every place in the program."))
+    words.add_argument("folder", type=Path, help=_("where the pictures go"))
+    words.add_argument("--theme", type=_themes, default=("light", "dark"))
+    words.add_argument("--scale", type=_scales, default=(1.0,))
+    words.add_argument("--size", type=_size, default=(1280, 680))
+    words.add_argument("--here", action="store_true", help=argparse.SUPPRESS)
+    try:
+        given = words.parse_args(argv)
+    except SystemExit as end:
+        return int(end.code or 0)
+    if given.here:
+        return _shoot(given.folder, given.theme, given.scale[0], given.size)
+    try:
+        given.folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        sys.stderr.write(
+            _("tour: the folder {path} cannot be made: {error}").format(path=given.folder, error=error)
+        )
+        sys.stderr.write("\n")
+        return 2
+    for scale in given.scale:
+        status = _in_a_process_of_its_own(given.folder, given.theme, scale, given.size)
+        if status:
+            return status
+    return 0
+
+
+def _in_a_process_of_its_own(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, int]) -> int:
+    command = [sys.executable, "-m", "workbench", "tour", str(folder.resolve()), "--here"]
+    command += ["--theme", ",".join(themes), "--scale", f"{scale:g}", "--size", f"{size[0]}x{size[1]}"]
+    with tempfile.TemporaryDirectory(prefix="graphics-workbench-") as profile:
+        environment = {
+            **os.environ,
+            "GRAPHICS_WORKBENCH_PROFILE": profile,
+            "QT_QPA_PLATFORM": "offscreen",
+            "QT_SCALE_FACTOR": f"{scale:g}",
+            "PYTHONPATH": os.pathsep.join(filter(None, (_parent(), os.environ.get("PYTHONPATH", "")))),
+        }
+        return subprocess.run(command, env=environment, check=False).returncode
+
+
+def _parent() -> str:
+    return str(Path(__file__).resolve().parents[2])
+
+
+def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, int]) -> int:
+    """Take every picture at the scale that this process was started with."""
+    from PySide6.QtCore import QTimer
+    from PySide6.QtWidgets import QApplication
+
+    from workbench.shell.start import Building, make_window
+
+    application = QApplication(["Graphics Workbench"])
+    window = make_window()
+    window.settings.set("hints", False)
+    window.resize(*size)
+    building = Building(window)
+    steps = [(theme, name, act) for theme in themes for name, act in scenes()]
+
+    def leave() -> None:
+        theme, name, _act = steps[0]
+        path = folder / f"{name}-{theme}-{size[0]}x{size[1]}@{scale:g}.png"
+        if not window.grab().save(str(path)):
+            sys.stderr.write(_("tour: {path} could not be written.").format(path=path) + "\n")
+            application.exit(2)
+            return
+        print(path, flush=True)
+        del steps[0]
+        visit()
+
+    def visit() -> None:
+        if not steps:
+            application.quit()
+            return
+        theme, _name, act = steps[0]
+        window.themes.choose(theme)
+        window.resize(*size)
+        act(window)
+        QTimer.singleShot(_SETTLE_MS, leave)
+
+    def give_up() -> None:
+        sys.stderr.write(_("tour: not done in time; the pictures so far are kept.") + "\n")
+        application.exit(1)
+
+    building.built.connect(visit)
+    window.first_frame.connect(building.start)
+    QTimer.singleShot(_LIMIT_MS, give_up)
+    window.show()
+    status = application.exec()
+    building.wait()
+    return status
+
+
+def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
+    """Name of each picture, and what brings the window there."""
+    return [
+        ("home", lambda window: window.go("home")),
+        ("draw", _draw),
+        ("draw-stepped", lambda window: _draw(window, 5)),
+        ("draw-hint", _hint),
+        ("draw-question", _question),
+        ("draw-empty", _empty),
+        ("display", _display),
+        ("palette", _palette),
+        ("settings", lambda window: window.go("settings")),
+        ("keys", lambda window: window.go("keys")),
+        ("help", lambda window: window.go("help")),
+        ("about", lambda window: window.go("about")),
+    ]
+
+
+def _draw(window: MainWindow, step: int = 0) -> None:
+    window.open_example("line")
+    figures = window.session.sheet.figures
+    window.session.update_state(active=figures[0].id, selection=(figures[0].id,), step=step)
+
+
+def _hint(window: MainWindow) -> None:
+    _draw(window)
+    window.show_hints_again()
+    window.settings.set("hints", False)
+
+
+def _question(window: MainWindow) -> None:
+    _draw(window, 3)
+    window.messages.ask(
+        _("Untitled has changes that are not saved."), [(_("Save"), _nothing), (_("Cancel"), _nothing)]
+    )
+
+
+def _empty(window: MainWindow) -> None:
+    window.messages.dismiss()
+    window.session.new()
+    window.go("draw")
+
+
+def _display(window: MainWindow) -> None:
+    window.open_example("house")
+    window.go("display")
+
+
+def _palette(window: MainWindow) -> None:
+    _draw(window, 2)
+    window.show_palette()
+
+
+def _nothing() -> None:
+    """A button of a picture."""
+
+
+def _themes(text: str) -> tuple[str, ...]:
+    chosen = tuple(text.split(","))
+    for each in chosen:
+        if each not in THEMES:
+            raise argparse.ArgumentTypeError(
+                _("{each} is no theme; give light, dark or both").format(each=each)
+            )
+    return chosen
+
+
+def _scales(text: str) -> tuple[float, ...]:
+    try:
+        chosen = tuple(float(each) for each in text.split(","))
+    except ValueError:
+        chosen = ()
+    if not chosen or not all(_SCALES[0] <= each <= _SCALES[1] for each in chosen):
+        raise argparse.ArgumentTypeError(_("{text} is no list of scales like 1,1.5,2").format(text=text))
+    return chosen
+
+
+def _size(text: str) -> tuple[int, int]:
+    width, __, height = text.partition("x")
+    if width.isdecimal() and height.isdecimal():
+        size = int(width), int(height)
+        if all(low <= value <= high for low, value, high in zip(_SIZES[0], size, _SIZES[1], strict=True)):
+            return size
+    raise argparse.ArgumentTypeError(_("{text} is no size like 1280x680").format(text=text))
