@@ -96,31 +96,35 @@ class CanvasSurface(QWidget):
         """The whole picture, as large as whole cells allow; stays so when the widget is resized."""
         self._keeps_fit = True
         self._show(
-            fitted(self._area(), *self._picture.size, round(MARGIN * self.devicePixelRatioF())), keep=True
+            fitted(self.area, *self._picture.size, round(MARGIN * self.devicePixelRatioF())), keep=True
         )
 
     def actual_size(self) -> None:
         """One cell on one pixel of the screen."""
-        self._show(centred(self._area(), *self._picture.size, 1.0))
+        self._show(centred(self.area, *self._picture.size, 1.0))
 
     def zoom(self, steps: int, about: QPointF | None = None) -> None:
         """Nearer (or, negative, farther) by levels, about a point of the widget, or about its middle."""
-        x, y = self._area().centre if about is None else self._screen(about)
+        x, y = self.area.centre if about is None else self._screen(about)
         self._show(self._view.zoomed(steps, x, y))
 
-    def set_view(self, view: CanvasView) -> None:
+    def look_like(self, other: "CanvasSurface") -> None:
         """Take over the view of another canvas, so that two lie side by side alike."""
-        if view != self._view:
-            self._show(view)
+        if other._keeps_fit and not self._keeps_fit:
+            self.fit()
+        elif not other._keeps_fit and (self._keeps_fit or other._view != self._view):
+            self._show(other._view)
 
     def _show(self, view: CanvasView, keep: bool = False) -> None:
         self._keeps_fit = keep
         margin = round(4 * MARGIN * self.devicePixelRatioF())
-        self._view = view.kept_near(self._area(), *self._picture.size, margin)
+        self._view = view.kept_near(self.area, *self._picture.size, margin)
         self.view_changed.emit(self.zoom_percent)
         self.update()
 
-    def _area(self) -> Area:
+    @property
+    def area(self) -> Area:
+        """The part inside the rulers, in screen pixels of the widget."""
         unit = self.devicePixelRatioF()
         ruler_width, ruler_height = ruler_sizes(self.font(), self._picture.size, unit)
         return Area(ruler_width, 0, round(self.width() * unit), round(self.height() * unit) - ruler_height)
@@ -189,7 +193,7 @@ class CanvasSurface(QWidget):
     def scene(self) -> Scene:
         """What is painted now."""
         unit = self.devicePixelRatioF()
-        return Scene(self._area(), self._view, self._picture.size, tokens(), unit, self.font(), self._overlay)
+        return Scene(self.area, self._view, self._picture.size, tokens(), unit, self.font(), self._overlay)
 
     @property
     def picture(self) -> Picture:

@@ -102,10 +102,10 @@ class CanvasView:
         return replace(self, left=left, bottom=bottom)
 
 
-def fitted(area: Area, width: int, height: int, margin: int) -> CanvasView:
-    """The whole width x height picture, centred in ``area``, as large as whole cells allow."""
+def fitted(area: Area, width: int, height: int, margin: int, largest: int = MAGNIFIED[-1]) -> CanvasView:
+    """The whole picture, centred in ``area``, as large as whole cells allow."""
     room = min((area.width - 2 * margin) / width, (area.height - 2 * margin) / height)
-    cell = float(min(MAGNIFIED[-1], math.floor(room))) if room >= 1 else 1 / math.ceil(1 / max(room, 1 / 64))
+    cell = float(min(largest, math.floor(room))) if room >= 1 else 1 / math.ceil(1 / max(room, 1 / 64))
     return centred(area, width, height, cell)
 
 

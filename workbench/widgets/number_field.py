@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidg
 
 from workbench.language import _
 from workbench.widgets.arithmetic import evaluate
-from workbench.widgets.tokens import theme_changed, tokens
 
 SCRUB_PX = 4
 
@@ -92,12 +91,14 @@ class NumberField(QWidget):
         self.field.setToolTip(
             _("{meaning}: type a number or arithmetic such as 30/2.").format(meaning=meaning or label)
         )
-        self.field.setFixedWidth(72)
+        self.field.setFixedWidth(60)
         self.label.setBuddy(self.field)
         self.unit = QLabel(unit)
+        self.unit.setProperty("role", "muted")
         self.unit.setVisible(bool(unit))
         self.complaint = QLabel()
         self.complaint.setWordWrap(True)
+        self.complaint.setProperty("role", "error")
         self.complaint.hide()
         row = QHBoxLayout()
         row.setContentsMargins(0, 0, 0, 0)
@@ -116,7 +117,6 @@ class NumberField(QWidget):
         self.field.installEventFilter(self)
         self.label.dragged.connect(self._scrub)
         self.label.ended.connect(self.scrub_ended)
-        theme_changed.connect(self._colour_complaint)
         self._show()
 
     def value(self) -> float:
@@ -136,15 +136,10 @@ class NumberField(QWidget):
         """Say under the field what is wrong with its value; empty takes it back."""
         self.complaint.setText(sentence)
         self.complaint.setVisible(bool(sentence))
-        self.field.setProperty("bad", bool(sentence))
         self.field.setAccessibleDescription(sentence)
-        self._colour_complaint()
-
-    def _colour_complaint(self) -> None:
-        now = tokens()
-        self.complaint.setStyleSheet(f"color: {now.error}; font-size: 11px;")
-        bad = bool(self.complaint.text())
-        self.field.setStyleSheet(f"border: 1px solid {now.error};" if bad else "")
+        if self.field.property("wrong") != bool(sentence):
+            self.field.setProperty("wrong", bool(sentence))
+            self.field.style().polish(self.field)
 
     def _show(self) -> None:
         self.complain("")

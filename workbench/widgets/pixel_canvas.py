@@ -252,7 +252,7 @@ class PixelCanvas(CanvasSurface):
         self.update()
 
     def _bring_into_view(self, cell: Cell) -> None:
-        area = self._area()
+        area = self.area
         left, top, side = self._view.cell_box(*cell)
         right = max(0, area.left + side - left) - max(0, left + 2 * side - area.right)
         down = max(0, area.top + side - top) - max(0, top + 2 * side - area.bottom)

@@ -1,0 +1,247 @@
+"""The card that floats over the canvas: the few parameters of what is selected, or of what is drawn next."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from workbench.algorithms import catalogue
+from workbench.document.addresses import resolve
+from workbench.document.edits import set_algorithm, set_attribute, set_sheet_size
+from workbench.document.errors import DocumentError
+from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, Sheet
+from workbench.language import _, ngettext
+from workbench.panels.draw_tools import FigureTool
+from workbench.session.session import Session
+from workbench.widgets.icons import set_icon
+from workbench.widgets.number_field import NumberField
+
+WIDTH_PX = 248
+_MOST_POINTS = 4
+
+
+def kind_title(figure: AnyFigure) -> str:
+    """What kind of figure it is."""
+    titles = {Line: _("Line"), Polyline: _("Polyline"), Circle: _("Circle"), Ellipse: _("Ellipse")}
+    return titles.get(type(figure), _("Fill"))
+
+
+def parameters(sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
+    """Address, label and meaning of each number of a figure that the card shows."""
+    place = f"{sheet.id}/{figure.id}"
+    centred = isinstance(figure, Circle | Ellipse)
+    listed = []
+    for k, point in enumerate(figure.points_world[:_MOST_POINTS]):
+        mark = "c" if centred else str(k)
+        who = _("centre") if centred else _("point {k}").format(k=k)
+        listed.append((f"{place}/{point.id}/x", f"x_{mark}", _("x of the {who}").format(who=who)))
+        listed.append((f"{place}/{point.id}/y", f"y_{mark}", _("y of the {who}").format(who=who)))
+    if isinstance(figure, Circle):
+        listed.append((f"{place}/radius_world", "r", _("Radius")))
+    if isinstance(figure, Ellipse):
+        listed.append((f"{place}/radius_x_world", "r_x", _("Radius along x")))
+        listed.append((f"{place}/radius_y_world", "r_y", _("Radius along y")))
+    return listed
+
+
+def algorithm_choices(figure: AnyFigure | type) -> list[tuple[str, str]]:
+    """Slug and title of every algorithm that can draw this kind of figure."""
+    return [(slug, _(catalogue.get(slug).title)) for slug in figure.algorithms]
+
+
+class ParameterCard(QFrame):
+    """Shows and edits the selection of a session. ``algorithm_chosen`` is for what is drawn next."""
+
+    side_by_side_changed = Signal(bool)
+    algorithm_chosen = Signal(str)
+
+    def __init__(self, session: Session, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("card")
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._session = session
+        self._shown: tuple[object, ...] = ()
+        self._fields: dict[str, NumberField] = {}
+        self._size: tuple[NumberField, NumberField] | None = None
+        self.title = QLabel()
+        self.title.setStyleSheet("font-weight: 600;")
+        self._fold = QToolButton()
+        self._fold.setFixedSize(22, 22)
+        set_icon(self._fold, "caret-up", "muted")
+        self._fold.setToolTip(_("Fold this card"))
+        self._fold.setAccessibleName(_("Fold this card"))
+        self._fold.clicked.connect(lambda: self._folded(self._body.isHidden()))
+        head = QHBoxLayout()
+        head.addWidget(self.title, 1)
+        head.addWidget(self._fold)
+        self.algorithm = QComboBox()
+        self.algorithm.setAccessibleName(_("Algorithm"))
+        self.algorithm.setToolTip(_("The algorithm that draws it"))
+        self.algorithm.activated.connect(self._choose_algorithm)
+        self.compare = QComboBox()
+        self.compare.setAccessibleName(_("Compare with"))
+        self.compare.setToolTip(_("A second algorithm on the same input"))
+        self.compare.activated.connect(self._choose_compare)
+        self.side_by_side = QCheckBox(_("Side by side"))
+        self.side_by_side.setToolTip(_("Two pictures instead of one over the other"))
+        self.side_by_side.toggled.connect(self.side_by_side_changed)
+        self.summary = QLabel()
+        self.summary.setTextFormat(Qt.TextFormat.RichText)
+        self.summary.setWordWrap(True)
+        self._grid = QGridLayout()
+        self._grid.setHorizontalSpacing(12)
+        self._grid.setVerticalSpacing(4)
+        self._body = QWidget()
+        body = QVBoxLayout(self._body)
+        body.setContentsMargins(0, 0, 0, 0)
+        body.setSpacing(8)
+        for item in (self.algorithm, self._grid, self.compare, self.side_by_side, self.summary):
+            if isinstance(item, QGridLayout):
+                body.addLayout(item)
+            else:
+                body.addWidget(item)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(12, 8, 8, 8)
+        whole.setSpacing(4)
+        whole.addLayout(head)
+        whole.addWidget(self._body)
+        self.setFixedWidth(WIDTH_PX)
+
+    def _folded(self, open_: bool) -> None:
+        set_icon(self._fold, "caret-up" if open_ else "caret-down", "muted")
+        self._body.setVisible(open_)
+        self.adjustSize()
+
+    def event(self, event: QEvent) -> bool:
+        """As large as what it holds."""
+        done = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.adjustSize()
+        return done
+
+    def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
+        """Show ``figures``, or with none selected what ``tool`` draws next and the sheet's size."""
+        session = self._session
+        sheet, state = session.sheet, session.state
+        kinds = {type(figure) for figure in figures}
+        one = figures[0] if len(figures) == 1 else None
+        new_kind = tool.kind if tool is not None and not figures else None
+        points = tuple(p.id for p in one.points_world) if one else ()
+        shape = (sheet.id, tuple(f.id for f in figures), points, new_kind, state.compare, bool(summary))
+        if shape != self._shown:
+            self._shown = shape
+            self._rebuild(sheet, figures, one)
+        if one is not None:
+            self.title.setText(one.name or kind_title(one))
+        elif figures:
+            text = ngettext("{n} figure", "{n} figures", len(figures))
+            self.title.setText(text.format(n=len(figures)))
+        else:
+            new = _("New {what}").format(what=tool.title.lower()) if tool is not None else _("Sheet")
+            self.title.setText(new)
+        common = next(iter(kinds)) if len(kinds) == 1 else new_kind
+        now = figures[0].algorithm if figures else (tool.algorithm if tool is not None else "")
+        self._fill(self.algorithm, algorithm_choices(common) if common is not None else [], now)
+        others = [c for c in algorithm_choices(one) if c[0] != one.algorithm] if one is not None else []
+        self._fill(
+            self.compare,
+            [("", _("Compare with nothing"))]
+            + [(slug, _("Compare with {title}").format(title=title)) for slug, title in others]
+            if others
+            else [],
+            state.compare,
+        )
+        compared = bool(summary) and bool(others)
+        self.side_by_side.setVisible(compared)
+        self.summary.setVisible(compared)
+        self.summary.setText(summary)
+        for address, field in self._fields.items():
+            field.set_value(round(float(resolve(session.document, address)), 6))
+        if self._size is not None:
+            self._size[0].set_value(sheet.width_px)
+            self._size[1].set_value(sheet.height_px)
+        self.adjustSize()
+
+    def _fill(self, box: QComboBox, choices: list[tuple[str, str]], now: str) -> None:
+        held = [(box.itemData(k), box.itemText(k)) for k in range(box.count())]
+        if held != choices:
+            box.clear()
+            for slug, title in choices:
+                box.addItem(title, slug)
+        box.setVisible(bool(choices))
+        box.setCurrentIndex(max(0, box.findData(now)))
+
+    def _rebuild(self, sheet: Sheet, figures: Sequence[AnyFigure], one: AnyFigure | None) -> None:
+        while self._grid.count():
+            item = self._grid.takeAt(0)
+            widget = item.widget() if item is not None else None
+            if widget is not None:
+                widget.hide()
+                widget.deleteLater()
+        self._fields, self._size = {}, None
+        pixels = sheet.window_world == sheet.viewport_device
+        if one is not None:
+            for k, (address, label, meaning) in enumerate(parameters(sheet, one)):
+                field = NumberField(label, "px" if pixels else "", meaning=meaning)
+                field.edited.connect(lambda value, a=address: self._set(a, value))
+                field.scrubbed.connect(lambda value, a=address: self._set(a, value, "scrub"))
+                field.scrub_ended.connect(self._session.end_merge)
+                self._fields[address] = field
+                self._grid.addWidget(field, k // 2, k % 2)
+        elif not figures:
+            size = tuple(
+                NumberField(label, "px", low=1, high=4096, integer=True, meaning=meaning)
+                for label, meaning in (
+                    (_("width"), _("Width of the sheet")),
+                    (_("height"), _("Height of the sheet")),
+                )
+            )
+            self._size = size[0], size[1]
+            for k, field in enumerate(self._size):
+                field.edited.connect(lambda _value: self._set_size())
+                field.scrubbed.connect(lambda _value: self._set_size("scrub"))
+                field.scrub_ended.connect(self._session.end_merge)
+                self._grid.addWidget(field, k, 0, 1, 2)
+
+    def _set(self, address: str, value: float, merge: str = "") -> None:
+        try:
+            self._session.apply(
+                set_attribute(address, value), _("Change value"), merge and f"{merge} {address}"
+            )
+        except DocumentError as problem:
+            self._fields[address].complain(problem.short)
+
+    def _set_size(self, merge: str = "") -> None:
+        assert self._size is not None
+        width, height = (int(field.value()) for field in self._size)
+        try:
+            self._session.apply(
+                set_sheet_size(self._session.sheet.id, width, height),
+                _("Change sheet size"),
+                merge and f"{merge} size",
+            )
+        except DocumentError as problem:
+            self._size[0].complain(problem.short)
+
+    def _choose_algorithm(self, index: int) -> None:
+        slug = self.algorithm.itemData(index)
+        selection = self._session.state.selection
+        if selection:
+            self._session.apply(set_algorithm(selection, slug), _("Change algorithm"))
+            if self._session.state.compare == slug:
+                self._session.update_state(compare="")
+        else:
+            self.algorithm_chosen.emit(slug)
+
+    def _choose_compare(self, index: int) -> None:
+        self._session.update_state(compare=self.compare.itemData(index))

@@ -1,0 +1,46 @@
+"""What an empty sheet says."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from workbench.language import _
+
+
+class EmptyState(QFrame):
+    """One sentence and one button in the middle of ``canvas``; the pointer passes through the sentence."""
+
+    def __init__(self, canvas: QWidget, show_example: Callable[[], object]) -> None:
+        super().__init__(canvas)
+        self.setObjectName("card")
+        sentence = QLabel(_("Drag on the canvas to draw a line."))
+        sentence.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.button = QPushButton(_("Show an example"))
+        self.button.setToolTip(_("Open a picture with one line"))
+        self.button.clicked.connect(lambda: show_example())
+        column = QVBoxLayout(self)
+        column.setContentsMargins(16, 12, 16, 12)
+        column.setSpacing(8)
+        column.addWidget(sentence)
+        column.addWidget(self.button, 0, Qt.AlignmentFlag.AlignHCenter)
+        canvas.installEventFilter(self)
+        self.hide()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Stay in the middle."""
+        if event.type() in (QEvent.Type.Resize, QEvent.Type.Show):
+            self._centre()
+        return False
+
+    def setVisible(self, visible: bool) -> None:
+        """Shown in the middle."""
+        super().setVisible(visible)
+        if visible:
+            self._centre()
+
+    def _centre(self) -> None:
+        canvas = self.parentWidget()
+        if canvas is not None:
+            self.adjustSize()
+            self.move((canvas.width() - self.width()) // 2, round(canvas.height() * 0.6))
