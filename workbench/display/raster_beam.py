@@ -7,6 +7,7 @@ per line and one per clock, whole frames are products of narrow matrices.
 """
 
 import math
+from copy import copy
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -69,8 +70,14 @@ class RasterBeam:
         self._row_clock = np.array(lines, dtype=np.int64) * timing.h_total
         self.show(drive)
 
+    def with_drive(self, drive: Floats) -> "RasterBeam":
+        """The same beam with another picture of the same size; raises ValueError for another size."""
+        beam = copy(self)
+        beam.show(drive)
+        return beam
+
     def show(self, drive: Floats) -> None:
-        """Scan another picture of the same size from now on."""
+        """Scan another picture of the same size from now on; raises ValueError for another size."""
         expected = self.timing.v_active, self.timing.h_active
         if drive.ndim != 3 or drive.shape[1:] != expected:
             raise ValueError(

@@ -1,0 +1,145 @@
+"""From a picture or a display list to a tube with its beam, as a person has set it up."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.display.phosphor import Phosphor, linear_from_srgb, names
+from workbench.display.raster_beam import RasterBeam
+from workbench.display.timings import RasterTiming
+from workbench.display.tube import Tube
+from workbench.display.vector_beam import MmStroke, VectorBeam
+from workbench.display.vector_timing import VectorTiming
+
+FACE_WIDTH_MM = 240.0
+PICTURE_SHARE = 0.9
+"""The picture takes this much of the face each way; the rest is the dark rim of an underscanned tube."""
+
+COLOUR_TUBE = "P22"
+_SPOT_OF_LINE_PITCH = 0.36
+_VECTOR_SPOT_MM = 0.5
+_LEAST_SPOT_PX = 0.7
+_WHITE = 1.5
+"""Luminance of a white field: lines one pixel wide, which the spot spreads, then come out near 1."""
+
+_LINE_PEAK = 1.6
+_FULL_RATE_HZ = 60.0
+
+DeviceStroke = tuple[float, float, float, float, int]
+"""x0, y0, x1, y1 in device pixels and the colour 0xRRGGBB."""
+
+
+@dataclass(frozen=True, slots=True)
+class TubeSetup:
+    """What can be chosen: phosphor (or the colour tube), refresh rate, persistence factor, vector display."""
+
+    phosphor: str = "P31"
+    refresh_hz: float = 60.0
+    persistence: float = 1.0
+    vector_display: str = "teaching"
+
+    def guns(self) -> tuple[Phosphor, ...]:
+        """One gun, or red, green and blue of a colour tube. Raises LookupError for an unknown phosphor."""
+        wanted = ("P22R", "P22G", "P22B") if self.phosphor == COLOUR_TUBE else (self.phosphor,)
+        return tuple(Phosphor.named(name).stretched(self.persistence) for name in wanted)
+
+    @property
+    def refresh(self) -> Fraction:
+        """The refresh rate as the decimal number that was typed."""
+        return Fraction(str(self.refresh_hz))
+
+
+def phosphor_choices() -> tuple[str, ...]:
+    """What ``TubeSetup.phosphor`` may be; the three phosphors of a colour tube count as one."""
+    single = tuple(name for name in names() if not name.startswith(COLOUR_TUBE))
+    return (*single, COLOUR_TUBE)
+
+
+def face_mm(picture_px: tuple[int, int]) -> tuple[float, float]:
+    """Size of the face for a picture of so many pixels: as wide as high as the picture, within reason."""
+    aspect = min(max(picture_px[1] / picture_px[0], 0.6), 1.1)
+    return FACE_WIDTH_MM, FACE_WIDTH_MM * aspect
+
+
+def area_mm(picture_px: tuple[int, int]) -> tuple[float, float, float, float]:
+    """Where on the face the picture lies: left, bottom, right, top; its pixels are square."""
+    width, height = face_mm(picture_px)
+    pitch = PICTURE_SHARE * min(width / picture_px[0], height / picture_px[1])
+    half_x, half_y = 0.5 * pitch * picture_px[0], 0.5 * pitch * picture_px[1]
+    return width / 2 - half_x, height / 2 - half_y, width / 2 + half_x, height / 2 + half_y
+
+
+def currents_of_image(image: NDArray[np.uint32], guns: int) -> NDArray[np.float64]:
+    """Beam currents (guns, rows, columns), 0 to 1, of a picture 0xRRGGBB.
+
+    The exponent of the gun undoes the encoding of the colours. A single gun follows the strongest channel,
+    so that every colour stays readable on one phosphor.
+    """
+    levels = np.array([linear_from_srgb(v << 16)[0] for v in range(256)])
+    channels = np.stack([levels[(image >> shift) & 0xFF] for shift in (16, 8, 0)])
+    return channels if guns == 3 else channels.max(axis=0, keepdims=True)
+
+
+def currents_of_colour(colour: int, guns: int) -> tuple[float, ...]:
+    """Beam currents of one colour 0xRRGGBB."""
+    linear = linear_from_srgb(colour)
+    return linear if guns == 3 else (max(linear),)
+
+
+def raster_tube(
+    image: NDArray[np.uint32], size_px: tuple[int, int], setup: TubeSetup, precision: Any = np.float32
+) -> tuple[Tube, RasterBeam]:
+    """A tube with ``size_px`` pixels that scans ``image`` (h, w); a white field is a little above 1."""
+    height, width = image.shape
+    picture = width, height
+    left, bottom, right, top = area_mm(picture)
+    size_mm = face_mm(picture)
+    spot = max(_SPOT_OF_LINE_PITCH * (top - bottom) / height, 0.4 * size_mm[1] / size_px[1])
+    tube = Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
+    timing = RasterTiming.synthesised(width, height, setup.refresh)
+    pixel = tube.pitch_mm[0] * tube.pitch_mm[1]
+    share = (right - left) * (top - bottom) / (width * height) / pixel
+    beam = RasterBeam(
+        tube,
+        timing,
+        currents_of_image(image, len(tube.guns)),
+        (left, bottom, right, top),
+        power=float(_WHITE * timing.clocks_per_frame * share),
+    )
+    return tube, beam
+
+
+def vector_tube(
+    picture_px: tuple[int, int], size_px: tuple[int, int], setup: TubeSetup, precision: Any = np.float32
+) -> Tube:
+    """A tube for a display list of a picture of ``picture_px`` pixels; ``vector_beam`` makes its beam."""
+    size_mm = face_mm(picture_px)
+    spot = max(_VECTOR_SPOT_MM, _LEAST_SPOT_PX * size_mm[0] / size_px[0])
+    return Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
+
+
+def vector_beam(
+    tube: Tube, strokes: Sequence[DeviceStroke], picture_px: tuple[int, int], setup: TubeSetup
+) -> VectorBeam:
+    """The beam that draws ``strokes``; a long one refreshed 60 times a second is a little above white."""
+    left, bottom, right, _top = area_mm(picture_px)
+    pitch = (right - left) / picture_px[0]
+
+    def place(x: float, y: float) -> tuple[float, float]:
+        return left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch
+
+    timing = VectorTiming.named(setup.vector_display)
+    drawn = [
+        MmStroke(place(x0, y0), place(x1, y1), currents_of_colour(colour, len(tube.guns)))
+        for x0, y0, x1, y1, colour in strokes
+    ]
+    shortest_ps = int(Fraction(10**12) / setup.refresh)
+    # Energy per length times sqrt(2 pi) spots is the energy across a long stroke; one pixel gets its share.
+    speed_mm_s = tube.size_mm[0] / timing.grid / (timing.ps_per_unit * 1e-12)
+    pixel = tube.pitch_mm[0] * tube.pitch_mm[1]
+    power = _LINE_PEAK * (2.0 * np.pi) ** 0.5 * tube.spot_mm * speed_mm_s / (_FULL_RATE_HZ * pixel)
+    return VectorBeam(tube, drawn, timing, power=float(power), min_frame_ps=shortest_ps)

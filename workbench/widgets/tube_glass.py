@@ -1,0 +1,130 @@
+"""The cabinet of a tube: dark bezel, bulging glass, reflection. Painted once per size and kept."""
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import (
+    QBrush,
+    QColor,
+    QLinearGradient,
+    QPainter,
+    QPainterPath,
+    QPen,
+    QPixmap,
+    QRadialGradient,
+)
+
+# The cabinet is dark in both themes: light around a picture would grey the glass.
+_CABINET_TOP, _CABINET_BOTTOM = QColor("#2B2F34"), QColor("#16181B")
+_LIP, _GLASS = QColor("#050607"), QColor("#080B0A")
+_EDGE = QColor("#3A4047")
+LETTERING = QColor("#98A1AB")
+
+CORNER = 0.06
+_BEZEL = 0.045
+_BULGE = 0.018
+
+
+def fitted(width: float, height: float, aspect: float, plate: float) -> tuple[QRectF, QRectF]:
+    """The cabinet and the glass inside it, centred, for a face ``aspect`` times as high as wide.
+
+    ``plate`` is the height of the strip for lettering below the glass, in pixels.
+    """
+    glass_width = min((width - 4) / (1 + 2 * _BEZEL), (height - 4 - plate) / (aspect + 2 * _BEZEL))
+    glass_width = max(glass_width, 16.0)
+    bezel, glass_height = _BEZEL * glass_width, aspect * glass_width
+    left = (width - glass_width) / 2
+    top = (height - glass_height - plate - 2 * bezel) / 2 + bezel
+    glass = QRectF(round(left), round(top), round(glass_width), round(glass_height))
+    cabinet = glass.adjusted(-bezel, -bezel, bezel, bezel + plate)
+    return cabinet, glass
+
+
+def glass_path(glass: QRectF) -> QPainterPath:
+    """The outline of the glass: four sides that bulge, four round corners."""
+    x0, y0, x1, y1 = glass.left(), glass.top(), glass.right(), glass.bottom()
+    bulge_x, bulge_y = _BULGE * glass.width(), _BULGE * glass.height()
+    corner = 0.075 * glass.width()
+    inner = QRectF(x0 + bulge_x, y0 + bulge_y, glass.width() - 2 * bulge_x, glass.height() - 2 * bulge_y)
+    left, top, right, bottom = inner.left(), inner.top(), inner.right(), inner.bottom()
+    path = QPainterPath(QPointF(left + corner, top))
+    path.quadTo(QPointF((left + right) / 2, y0 - bulge_y), QPointF(right - corner, top))
+    path.quadTo(QPointF(right, top), QPointF(right, top + corner))
+    path.quadTo(QPointF(x1 + bulge_x, (top + bottom) / 2), QPointF(right, bottom - corner))
+    path.quadTo(QPointF(right, bottom), QPointF(right - corner, bottom))
+    path.quadTo(QPointF((left + right) / 2, y1 + bulge_y), QPointF(left + corner, bottom))
+    path.quadTo(QPointF(left, bottom), QPointF(left, bottom - corner))
+    path.quadTo(QPointF(x0 - bulge_x, (top + bottom) / 2), QPointF(left, top + corner))
+    path.quadTo(QPointF(left, top), QPointF(left + corner, top))
+    return path
+
+
+def _blank(width: int, height: int, ratio: float) -> QPixmap:
+    pixmap = QPixmap(max(1, round(width * ratio)), max(1, round(height * ratio)))
+    pixmap.setDevicePixelRatio(ratio)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    return pixmap
+
+
+def cabinet_pixmap(width: int, height: int, ratio: float, cabinet: QRectF, glass: QRectF) -> QPixmap:
+    """What lies behind the picture: the cabinet and the unlit glass."""
+    pixmap = _blank(width, height, ratio)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    shade = QLinearGradient(cabinet.topLeft(), cabinet.bottomLeft())
+    shade.setColorAt(0.0, _CABINET_TOP)
+    shade.setColorAt(1.0, _CABINET_BOTTOM)
+    painter.setPen(QPen(_EDGE, 1))
+    painter.setBrush(QBrush(shade))
+    radius = CORNER * cabinet.width()
+    painter.drawRoundedRect(cabinet.adjusted(0.5, 0.5, -0.5, -0.5), radius, radius)
+    outline = glass_path(glass)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for width_px, alpha in ((9.0, 60), (6.0, 110), (3.0, 255)):
+        lip = QColor(_LIP)
+        lip.setAlpha(alpha)
+        painter.setPen(QPen(lip, width_px))
+        painter.drawPath(outline)
+    below = QLinearGradient(glass.topLeft(), glass.bottomLeft())
+    below.setColorAt(0.0, QColor(255, 255, 255, 0))
+    below.setColorAt(0.7, QColor(255, 255, 255, 10))
+    below.setColorAt(1.0, QColor(255, 255, 255, 46))
+    painter.setPen(QPen(QBrush(below), 1.2))
+    painter.drawPath(glass_path(glass.adjusted(-2.6, -2.6, 2.6, 2.6)))
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(_GLASS)
+    painter.drawPath(outline)
+    painter.end()
+    return pixmap
+
+
+def reflection_pixmap(width: int, height: int, ratio: float, glass: QRectF) -> QPixmap:
+    """What lies over the picture: darker towards the rim, a soft window at the upper left."""
+    pixmap = _blank(width, height, ratio)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    outline = glass_path(glass)
+    painter.setClipPath(outline)
+    rim = QRadialGradient(glass.center(), 0.72 * glass.width())
+    rim.setColorAt(0.0, QColor(0, 0, 0, 0))
+    rim.setColorAt(0.62, QColor(0, 0, 0, 0))
+    rim.setColorAt(1.0, QColor(0, 0, 0, 150))
+    painter.fillRect(glass, QBrush(rim))
+    sheen = QPainterPath()
+    sheen.moveTo(glass.topLeft())
+    sheen.lineTo(glass.left() + 0.78 * glass.width(), glass.top())
+    sheen.quadTo(
+        QPointF(glass.left() + 0.34 * glass.width(), glass.top() + 0.2 * glass.height()),
+        QPointF(glass.left(), glass.top() + 0.66 * glass.height()),
+    )
+    sheen.closeSubpath()
+    light = QLinearGradient(glass.topLeft(), glass.center())
+    light.setColorAt(0.0, QColor(255, 255, 255, 22))
+    light.setColorAt(0.55, QColor(255, 255, 255, 7))
+    light.setColorAt(1.0, QColor(255, 255, 255, 0))
+    painter.fillPath(sheen, QBrush(light))
+    painter.setClipping(False)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(QColor(0, 0, 0, 170), 2))
+    painter.drawPath(outline)
+    painter.end()
+    return pixmap

@@ -1,0 +1,432 @@
+"""A cathode-ray tube as a widget: a frame buffer on a raster tube, or a display list on a vector tube.
+
+The tube's time runs from a timer that stops when the widget is hidden, paused, or shows a picture that no
+longer changes. With Calm on, refreshes that would be seen as flicker are averaged; slow motion below three
+pictures a second shows the beam itself.
+"""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QElapsedTimer, QPointF, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QBrush,
+    QColor,
+    QFont,
+    QHideEvent,
+    QImage,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPixmap,
+    QRadialGradient,
+    QResizeEvent,
+    QShowEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from workbench.display.beam import Beam
+from workbench.display.driver import VISIBLE, TubeDriver, must_average
+from workbench.display.exposure import Screen
+from workbench.display.raster_beam import RasterBeam
+from workbench.display.setup import (
+    DeviceStroke,
+    TubeSetup,
+    area_mm,
+    currents_of_image,
+    face_mm,
+    raster_tube,
+    vector_beam,
+    vector_tube,
+)
+from workbench.display.tube import PICOSECOND
+from workbench.language import _
+from workbench.widgets.comfort import comfort
+from workbench.widgets.tokens import colour, theme, tokens
+from workbench.widgets.tube_glass import (
+    CORNER,
+    LETTERING,
+    cabinet_pixmap,
+    fitted,
+    glass_path,
+    reflection_pixmap,
+)
+
+Kind = Literal["raster", "vector"]
+
+_FRAME_MS = 16
+_IDLE_MS = 250
+_LONGEST_STEP_S = 0.1
+_WIDEST_PX = 520
+_PLATE_PX = 22
+_BEAM_SEEN_FROM = 300.0
+
+
+class TubeView(QWidget):
+    """One tube. ``advanced`` comes with each step of its time, ``probed`` with a clicked picture pixel."""
+
+    advanced = Signal()
+    probed = Signal(int, int)
+
+    def __init__(self, kind: Kind, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.kind = kind
+        self._setup = TubeSetup()
+        self._slow = 1.0
+        self._paused = False
+        self._image: NDArray[np.uint32] = np.zeros((48, 64), dtype=np.uint32)
+        self._strokes: tuple[DeviceStroke, ...] = ()
+        self._picture = (64, 48)
+        self._probe: tuple[int, int] | None = None
+        self._seconds = Fraction(0)
+        self.driver: TubeDriver | None = None
+        self._screen: Screen | None = None
+        self._shown: QImage | None = None
+        self._cabinet: QPixmap | None = None
+        self._reflection: QPixmap | None = None
+        self._glass = QRectF()
+        self._case = QRectF()
+        self._timer = QTimer(self)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._tick)
+        self._clock = QElapsedTimer()
+        self._resized = QTimer(self)
+        self._resized.setSingleShot(True)
+        self._resized.setInterval(80)
+        self._resized.timeout.connect(self._rebuild)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMinimumSize(120, 110)
+        title = _("Raster tube") if kind == "raster" else _("Vector tube")
+        self.setAccessibleName(title)
+        self.setToolTip(
+            _("Click a point of the glass to measure its light over time.")
+            if kind == "raster"
+            else _("The beam draws the strokes of the display list one after the other.")
+        )
+        theme.changed.connect(self.update)
+        comfort.changed.connect(self._wake)
+
+    def sizeHint(self) -> QSize:
+        """A comfortable size for half a window."""
+        return QSize(420, 360)
+
+    # What is shown
+
+    def set_image(self, image: NDArray[np.uint32]) -> None:
+        """Show a frame buffer (h, w), 0xRRGGBB, row 0 at the bottom; the old picture fades."""
+        same_size = image.shape == self._image.shape
+        self._image = image
+        self._picture = (image.shape[1], image.shape[0])
+        if self.kind != "raster":
+            return
+        if same_size and self.driver is not None and isinstance(self.driver.beam, RasterBeam):
+            drive = currents_of_image(image, len(self.driver.tube.guns))
+            self.driver.show(self.driver.beam.with_drive(drive))
+            self._wake()
+        else:
+            self._rebuild()
+
+    def set_strokes(self, strokes: Sequence[DeviceStroke], picture_px: tuple[int, int]) -> None:
+        """Show a display list in the device frame of a picture of so many pixels."""
+        same_size = picture_px == self._picture
+        self._strokes = tuple(strokes)
+        self._picture = picture_px
+        if self.kind != "vector":
+            return
+        if same_size and self.driver is not None:
+            self.driver.show(vector_beam(self.driver.tube, self._strokes, picture_px, self._setup))
+            self._wake()
+        else:
+            self._rebuild()
+
+    def set_setup(self, setup: TubeSetup) -> None:
+        """Another phosphor, refresh rate, persistence or display. Raises LookupError for an unknown name."""
+        setup.guns()
+        if setup != self._setup:
+            self._setup = setup
+            self._rebuild()
+
+    @property
+    def setup(self) -> TubeSetup:
+        """What the tube is set to."""
+        return self._setup
+
+    # Time
+
+    def set_slow_motion(self, factor: float) -> None:
+        """Run ``factor`` times slower than life, 1 to 1,000,000."""
+        self._slow = min(max(factor, 1.0), 1e6)
+        self._wake()
+
+    def set_paused(self, paused: bool) -> None:
+        """Hold the tube's time, or let it run."""
+        self._paused = paused
+        self._wake()
+
+    @property
+    def averaged(self) -> bool:
+        """Whether whole pictures are averaged now, so that neither flicker nor beam is seen."""
+        return must_average(self.refresh_hz, self._slow, comfort.calm)
+
+    @property
+    def refresh_hz(self) -> float:
+        """Pictures per second; a long display list takes longer than the rate asked for."""
+        return self._setup.refresh_hz if self.driver is None else 1.0 / float(self.driver.beam.frame_s)
+
+    @property
+    def running(self) -> bool:
+        """Whether the timer runs."""
+        return self._timer.isActive()
+
+    def seconds(self) -> Fraction:
+        """Tube time, exact."""
+        return self._seconds if self.driver is None else self.driver.tube.seconds
+
+    def step(self, seconds: Fraction) -> None:
+        """Advance the tube's time by hand and show the beam where it then is, Calm or not."""
+        if self.driver is not None and seconds > 0:
+            self.driver.advance(seconds / PICOSECOND, False)
+            self._refresh()
+
+    def _wake(self) -> None:
+        if self.isVisible() and not self._paused and self.driver is not None:
+            if not self._timer.isActive():
+                self._clock.start()
+            self._timer.start(_FRAME_MS)
+        else:
+            self._timer.stop()
+
+    def _tick(self) -> None:
+        if self.driver is None:
+            return
+        elapsed_ns = self._clock.nsecsElapsed()
+        self._clock.restart()
+        elapsed = min(Fraction(elapsed_ns, 10**9), Fraction(_LONGEST_STEP_S))
+        averaged = self.averaged
+        self.driver.advance(elapsed / Fraction(self._slow) / PICOSECOND, averaged)
+        self._refresh()
+        if averaged and self.driver.steady:
+            self._timer.stop()
+        elif averaged:
+            # A long tail changes so slowly that few pictures a second show it as well.
+            wait = _FRAME_MS * VISIBLE / max(self.driver.change, VISIBLE / 100.0)
+            self._timer.setInterval(int(min(max(wait, _FRAME_MS), _IDLE_MS)))
+        elif self._timer.interval() != _FRAME_MS:
+            self._timer.setInterval(_FRAME_MS)
+
+    def _refresh(self) -> None:
+        if self.driver is None or self._screen is None:
+            return
+        packed = self._screen.picture(self.driver.lights)
+        rows, columns = packed.shape
+        image = QImage(packed.tobytes(), columns, rows, 4 * columns, QImage.Format.Format_RGB32)
+        self._shown = image.copy()
+        self.update(self._glass.toAlignedRect())
+        self.advanced.emit()
+
+    # Size
+
+    def _face_px(self) -> tuple[int, int]:
+        ratio = self.devicePixelRatioF()
+        width = min(round(self._glass.width() * ratio), _WIDEST_PX)
+        face = face_mm(self._picture)
+        return max(width, 16), max(round(width * face[1] / face[0]), 12)
+
+    def _rebuild(self) -> None:
+        """Make the tube anew for this size, picture and setup, showing what it would show after a while."""
+        self._layout()
+        if self._glass.width() < 8:
+            return
+        size = self._face_px()
+        if self.driver is not None:
+            self._seconds = self.driver.tube.seconds
+        beam: Beam
+        if self.kind == "raster":
+            tube, beam = raster_tube(self._image, size, self._setup)
+        else:
+            tube = vector_tube(self._picture, size, self._setup)
+            beam = vector_beam(tube, self._strokes, self._picture, self._setup)
+        tube.skip(self._seconds / PICOSECOND)
+        self.driver = TubeDriver(tube, beam)
+        self.driver.settle()
+        if not self.averaged:
+            self.driver.advance(Fraction(10**6), False)
+        self._screen = Screen(size, [rgb for gun in tube.guns for _name, rgb in gun.colours])
+        self._cabinet = self._reflection = None
+        self._refresh()
+        self._wake()
+        self.update()
+
+    def _layout(self) -> None:
+        face = face_mm(self._picture)
+        plate = _PLATE_PX if self.height() > 190 else 0
+        self._case, self._glass = fitted(self.width(), self.height(), face[1] / face[0], plate)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Lay the cabinet out at once, make the tube when the size has come to rest."""
+        super().resizeEvent(event)
+        self._layout()
+        self._cabinet = self._reflection = None
+        if self.driver is None:
+            self._rebuild()
+        else:
+            self._resized.start()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Run again."""
+        super().showEvent(event)
+        self._wake()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """A tube that nobody sees costs nothing."""
+        super().hideEvent(event)
+        self._timer.stop()
+
+    # Places
+
+    def _to_widget(self, x_mm: float, y_mm: float) -> QPointF:
+        width, height = face_mm(self._picture)
+        return QPointF(
+            self._glass.left() + x_mm / width * self._glass.width(),
+            self._glass.bottom() - y_mm / height * self._glass.height(),
+        )
+
+    def _pixel_at(self, place: QPointF) -> tuple[int, int] | None:
+        width, height = face_mm(self._picture)
+        left, bottom, right, top = area_mm(self._picture)
+        x_mm = (place.x() - self._glass.left()) / self._glass.width() * width
+        y_mm = (self._glass.bottom() - place.y()) / self._glass.height() * height
+        x = int((x_mm - left) / (right - left) * self._picture[0] // 1)
+        y = int((y_mm - bottom) / (top - bottom) * self._picture[1] // 1)
+        return (x, y) if 0 <= x < self._picture[0] and 0 <= y < self._picture[1] else None
+
+    @property
+    def probe(self) -> tuple[int, int] | None:
+        """The picture's pixel whose light is measured, in device coordinates."""
+        return self._probe
+
+    def set_probe(self, pixel: tuple[int, int] | None) -> None:
+        """Measure the light at a pixel of the picture."""
+        self._probe = pixel
+        self.update()
+
+    def _probe_mm(self, pixel: tuple[int, int]) -> tuple[float, float]:
+        left, bottom, right, _top = area_mm(self._picture)
+        pitch = (right - left) / self._picture[0]
+        return left + (pixel[0] + 0.5) * pitch, bottom + (pixel[1] + 0.5) * pitch
+
+    def light_at_probe(self) -> float:
+        """Luminance at the probed pixel in the last step, 1 for white; 0 without a probe."""
+        if self._probe is None or self.driver is None:
+            return 0.0
+        x_mm, y_mm = self._probe_mm(self._probe)
+        width, height = face_mm(self._picture)
+        columns, rows = self.driver.tube.size_px
+        column, row = int(x_mm / width * columns), int(y_mm / height * rows)
+        return float(sum(light[row, column] for light in self.driver.lights))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Put the probe where the glass is clicked."""
+        pixel = self._pixel_at(event.position())
+        if event.button() == Qt.MouseButton.LeftButton and pixel is not None:
+            self.set_probe(pixel)
+            self.probed.emit(*pixel)
+        super().mousePressEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Arrows move the probe."""
+        steps = {
+            Qt.Key.Key_Left: (-1, 0),
+            Qt.Key.Key_Right: (1, 0),
+            Qt.Key.Key_Up: (0, 1),
+            Qt.Key.Key_Down: (0, -1),
+        }
+        move = steps.get(Qt.Key(event.key()))
+        if move is None:
+            super().keyPressEvent(event)
+            return
+        x, y = self._probe or (self._picture[0] // 2, self._picture[1] // 2)
+        pixel = min(max(x + move[0], 0), self._picture[0] - 1), min(max(y + move[1], 0), self._picture[1] - 1)
+        self.set_probe(pixel)
+        self.probed.emit(*pixel)
+
+    # Painting
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Cabinet, light, beam, glass."""
+        painter = QPainter(self)
+        if self._cabinet is None or self._reflection is None:
+            size = self.width(), self.height(), self.devicePixelRatioF()
+            self._cabinet = cabinet_pixmap(*size, self._case, self._glass)
+            self._reflection = reflection_pixmap(*size, self._glass)
+        painter.drawPixmap(0, 0, self._cabinet)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.save()
+        painter.setClipPath(glass_path(self._glass))
+        if self._shown is not None:
+            painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Plus)
+            painter.drawImage(self._glass, self._shown)
+            painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceOver)
+            self._paint_beam(painter)
+            self._paint_probe(painter)
+        painter.restore()
+        painter.drawPixmap(0, 0, self._reflection)
+        self._paint_plate(painter)
+        if self.hasFocus():
+            painter.setPen(QPen(colour(tokens().accent), 2))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            radius = CORNER * self._case.width()
+            painter.drawRoundedRect(self._case.adjusted(1, 1, -1, -1), radius, radius)
+
+    def _paint_beam(self, painter: QPainter) -> None:
+        if self.driver is None or (self.averaged and not self._paused) or self._slow < _BEAM_SEEN_FROM:
+            return
+        state = self.driver.state()
+        place = self._to_widget(state.x_mm, state.y_mm)
+        radius = max(5.0, 0.012 * self._glass.width())
+        if state.lit and any(state.currents):
+            glow = QRadialGradient(place, 2.2 * radius)
+            glow.setColorAt(0.0, QColor(255, 255, 255, 190))
+            glow.setColorAt(0.25, QColor(255, 255, 255, 70))
+            glow.setColorAt(1.0, QColor(255, 255, 255, 0))
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QBrush(glow))
+            painter.drawEllipse(place, 2.2 * radius, 2.2 * radius)
+        else:
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(QColor(255, 255, 255, 120 if state.lit else 70), 1.2))
+            painter.drawEllipse(place, 0.6 * radius, 0.6 * radius)
+
+    def _paint_probe(self, painter: QPainter) -> None:
+        if self._probe is None:
+            return
+        place = self._to_widget(*self._probe_mm(self._probe))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        for pen, radius in ((QPen(QColor(0, 0, 0, 160), 3.2), 7.0), (QPen(QColor("#F5F7FA"), 1.4), 7.0)):
+            painter.setPen(pen)
+            painter.drawEllipse(place, radius, radius)
+            for dx, dy in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+                painter.drawLine(place + QPointF(dx, dy) * radius, place + QPointF(dx, dy) * (radius + 4))
+
+    def _paint_plate(self, painter: QPainter) -> None:
+        if self._case.bottom() - self._glass.bottom() < _PLATE_PX:
+            return
+        font = QFont(self.font())
+        font.setPixelSize(11)
+        painter.setFont(font)
+        painter.setPen(LETTERING)
+        top = self._case.bottom() - _PLATE_PX - 3
+        plate = QRectF(self._glass.left(), top, self._glass.width(), _PLATE_PX)
+        inset = 0.06 * plate.width()
+        plate.adjust(inset, 0, -inset, 0)
+        name = _("RASTER") if self.kind == "raster" else _("VECTOR")
+        painter.drawText(plate, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, name)
+        rate = f"{self._setup.phosphor}   {self.refresh_hz:.4g} Hz"
+        painter.drawText(plate, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, rate)
