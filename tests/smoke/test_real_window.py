@@ -51,7 +51,8 @@ def test_every_workspace_appears(environment: dict[str, str]) -> None:
     done = subprocess.run(
         [sys.executable, "-W", "error", script], env=environment, capture_output=True, text=True, timeout=120
     )
-    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stderr == ""
+    assert done.returncode == 0
     visits = [line.split() for line in done.stdout.splitlines()]
     assert [place for place, *_ in visits][:3] == ["home", "draw", "display"]
     for place, shown, exposed, colours in visits:

@@ -4,6 +4,7 @@ Run as a program of its own, on a real screen.
 """
 
 import sys
+from typing import Any
 
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
@@ -38,10 +39,15 @@ def main() -> int:
         window.go(place)
         QTimer.singleShot(SETTLE_MS, lambda: leave(place))
 
+    def fail(*error: Any) -> None:
+        sys.__excepthook__(*error)
+        application.exit(1)
+
     def give_up() -> None:
         print("not done in time", file=sys.stderr)
         application.exit(1)
 
+    sys.excepthook = fail
     building.built.connect(visit)
     window.first_frame.connect(building.start)
     QTimer.singleShot(LIMIT_MS, give_up)
