@@ -18,15 +18,19 @@ from workbench.language import _
 
 
 def read_arguments(entry: Entry, words: Sequence[str]) -> tuple[Any, ...]:
-    """The arguments for ``entry.function``. Raises BadInputError, naming the argument."""
-    if len(words) != len(entry.parameters):
+    """The arguments for ``entry.function``; those with a default may be left out at the end.
+
+    Raises BadInputError, naming the argument.
+    """
+    least = len(entry.parameters) - len(entry.function.__defaults__ or ())
+    if not least <= len(words) <= len(entry.parameters):
         names = " ".join(parameter.name for parameter in entry.parameters)
         raise BadInputError(
             _("{slug} takes {count} arguments ({names}), and {given} were given.").format(
                 slug=entry.slug, count=len(entry.parameters), names=names, given=len(words)
             )
         )
-    return tuple(_read(parameter, word) for parameter, word in zip(entry.parameters, words, strict=True))
+    return tuple(_read(parameter, word) for parameter, word in zip(entry.parameters, words, strict=False))
 
 
 def _read(parameter: Parameter, word: str) -> Any:
