@@ -82,7 +82,7 @@ def midpoint_ellipse(xc: int, yc: int, rx: int, ry: int) -> Iterator[tuple[int, 
 
 ENTRY = Entry(
     function=midpoint_ellipse,
-    topic="ellipses",
+    topic="circles",
     title="Midpoint ellipse",
     summary="Walks a quarter of the ellipse in two regions, each in steps along its longer direction.",
     parameters=PARAMETERS,
