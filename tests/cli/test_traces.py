@@ -1,0 +1,43 @@
+"""The three tables of every entry's own example, in every format."""
+
+import copy
+import csv
+import io
+import json
+
+import pytest
+
+from workbench.algorithms import catalogue
+from workbench.algorithms.entry import Entry
+from workbench.cli import traces
+from workbench.cli.failure import WorkError
+from workbench.exchange.tables import to_csv, to_json, to_text
+
+ENTRIES = catalogue.entries()
+
+
+@pytest.mark.parametrize("table", list(traces.TABLES))
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.slug)
+def test_every_row_fits_its_headings(entry: Entry, table: str) -> None:
+    made = traces.TABLES[table](entry, traces.run(entry, copy.deepcopy(entry.example)))
+    assert made.rows
+    assert {len(row) for row in made.rows} == {len(made.columns)}
+    assert len(to_text(made).splitlines()) == len(made.rows) + 1
+    assert len(list(csv.reader(io.StringIO(to_csv(made))))) == len(made.rows) + 1
+    assert len(json.loads(to_json(made))["rows"]) == len(made.rows)
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.slug)
+def test_pixels_are_all_that_is_emitted(entry: Entry) -> None:
+    made = traces.pixels(entry, traces.run(entry, copy.deepcopy(entry.example)))
+    assert made.rows == [tuple(emitted) for emitted in entry.function(*copy.deepcopy(entry.example))]
+
+
+def test_a_run_that_is_too_long_is_said() -> None:
+    with pytest.raises(WorkError, match="not done after"):
+        traces.run(catalogue.get("bresenham_line"), (0, 0, 10**9, 1))
+
+
+def test_a_run_that_fails_is_said() -> None:
+    with pytest.raises(WorkError, match="midpoint_circle stopped with an error, TypeError in line"):
+        traces.run(catalogue.get("midpoint_circle"), (0, 0, "r"))
