@@ -75,7 +75,7 @@ class Showing(QWidget):
 
 
 OFFERED = (
-    Workspace("draw", "Draw", "Lines", "pencil-line", (f"{MODULE}:Drawing",)),
+    Workspace("draw", "Draw", "Lines", "pencil-line", (f"{MODULE}:Drawing",), lower=("tube",)),
     Workspace("display", "Display", "Tubes", "monitor", (f"{MODULE}:Showing",)),
 )
 

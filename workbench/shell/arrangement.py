@@ -12,6 +12,7 @@ from workbench.shell.settings import Settings
 VERSION = 1
 _HIGH_PX = 860
 _SIDE_SHARE = 0.34
+_SHARES = (0.58, 0.42)
 _AREAS = {
     "left": Qt.DockWidgetArea.LeftDockWidgetArea,
     "right": Qt.DockWidgetArea.RightDockWidgetArea,
@@ -28,7 +29,7 @@ class _Set:
 
     docks: list[QDockWidget] = field(default_factory=list)
     areas: dict[str, Qt.DockWidgetArea] = field(default_factory=dict)
-    centre: QWidget | None = None
+    lower: set[str] = field(default_factory=set)
 
 
 class Arrangements:
@@ -46,8 +47,11 @@ class Arrangements:
         )
         window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
 
-    def add(self, workspace: str, parts: Sequence[DockPart]) -> None:
-        """Make docks of a panel's parts, hidden until their workspace is shown."""
+    def add(self, workspace: str, parts: Sequence[DockPart], lower: Sequence[str] = ()) -> None:
+        """Make docks of a panel's parts, hidden until their workspace is shown.
+
+        Those named in ``lower`` begin in the lower half of the right side, the others where their part says.
+        """
         held = self._sets.setdefault(workspace, _Set())
         for name, title, widget, area in parts:
             dock = QDockWidget(title, self._window)
@@ -55,6 +59,9 @@ class Arrangements:
             dock.setWidget(widget)
             dock.toggleViewAction().setToolTip(_("Show or hide {title}").format(title=title))
             where = _AREAS[area] if isinstance(area, str) else area
+            if name in lower:
+                where = _AREAS["right"]
+                held.lower.add(dock.objectName())
             held.docks.append(dock)
             held.areas[dock.objectName()] = where
             self._window.addDockWidget(where, dock)
@@ -104,10 +111,10 @@ class Arrangements:
         for dock in held.docks:
             by_area.setdefault(held.areas[dock.objectName()], []).append(dock)
         for area, docks in by_area.items():
-            self._place(area, docks)
+            self._place(area, docks, held.lower)
 
-    def _place(self, area: Qt.DockWidgetArea, docks: list[QDockWidget]) -> None:
-        """The side column: tabs above the last dock when the window is low, all stacked when it is high."""
+    def _place(self, area: Qt.DockWidgetArea, docks: list[QDockWidget], below: set[str]) -> None:
+        """A side column is two groups of tabs when the window is low, and all stacked when it is high."""
         window = self._window
         sideways = area in (_AREAS["left"], _AREAS["right"])
         along = Qt.Orientation.Vertical if sideways else Qt.Orientation.Horizontal
@@ -115,14 +122,16 @@ class Arrangements:
             window.addDockWidget(area, dock, along)
             dock.show()
         if sideways and window.height() < _HIGH_PX and len(docks) > 2:
-            alone = docks[-1] if docks[-1].objectName().endswith(".tube") else None
-            tabbed = [dock for dock in docks if dock is not alone]
-            for dock in tabbed[1:]:
-                window.tabifyDockWidget(tabbed[0], dock)
-            tabbed[0].raise_()
-            if alone is not None:
-                high = window.height()
-                window.resizeDocks([tabbed[0], alone], [round(high * 0.6), round(high * 0.4)], along)
+            lower = [dock for dock in docks if dock.objectName() in below]
+            upper = [dock for dock in docks if dock not in lower]
+            for group in (upper, lower):
+                for dock in group[1:]:
+                    window.tabifyDockWidget(group[0], dock)
+                if group:
+                    group[0].raise_()
+            if upper and lower:
+                shares = [round(window.height() * share) for share in _SHARES]
+                window.resizeDocks([upper[0], lower[0]], shares, along)
         if sideways:
             width = round(window.width() * _SIDE_SHARE)
             window.resizeDocks([docks[0]], [width], Qt.Orientation.Horizontal)

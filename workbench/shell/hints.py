@@ -92,7 +92,7 @@ class Hints(QFrame):
         elif target.width() < window.width() // 2:
             x, y = corner.x() - self.width() - 12, corner.y() + 24
         else:
-            y = corner.y() + 24
+            y = corner.y() + target.height() - self.height() - 48
         self.move(
             max(8, min(window.width() - self.width() - 8, x)),
             max(8, min(window.height() - self.height() - 8, y)),

@@ -1,4 +1,4 @@
-"""The pages of the window by name. Only Home is there at the first frame; the others are made when asked for."""
+"""The pages of the window by name. Home is there at the first frame; the others are made when asked for."""
 
 from __future__ import annotations
 

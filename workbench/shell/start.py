@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication
 from workbench.language import _
 from workbench.shell.settings import Settings
 from workbench.shell.theme import ThemeSwitch
+from workbench.shell.warming import Warming
 from workbench.shell.window import PROGRAM, MainWindow
 
 if TYPE_CHECKING:
@@ -41,6 +42,7 @@ class Building(QObject):
         self._timer.setInterval(0)
         self._timer.timeout.connect(self._slice)
         self._imported.connect(self._begin)
+        self._warming = Warming(window)
         self._importing = threading.Thread(target=self._import, name="imports", daemon=True)
 
     def start(self) -> None:
@@ -49,9 +51,10 @@ class Building(QObject):
         self._importing.start()
 
     def wait(self) -> None:
-        """Wait for the imports, which must not outlive the interpreter."""
+        """Wait for threads, which must not outlive the interpreter."""
         if self._importing.is_alive():
             self._importing.join()
+        self._warming.stop()
 
     def _import(self) -> None:
         for module in (*_SLOW_IMPORTS, *self._window.panel_modules()):
@@ -87,8 +90,15 @@ class Building(QObject):
         session.autosave_failed.connect(window.files.warn)
         session.start_autosave()
         window.status.preparing("")
+        self._warming.prepare("draw")
+        window.entered.connect(self._warming.prepare)
+        window.entered.connect(window.show_hints)
         session.autosave_failed.connect(lambda sentence: window.messages.say(sentence, "error"))
         session.start_autosave()
+        window.status.preparing("")
+        self._warming.prepare("draw")
+        window.entered.connect(self._warming.prepare)
+        window.entered.connect(window.show_hints)
 
 
 def make_window(settings: Settings | None = None, offered: Sequence[Workspace] | None = None) -> MainWindow:

@@ -222,6 +222,10 @@ class MainWindow(QMainWindow):
         self.centres[slug].setFocus()
         self.entered.emit(slug)
 
+    def topics(self, slug: str) -> tuple[str, ...]:
+        """What the algorithms of a workspace are about."""
+        return self._offered[slug].topics
+
     def workspace_titles(self) -> list[tuple[str, str]]:
         """Slug and title of each workspace."""
         return [(each.slug, each.title) for each in self._offered.values()]
@@ -246,7 +250,7 @@ class MainWindow(QMainWindow):
         self.centres[slug] = host
         self.stack.addWidget(host)
         for panel in made:
-            self.arrangements.add(slug, panel.docks())
+            self.arrangements.add(slug, panel.docks(), workspace.lower)
             for action in panel.actions():
                 self.addAction(action)
             bar = getattr(panel, "step_bar", None)
@@ -335,11 +339,12 @@ class MainWindow(QMainWindow):
         self.enter("draw")
         self.show_hints()
 
-    def show_hints(self) -> None:
+    def show_hints(self, workspace: str = "draw") -> None:
         """Point at canvas, step bar and source, unless this was dismissed for good."""
         from workbench.shell.hints import show_hints
 
-        show_hints(self)
+        if workspace == "draw":
+            show_hints(self)
 
     def reset_workspace(self) -> None:
         """Put every dock back where it was at first."""

@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLayout, QToolButton, QWidget
 
 from workbench.language import _
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 HEIGHT_PX = 36
 
 
-class WorkspaceBar(QWidget):
+class WorkspaceBar(QFrame):
     """``chosen`` carries the slug of what was pressed. Commands stand at the right end."""
 
     chosen = Signal(str)

@@ -9,7 +9,8 @@ from workbench.language import _
 
 class Workspace(NamedTuple):
     """One workspace. ``panels`` are "module:class", the first of which fills the middle; they are made when
-    the workspace is first shown. ``steps`` tells whether the step bar belongs to it.
+    the workspace is first shown. ``steps`` tells whether the step bar belongs to it, ``topics`` which
+    algorithms it is about, ``lower`` which docks begin in the lower group of the side column.
     """
 
     slug: str
@@ -18,6 +19,8 @@ class Workspace(NamedTuple):
     icon: str
     panels: tuple[str, ...]
     steps: bool = False
+    topics: tuple[str, ...] = ()
+    lower: tuple[str, ...] = ()
 
     @property
     def modules(self) -> tuple[str, ...]:
@@ -43,6 +46,8 @@ def workspaces() -> tuple[Workspace, ...]:
             "pencil-line",
             ("workbench.panels.draw:DrawPanel", inspector),
             steps=True,
+            topics=("lines", "circles"),
+            lower=("tube", "distance"),
         ),
         Workspace(
             "display",

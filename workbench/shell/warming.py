@@ -1,0 +1,87 @@
+"""Has the readings that a workspace needs compiled meanwhile, and says in the status bar how far that is."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from workbench.language import _
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from workbench.engine.warm import Progress
+    from workbench.engine.warm import Warming as Child
+    from workbench.shell.window import MainWindow
+
+
+class Warming(QObject):
+    """One child process at a time, followed by a thread; the interface only reads what they report."""
+
+    _progressed = Signal(int, int)
+    _ended = Signal(bool)
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self._asked: set[str] = set()
+        self._waiting: list[str] = []
+        self._thread: threading.Thread | None = None
+        self._child: Child | None = None
+        self._stopped = False
+        self._progressed.connect(self._tell)
+        self._ended.connect(self._end)
+
+    def prepare(self, workspace: str) -> None:
+        """Prepare the algorithms of a workspace, once."""
+        topics = self._window.topics(workspace)
+        if workspace in self._asked or not topics:
+            return
+        self._asked.add(workspace)
+        self._waiting += topics
+        self._next()
+
+    def stop(self) -> None:
+        """End what is still running; what is finished is kept."""
+        self._stopped = True
+        if self._child is not None:
+            self._child.stop()
+        if self._thread is not None:
+            self._thread.join()
+
+    def _next(self) -> None:
+        if self._thread is None and self._waiting and not self._stopped:
+            topics, self._waiting = self._waiting, []
+            self._thread = threading.Thread(target=self._work, args=(topics,), name="warming", daemon=True)
+            self._thread.start()
+
+    def _work(self, topics: Sequence[str]) -> None:
+        from workbench.algorithms import catalogue
+        from workbench.engine import compiled
+        from workbench.engine.warm import Warming as Child
+
+        available = compiled.available()
+        if available and not self._stopped:
+            slugs = [entry.slug for entry in catalogue.entries() if entry.topic in topics]
+            self._child = Child(slugs)
+            if self._stopped:
+                self._child.stop()
+            else:
+                self._child.follow(self._report)
+        self._ended.emit(available)
+
+    def _report(self, progress: Progress) -> None:
+        self._progressed.emit(progress.done, progress.total)
+
+    def _tell(self, done: int, total: int) -> None:
+        self._window.status.preparing(_("Preparing {done} of {total}").format(done=done, total=total))
+
+    def _end(self, available: bool) -> None:
+        if self._thread is not None:
+            self._thread.join()
+        self._thread, self._child = None, None
+        status = self._window.status
+        status.preparing("" if available else _("Running without the compiler: large pictures take longer."))
+        self._next()
