@@ -155,6 +155,11 @@ class Steps:
         return self._candidates(visit, view) if view else ()
 
     @property
+    def judged(self) -> int:
+        """How many steps ``find_decisions`` has looked at."""
+        return self._judged
+
+    @property
     def decisions(self) -> tuple[int, ...]:
         """Steps whose view differs from that of the step before. Looks at all of them."""
         return self.find_decisions(self._length)

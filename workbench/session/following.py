@@ -21,6 +21,7 @@ class Following(QObject):
         session.state_changed.connect(self.update)
         run.moved.connect(self._moved)
         run.grown.connect(self._lock)
+        run.asked.connect(lambda: session.update_state(ask_first=run.ask_first))
         QTimer.singleShot(0, self.update)
 
     def update(self) -> None:

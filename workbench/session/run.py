@@ -81,6 +81,26 @@ class Run(RecordedRun):
         return self._at_end
 
     @property
+    def seen(self) -> int:
+        """The last step that was shown while asking first."""
+        return self._seen
+
+    @property
+    def step_number(self) -> int:
+        """The step the cursor is in."""
+        if not self.detail or self.steps is None:
+            return self._position
+        event = self._event()
+        return self.steps.step_of(event) if event >= 0 else 0
+
+    def go_to_step(self, number: int) -> None:
+        """Move to a step; in detail, to its last line."""
+        if self.detail and self.steps is not None:
+            self.go(self.steps.span(min(number, len(self.steps)))[1])
+        else:
+            self.go(number)
+
+    @property
     def last_position(self) -> int:
         """The last position recorded so far."""
         if self.recording is None or self.steps is None:
@@ -131,8 +151,7 @@ class Run(RecordedRun):
         """The step the cursor is in."""
         if self.recording is None or self.steps is None or not len(self.recording):
             return None
-        number = self.steps.step_of(self._event()) if self.detail else self._position
-        return self.steps[min(number, len(self.steps))]
+        return self.steps[min(self.step_number, len(self.steps))]
 
     @property
     def sentence(self) -> tuple[Part, ...]:

@@ -1,0 +1,71 @@
+"""The inspector serves every algorithm: its source, its variables and structures, its hand table."""
+
+from typing import Any
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QSplitter, QWidget
+
+from workbench.language import _
+from workbench.session.session import Session
+from workbench.widgets.hand_table import HandTable
+from workbench.widgets.source_view import SourceView
+from workbench.widgets.step_bar import Steps
+from workbench.widgets.structure_table import StructureTable
+from workbench.widgets.variable_table import VariableTable
+
+
+class InspectorPanel(QWidget):
+    """Docks over the run of a session, and the step bar below the workspace.
+
+    ``hover_text``: what is to be said in passing. ``pixel_pointed``: a pixel (x, y) that the sentence names
+    and that is pointed at, None when no longer.
+    """
+
+    hover_text = Signal(str)
+    pixel_pointed = Signal(object)
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        run = session.run
+        self.title = _("Inspector")
+        self.source = SourceView(run)
+        self.variables = VariableTable(run)
+        self.structures = StructureTable(run)
+        self.hand = HandTable(run)
+        self.values = QSplitter(Qt.Orientation.Vertical)
+        self.values.addWidget(self.variables)
+        self.values.addWidget(self.structures)
+        self.values.setChildrenCollapsible(False)
+        self.step_bar = Steps(run)
+        self.step_bar.sentence.variable_chosen.connect(self.variables.point_at)
+        self.step_bar.sentence.variable_pointed.connect(self.variables.point_at)
+        self.step_bar.sentence.pixel_chosen.connect(run.run_to_pixel)
+        self.step_bar.sentence.pixel_pointed.connect(self.pixel_pointed)
+        self.source.refused.connect(self.hover_text)
+        self.hand.copied.connect(self.hover_text)
+        for view in (self.source, self.variables, self.hand):
+            view.example_wanted.connect(self.show_example)
+
+    @property
+    def center(self) -> QWidget:
+        """The inspector has docks only."""
+        return self
+
+    def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
+        """Source, variables with structures, hand table: all on the right."""
+        right = Qt.DockWidgetArea.RightDockWidgetArea
+        return [
+            ("source", _("Source"), self.source, right),
+            ("variables", _("Variables"), self.values, right),
+            ("hand_table", _("Hand table"), self.hand, right),
+        ]
+
+    def actions(self) -> list[QAction]:  # type: ignore[override]
+        """What this panel adds to the window's commands."""
+        return [self.hand.copy_action]
+
+    def show_example(self, *_args: Any) -> None:
+        """Open the line that is already drawn."""
+        self._session.open_example("line")

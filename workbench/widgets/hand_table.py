@@ -1,0 +1,199 @@
+"""The hand table as the course writes it, one row for each step, filled only where it is looked at."""
+
+import threading
+from typing import Any
+
+from PySide6.QtCore import QAbstractTableModel, QMimeData, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtGui import QAction, QFont, QGuiApplication, QKeySequence
+from PySide6.QtWidgets import QHeaderView, QTableView, QVBoxLayout, QWidget
+
+from workbench.engine.observation import Steps
+from workbench.exchange.tables import Table, shown, to_html, to_tsv, typeset
+from workbench.language import _
+from workbench.session.run import Run
+from workbench.widgets.empty_state import EmptyState
+from workbench.widgets.tokens import colour, theme, tokens
+from workbench.widgets.type_faces import code_font
+
+Index = QModelIndex | QPersistentModelIndex
+_AT_ONCE = 500
+
+
+class HandModel(QAbstractTableModel):
+    """The steps of a run as rows; a row is evaluated when it is shown."""
+
+    def __init__(self, run: Run, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._run = run
+        self._rows = 0
+        self._current = 0
+
+    def reset(self) -> None:
+        """Another run."""
+        self.beginResetModel()
+        self._rows = self._reachable()
+        self._current = 0
+        self.endResetModel()
+
+    def _reachable(self) -> int:
+        steps = self._run.steps
+        if steps is None:
+            return 0
+        return min(len(steps), self._run.seen) if self._run.ask_first else len(steps)
+
+    def update(self) -> None:
+        """Take in what was recorded since, and mark the current step."""
+        rows = self._reachable()
+        if rows > self._rows:
+            self.beginInsertRows(QModelIndex(), self._rows, rows - 1)
+            self._rows = rows
+            self.endInsertRows()
+        elif rows < self._rows:
+            self.beginRemoveRows(QModelIndex(), rows, self._rows - 1)
+            self._rows = rows
+            self.endRemoveRows()
+        current = self._run.step_number
+        if current != self._current:
+            low, high = sorted((current, self._current))
+            self._current = current
+            if self._rows:
+                last = len(self.columns) - 1
+                self.dataChanged.emit(
+                    self.index(max(low - 1, 0), 0), self.index(min(max(high - 1, 0), self._rows - 1), last)
+                )
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The headings as the entry writes them."""
+        return self._run.entry.columns if self._run.entry is not None else ()
+
+    @property
+    def current(self) -> int:
+        """The step that is marked."""
+        return self._current
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """Steps recorded so far."""
+        return 0 if parent.isValid() else self._rows
+
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """As many as the entry declares."""
+        return 0 if parent.isValid() else len(self.columns)
+
+    def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
+        """Headings with real subscripts."""
+        if orientation != Qt.Orientation.Horizontal or section >= len(self.columns):
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return typeset(self.columns[section])
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        return None
+
+    def data(self, index: Index, role: int = 0) -> Any:
+        """One cell."""
+        number = index.row() + 1
+        if role == Qt.ItemDataRole.DisplayRole:
+            steps = self._run.steps
+            if steps is None or number > len(steps):
+                return None
+            row = steps[number].row
+            return (
+                shown(row[index.column()]).replace("-", "\N{MINUS SIGN}") if index.column() < len(row) else ""
+            )
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        now = tokens()
+        if role == Qt.ItemDataRole.BackgroundRole and number == self._current:
+            return colour(now.selected)
+        if role == Qt.ItemDataRole.ForegroundRole:
+            return colour(now.muted if number > self._current else now.text)
+        if role == Qt.ItemDataRole.FontRole:
+            font = code_font(12)
+            font.setWeight(QFont.Weight.DemiBold if number == self._current else QFont.Weight.Normal)
+            return font
+        return None
+
+
+class HandTable(QWidget):
+    """The hand table of a run. ``copied``: a sentence, when it is on the clipboard."""
+
+    copied = Signal(str)
+    example_wanted = Signal()
+    _ready = Signal(object)
+
+    def __init__(self, run: Run, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._run = run
+        self.model = HandModel(run, self)
+        self.view = QTableView()
+        self.view.setModel(self.model)
+        self.view.setAccessibleName(_("Hand table"))
+        self.view.setToolTip(_("One row for each step; click a row to go there"))
+        self.view.setShowGrid(False)
+        self.view.setSelectionBehavior(QTableView.SelectionBehavior.SelectRows)
+        self.view.setSelectionMode(QTableView.SelectionMode.NoSelection)
+        self.view.setTabKeyNavigation(False)
+        self.view.verticalHeader().hide()
+        self.view.verticalHeader().setDefaultSectionSize(22)
+        header = self.view.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        header.setFont(code_font(12))
+        self.view.clicked.connect(lambda index: run.go_to_step(index.row() + 1))
+        self.copy_action = QAction(_("Copy table"), self)
+        self.copy_action.setToolTip(_("Copy the hand table; it pastes as a table"))
+        self.copy_action.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
+        self.copy_action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        self.copy_action.triggered.connect(self.copy)
+        self.view.addAction(self.copy_action)
+        self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        self.state = EmptyState(self.view, _("Draw a figure, and each of its steps becomes a row."))
+        self.state.wanted.connect(self.example_wanted)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.state)
+        self.setFocusProxy(self.view)
+        self._ready.connect(self._to_clipboard)
+        run.changed.connect(self._take_run)
+        for signal in (run.moved, run.grown, run.asked):
+            signal.connect(self.refresh)
+        theme.changed.connect(self.view.viewport().update)
+        self._take_run()
+
+    def _take_run(self) -> None:
+        self.model.reset()
+        self.state.set_empty(self._run.entry is None)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Follow the run: new rows, the current one in sight."""
+        before = self.model.current
+        self.model.update()
+        current = self.model.current
+        if current and current != before and current <= self.model.rowCount():
+            self.view.scrollTo(self.model.index(current - 1, 0))
+
+    def copy(self) -> None:
+        """Put the whole table on the clipboard, as text with tabs and as HTML."""
+        entry, recording, rows = self._run.entry, self._run.recording, self.model.rowCount()
+        if entry is None or recording is None:
+            return
+        if rows <= _AT_ONCE:
+            self._to_clipboard(_table(Steps(entry, recording), rows))
+            return
+        self.copied.emit(_("Copying {rows:,} rows ...").format(rows=rows))
+        threading.Thread(
+            target=lambda: self._ready.emit(_table(Steps(entry, recording), rows)), name="copy", daemon=True
+        ).start()
+
+    def _to_clipboard(self, table: Table) -> None:
+        data = QMimeData()
+        data.setText(to_tsv(table))
+        data.setHtml(to_html(table))
+        QGuiApplication.clipboard().setMimeData(data)
+        self.copied.emit(_("{rows:,} rows copied.").format(rows=len(table.rows)))
+
+
+def _table(steps: Steps, rows: int) -> Table:
+    return Table(steps.entry.columns, [tuple(steps[number].row) for number in range(1, rows + 1)])
