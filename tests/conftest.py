@@ -4,6 +4,7 @@ Python warnings and Qt warnings fail a test through ``pyproject.toml``; a log re
 fails it here, unless the test asks for ``caplog`` and so judges the records itself.
 """
 
+import gc
 import itertools
 import logging
 import os
@@ -37,6 +38,14 @@ def profile(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     os.environ["GRAPHICS_WORKBENCH_PROFILE"] = str(folder)
     yield folder
     os.environ.pop("GRAPHICS_WORKBENCH_PROFILE", None)
+
+
+@pytest.fixture(autouse=True)
+def _garbage() -> Iterator[None]:
+    """Collect what an application collects from its event loop, which no longer turns after a test."""
+    yield
+    if not gc.isenabled():
+        gc.collect(0)
 
 
 class _Unexpected(logging.Handler):

@@ -210,3 +210,15 @@ def test_trouble_reaches_the_interface(qtbot: QtBot, tmp_path: Path, monkeypatch
         session._recovery.flush()
     assert "The disk is full." in told.args[0]
     session.close()
+
+
+def test_without_a_folder_to_keep_it_in_work_goes_on(qtbot: QtBot, tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    session = Session(document=example_document())
+    with qtbot.waitSignal(session.autosave_failed) as told:
+        session.start_autosave(tmp_path / "file" / "recovery")
+    assert "save often" in told.args[0]
+    session.apply(MOVE, "Move")
+    session.flush()
+    assert recoverable(tmp_path / "file" / "recovery") == []
+    session.close()

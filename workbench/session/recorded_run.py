@@ -13,6 +13,7 @@ from workbench.engine.observation import Steps
 from workbench.engine.recorder import LIMIT, Recorder
 from workbench.engine.recording import Recording
 from workbench.language import _
+from workbench.session.collecting import collect_here
 
 DEPTH_LIMIT = 900
 _LOOK_MS = 16
@@ -32,6 +33,7 @@ class RecordedRun(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        collect_here()
         self.entry: Entry | None = None
         self.calls: tuple[tuple[Any, ...], ...] = ()
         self.figure_id = ""

@@ -130,7 +130,7 @@ def recoverable(folder: Path | None = None) -> list[Recoverable]:
     """The work that dead processes left, newest first. What nothing was kept of is cleared away."""
     folder = recovery_folder() if folder is None else folder
     found: list[Recoverable] = []
-    if not folder.is_dir():
+    if not folder.is_dir() or not os.access(folder, os.R_OK | os.W_OK | os.X_OK):
         return found
     sweep(folder)
     files = [file for ending in (_DOCUMENT, _LOCK) for file in folder.glob(f"*{ending}")]

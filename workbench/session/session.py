@@ -188,7 +188,11 @@ class Session(QObject):
 
     def start_autosave(self, folder: Path | None = None) -> None:
         """Keep unsaved work in a recovery file until ``close``; ``autosave_failed`` tells of trouble."""
-        self._recovery = RecoveryFile(folder, failed=self.autosave_failed.emit)
+        try:
+            self._recovery = RecoveryFile(folder, failed=self.autosave_failed.emit)
+        except OSError as error:
+            sentence = _("Unsaved work cannot be kept safe ({reason}); save often, or make room.")
+            self.autosave_failed.emit(sentence.format(reason=error.strerror or error))
         self._keep_safe()
 
     def recover(self, work: Recoverable) -> None:

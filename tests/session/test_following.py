@@ -1,0 +1,90 @@
+"""The runs of a session follow what is active, and their cursor is the session's step."""
+
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from workbench.document import edits
+from workbench.document.samples import example
+from workbench.session import Session
+
+
+@pytest.fixture
+def session(qtbot: QtBot) -> Session:
+    session = Session(document=example("line").document)
+    qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
+    yield session
+    session.close()
+
+
+def recorded(session: Session, qtbot: QtBot) -> None:
+    """Wait until what is active now is recorded."""
+    session.flush()
+    qtbot.waitUntil(lambda: session.run.done)
+
+
+def test_the_front_figure_is_followed_until_another_is_made_active(session: Session, qtbot: QtBot) -> None:
+    session.new(example("slopes").document)
+    recorded(session, qtbot)
+    assert (session.run.figure_id, session.run.entry.slug) == ("f3", "midpoint_line")
+    session.update_state(active="f1")
+    recorded(session, qtbot)
+    assert (session.run.figure_id, session.run.entry.slug) == ("f1", "dda_line")
+    assert session.run.arguments == (4, 12, 36, 18)
+
+
+def test_an_edit_of_the_figure_is_a_new_run_that_stays_at_its_step(session: Session, qtbot: QtBot) -> None:
+    session.run.go(4)
+    assert session.state.step == 4
+    session.apply(edits.move_points({"s1/f1/p2/x": (35.0, 12.0)}), "Move")
+    recorded(session, qtbot)
+    assert session.run.arguments == (20, 10, 35, 12)
+    assert (session.run.position, session.state.step) == (4, 4)
+
+
+def test_another_figures_run_begins_at_its_start(session: Session, qtbot: QtBot) -> None:
+    session.new(example("circles").document)
+    session.update_state(active="f1")
+    recorded(session, qtbot)
+    session.run.go(3)
+    session.update_state(active="f2")
+    recorded(session, qtbot)
+    assert (session.run.position, session.state.step) == (0, 0)
+    session.update_state(active="f1", step=2)
+    recorded(session, qtbot)
+    assert session.run.position == 2
+    session.apply(edits.remove_figures(["f1"]), "Remove")
+    recorded(session, qtbot)
+    assert (session.run.figure_id, session.run.position) == ("f3", 0)
+
+
+def test_no_figure_no_run(session: Session, qtbot: QtBot) -> None:
+    session.apply(edits.remove_figures(["f1"]), "Remove")
+    recorded(session, qtbot)
+    assert session.run.entry is None
+    session.undo_stack.undo()
+    recorded(session, qtbot)
+    assert session.run.entry.slug == "bresenham_line"
+
+
+def test_the_compared_algorithm_follows_step_for_step(session: Session, qtbot: QtBot) -> None:
+    assert session.follower.entry is None
+    session.update_state(compare="midpoint_line")
+    session.flush()
+    qtbot.waitUntil(lambda: session.follower.done and session.follower.entry is not None)
+    session.run.go(6)
+    assert (session.follower.entry.slug, session.follower.position) == ("midpoint_line", 6)
+    session.update_state(compare="")
+    session.flush()
+    assert session.follower.entry is None
+
+
+def test_the_step_comes_back_with_the_file(session: Session, qtbot: QtBot, tmp_path: Path) -> None:
+    session.run.go(7)
+    session.save_as(tmp_path / "a.gwb")
+    session.new()
+    recorded(session, qtbot)
+    session.open(tmp_path / "a.gwb")
+    recorded(session, qtbot)
+    assert (session.run.position, session.state.step) == (7, 7)
