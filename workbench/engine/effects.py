@@ -7,6 +7,7 @@ import sys
 import textwrap
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from types import CodeType, FunctionType
 from typing import Any, NamedTuple
 
@@ -30,13 +31,17 @@ class Effects(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """One function as the recorder knows it: its names in order of appearance, the effects of its lines."""
+    """One function as the recorder knows it: its names in order of appearance, the effects of its lines.
+
+    ``varying`` are the names that are bound inside a loop.
+    """
 
     function: Callable[..., Any]
     code: CodeType
     name: str
     names: tuple[str, ...]
     parameters: tuple[str, ...]
+    varying: frozenset[str]
     effects: Mapping[int, Effects]
     otherwise: Effects | None
 
@@ -137,6 +142,8 @@ def line_effects(tree: ast.AST) -> dict[int, Effects]:
     return {line: effects for line, look in found.items() if (effects := look.effects()) is not None}
 
 
+@lru_cache(maxsize=256)
+@lru_cache(maxsize=256)
 def text_of(function: FunctionType) -> Text:
     """Read one function; without its source every line is taken to change everything."""
     code = function.__code__
@@ -149,13 +156,20 @@ def text_of(function: FunctionType) -> Text:
     except (OSError, SyntaxError):
         names = tuple(code.co_varnames)
         everything = Effects(names, (), names)
-        return Text(function, code, function.__name__, names, parameters, {}, everything)
+        return Text(function, code, function.__name__, names, parameters, frozenset(), {}, everything)
     ast.increment_lineno(tree, first - 1)
     effects = line_effects(tree.body[0])
     bound = dict.fromkeys(parameters)
     for line in sorted(effects):
         bound.update(dict.fromkeys(effects[line].binds))
-    return Text(function, code, function.__name__, tuple(bound), parameters, effects, None)
+    varying = _bound_in_loops(tree, effects)
+    return Text(function, code, function.__name__, tuple(bound), parameters, varying, effects, None)
+
+
+def _bound_in_loops(tree: ast.AST, effects: Mapping[int, Effects]) -> frozenset[str]:
+    loops = (node for node in ast.walk(tree) if isinstance(node, ast.For | ast.While))
+    lines = {line for loop in loops for line in range(loop.lineno, (loop.end_lineno or loop.lineno) + 1)}
+    return frozenset(name for line in lines & effects.keys() for name in effects[line].binds)
 
 
 def _global_names(code: CodeType) -> Iterator[str]:

@@ -4,6 +4,8 @@ A run is recorded in the background and can be read from the first instant. Its 
 the hand table, 0 is before the first) or, in detail, lines that ran (the number of lines is the end).
 """
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -162,6 +164,16 @@ class Run(RecordedRun):
             return self.steps.told(self._event())
         step = self.step
         return step.sentence if step else ()
+
+    @property
+    def variables(self) -> dict[str, Any]:
+        """The variables at the cursor: those that a loop changes, then those that are set once."""
+        moment, recording = self.moment, self.recording
+        if moment is None or recording is None:
+            return {}
+        varying = next(text.varying for text in recording.texts if text.name == moment.function)
+        order = sorted(moment.variables, key=lambda name: name not in varying)
+        return {name: moment.variables[name] for name in order}
 
     @property
     def changed_names(self) -> frozenset[str]:

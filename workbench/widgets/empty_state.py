@@ -1,9 +1,11 @@
 """What a view says while it has nothing to show: one sentence and one button."""
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QStackedLayout, QVBoxLayout, QWidget
 
 from workbench.language import _
+from workbench.widgets.tokens import colour, tokens
 
 
 class EmptyState(QWidget):
@@ -30,6 +32,10 @@ class EmptyState(QWidget):
         column.addWidget(self.button, 0, Qt.AlignmentFlag.AlignLeft)
         column.addStretch(1)
         self._layout.addWidget(words)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """The ground of a panel."""
+        QPainter(self).fillRect(event.rect(), colour(tokens().surface))
 
     def set_empty(self, empty: bool) -> None:
         """Show the sentence, or the view."""

@@ -5,13 +5,14 @@ from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QMimeData, QModelIndex, QPersistentModelIndex, Qt, Signal
 from PySide6.QtGui import QAction, QFont, QGuiApplication, QKeySequence
-from PySide6.QtWidgets import QHeaderView, QTableView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
 from workbench.engine.observation import Steps
 from workbench.exchange.tables import Table, shown, to_html, to_tsv, typeset
 from workbench.language import _
 from workbench.session.run import Run
 from workbench.widgets.empty_state import EmptyState
+from workbench.widgets.table_columns import FittedColumns
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import code_font
 
@@ -80,7 +81,9 @@ class HandModel(QAbstractTableModel):
         """As many as the entry declares."""
         return 0 if parent.isValid() else len(self.columns)
 
-    def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
         """Headings with real subscripts."""
         if orientation != Qt.Orientation.Horizontal or section >= len(self.columns):
             return None
@@ -90,7 +93,7 @@ class HandModel(QAbstractTableModel):
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         return None
 
-    def data(self, index: Index, role: int = 0) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """One cell."""
         number = index.row() + 1
         if role == Qt.ItemDataRole.DisplayRole:
@@ -136,10 +139,8 @@ class HandTable(QWidget):
         self.view.setTabKeyNavigation(False)
         self.view.verticalHeader().hide()
         self.view.verticalHeader().setDefaultSectionSize(22)
-        header = self.view.horizontalHeader()
-        header.setHighlightSections(False)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        header.setFont(code_font(12))
+        self.view.horizontalHeader().setFont(code_font(12))
+        FittedColumns(self.view)
         self.view.clicked.connect(lambda index: run.go_to_step(index.row() + 1))
         self.copy_action = QAction(_("Copy table"), self)
         self.copy_action.setToolTip(_("Copy the hand table; it pastes as a table"))

@@ -40,6 +40,7 @@ class SourceText(QPlainTextEdit):
         self.setTextInteractionFlags(
             Qt.TextInteractionFlag.TextSelectableByMouse | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )
+        self.document().setDocumentMargin(0)
         self._highlighter = SourceHighlighter(self.document())
         self._gutter = _Gutter(self)
         self.first_line = 1

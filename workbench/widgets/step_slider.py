@@ -22,6 +22,7 @@ class StepSlider(QSlider):
         self.setAccessibleName(_("Position in the run"))
         self.setToolTip(_("Drag to any step; marks show where the decision changed"))
         self.setMinimumWidth(90)
+        self.setFixedHeight(32)
         self.setPageStep(10)
         self._search = QTimer(self)
         self._search.setInterval(0)

@@ -3,13 +3,15 @@
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
-from PySide6.QtWidgets import QHeaderView, QLabel, QTableView, QVBoxLayout, QWidget
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QLabel, QTableView, QVBoxLayout, QWidget
 
 from workbench.engine.observation import Table
 from workbench.exchange.tables import shown, typeset
 from workbench.language import _, ngettext
 from workbench.session.run import Run
-from workbench.widgets.tokens import theme
+from workbench.widgets.table_columns import FittedColumns
+from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import code_font
 
 Index = QModelIndex | QPersistentModelIndex
@@ -37,7 +39,9 @@ class StructureModel(QAbstractTableModel):
         """Its fields."""
         return 0 if parent.isValid() else len(self.table[0])
 
-    def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
         """Its headings; rows are counted from 0."""
         if role == Qt.ItemDataRole.DisplayRole:
             return typeset(self.table[0][section]) if orientation == Qt.Orientation.Horizontal else section
@@ -45,7 +49,7 @@ class StructureModel(QAbstractTableModel):
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         return None
 
-    def data(self, index: Index, role: int = 0) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """One cell."""
         if role == Qt.ItemDataRole.DisplayRole:
             row = self.table[1][index.row()]
@@ -94,12 +98,17 @@ class StructureTable(QWidget):
         view.setToolTip(_("{title} at this step").format(title=_(title)))
         view.setShowGrid(False)
         view.setTabKeyNavigation(False)
+        view.verticalHeader().hide()
         view.verticalHeader().setDefaultSectionSize(22)
-        view.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        FittedColumns(view)
         view.setSelectionMode(QTableView.SelectionMode.NoSelection)
         self._column.addWidget(label)
         self._column.addWidget(view, 1)
         return label, view, model
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """The ground of a panel."""
+        QPainter(self).fillRect(event.rect(), colour(tokens().surface))
 
     def refresh(self) -> None:
         """Read the structures of the step."""

@@ -62,7 +62,9 @@ class VariableModel(QAbstractTableModel):
         """Name and value."""
         return 0 if parent.isValid() else 2
 
-    def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
         """The headings."""
         if orientation == Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
             return (_("Variable"), _("Value"))[section]
@@ -70,7 +72,7 @@ class VariableModel(QAbstractTableModel):
             return _side(section)
         return None
 
-    def data(self, index: Index, role: int = 0) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Text, alignment and the mark of a change."""
         name = self.names[index.row()]
         changed = name in self.changed_names
@@ -133,12 +135,8 @@ class VariableTable(QWidget):
 
     def refresh(self) -> None:
         """Read the variables at the cursor."""
-        moment = self._run.moment
         self.state.set_empty(self._run.entry is None)
-        if moment is None:
-            self.model.take({}, frozenset())
-        else:
-            self.model.take(moment.variables, self._run.changed_names)
+        self.model.take(self._run.variables, self._run.changed_names)
 
     def point_at(self, name: str) -> None:
         """Select a variable, as when it is named in the sentence."""

@@ -1,0 +1,56 @@
+"""Column widths of a table: what the headings and a few rows need, the rest shared out."""
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QHeaderView, QTableView
+
+_SAMPLED = 12
+_PADDING_PX = 20
+
+
+class FittedColumns(QObject):
+    """Keeps every column of ``view`` wide enough to read, also in a narrow window, by looking at few rows."""
+
+    def __init__(self, view: QTableView) -> None:
+        super().__init__(view)
+        self._view = view
+        header = view.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        header.setHighlightSections(False)
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        view.setHorizontalScrollMode(QTableView.ScrollMode.ScrollPerPixel)
+        view.viewport().installEventFilter(self)
+        view.model().modelReset.connect(self.fit)
+        view.model().rowsInserted.connect(self.fit)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Fit again when the view's width changes."""
+        if event.type() == QEvent.Type.Resize:
+            self.fit()
+        return False
+
+    def fit(self) -> None:
+        """Share the width of the view among the columns."""
+        view, model = self._view, self._view.model()
+        columns, rows = model.columnCount(), model.rowCount()
+        if not columns:
+            return
+        sampled = sorted({*range(min(rows, _SAMPLED)), *range(max(rows - 2, 0), rows)})
+        heading = QFontMetrics(view.horizontalHeader().font())
+        widths = []
+        for column in range(columns):
+            title = str(
+                model.headerData(column, Qt.Orientation.Horizontal, Qt.ItemDataRole.DisplayRole) or ""
+            )
+            widest = heading.horizontalAdvance(title)
+            for row in sampled:
+                index = model.index(row, column)
+                font = index.data(Qt.ItemDataRole.FontRole)
+                metrics = QFontMetrics(font) if font is not None else heading
+                widest = max(widest, metrics.horizontalAdvance(str(index.data() or "")))
+            widths.append(widest + _PADDING_PX)
+        spare = max(view.viewport().width() - sum(widths), 0)
+        for column, width in enumerate(widths):
+            share = spare // columns + (column < spare % columns)
+            if view.columnWidth(column) != width + share:
+                view.setColumnWidth(column, width + share)
