@@ -43,6 +43,9 @@ class RecordedRun(QObject):
         self.total_steps: int | None = None
         self.limit = LIMIT
         self._held = False
+        self._deferred: (
+            tuple[Entry, tuple[Any, ...], str, tuple[int, int], Sequence[tuple[Any, ...]]] | None
+        ) = None
         self._recorder: Recorder | None = None
         self._counted: Recorder | None = None
         self._look = QTimer(self)
@@ -61,8 +64,12 @@ class RecordedRun(QObject):
     ) -> None:
         """Run ``entry`` on ``arguments``, and ``then`` on these, one run. The same run goes on as it is.
 
-        The cursor stays where it was when the figure is the same; array arguments are copied.
+        The cursor stays where it was when the figure is the same; array arguments are copied. While the run
+        is held, as under a drag, this waits and only the last of such calls is followed.
         """
+        if self._held:
+            self._deferred = (entry, arguments, figure_id, image_size, then)
+            return
         calls = (arguments, *then)
         same = self.figure_id == figure_id and self.entry is entry
         if same and self.image_size == image_size and _equal(calls, self.calls):
@@ -84,6 +91,7 @@ class RecordedRun(QObject):
 
     def clear(self) -> None:
         """No run."""
+        self._deferred = None
         if self.entry is None:
             return
         self._leaving(False)
@@ -122,6 +130,9 @@ class RecordedRun(QObject):
         self._held = False
         if self._recorder is not None:
             self._recorder.go_on()
+        if self._deferred is not None:
+            deferred, self._deferred = self._deferred, None
+            self.follow(*deferred)
 
     def stop(self) -> None:
         """Record no further; what is recorded stays."""
