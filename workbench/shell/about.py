@@ -53,7 +53,7 @@ class AboutPage(Page):
         image.setDevicePixelRatio(ratio)
         picture.setPixmap(image)
         self.column.addWidget(picture)
-        heading(self.column, f"Graphics Workbench {__version__}")
+        heading(self.column, f"Graphics Workbench {__version__}", "title")
         paragraph(
             self.column, _("Draw something, watch the algorithm make it pixel by pixel, and see it glow.")
         )

@@ -29,7 +29,7 @@ class _Set:
 
     docks: list[QDockWidget] = field(default_factory=list)
     areas: dict[str, Qt.DockWidgetArea] = field(default_factory=dict)
-    lower: set[str] = field(default_factory=set)
+    lower: tuple[str, ...] = ()
 
 
 class Arrangements:
@@ -53,6 +53,7 @@ class Arrangements:
         Those named in ``lower`` begin in the lower half of the right side, the others where their part says.
         """
         held = self._sets.setdefault(workspace, _Set())
+        held.lower = tuple(f"{workspace}.{name}" for name in lower)
         for name, title, widget, area in parts:
             dock = QDockWidget(title, self._window)
             dock.setObjectName(f"{workspace}.{name}")
@@ -61,7 +62,6 @@ class Arrangements:
             where = _AREAS[area] if isinstance(area, str) else area
             if name in lower:
                 where = _AREAS["right"]
-                held.lower.add(dock.objectName())
             held.docks.append(dock)
             held.areas[dock.objectName()] = where
             self._window.addDockWidget(where, dock)
@@ -113,7 +113,7 @@ class Arrangements:
         for area, docks in by_area.items():
             self._place(area, docks, held.lower)
 
-    def _place(self, area: Qt.DockWidgetArea, docks: list[QDockWidget], below: set[str]) -> None:
+    def _place(self, area: Qt.DockWidgetArea, docks: list[QDockWidget], below: Sequence[str]) -> None:
         """A side column is two groups of tabs when the window is low, and all stacked when it is high."""
         window = self._window
         sideways = area in (_AREAS["left"], _AREAS["right"])
@@ -122,8 +122,10 @@ class Arrangements:
             window.addDockWidget(area, dock, along)
             dock.show()
         if sideways and window.height() < _HIGH_PX and len(docks) > 2:
-            lower = [dock for dock in docks if dock.objectName() in below]
-            upper = [dock for dock in docks if dock not in lower]
+            upper = [dock for dock in docks if dock.objectName() not in below]
+            lower = sorted(
+                (dock for dock in docks if dock not in upper), key=lambda d: below.index(d.objectName())
+            )
             for group in (upper, lower):
                 for dock in group[1:]:
                     window.tabifyDockWidget(group[0], dock)

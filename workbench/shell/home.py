@@ -42,7 +42,7 @@ class HomePage(Page):
         self._cards: list[QPushButton] = []
         self._examples = QGridLayout()
         self._examples.setSpacing(8)
-        self._examples.setRowMinimumHeight(0, THUMBNAIL.height() + 46)
+        self._examples.setRowMinimumHeight(0, THUMBNAIL.height() + 56)
         self.column.addLayout(self._examples)
         heading(self.column, _("Twelve questions of a first course"))
         self._questions = QGridLayout()
@@ -65,7 +65,7 @@ class HomePage(Page):
         words = QVBoxLayout()
         words.setSpacing(2)
         words.addStretch(1)
-        heading(words, "Graphics Workbench")
+        heading(words, "Graphics Workbench", "title")
         paragraph(
             words, _("Draw something, watch the algorithm make it pixel by pixel, and see it glow."), "muted"
         )
@@ -144,7 +144,7 @@ class HomePage(Page):
             card.setProperty("card", True)
             card.setToolTip(_("Open the example: {title}").format(title=title))
             card.setAccessibleName(title)
-            card.setFixedHeight(THUMBNAIL.height() + 46)
+            card.setFixedHeight(THUMBNAIL.height() + 56)
             card.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
             column = QVBoxLayout(card)
             column.setContentsMargins(10, 10, 10, 8)
@@ -153,7 +153,8 @@ class HomePage(Page):
             image.setPixmap(picture)
             image.setAlignment(Qt.AlignmentFlag.AlignCenter)
             words = QLabel(title)
-            words.setAlignment(Qt.AlignmentFlag.AlignLeft)
+            words.setWordWrap(True)
+            words.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
             for label in (image, words):
                 label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
                 column.addWidget(label)

@@ -3,12 +3,11 @@
 from collections.abc import Iterator
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
+from PySide6.QtGui import QImage, QPainter, QPixmap
 
 from workbench.document.samples import Example, examples
 from workbench.rendering import frame_buffer
 from workbench.shell.home import THUMBNAIL
-from workbench.widgets.tokens import LIGHT
 
 
 def thumbnails(ratio: float) -> Iterator[tuple[str, str, QPixmap]]:
@@ -18,17 +17,17 @@ def thumbnails(ratio: float) -> Iterator[tuple[str, str, QPixmap]]:
 
 
 def _thumbnail(example: Example, ratio: float) -> QPixmap:
-    """The picture on paper: as large as it fits in whole device pixels per cell."""
+    """The figures alone, in whole device pixels per cell; their colours suit both themes."""
     pixels = frame_buffer(example.document.sheets[0])
     height, width = pixels.shape
     paper = example.document.sheets[0].palette[example.document.sheets[0].background]
     flipped = pixels[::-1].copy()
-    flipped[flipped == paper] = int(LIGHT.canvas[1:], 16)
-    flipped |= 0xFF000000
-    image = QImage(flipped.data, width, height, width * 4, QImage.Format.Format_RGB32).copy()
+    flipped[flipped != paper] |= 0xFF000000
+    flipped[flipped == paper] = 0
+    image = QImage(flipped.data, width, height, width * 4, QImage.Format.Format_ARGB32).copy()
     room = THUMBNAIL * ratio
     made = QPixmap(room)
-    made.fill(QColor(LIGHT.canvas))
+    made.fill(Qt.GlobalColor.transparent)
     cells = max(1.0, min(room.width() // width, room.height() // height))
     scaled = image.scaled(
         round(width * cells),

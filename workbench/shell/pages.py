@@ -23,15 +23,17 @@ class Page(QScrollArea):
         self.column.setContentsMargins(0, 0, 0, 0)
         self.column.setSpacing(8)
         if title:
-            heading(self.column, title)
+            heading(self.column, title, "title")
         self.setWidget(body)
         self.setAccessibleName(title)
 
 
-def heading(column: QVBoxLayout, text: str) -> QLabel:
-    """A title in a column."""
+def heading(column: QVBoxLayout, text: str, role: str = "section") -> QLabel:
+    """The title of a page, or with some room above it of one section."""
+    if role == "section":
+        column.addSpacing(8)
     label = QLabel(text)
-    label.setProperty("role", "title")
+    label.setProperty("role", role)
     column.addWidget(label)
     return label
 

@@ -11,6 +11,8 @@ from workbench.widgets.comfort import comfort
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
 
+_FIELD_WIDTH = 240
+
 
 class SettingsPage(Page):
     """Theme, size of type, calm, ask first, hints."""
@@ -28,6 +30,7 @@ class SettingsPage(Page):
         self.theme.setCurrentIndex(max(0, self.theme.findData(settings.get("theme"))))
         self.theme.setToolTip(_("The colours of the program"))
         self.theme.setAccessibleName(_("Theme"))
+        self.theme.setMaximumWidth(_FIELD_WIDTH)
         self.theme.currentIndexChanged.connect(self._take_theme)
         label = QLabel(_("&Theme"))
         label.setBuddy(self.theme)

@@ -47,6 +47,11 @@ class Status(QObject):
         self._passing.stop()
         self.hover.setText(text)
 
+    def in_workspace(self, inside: bool) -> None:
+        """Run and zoom belong to a workspace; a page shows neither."""
+        for field in (self.run, self.zoom):
+            field.setVisible(inside)
+
     def preparing(self, text: str) -> None:
         """Say what is being prepared, and how far; "" means ready."""
         self.ready.setText(text or _("ready"))

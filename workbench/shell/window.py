@@ -217,6 +217,7 @@ class MainWindow(QMainWindow):
         self.steps.setVisible(self._offered[slug].steps and bool(self.steps.actions()))
         self.place = slug
         self.bar.show_current(slug)
+        self.status.in_workspace(True)
         if not usable:
             self.messages.say(_("The remembered arrangement could not be used; this is the first one again."))
         self.centres[slug].setFocus()
@@ -266,6 +267,7 @@ class MainWindow(QMainWindow):
         if self._complete:
             self._leave()
         self.stack.setCurrentWidget(self._pages[name])
+        self._pages[name].setFocus()
         self.place = name
         self.bar.show_current(name)
 
@@ -277,6 +279,7 @@ class MainWindow(QMainWindow):
         self.views.together()
         self.arrangements.leave()
         self.steps.hide()
+        self.status.in_workspace(False)
 
     def when_ready(self, act: Callable[[], object]) -> None:
         """Do something now, or as soon as the session is there."""

@@ -44,7 +44,7 @@ def workspaces() -> tuple[Workspace, ...]:
             _("Draw"),
             _("Lines, circles and ellipses, pixel by pixel"),
             "pencil-line",
-            ("workbench.panels.draw:DrawPanel", inspector),
+            ("workbench.panels.draw:DrawPanel", inspector, "workbench.panels.tube_dock:TubePanel"),
             steps=True,
             topics=("lines", "circles"),
             lower=("tube", "distance"),
