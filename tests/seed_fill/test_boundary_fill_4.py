@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from skimage.measure import label
 
 from workbench.algorithms.seed_fill import boundary_fill_4
-from workbench.algorithms.seed_fill.boundary_fill_4 import picture
+from workbench.algorithms.seed_fill.example import picture
 
 FILL, BOUNDARY = 2, 1
 images = st.sampled_from([np.uint8, np.int64, np.uint32]).flatmap(

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.seed_fill.example import RING
 
 
 def boundary_fill_4(
@@ -55,23 +56,6 @@ def boundary_fill_4(
                 yield next_x, next_y
 
 
-def picture(*rows: str) -> NDArray[np.int64]:
-    """A small picture from rows of digits, top row first."""
-    return np.array([[int(digit) for digit in row] for row in reversed(rows)], np.int64)
-
-
-_EXAMPLE = picture(
-    "0000000000",
-    "0011111000",
-    "0110001100",
-    "0100000100",
-    "0100100100",
-    "0100010100",
-    "0110001100",
-    "0011111000",
-    "0000000000",
-)
-
 _PIXEL = "((next_x, next_y),)"
 _STACK = {"Stack": ("stack", ("x", "y"))}
 _DECIDE = "Colour it and push it, unless it is boundary or filled"
@@ -82,7 +66,7 @@ ENTRY = Entry(
     title="Boundary fill, 4-connected",
     summary="Colours outwards from a seed until the boundary stops it, with its own stack for the recursion.",
     parameters=(
-        Parameter("image", "image", "image", _EXAMPLE, meaning="the picture, filled in place"),
+        Parameter("image", "image", "image", RING, meaning="the picture, filled in place"),
         Parameter("x", "x", "int", 5, 0, 32767, "px", "seed, column"),
         Parameter("y", "y", "int", 5, 0, 32767, "px", "seed, row"),
         Parameter("fill", "fill", "colour", 2, 0, 0xFFFFFF, meaning="colour to fill with"),

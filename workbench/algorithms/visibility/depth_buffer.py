@@ -13,8 +13,9 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.entry import Entry
 from workbench.algorithms.visibility.scene import SCENE
+from workbench.algorithms.visibility.views import VIEWS
 
 
 def crossing(x0: float, y0: float, x1: float, y1: float, y: int) -> float:
@@ -114,9 +115,6 @@ def depth_buffer(
                 yield from depth_row(image_here, depth_here, y, left, z, dz_dx, colour)
 
 
-_ROW = "(left + k, y, z_here, stored, won)"
-_PIXEL = "((left + k, y),)"
-
 ENTRY = Entry(
     function=depth_buffer,
     topic="visibility",
@@ -126,37 +124,7 @@ ENTRY = Entry(
     emits="fragments",
     source="Hearn and Baker, Computer Graphics, C Version, section 13-3",
     columns=("x", "y", "z", "stored z", "won"),
-    views=(
-        View(
-            block="Find the plane's normal",
-            when="C == 0.0",
-            sentence="C = {C}: triangle {face} is seen edge on and covers no pixel.",
-        ),
-        View(
-            block="Find the plane's normal",
-            sentence="Triangle {face}: A = {A}, B = {B}, C = {C}, so z changes by −A/C = {dz_dx} per column "
-            "and by −B/C = {dz_dy} per row.",
-        ),
-        View(
-            block="Compare with the stored depth",
-            when="won == 1",
-            candidates=_PIXEL,
-            chosen=_PIXEL,
-            row=_ROW,
-            considers="(left + k, y)",
-            sentence="At {(left + k, y)} z = {z} + {k} · ({dz_dx}) = {z_here}, nearer than the stored "
-            "{stored}: the pixel takes colour {colour}.",
-        ),
-        View(
-            block="Compare with the stored depth",
-            candidates=_PIXEL,
-            rejected=_PIXEL,
-            row=_ROW,
-            considers="(left + k, y)",
-            sentence="At {(left + k, y)} z = {z} + {k} · ({dz_dx}) = {z_here}, not nearer than the "
-            "stored {stored}: the pixel stays as it is.",
-        ),
-    ),
+    views=VIEWS,
     laws=(
         "At every covered pixel the triangle with the least z wins; on equal z the one drawn first.",
         "The order of the triangles does not matter where no two depths are equal.",
