@@ -9,6 +9,7 @@ import functools
 import importlib.util
 import inspect
 import threading
+import traceback
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -96,7 +97,8 @@ class Kernel:
     def call(self, driver: str, values: tuple[Any, ...], compiling: bool) -> None:
         """Run a driver, compiled where that can be."""
         use = use_of(driver, values)
-        if self.refusal or not available() or not (compiling or self.ready(use)):
+        compiling = (compiling or self.ready(use)) and self.flavour != "interpreted"
+        if self.refusal or not compiling or not available():
             getattr(self._module(False), driver)(*values)
             return
         numba = _numba()
@@ -108,6 +110,13 @@ class Kernel:
         except numba.core.errors.NumbaError as error:
             sentence = str(error).strip().splitlines()[0]
             raise NotCompilable(f"{self.lowered.name}: {sentence}") from error
+        except Exception as error:
+            if not _came_from_cache(error):
+                raise
+            with self.lock:
+                kernel_files.discard(self.folder)
+                self.modules.pop(True, None)
+            getattr(self._module(True), driver)(*values)
         if use not in self.used:
             self.used.add(use)
             kernel_files.mark(self.folder, use)
@@ -140,6 +149,12 @@ class Kernel:
         return module
 
 
+def _came_from_cache(error: BaseException) -> bool:
+    """Whether reading a kept kernel raised this, so that nothing has run yet."""
+    frames = traceback.extract_tb(error.__traceback__)
+    return any(Path(frame.filename).name == "caching.py" for frame in frames)
+
+
 def _unchanged(function: Function) -> Function:
     return function
 
@@ -149,16 +164,21 @@ def use_of(driver: str, values: tuple[Any, ...]) -> str:
     return "-".join([driver.lstrip("_"), *(v.dtype.str[1:] for v in values if isinstance(v, np.ndarray))])
 
 
-@functools.cache
 def kernel(
     function: Function, emits: Emits | None = None, flavour: str = "", variant: Variant = "plain"
 ) -> Kernel:
-    """The kernel of a function, compiled when first called; flavour ``checked`` tests all indexes.
+    """The kernel of a function, one for the whole process, compiled when first called.
 
+    The flavour ``checked`` tests all indexes, ``interpreted`` runs the lowered text as Python.
     ``emits`` is needed only for a function without an entry. Raises DialectError.
     """
     entry = arguments.entry_of(function)
-    emits = entry.emits if entry is not None else emits
+    return _kernel(function, entry.emits if entry is not None else emits, flavour, variant)
+
+
+@functools.cache
+def _kernel(function: Function, emits: Emits | None, flavour: str, variant: Variant) -> Kernel:
+    entry = arguments.entry_of(function)
     considers = considered(entry) if entry is not None and variant == "probing" else ()
     lowered = lower(function, variant, considers)
     kinds = arguments.kinds(function)

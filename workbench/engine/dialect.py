@@ -47,7 +47,6 @@ _STATEMENTS: dict[type[ast.AST], str] = {
     ast.Set: _("a set has no order that two readings share; use a list"),
     ast.NamedExpr: _(":= cannot be compiled; assign on a line of its own"),
     ast.Starred: _("a starred name cannot be compiled; unpack every item by name"),
-    ast.MatMult: _("@ is not part of the dialect; write the product as a loop"),
     ast.JoinedStr: _("text is not made inside an algorithm"),
     ast.AsyncFunctionDef: _("async cannot be compiled"),
     ast.Await: _("await cannot be compiled"),
@@ -81,7 +80,8 @@ def _nodes(function: ast.FunctionDef) -> Iterator[Refusal]:
     arguments = function.args
     if arguments.vararg or arguments.kwarg:
         yield Refusal(function.lineno, _("arguments behind a star cannot be compiled; name each of them"))
-    statements = {id(node.value) for node in ast.walk(function) if isinstance(node, ast.Expr | ast.Assign)}
+    lines = {id(node.value) for node in ast.walk(function) if isinstance(node, ast.Expr)}
+    assigned = {id(node.value) for node in ast.walk(function) if isinstance(node, ast.Assign)}
     for node in _walk(function):
         line = getattr(node, "lineno", function.lineno)
         for kind, sentence in _STATEMENTS.items():
@@ -93,7 +93,7 @@ def _nodes(function: ast.FunctionDef) -> Iterator[Refusal]:
                     line, _("a function inside a function cannot be compiled; write it beside this one")
                 )
             case ast.BinOp(op=ast.MatMult()):
-                yield Refusal(line, _STATEMENTS[ast.MatMult])
+                yield Refusal(line, _("@ is not part of the dialect; write the product as a loop"))
             case (
                 ast.BinOp(left=base, op=ast.Pow(), right=power)
                 | ast.AugAssign(target=base, op=ast.Pow(), value=power)
@@ -105,12 +105,12 @@ def _nodes(function: ast.FunctionDef) -> Iterator[Refusal]:
             case ast.Delete():
                 yield Refusal(line, _("del cannot be compiled; use pop, or while len(l) > kept: l.pop()"))
             case ast.Yield(value=value):
-                if id(node) not in statements:
+                if id(node) not in lines:
                     yield Refusal(line, _("yield must be a line of its own"))
                 elif value is None:
                     yield Refusal(line, _("yield must emit something, such as yield x, y"))
             case ast.YieldFrom(value=value):
-                if id(node) not in statements or not isinstance(value, ast.Call):
+                if id(node) not in lines | assigned or not isinstance(value, ast.Call):
                     yield Refusal(
                         line, _("yield from must be a line of its own and call a generator function")
                     )

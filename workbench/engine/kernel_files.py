@@ -10,6 +10,7 @@ import importlib.metadata
 import importlib.util
 import os
 import platform
+import shutil
 import sys
 import tempfile
 from pathlib import Path
@@ -122,3 +123,8 @@ def marks(place: Path) -> set[str]:
         return {path.stem for path in place.glob("*.ready")}
     except OSError:
         return set()
+
+
+def discard(place: Path) -> None:
+    """Throw a folder away that holds rubbish, as far as that can be."""
+    shutil.rmtree(place, ignore_errors=True)

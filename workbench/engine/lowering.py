@@ -306,6 +306,8 @@ def _module(texts: list[Text], functions: list[ast.FunctionDef], inlined: bool) 
                 )
     imports = sorted(line for line in names.values() if line.startswith(("import ", "from ")))
     literals = sorted(set(names.values()) - set(imports))
+    if any(" = numpy.array(" in line for line in literals):
+        imports.insert(0, "import numpy")
     head = "\n".join(["from workbench.engine.sinks import emit, probe, tick", *imports, *literals])
     marks = ["@part\n" if inlined else "@reading\n"] * (len(functions) - 1) + ["@reading\n"]
     written = [mark + ast.unparse(function) for mark, function in zip(marks, functions, strict=True)]
@@ -321,7 +323,7 @@ def _binding(text: Text, name: str, value: Any) -> str:
     if isinstance(value, ModuleType):
         return f"import {value.__name__} as {name}"
     if isinstance(value, np.ndarray):
-        return f"{name} = np.array({value.tolist()!r}, dtype=np.{value.dtype})"
+        return f"{name} = numpy.array({value.tolist()!r}, dtype='{value.dtype}')"
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, type) and issubclass(value, tuple) and hasattr(value, "_fields"):

@@ -1,7 +1,7 @@
 """Compiles ahead, in a process of its own at low priority, what a workspace is about to need.
 
-The parent starts ``Warming`` and reads its progress; it then only loads what lies in the cache. The child prints
-one line per kernel, ``done total slug use``, and one that begins with ``failed`` where a text was refused.
+The parent starts ``Warming`` and reads its progress; it then only loads what lies in the cache. The child
+prints one line per kernel, ``done total slug use``, and one with ``failed`` first where a text was refused.
 """
 
 import os
@@ -9,6 +9,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -35,8 +36,8 @@ class Progress:
 class Warming:
     """A child process that compiles the entries named, most used first.
 
-    ``uses`` are those of ``USES`` that are wanted. Without a compiler, or without anything to do, no process is
-    started and ``finished`` holds at once.
+    ``uses`` are those of ``USES`` that are wanted. Without a compiler, or without anything to do, no process
+    is started and ``finished`` holds at once.
     """
 
     def __init__(self, slugs: Sequence[str], uses: Sequence[str] = USES) -> None:
@@ -45,6 +46,7 @@ class Warming:
             command = [sys.executable, "-m", "workbench.engine.warm", ",".join(uses), *slugs]
             self._process = subprocess.Popen(
                 command,
+                cwd=Path(__file__).parents[2],
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,

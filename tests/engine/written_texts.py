@@ -1,0 +1,101 @@
+"""Functions as a student may write them, without an entry, for the tests of lowering and compiling."""
+
+import math
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.geometry.conventions import round_half_up as rounded
+
+LIMIT = 3
+CORNERS = ((0, 0), (4, 1), (2, 5))
+WEIGHTS = np.array([0.5, 0.25])
+FAR = math.inf
+
+
+class Edge(NamedTuple):
+    x: float
+    slope: float
+
+
+def stepped(edge: Edge) -> Edge:
+    return Edge(edge.x + edge.slope, edge.slope)
+
+
+def row_of(y: int, left: int, right: int = 2) -> Iterator[tuple[int, int]]:
+    for x in range(left, right):
+        yield x, y
+
+
+def box(width: int, height: int) -> Iterator[tuple[int, int]]:
+    """Rows, by another generator; an early return and both kinds of loop."""
+    if width < 1:
+        return
+    y = 0
+    while y < height:
+        y += 1
+        if y == LIMIT:
+            continue
+        yield from row_of(y, 0, right=width)
+    else:
+        yield -1, y
+    yield from row_of(0, 0)
+
+
+def edges(count: int) -> Iterator[tuple[int, float]]:
+    edge = Edge(0.0, WEIGHTS[1])
+    for _k in range(count):
+        if edge.x < FAR:
+            edge = stepped(edge)
+        yield rounded(edge.x), edge.x * WEIGHTS[0]
+
+
+def corners() -> Iterator[tuple[int, int]]:
+    for x, y in CORNERS:
+        total: int = x + y
+        yield x, total
+
+
+def spans(count: int) -> Iterator[tuple[int, int, int]]:
+    for y in range(count):
+        yield y, -y, y
+
+
+def endless() -> Iterator[tuple[int, int]]:
+    x = 0
+    while True:
+        x = (x + 1) % 7
+        yield x, 0
+
+
+def doubled(image: NDArray[Any], step: int) -> Iterator[tuple[int, int]]:
+    _height, width = image.shape
+    for x in range(0, width, step):
+        image[0, x] = 2 * np.int64(image[0, x]) + 1
+        yield x, 0
+
+
+def downwards(depth: int) -> Iterator[tuple[int, int]]:
+    yield depth, 0
+    if depth > 0:
+        yield from downwards(depth - 1)
+
+
+def mixed(k: int) -> Iterator[tuple[int, ...]]:
+    yield k, k
+    yield k, k, k
+
+
+def taking(k: int) -> Iterator[tuple[int, int]]:
+    for x, y in row_of(k, 0):
+        yield y, x
+
+
+def silent(k: int) -> int:
+    return k
+
+
+def unknown(k: int) -> Iterator[tuple[int, int]]:
+    yield k, nowhere  # noqa: F821

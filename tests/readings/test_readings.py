@@ -1,0 +1,170 @@
+"""One text, three readings: for every entry they emit and write the same numbers, bit for bit."""
+
+import ast
+import copy
+import inspect
+import textwrap
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from workbench.algorithms import catalogue
+from workbench.algorithms.entry import Entry, Parameter
+from workbench.engine import compiled
+from workbench.engine.dialect import refusals
+from workbench.engine.lowering import lower
+
+ENTRIES = [pytest.param(entry, id=entry.slug) for entry in catalogue.entries()]
+COMPILED = [pytest.param(entry, id=entry.slug) for entry in catalogue.entries() if not entry.compiles]
+WRITING = [pytest.param(e, id=e.slug) for e in catalogue.entries() if e.writes and not e.compiles]
+EXTENT = [pytest.param(entry, id=entry.slug) for entry in catalogue.entries() if entry.extent]
+
+
+def argument(parameter: Parameter) -> st.SearchStrategy[Any]:
+    """Values of one parameter: in its range, near its example, on grid points and between them."""
+    example = parameter.example
+    low = -60 if parameter.low is None else max(-60, parameter.low)
+    high = 60 if parameter.high is None else min(60, parameter.high)
+
+    def like(elements: st.SearchStrategy[Any]) -> st.SearchStrategy[NDArray[Any]]:
+        array = np.asarray(example)
+        items = st.lists(elements, min_size=array.size, max_size=array.size)
+        return items.map(lambda found: np.array(found, array.dtype).reshape(array.shape))
+
+    match parameter.kind:
+        case "int":
+            return st.integers(int(low), int(high))
+        case "colour":
+            return st.integers(0, 3)
+        case "float":
+            return st.one_of(st.integers(int(low), int(high)).map(float), st.floats(low, high))
+        case "bool":
+            return st.booleans()
+        case "image":
+            return like(st.integers(0, 3))
+        case "depth":
+            return like(st.sampled_from([0.25, 0.5, 1.0]))
+        case "points":
+            return like(st.one_of(st.integers(-2, 14).map(float), st.floats(-2, 14)))
+        case "ints":
+            # Only numbers that the example has: they may be indexes
+            return like(st.sampled_from(np.unique(np.asarray(example)).tolist()))
+    raise AssertionError(parameter.kind)
+
+
+def arguments(entry: Entry) -> st.SearchStrategy[tuple[Any, ...]]:
+    return st.one_of(st.just(entry.example), st.tuples(*map(argument, entry.parameters)))
+
+
+def bits(rows: Any) -> bytes:
+    return np.array(rows, np.float64).tobytes()
+
+
+def emitted(entry: Entry, values: tuple[Any, ...]) -> list[tuple[Any, ...]]:
+    return list(entry.function(*copy.deepcopy(values)))
+
+
+@pytest.mark.parametrize("entry", COMPILED)
+@given(data=st.data())
+@settings(max_examples=40)
+def test_the_three_readings_emit_the_same(entry: Entry, data: st.DataObject) -> None:
+    values = data.draw(arguments(entry))
+    shown = bits(emitted(entry, values))
+    for flavour in ("interpreted", "checked"):
+        assert bits(compiled.collect(entry.function, *values, flavour=flavour)) == shown, flavour
+
+
+@pytest.mark.parametrize("entry", WRITING)
+@given(data=st.data())
+@settings(max_examples=40)
+def test_the_three_readings_write_the_same(entry: Entry, data: st.DataObject) -> None:
+    values = data.draw(arguments(entry))
+    shown = copy.deepcopy(values)
+    for _emitted in entry.function(*shown):
+        pass
+    for flavour in ("interpreted", "checked"):
+        written = copy.deepcopy(values)
+        compiled.paint(entry.function, np.zeros((1, 1), np.int64), 0, *written, flavour=flavour)
+        for one, other in zip(shown, written, strict=True):
+            assert np.asarray(one).tobytes() == np.asarray(other).tobytes(), flavour
+
+
+@pytest.mark.parametrize("entry", EXTENT)
+@given(data=st.data())
+@settings(max_examples=200)
+def test_no_pixel_leaves_the_declared_box(entry: Entry, data: st.DataObject) -> None:
+    far = data.draw(st.booleans())
+    values = data.draw(
+        st.tuples(*(st.integers(int(p.low or 0), int(p.high or 0)) for p in entry.parameters))
+        if far
+        else arguments(entry)
+    )
+    names = dict(zip((parameter.name for parameter in entry.parameters), values, strict=True))
+    left, low, right, high = eval(entry.extent, {}, names)
+    pixels = compiled.collect(entry.function, *values)
+    assert len(pixels) == 0 or (left <= pixels[:, 0].min() and pixels[:, 0].max() <= right)
+    assert len(pixels) == 0 or (low <= pixels[:, 1].min() and pixels[:, 1].max() <= high)
+
+
+class _Raised(ast.NodeTransformer):
+    """Undoes the lowering: what emits yields again. Written apart from it, on purpose."""
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.FunctionDef:
+        self.generic_visit(node)
+        node.decorator_list = []
+        node.returns = None
+        node.args.args = [a for a in node.args.args if a.arg != "_sink"]
+        for one in [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]:
+            one.annotation = None
+        first = node.body[0]
+        if isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant):
+            del node.body[0]
+        return node
+
+    def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.stmt:
+        assert node.value is not None
+        return ast.Assign([node.target], node.value, lineno=node.lineno)
+
+    def visit_Call(self, node: ast.Call) -> ast.expr:
+        self.generic_visit(node)
+        if not (node.args and isinstance(node.args[0], ast.Name) and node.args[0].id == "_sink"):
+            return node
+        assert isinstance(node.func, ast.Name)
+        given = node.args[1:]
+        if node.func.id == "emit":
+            return ast.Yield(given[0] if len(given) == 1 else ast.Tuple(given, ast.Load()))
+        return ast.YieldFrom(ast.Call(node.func, given, node.keywords))
+
+
+@pytest.mark.parametrize("entry", ENTRIES)
+def test_the_text_shown_is_the_text_lowered(entry: Entry) -> None:
+    lowered = lower(entry.function)
+    assert lowered.sources[-1] == inspect.getsource(entry.function)
+    back = _Raised()
+    written = {
+        node.name: ast.unparse(ast.fix_missing_locations(back.visit(node)))
+        for node in ast.parse(lowered.text).body
+        if isinstance(node, ast.FunctionDef)
+    }
+    for name, source in zip(lowered.names, lowered.sources, strict=True):
+        shown = back.visit(ast.parse(textwrap.dedent(source)).body[0])
+        assert written[name] == ast.unparse(ast.fix_missing_locations(shown))
+
+
+@pytest.mark.parametrize("entry", ENTRIES)
+def test_every_entry_is_in_the_dialect(entry: Entry) -> None:
+    for source in lower(entry.function).sources:
+        tree = ast.parse(textwrap.dedent(source)).body[0]
+        assert isinstance(tree, ast.FunctionDef)
+        assert refusals(tree) == []
+
+
+def test_an_entry_that_is_not_compiled_says_why_and_is_read_as_python() -> None:
+    for entry in (entry for entry in catalogue.entries() if entry.compiles):
+        assert entry.compiles.strip()
+        assert not compiled.ready(entry.function, "collect")
+        assert bits(compiled.collect(entry.function, *entry.example)) == bits(emitted(entry, entry.example))
