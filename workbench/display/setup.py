@@ -47,6 +47,11 @@ class TubeSetup:
         wanted = ("P22R", "P22G", "P22B") if self.phosphor == COLOUR_TUBE else (self.phosphor,)
         return tuple(Phosphor.named(name).stretched(self.persistence) for name in wanted)
 
+    def check(self) -> None:
+        """Raises LookupError when the phosphor or the vector display is not known."""
+        self.guns()
+        VectorTiming.named(self.vector_display)
+
     @property
     def refresh(self) -> Fraction:
         """The refresh rate as the decimal number that was typed."""

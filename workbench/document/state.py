@@ -10,12 +10,17 @@ from workbench.language import _
 
 
 class TubeSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """How the tubes are driven; ``slow_motion`` times slower than life, ``time_s`` on the tube's clock."""
+    """How the tubes are driven; ``slow_motion`` times slower than life, ``time_s`` on the tube's clock.
+
+    ``persistence`` stretches the phosphor's decay, ``vector_display`` names the speeds of the vector tube.
+    """
 
     shown: Literal["both", "raster", "vector"] = "both"
     phosphor: str = "P31"
     refresh_hz: float = 60.0
     slow_motion: float = 1.0
+    persistence: float = 1.0
+    vector_display: str = "teaching"
     paused: bool = False
     time_s: float = 0.0
 
@@ -54,7 +59,14 @@ def check_state(state: SessionState, document: Document) -> SessionState:
         raise refuse("session.step", _("is {value}; give a whole number from 0").format(value=state.step))
     if not state.tube.phosphor.isalnum() or len(state.tube.phosphor) > 32:
         raise refuse("session.tube.phosphor", _("is no name; give one such as P31"))
-    for name, low, high in (("refresh_hz", 0.1, 1000.0), ("slow_motion", 0.001, 1e9), ("time_s", 0.0, 1e9)):
+    if len(state.tube.vector_display) > 32:
+        raise refuse("session.tube.vector_display", _("is no name; give one such as teaching"))
+    for name, low, high in (
+        ("refresh_hz", 0.1, 1000.0),
+        ("slow_motion", 0.001, 1e9),
+        ("persistence", 0.01, 100.0),
+        ("time_s", 0.0, 1e9),
+    ):
         value = getattr(state.tube, name)
         if not low <= value <= high:
             problem = _("is {value}; give a number between {low:g} and {high:g}")

@@ -68,9 +68,10 @@ _BEAM_SEEN_FROM = 300.0
 
 
 class TubeView(QWidget):
-    """One tube. ``advanced`` comes with each step of its time, ``probed`` with a clicked picture pixel."""
+    """One tube. ``advanced`` comes with each step of its time, ``probed`` with a clicked pixel."""
 
     advanced = Signal()
+    shown = Signal()
     probed = Signal(int, int)
 
     def __init__(self, kind: Kind, parent: QWidget | None = None) -> None:
@@ -147,7 +148,7 @@ class TubeView(QWidget):
 
     def set_setup(self, setup: TubeSetup) -> None:
         """Another phosphor, refresh rate, persistence or display. Raises LookupError for an unknown name."""
-        setup.guns()
+        setup.check()
         if setup != self._setup:
             self._setup = setup
             self._rebuild()
@@ -281,6 +282,7 @@ class TubeView(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Run again."""
         super().showEvent(event)
+        self.shown.emit()
         self._wake()
 
     def hideEvent(self, event: QHideEvent) -> None:
@@ -320,6 +322,19 @@ class TubeView(QWidget):
         left, bottom, right, _top = area_mm(self._picture)
         pitch = (right - left) / self._picture[0]
         return left + (pixel[0] + 0.5) * pitch, bottom + (pixel[1] + 0.5) * pitch
+
+    def lit_pixel(self) -> tuple[int, int] | None:
+        """The lit pixel of the frame buffer that is nearest to its middle; None for a dark picture."""
+        rows, columns = np.nonzero(self._image)
+        if len(rows) == 0:
+            return None
+        height, width = self._image.shape
+        nearest = int(np.argmin((columns - width / 2) ** 2 + (rows - height / 2) ** 2))
+        return int(columns[nearest]), int(rows[nearest])
+
+    def probe_mm(self) -> tuple[float, float] | None:
+        """Where on the face the probe sits, in millimetres."""
+        return None if self._probe is None else self._probe_mm(self._probe)
 
     def light_at_probe(self) -> float:
         """Luminance at the probed pixel in the last step, 1 for white; 0 without a probe."""

@@ -1,0 +1,52 @@
+"""Keeps tubes showing what a session holds: its sheet, and the tube's settings."""
+
+from PySide6.QtCore import QObject
+
+from workbench.display.setup import TubeSetup
+from workbench.document.model import Sheet
+from workbench.document.state import TubeSettings
+from workbench.rendering import display_list, frame_buffer
+from workbench.session.session import Session
+from workbench.widgets.tube_view import TubeView
+
+
+def setup_of(settings: TubeSettings) -> TubeSetup:
+    """The settings of a session as the display takes them; a name that is not known becomes the usual one."""
+    wanted = TubeSetup(settings.phosphor, settings.refresh_hz, settings.persistence, settings.vector_display)
+    try:
+        wanted.check()
+    except LookupError:
+        return TubeSetup(refresh_hz=settings.refresh_hz, persistence=settings.persistence)
+    return wanted
+
+
+class TubeFeed(QObject):
+    """Feeds ``views`` from ``session``; a view that is hidden is fed when it is shown."""
+
+    def __init__(self, session: Session, views: list[TubeView], parent: QObject) -> None:
+        super().__init__(parent)
+        self._session, self._views = session, views
+        self._fed: dict[TubeView, Sheet] = {}
+        session.changed.connect(self.feed)
+        session.state_changed.connect(self.feed)
+        for view in views:
+            view.shown.connect(self.feed)
+
+    def feed(self) -> None:
+        """Bring every visible view up to date."""
+        sheet, settings = self._session.sheet, self._session.state.tube
+        setup = setup_of(settings)
+        for view in self._views:
+            if not view.isVisible():
+                continue
+            view.set_setup(setup)
+            view.set_slow_motion(settings.slow_motion)
+            view.set_paused(settings.paused)
+            if self._fed.get(view) is sheet:
+                continue
+            self._fed[view] = sheet
+            if view.kind == "raster":
+                view.set_image(frame_buffer(sheet))
+            else:
+                strokes = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(sheet)]
+                view.set_strokes(strokes, (sheet.width_px, sheet.height_px))
