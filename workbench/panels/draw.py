@@ -55,10 +55,12 @@ class DrawPanel(QWidget):
 
     hover_text = Signal(str)
     zoom_text = Signal(str)
+    _due = Signal()
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.session = session
+        self._waiting = False
         self.title = _("Draw")
         self.tools: list[Tool] = [
             kind(session) for kind in (SelectTool, LineTool, CircleTool, EllipseTool, PolylineTool)
@@ -202,12 +204,12 @@ class DrawPanel(QWidget):
 
     def _connect(self) -> None:
         session, canvas = self.session, self.canvas
-        session.changed.connect(self.refresh)
-        session.state_changed.connect(self.refresh)
-        theme_changed.connect(self.refresh)
+        self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
+        for told in (session.changed, session.state_changed, theme_changed):
+            told.connect(self.refresh_soon)
         for run in (session.run, session.follower):
             for signal in (run.changed, run.moved, run.grown, run.asked):
-                signal.connect(self.refresh)
+                signal.connect(self.refresh_soon)
         session.run.moved.connect(self.view.forget_answers)
         canvas.pressed.connect(self._press)
         canvas.moved.connect(self._move)
@@ -226,10 +228,10 @@ class DrawPanel(QWidget):
         self.exporter.said.connect(self.hover_text)
         for tool in (*self.tools, self.handle_drag):
             tool.failed.connect(self.hover_text)
-        self.card.side_by_side_changed.connect(lambda _on: self.refresh())
+        self.card.side_by_side_changed.connect(self.refresh_soon)
         self.card.algorithm_chosen.connect(self._choose_algorithm)
         self.plot.pixel_wanted.connect(self._go_to_emission)
-        self.plot.shown.connect(self.refresh)
+        self.plot.shown.connect(self.refresh_soon)
         for one, other in ((canvas, self.second), (self.second, canvas)):
             one.view_changed.connect(partial(self._share_view, one, other))
 
@@ -250,8 +252,15 @@ class DrawPanel(QWidget):
             self.session.update_state(selection=())
         self.refresh()
 
-    def refresh(self, *_arguments: object) -> None:
+    def refresh_soon(self, *_arguments: object) -> None:
+        """Show the session as it is when all that happens now has happened, once."""
+        if not self._waiting:
+            self._waiting = True
+            self._due.emit()
+
+    def refresh(self) -> None:
         """Show the session as it is now."""
+        self._waiting = False
         self.view.refresh(self.tool, self.handle_drag)
         self.empty.setVisible(not self.session.sheet.figures and not self.gesturing)
         for name in ("delete", "duplicate", "forwards", "backwards"):
@@ -297,7 +306,7 @@ class DrawPanel(QWidget):
 
     def _after_gesture(self) -> None:
         self.canvas.set_tag(self.tool.tag)
-        self.refresh()
+        self.refresh_soon()
 
     def _press_handle(self, address: str, _modifiers: Any) -> None:
         self._hold(True)
@@ -306,7 +315,7 @@ class DrawPanel(QWidget):
     def _drag_handle(self, _address: str, x: float, y: float) -> None:
         self.handle_drag.drag(x, y)
         self.canvas.set_tag(self.handle_drag.tag)
-        self.refresh()
+        self.refresh_soon()
 
     def _release_handle(self, _address: str) -> None:
         self.handle_drag.release()
@@ -316,10 +325,11 @@ class DrawPanel(QWidget):
 
     def _hold(self, on: bool) -> None:
         """The recording waits while something is being drawn or dragged."""
-        if on:
-            self.session.run.hold()
-        else:
-            self.session.run.go_on()
+        for run in (self.session.run, self.session.follower):
+            if on:
+                run.hold()
+            else:
+                run.go_on()
 
     @property
     def gesturing(self) -> bool:

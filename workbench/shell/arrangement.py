@@ -10,8 +10,8 @@ from workbench.language import _
 from workbench.shell.settings import Settings
 
 VERSION = 1
-_HIGH_PX = 860
-_SIDE_SHARE = 0.34
+_LOW_PX, _HIGH_PX = 600, 860
+_SIDE_SHARE = 0.36
 _SHARES = (0.58, 0.42)
 _AREAS = {
     "left": Qt.DockWidgetArea.LeftDockWidgetArea,
@@ -114,29 +114,35 @@ class Arrangements:
             self._place(area, docks, held.lower)
 
     def _place(self, area: Qt.DockWidgetArea, docks: list[QDockWidget], below: Sequence[str]) -> None:
-        """A side column is two groups of tabs when the window is low, and all stacked when it is high."""
-        window = self._window
-        sideways = area in (_AREAS["left"], _AREAS["right"])
+        """Put docks where they begin.
+
+        A side column is one group of tabs in a very low window, two in a low one, all stacked in a high one.
+        """
+        window, sideways = self._window, area in (_AREAS["left"], _AREAS["right"])
         along = Qt.Orientation.Vertical if sideways else Qt.Orientation.Horizontal
-        for dock in docks:
+        upper = [dock for dock in docks if dock.objectName() not in below]
+        lower = sorted(
+            (dock for dock in docks if dock not in upper), key=lambda d: below.index(d.objectName())
+        )
+        for dock in (*upper, *lower):
             window.addDockWidget(area, dock, along)
             dock.show()
-        if sideways and window.height() < _HIGH_PX and len(docks) > 2:
-            upper = [dock for dock in docks if dock.objectName() not in below]
-            lower = sorted(
-                (dock for dock in docks if dock not in upper), key=lambda d: below.index(d.objectName())
-            )
-            for group in (upper, lower):
+        groups = [group for group in (upper, lower) if group]
+        if window.height() < _LOW_PX:
+            groups = [[*upper, *lower]]
+        if sideways and window.height() < _HIGH_PX:
+            for group in groups:
                 for dock in group[1:]:
                     window.tabifyDockWidget(group[0], dock)
-                if group:
-                    group[0].raise_()
-            if upper and lower:
+                group[0].raise_()
+            if len(groups) == 2:
                 shares = [round(window.height() * share) for share in _SHARES]
-                window.resizeDocks([upper[0], lower[0]], shares, along)
+                window.resizeDocks([group[0] for group in groups], shares, along)
         if sideways:
-            width = round(window.width() * _SIDE_SHARE)
-            window.resizeDocks([docks[0]], [width], Qt.Orientation.Horizontal)
+            shown = [group[0] for group in groups]
+            window.resizeDocks(
+                shown, [round(window.width() * _SIDE_SHARE)] * len(shown), Qt.Orientation.Horizontal
+            )
 
     def _restored(self, kept: QByteArray) -> bool:
         """Take a remembered arrangement; it is bad when Qt refuses it or another workspace's docks show."""

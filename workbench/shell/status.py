@@ -47,10 +47,11 @@ class Status(QObject):
         self._passing.stop()
         self.hover.setText(text)
 
-    def in_workspace(self, inside: bool) -> None:
-        """Run and zoom belong to a workspace; a page shows neither."""
+    def in_workspace(self, steps: bool) -> None:
+        """Run and zoom belong to a workspace that steps; other places show neither."""
+        self.hover.clear()
         for field in (self.run, self.zoom):
-            field.setVisible(inside)
+            field.setVisible(steps)
 
     def preparing(self, text: str) -> None:
         """Say what is being prepared, and how far; "" means ready."""

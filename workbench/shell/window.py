@@ -207,17 +207,17 @@ class MainWindow(QMainWindow):
                 self.status.preparing(_("Preparing {title}").format(title=self._offered[slug].title))
             self._wanted.append(lambda: self.enter(slug))
             return
-        self.views.together()
         if slug not in self._panels:
             self._make_panels(slug)
         if self.place == slug:
             return
+        self._leave()
         usable = self.arrangements.show(slug)
         self.stack.setCurrentWidget(self.centres[slug])
         self.steps.setVisible(self._offered[slug].steps and bool(self.steps.actions()))
         self.place = slug
         self.bar.show_current(slug)
-        self.status.in_workspace(True)
+        self.status.in_workspace(self._offered[slug].steps)
         if not usable:
             self.messages.say(_("The remembered arrangement could not be used; this is the first one again."))
         self.centres[slug].setFocus()
