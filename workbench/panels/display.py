@@ -33,6 +33,7 @@ class DisplayPanel(QWidget):
         self.note = QLabel()
         self.note.setProperty("role", "muted")
         self.note.setWordWrap(True)
+        self.note.hide()
         self.tubes = QHBoxLayout()
         self.tubes.setSpacing(12)
         self.tubes.addWidget(self.raster)

@@ -5,15 +5,17 @@ from fractions import Fraction
 
 from msgspec.structs import replace
 from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
     QFrame,
+    QGridLayout,
     QHBoxLayout,
     QLabel,
+    QSizePolicy,
     QSlider,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -28,6 +30,7 @@ from workbench.widgets.number_field import NumberField
 from workbench.widgets.tokens import theme
 
 _PER_DECADE = 20
+_WIDE_PX = 1180
 
 
 def phosphor_title(name: str) -> str:
@@ -48,14 +51,21 @@ class DisplayControls(QWidget):
         self._session = session
         self._showing = False
         self._buttons: list[tuple[QToolButton, str]] = []
-        first, second = QHBoxLayout(), QHBoxLayout()
-        for row in (first, second):
+        self._narrow: bool | None = None
+        self._groups = [QWidget() for _group in range(5)]
+        rows = []
+        for group in self._groups:
+            row = QHBoxLayout(group)
+            row.setContentsMargins(0, 0, 0, 0)
             row.setSpacing(8)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(6)
-        whole.addLayout(first)
-        whole.addLayout(second)
+            rows.append(row)
+        first, displays, numbers, time, meter = rows
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setSpacing(6)
+        self._grid.setHorizontalSpacing(16)
+        # The strip bends into three rows where it has no room, so it must not hold the window wide.
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._make_views(first)
         self.phosphor = self._combo(
             first, _("Phosphor"), _("What the screen is coated with, and the time in which it decays to 10 %")
@@ -63,11 +73,12 @@ class DisplayControls(QWidget):
         for name in phosphor_choices():
             self.phosphor.addItem(phosphor_title(name), name)
         self.vector = self._combo(
-            first, _("Vector display"), _("Whose deflection speeds the vector tube has")
+            displays, _("Vector display"), _("Whose deflection speeds the vector tube has")
         )
         for name in vector_displays():
             self.vector.addItem(VectorTiming.named(name).name, name)
         first.addStretch(1)
+        displays.addStretch(1)
         self.refresh = NumberField(
             _("Refresh"), "Hz", low=1.0, high=240.0, step=1.0, meaning=_("Pictures per second")
         )
@@ -79,9 +90,11 @@ class DisplayControls(QWidget):
             step=0.1,
             meaning=_("How many times longer the phosphor glows than it does in life"),
         )
-        first.addWidget(self.refresh)
-        first.addWidget(self.persistence)
-        self._make_time(second)
+        numbers.addWidget(self.refresh)
+        numbers.addWidget(self.persistence)
+        self._make_time(time)
+        self._make_meter(meter)
+        self._arrange(False)
         self.phosphor.activated.connect(lambda _i: self._set(phosphor=self.phosphor.currentData()))
         self.vector.activated.connect(lambda _i: self._set(vector_display=self.vector.currentData()))
         for field, name in ((self.refresh, "refresh_hz"), (self.persistence, "persistence")):
@@ -163,8 +176,10 @@ class DisplayControls(QWidget):
         self.slow.valueChanged.connect(self._slow_moved)
         row.addWidget(self.slow, 1)
         self.factor = QLabel()
-        self.factor.setMinimumWidth(190)
+        self.factor.setMinimumWidth(210)
         row.addWidget(self.factor)
+
+    def _make_meter(self, row: QHBoxLayout) -> None:
         row.addStretch(1)
         self.flicker = QLabel()
         self.flicker.setProperty("role", "muted")
@@ -175,6 +190,25 @@ class DisplayControls(QWidget):
             )
         )
         row.addWidget(self.flicker)
+
+    def _arrange(self, narrow: bool) -> None:
+        if narrow == self._narrow:
+            return
+        self._narrow = narrow
+        views, displays, numbers, time, meter = self._groups
+        wide_places = ((views, 0, 0), (displays, 0, 1), (numbers, 0, 2), (time, 1, 0, 1, 2), (meter, 1, 2))
+        narrow_places = ((views, 0, 0), (numbers, 0, 1), (time, 1, 0, 1, 2), (displays, 2, 0), (meter, 2, 1))
+        for group in self._groups:
+            self._grid.removeWidget(group)
+        for widget, *place in narrow_places if narrow else wide_places:
+            self._grid.addWidget(widget, *place)
+        self._grid.setColumnStretch(0, 1 if narrow else 0)
+        self._grid.setColumnStretch(1, 0 if narrow else 1)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Two rows where there is room, else three."""
+        super().resizeEvent(event)
+        self._arrange(event.size().width() < _WIDE_PX)
 
     def _colour_icons(self) -> None:
         for button, name in self._buttons:
