@@ -33,9 +33,9 @@ class Nursery:
             text=True,
         )
 
-    def ask(self, folder: Path, lifetimes: list[float]) -> None:
+    def ask(self, folder: Path, *lives: tuple[int, float]) -> None:
         assert self.process.stdin is not None
-        self.process.stdin.write(f"{folder} {' '.join(map(str, lifetimes))}\n")
+        self.process.stdin.write(f"{folder} {' '.join(f'{saves}+{seconds}' for saves, seconds in lives)}\n")
         self.process.stdin.flush()
 
     def killed(self) -> list[float]:
@@ -89,26 +89,25 @@ def judge(folder: Path, killed: float) -> tuple[int, int]:
 def test_two_hundred_kills(tmp_path: Path, nurseries: tuple[Nursery, Nursery]) -> None:
     patient, hasty = nurseries
     chance = random.Random(1)
-    patient.ask(tmp_path / "patient", [chance.uniform(5.2, 9.0) for _ in range(PATIENT)])
+    patient.ask(tmp_path / "patient", *[(0, chance.uniform(5.2, 9.0)) for _ in range(PATIENT)])
 
-    saves = keeps = temporaries = 0
+    keeps = temporaries = 0
     folder = tmp_path / "hasty" / "0"
     for _turn in range(HASTY):
         for name in ("picture.gwb", "log"):
             (folder / name).unlink(missing_ok=True)
-        hasty.ask(folder.parent, [chance.uniform(0.005, 0.06)])
+        hasty.ask(folder.parent, (chance.randint(1, 4), chance.uniform(0.0, 0.01)))
         (killed,) = hasty.killed()
         saved, kept = judge(folder, killed)
-        saves += saved > 0
+        assert saved > 0
         keeps += kept > 0
         left = list(folder.glob("*.saving"))
         assert len(left) <= 2
         temporaries += len(left)
         for work in recoverable(folder):
             work.discard()
-    # The kills did come in the middle of saves, and after many that were done.
-    assert saves > HASTY // 2
-    assert keeps > HASTY // 4
+    # The kills did come in the middle of saves of both kinds.
+    assert keeps > 0
     assert temporaries > 0
 
     for number, killed in enumerate(patient.killed()):

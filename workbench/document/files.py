@@ -148,12 +148,16 @@ def decode(data: bytes) -> Stored:
     return Stored(file.document, file.session, file.blobs, file.origin)
 
 
-_encoder = msgspec.json.Encoder(order=None)
+# Made while the module is imported, by one thread: msgspec 0.22 crashes when two threads decode a type for the
+# first time at once, as saving and keeping safe may.
+_encoder = msgspec.json.Encoder()
+_head_decoder = msgspec.json.Decoder(_Head)
+_file_decoder = msgspec.json.Decoder(_File)
 
 
 def _typed(data: bytes) -> _File:
     try:
-        head = msgspec.json.decode(data, type=_Head)
+        head = _head_decoder.decode(data)
     except msgspec.ValidationError as error:
         if "`$" in str(error):
             raise
@@ -165,7 +169,7 @@ def _typed(data: bytes) -> _File:
             "format", _("is {value!r}; choose a file that Graphics Workbench saved").format(value=head.format)
         )
     if head.version == VERSION:
-        return msgspec.json.decode(data, type=_File)
+        return _file_decoder.decode(data)
     return msgspec.convert(upgraded(msgspec.json.decode(data), head.version), _File)
 
 

@@ -2,7 +2,7 @@
 
 Python collects cycles on whichever thread happens to allocate. A recording thread would so destroy widgets
 and timers that lie in a cycle, and Qt ends the process when one of them dies on a foreign thread. Once an
-application records, Python's own collector is therefore off, and a timer does its work by the same thresholds.
+application records, Python's own collector is therefore off and a timer does its work, by like thresholds.
 """
 
 import gc
