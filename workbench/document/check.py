@@ -75,7 +75,7 @@ def check(document: Document, before: Document | None = None) -> Document:
     for index, sheet in enumerate(document.sheets):
         if id(sheet) not in known:
             _sheet(f"sheets[{index}]", sheet, by_id.get(sheet.id))
-    if before is None or before.sheets is not document.sheets:
+    if before is None or not _same_ids(before, document):
         _ids_unique(document)
     return document
 
@@ -144,6 +144,24 @@ def _ids_unique(document: Document) -> None:
                 field, _("is {value}, which another has too; give it its own").format(value=shown(identity))
             )
         seen.add(identity)
+
+
+def _same_ids(before: Document, after: Document) -> bool:
+    """Whether both certainly have the same ids in the same places; what they share is not looked at."""
+    if len(before.sheets) != len(after.sheets):
+        return False
+    for old, new in zip(before.sheets, after.sheets, strict=True):
+        if old is new:
+            continue
+        if old.id != new.id or len(old.figures) != len(new.figures):
+            return False
+        for a, b in zip(old.figures, new.figures, strict=True):
+            if a is not b and (a.id, [p.id for p in a.points_world]) != (
+                b.id,
+                [p.id for p in b.points_world],
+            ):
+                return False
+    return True
 
 
 def _coordinate(field: str, value: Any) -> None:

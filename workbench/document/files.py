@@ -148,8 +148,8 @@ def decode(data: bytes) -> Stored:
     return Stored(file.document, file.session, file.blobs, file.origin)
 
 
-# Made while the module is imported, by one thread: msgspec 0.22 crashes when two threads decode a type for the
-# first time at once, as saving and keeping safe may.
+# Made while the module is imported, by one thread: msgspec 0.22 crashes when two threads decode a type for
+# the first time at once, as saving and keeping safe may.
 _encoder = msgspec.json.Encoder()
 _head_decoder = msgspec.json.Decoder(_Head)
 _file_decoder = msgspec.json.Decoder(_File)

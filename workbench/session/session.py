@@ -188,6 +188,8 @@ class Session(QObject):
 
     def start_autosave(self, folder: Path | None = None) -> None:
         """Keep unsaved work in a recovery file until ``close``; ``autosave_failed`` tells of trouble."""
+        if self._recovery is not None:
+            return
         try:
             self._recovery = RecoveryFile(folder, failed=self.autosave_failed.emit)
         except OSError as error:

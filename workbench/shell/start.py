@@ -93,12 +93,6 @@ class Building(QObject):
         self._warming.prepare("draw")
         window.entered.connect(self._warming.prepare)
         window.entered.connect(window.show_hints)
-        session.autosave_failed.connect(lambda sentence: window.messages.say(sentence, "error"))
-        session.start_autosave()
-        window.status.preparing("")
-        self._warming.prepare("draw")
-        window.entered.connect(self._warming.prepare)
-        window.entered.connect(window.show_hints)
 
 
 def make_window(settings: Settings | None = None, offered: Sequence[Workspace] | None = None) -> MainWindow:
