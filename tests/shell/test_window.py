@@ -105,6 +105,24 @@ def test_damaged_settings_cost_choices_only(
     assert again.settings.recent() == []
 
 
+@pytest.mark.qt_log_ignore("does not support raise", extend=True)
+def test_tabbed_docks_are_named_once_and_float_and_close_by_menu(qtbot: QtBot, window: MainWindow) -> None:
+    window.go("draw")
+    source, values, tube = window.arrangements.docks("draw")
+    qtbot.waitUntil(lambda: source.titleBarWidget() is not None)
+    assert tube.titleBarWidget() is None
+    tabs = window.arrangements.tabs
+    tabs.menu(values).actions()[0].trigger()
+    assert values.isFloating()
+    qtbot.waitUntil(lambda: source.titleBarWidget() is None)
+    assert values.titleBarWidget() is None
+    tabs.menu(source).actions()[1].trigger()
+    assert source.isHidden()
+    window.menus.actions["reset"].trigger()
+    assert not values.isFloating()
+    qtbot.waitUntil(lambda: source.titleBarWidget() is not None)
+
+
 def test_swap_takes_the_tube_to_the_middle_and_back(qtbot: QtBot, window: MainWindow) -> None:
     window.go("draw")
     panel = window.panels("draw")[0]

@@ -7,6 +7,7 @@ from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
 from workbench.language import _
+from workbench.shell.dock_tabs import DockTabs
 from workbench.shell.settings import Settings
 
 VERSION = 1
@@ -40,6 +41,7 @@ class Arrangements:
         self._settings = settings
         self._sets: dict[str, _Set] = {}
         self.current = ""
+        self.tabs = DockTabs(window, lambda: self.docks(self.current))
         window.setDockOptions(
             QMainWindow.DockOption.AllowTabbedDocks
             | QMainWindow.DockOption.AllowNestedDocks
@@ -62,6 +64,7 @@ class Arrangements:
             where = _AREAS[area] if isinstance(area, str) else area
             if name in lower:
                 where = _AREAS["right"]
+            self.tabs.follow(dock)
             held.docks.append(dock)
             held.areas[dock.objectName()] = where
             self._window.addDockWidget(where, dock)

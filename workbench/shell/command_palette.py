@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QLabel, QLineEdit, QListWidget, QListWidgetItem, QVBoxLayout
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
 
 from workbench.language import _
 from workbench.shell.actions import commands, key_text
@@ -139,11 +148,13 @@ class CommandPalette(QFrame):
         for _cost, _place, offer in ranked:
             item = QListWidgetItem(self.list)
             item.setData(Qt.ItemDataRole.UserRole, offer)
-            row = QLabel(
-                f"{offer.text}<span>&nbsp;&nbsp;</span><i>{offer.keys}</i>" if offer.keys else offer.text
-            )
-            row.setTextFormat(Qt.TextFormat.RichText)
-            row.setContentsMargins(6, 4, 6, 4)
+            row = QWidget()
+            line = QHBoxLayout(row)
+            line.setContentsMargins(6, 4, 10, 4)
+            line.addWidget(QLabel(offer.text), 1)
+            keys = QLabel(offer.keys)
+            keys.setProperty("role", "muted")
+            line.addWidget(keys)
             row.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
             item.setSizeHint(row.sizeHint())
             self.list.setItemWidget(item, row)

@@ -84,6 +84,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
+    from workbench.shell.hints import end_hints
     from workbench.shell.start import Building, make_window
 
     application = QApplication(["Graphics Workbench"])
@@ -109,6 +110,8 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
             application.quit()
             return
         theme, _name, act = steps[0]
+        window.messages.dismiss()
+        end_hints(window)
         window.themes.choose(theme)
         window.resize(*size)
         act(window)
@@ -165,7 +168,6 @@ def _question(window: MainWindow) -> None:
 
 
 def _empty(window: MainWindow) -> None:
-    window.messages.dismiss()
     window.session.new()
     window.go("draw")
 
