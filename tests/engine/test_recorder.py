@@ -169,6 +169,25 @@ def test_a_text_that_raises_ends_the_recording_with_its_place() -> None:
     assert not recording.truncated
 
 
+def overrunning(values: list[int], image: np.ndarray) -> Iterator[tuple[int]]:
+    for k in range(9):
+        image[0, -1 - k] = k
+        values[k - 2] = 10 * k
+        values[k] += 1
+        yield (k,)
+
+
+def test_a_store_outside_of_its_list_or_array_is_reported_as_any_error() -> None:
+    short = record(overrunning, [0, 0, 0], np.zeros((2, 9), np.int8))
+    assert short.error is not None
+    assert isinstance(short.error.exception, IndexError)
+    assert short[-1].variables["values"] == [20, 30, 11]
+    narrow = record(overrunning, [0] * 20, np.zeros((2, 2), np.int8))
+    assert narrow.error is not None
+    assert narrow.error.line == narrow[-1].line
+    assert narrow[-1].variables["image"].tolist() == [[1, 0], [0, 0]]
+
+
 def endless() -> Iterator[tuple[int]]:
     count = 0
     while True:

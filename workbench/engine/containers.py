@@ -88,6 +88,10 @@ class Log:
         """Record what changed since the last look."""
         raise NotImplementedError
 
+    def store(self, stamp: int, index: Any) -> None:
+        """Record that the element at ``index`` may have changed, and nothing else."""
+        self.check(stamp)
+
     def read(self, stamp: int) -> Any:
         """The object's state at ``stamp``; not to be changed by the reader."""
         raise NotImplementedError
@@ -177,6 +181,17 @@ class ListLog(Log):
             items = snapshot(items)
         self._splice(stamp, start, stop, tuple(items))
 
+    def store(self, stamp: int, index: Any) -> None:
+        now, shadow = self.object, self._shadow
+        inside = type(index) is int and -len(now) <= index < len(now)
+        if self.deep or not inside or len(now) != len(shadow):
+            self.check(stamp)
+            return
+        if index < 0:
+            index += len(now)
+        if now[index] is not shadow[index]:
+            self._replace(stamp, index, index + 1, now[index : index + 1])
+
     def check(self, stamp: int) -> None:
         now, shadow = self.object, self._shadow
         if self.deep:
@@ -218,10 +233,10 @@ class ArrayLog(Log):
 
     def __init__(self, watched: NDArray[Any]) -> None:
         super().__init__(watched, deep=False)
-        self._bytes = watched.tobytes()
+        self._bytes = bytearray(watched.tobytes())
         self._indexes = array("I")
         self._items = bytearray()
-        self._keyframes = [self._bytes]
+        self._keyframes = [bytes(self._bytes)]
         self._keyframe_counts = [0]
 
     def check(self, stamp: int) -> None:
@@ -231,13 +246,37 @@ class ArrayLog(Log):
         dtype = self.object.dtype
         words = np.dtype((np.void, dtype.itemsize))
         changed = np.flatnonzero(np.frombuffer(now, words) != np.frombuffer(self._bytes, words))
-        if len(self._stamps) - self._keyframe_counts[-1] > max(_BETWEEN_KEYFRAMES, self.object.size):
-            self._keyframes.append(self._bytes)
-            self._keyframe_counts.append(len(self._stamps))
-        self._bytes = now
+        self._keep_frame()
+        self._bytes[:] = now
         self._items += np.frombuffer(now, dtype)[changed].tobytes()
         self._indexes.frombytes(changed.astype(np.uint32).tobytes())
         self._stamps.extend([stamp] * len(changed))
+
+    def _keep_frame(self) -> None:
+        if len(self._stamps) - self._keyframe_counts[-1] > max(_BETWEEN_KEYFRAMES, self.object.size):
+            self._keyframes.append(bytes(self._bytes))
+            self._keyframe_counts.append(len(self._stamps))
+
+    def store(self, stamp: int, index: Any) -> None:
+        array = self.object
+        place = index if type(index) is tuple else (index,)
+        if len(place) != array.ndim or not all(
+            type(part) is int and -size <= part < size for part, size in zip(place, array.shape, strict=True)
+        ):
+            self.check(stamp)
+            return
+        flat = 0
+        for part, size in zip(place, array.shape, strict=True):
+            flat = flat * size + (part if part >= 0 else part + size)
+        item = array[index].tobytes()
+        at = flat * len(item)
+        if self._bytes[at : at + len(item)] == item:
+            return
+        self._keep_frame()
+        self._bytes[at : at + len(item)] = item
+        self._items += item
+        self._indexes.append(flat)
+        self._stamps.append(stamp)
 
     def read(self, stamp: int) -> NDArray[Any]:
         count = bisect_right(self._stamps, stamp)
@@ -256,6 +295,7 @@ class Containers:
 
     def __init__(self) -> None:
         self._logs: dict[int, Log] = {}
+        self._arrays = 0
 
     def bind(self, value: Any, stamp: int, fresh: bool) -> Any:
         """What a column keeps for ``value``: a log of it; ``fresh`` looks for changes nobody has seen yet."""
@@ -267,6 +307,7 @@ class Containers:
                 log = ListLog(value)
             elif isinstance(value, np.ndarray) and not value.dtype.hasobject:
                 log = ArrayLog(value)
+                self._arrays += 1
             elif isinstance(value, tuple | dict | set):
                 log = WholeLog(value)
             else:
@@ -282,6 +323,7 @@ class Containers:
         log.bindings -= 1
         if not log.bindings:
             self._logs.pop(id(log.object), None)
+            self._arrays -= isinstance(log, ArrayLog)
 
     def tail(self, value: Any, stamp: int, pops: int) -> None:
         """A line appended to ``value`` or popped from its end."""
@@ -289,6 +331,15 @@ class Containers:
         if isinstance(log, ListLog):
             log.tail(stamp, pops)
         self._check_deep(stamp)
+
+    def store(self, value: Any, stamp: int, index: Any) -> None:
+        """A line set the element of ``value`` at ``index``."""
+        log = self._logs.get(id(value))
+        if log is None or log.deep or (isinstance(log, ArrayLog) and self._arrays > 1):
+            self.touch(value, stamp)
+        else:
+            log.store(stamp, index)
+            self._check_deep(stamp)
 
     def touch(self, value: Any, stamp: int) -> None:
         """A line may have changed ``value``, or what it holds or shows."""

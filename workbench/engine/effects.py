@@ -20,6 +20,8 @@ _HEADERS = (ast.For, ast.While, ast.If, ast.With, ast.Match, ast.Try)
 class Effects(NamedTuple):
     """What a line can change.
 
+    ``stores`` are lists and arrays in which it sets one element, with the compiled index: nothing else of
+    them needs a look.
     ``binds`` are names it can bind. ``tails`` are lists that it only appends to and pops from, with the
     number of pops. ``touches`` are names through which it can change a container in some other way.
     """
@@ -27,6 +29,7 @@ class Effects(NamedTuple):
     binds: tuple[str, ...]
     tails: tuple[tuple[str, int], ...]
     touches: tuple[str, ...]
+    stores: tuple[tuple[str, CodeType], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,12 +54,21 @@ class _Found:
         self.binds: dict[str, None] = {}
         self.tails: dict[str, int] = {}
         self.touches: dict[str, None] = {}
+        self.stores: list[tuple[str, ast.expr]] = []
 
     def effects(self) -> Effects | None:
-        if not (self.binds or self.tails or self.touches):
+        if not (self.binds or self.tails or self.touches or self.stores):
             return None
+        stores = []
+        for name, index in self.stores:
+            moving = {part.id for part in ast.walk(index) if isinstance(part, ast.Name)} & self.binds.keys()
+            if moving or name in self.binds or name in self.tails:
+                self.touches[name] = None
+            else:
+                stores.append((name, compile(ast.Expression(index), "<index>", "eval")))
         tails = tuple((name, pops) for name, pops in self.tails.items() if name not in self.touches)
-        return Effects(tuple(self.binds), tails, tuple(self.touches))
+        kept = tuple((name, index) for name, index in stores if name not in self.touches)
+        return Effects(tuple(self.binds), tails, tuple(self.touches), kept)
 
     def look(self, node: ast.AST, nested: bool) -> None:
         """Collect what evaluating ``node`` can change; names of a comprehension are its own."""
@@ -64,14 +76,16 @@ class _Found:
             if isinstance(node.ctx, ast.Store | ast.Del) and not nested:
                 self.binds[node.id] = None
         elif isinstance(node, ast.Subscript | ast.Attribute):
-            if isinstance(node.ctx, ast.Store | ast.Del):
+            if isinstance(node.ctx, ast.Store) and isinstance(node, ast.Subscript) and _is_element(node):
+                self.stores.append((node.value.id, node.slice))  # type: ignore[attr-defined]
+            elif isinstance(node.ctx, ast.Store | ast.Del):
                 self._touch(node)
         elif isinstance(node, ast.MatchAs | ast.MatchStar):
             if node.name is not None:
                 self.binds[node.name] = None
         elif isinstance(node, ast.Call):
             self._call(node, nested)
-        elif isinstance(node, ast.AugAssign):
+        elif isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name):
             self._touch(node.target)
         deeper = nested or isinstance(node, _NESTED)
         for child in ast.iter_child_nodes(node):
@@ -100,6 +114,16 @@ class _Found:
         for part in ast.walk(node):
             if isinstance(part, ast.Name):
                 self.touches[part.id] = None
+
+
+_COUNTED = (ast.Name, ast.Constant, ast.BinOp, ast.UnaryOp, ast.Tuple, ast.operator, ast.unaryop, ast.Load)
+
+
+def _is_element(node: ast.Subscript) -> bool:
+    """Whether the subscript is of a plain name, by an index that is a sum of names and numbers."""
+    return isinstance(node.value, ast.Name) and all(
+        isinstance(part, _COUNTED) for part in ast.walk(node.slice)
+    )
 
 
 def _headers(node: ast.stmt) -> Iterator[ast.AST]:

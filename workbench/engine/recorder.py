@@ -113,6 +113,7 @@ class _Tracer:
         columns = recording.columns(call.depth, known.number)
         containers = self._containers
         effects_of, otherwise = known.effects.get, known.otherwise
+        scope: dict[str, Any] = {}
         generator, bytecode = known.generator, known.bytecode
         seen: dict[str, Any] = {}
         logs: dict[str, Log] = {}
@@ -123,6 +124,13 @@ class _Tracer:
             for name, pops in effects.tails:
                 if name in variables:
                     containers.tail(variables[name], stamp, pops)
+            for name, index in effects.stores:
+                if name in variables:
+                    try:
+                        place = eval(index, scope, variables)
+                    except Exception:
+                        place = None
+                    containers.store(variables[name], stamp, place)
             for name in effects.touches:
                 if name in variables:
                     containers.touch(variables[name], stamp)

@@ -62,7 +62,7 @@ class InspectorPanel(QWidget):
             ("hand_table", _("Hand table"), self.hand, right),
         ]
 
-    def actions(self) -> list[QAction]:  # type: ignore[override]
+    def actions(self) -> list[QAction]:
         """What this panel adds to the window's commands."""
         return [self.hand.copy_action]
 
