@@ -97,6 +97,9 @@ def test_collecting_copies_arrays_also_when_it_runs_twice() -> None:
     pixels = compiled.collect(FILL, image, 50, 50, 3, 1)
     assert len(pixels) == 10_000
     assert not image.any()
+    assert len(compiled.collect(FILL, [[0, 0], [0, 1]], 0, 0, 3, 1)) == 3
+    image.flags.writeable = False
+    assert len(compiled.collect(FILL, image, 50, 50, 3, 1)) == 10_000
 
 
 @given(x=st.integers(20, 30), y=st.integers(10, 18))

@@ -95,13 +95,17 @@ def _whole(value: Any) -> int:
 
 
 def _array(value: Any, dtype: type[np.generic], copied: bool) -> NDArray[Any]:
-    array = np.ascontiguousarray(value, dtype=dtype)
-    return array.copy() if (copied and array is value) or not array.flags.writeable else array
+    return _own(np.ascontiguousarray(value, dtype=dtype), value, copied)
 
 
 def _picture(value: Any, copied: bool) -> NDArray[Any]:
-    array = np.asarray(value)
+    array = np.ascontiguousarray(value)
     if array.ndim != 2 or array.dtype.kind not in "iuf":
         raise ValueError(_("a picture is an array of numbers with rows and columns"))
-    array = np.ascontiguousarray(array)
-    return array.copy() if (copied and np.shares_memory(array, value)) or not array.flags.writeable else array
+    return _own(array, value, copied)
+
+
+def _own(array: NDArray[Any], value: Any, copied: bool) -> NDArray[Any]:
+    """``array``, or a copy where the caller's must stay as it is or must not be written."""
+    shared = isinstance(value, np.ndarray) and np.may_share_memory(array, value)
+    return array.copy() if (copied and shared) or not array.flags.writeable else array

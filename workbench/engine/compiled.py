@@ -45,6 +45,11 @@ class Stop:
         """Stop every run that was given this."""
         self.flag[0] = 1
 
+    @property
+    def is_set(self) -> bool:
+        """Whether it was set."""
+        return bool(self.flag[0])
+
 
 @functools.cache
 def _numba() -> ModuleType | None:
@@ -276,7 +281,7 @@ def paint(
     """
     one = kernel(function, emits, flavour)
     values = arguments.bind(function, args, False)
-    if one.writes or any(isinstance(item, np.ndarray) and np.shares_memory(item, image) for item in args):
+    if one.writes or any(isinstance(item, np.ndarray) and np.may_share_memory(item, image) for item in args):
         one.call("_run", ((stop or Stop()).flag, *values), compiling)
         for given, formed in zip(args, values, strict=False):
             if isinstance(given, np.ndarray) and given is not formed and given.flags.writeable:

@@ -1,7 +1,7 @@
 """Triangles through the depth buffer, in bands of rows on two threads."""
 
-from concurrent.futures import Future, ThreadPoolExecutor
-from functools import cache, partial
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from functools import cache
 from itertools import pairwise
 from typing import Any
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from workbench.algorithms.visibility.depth_buffer import depth_buffer
-from workbench.engine.compiled import Stop, paint
+from workbench.engine.compiled import Stop, Stopped, paint
 from workbench.language import _
 
 # More bands than threads, so that a thread that is done early takes another one.
@@ -44,7 +44,12 @@ def depth_buffer_triangles(
     image = np.zeros((height, width), np.uint32)
     depth = np.full((height, width), FARTHEST)
     edges = [height * band // BANDS for band in range(BANDS + 1)]
-    draw = partial(paint, depth_buffer, image, 0, image, depth, points, corners, colour, stop=stop)
+
+    def draw(low_row: int, high_row: int) -> None:
+        if stop is not None and stop.is_set:
+            raise Stopped
+        paint(depth_buffer, image, 0, image, depth, points, corners, colour, low_row, high_row)
+
     _finish([_threads().submit(draw, low, high) for low, high in pairwise(edges)])
     return image, depth
 
@@ -74,5 +79,6 @@ def _threads() -> ThreadPoolExecutor:
 
 
 def _finish(bands: list[Future[Any]]) -> None:
+    wait(bands)
     for band in bands:
         band.result()

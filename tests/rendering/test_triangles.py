@@ -1,0 +1,94 @@
+"""Triangles on two threads, against an oracle in exact fractions, and what is refused."""
+
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from workbench.engine.compiled import Stop, Stopped
+from workbench.rendering.triangles import depth_buffer_triangles
+
+Corner = tuple[int, int, float]
+corner = st.tuples(st.integers(-3, 14), st.integers(-3, 11), st.sampled_from([0.25, 0.5, 0.75]))
+scene = st.lists(st.tuples(corner, corner, corner), min_size=1, max_size=6)
+
+
+def covered(triangle: tuple[Corner, ...], x: int, y: int) -> Fraction | None:
+    """Depth of a triangle at a pixel, exactly; None outside (half-open towards the right and the top)."""
+    crossings = []
+    for (x0, y0, z0), (x1, y1, z1) in zip(triangle, (*triangle[1:], triangle[0]), strict=True):
+        if min(y0, y1) <= y < max(y0, y1):
+            along = Fraction(y - y0, y1 - y0)
+            crossings.append((x0 + along * (x1 - x0), Fraction(z0) + along * (Fraction(z1) - Fraction(z0))))
+    if len(crossings) != 2:
+        return None
+    (left, near), (right, far) = sorted(crossings)
+    if not left <= x < right:
+        return None
+    return near + (far - near) * (x - left) / (right - left)
+
+
+@given(triangles=scene)
+@settings(max_examples=40)
+def test_the_nearest_triangle_wins_and_the_first_on_equal_depths(triangles: list[tuple[Corner, ...]]) -> None:
+    vertices = np.array(triangles, np.float64).reshape(-1, 3)
+    faces = np.arange(len(vertices)).reshape(-1, 3)
+    image, depth = depth_buffer_triangles(vertices, faces, np.arange(1, len(faces) + 1), (12, 9))
+    for y in range(9):
+        for x in range(12):
+            depths = {k: covered(t, x, y) for k, t in enumerate(triangles, 1)}
+            found = {k: z for k, z in depths.items() if z is not None}
+            if not found:
+                assert image[y, x] == 0
+                assert depth[y, x] == 1.0
+                continue
+            nearest = min(found.values())
+            assert abs(depth[y, x] - float(nearest)) < 1e-12
+            # Depths that differ by less than rounding may fall either way
+            assert image[y, x] in {k for k, z in found.items() if z - nearest < Fraction(1, 10**12)}
+
+
+def test_equal_depths_keep_the_first() -> None:
+    vertices = [[0, 0, 0.5], [8, 0, 0.5], [0, 8, 0.5]]
+    image, _depth = depth_buffer_triangles(vertices, [[0, 1, 2], [2, 1, 0]], [5, 6], (8, 8))
+    assert set(np.unique(image)) == {0, 5}
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"vertices": [[0, 0]]}, "three numbers"),
+        ({"faces": [[0, 1]]}, "three indices"),
+        ({"faces": [[0, 1, 3]]}, "not there"),
+        ({"faces": [[0, 1, -1]]}, "not there"),
+        ({"colours": [1, 2]}, "one number for each face"),
+        ({"vertices": [[0, 0, 0], [1, float("nan"), 0], [0, 1, 0]]}, "finite"),
+        ({"size": (0, 5)}, "1 or more"),
+    ],
+)
+def test_a_wrong_scene_is_refused(change: dict[str, Any], words: str) -> None:
+    given: dict[str, Any] = {
+        "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
+        "faces": [[0, 1, 2]],
+        "colours": [1],
+        "size": (4, 4),
+    }
+    with pytest.raises(ValueError, match=words):
+        depth_buffer_triangles(**(given | change))
+
+
+def test_no_triangles_leave_an_empty_picture() -> None:
+    image, depth = depth_buffer_triangles(np.zeros((0, 3)), np.zeros((0, 3), int), [], (3, 2))
+    assert not image.any()
+    assert (depth == 1.0).all()
+    assert image.shape == (2, 3)
+
+
+def test_drawing_can_be_stopped() -> None:
+    stop = Stop()
+    stop.set()
+    with pytest.raises(Stopped):
+        depth_buffer_triangles([[0, 0, 0], [8, 0, 0], [0, 8, 0]], [[0, 1, 2]], [1], (8, 8), stop)
