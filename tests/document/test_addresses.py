@@ -1,7 +1,7 @@
 """An address finds its attribute whatever happens to the others."""
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.document.made_documents import documents, sound_edits
@@ -48,9 +48,10 @@ def test_every_attribute_is_found_by_its_address_as_text(document: Document) -> 
         assert resolve(document, str(address)) is value
 
 
+@settings(max_examples=40)
 @given(st.data(), documents())
 def test_an_address_survives_edits_of_everything_else(data: st.DataObject, document: Document) -> None:
-    for _turn in range(4):
+    for _turn in range(3):
         before = everything(document)
         try:
             new = data.draw(sound_edits(document))(document)
@@ -100,10 +101,11 @@ def test_changed_names_what_differs_and_nothing_else(data: st.DataObject, old: D
         )
 
 
+@settings(max_examples=40)
 @given(st.data(), documents())
 def test_no_id_is_given_twice(data: st.DataObject, document: Document) -> None:
     seen = {identity for _path, identity in ids(document)}
-    for _turn in range(5):
+    for _turn in range(4):
         present = {identity for _path, identity in ids(document)}
         try:
             document = data.draw(sound_edits(document))(document)

@@ -90,7 +90,7 @@ class Circle(Figure, frozen=True, tag="circle", kw_only=True):
 class Ellipse(Figure, frozen=True, tag="ellipse", kw_only=True):
     """An ellipse with axes parallel to x and y, about its one point; a radius of 0 makes it a segment."""
 
-    topic: ClassVar[str] = "ellipses"
+    topic: ClassVar[str] = "circles"
     algorithms: ClassVar[tuple[str, ...]] = ("midpoint_ellipse",)
 
     radius_x_world: float
