@@ -60,7 +60,7 @@ class DrawPanel(QWidget):
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.session = session
-        self._waiting = False
+        self._waiting = self._sharing = False
         self.title = _("Draw")
         self.tools: list[Tool] = [
             kind(session) for kind in (SelectTool, LineTool, CircleTool, EllipseTool, PolylineTool)
@@ -73,6 +73,7 @@ class DrawPanel(QWidget):
         self.card = ParameterCard(session, self.canvas)
         left = round(self.canvas.area.left / self.canvas.devicePixelRatioF())
         self.card.move(left + CARD_GAP_PX, CARD_GAP_PX)
+        self._leave_room(False)
         self.empty = EmptyState(self.canvas, self.show_example)
         self.plot = DistancePlot()
         self.view = DrawView(session, self.canvas, self.second, self.card, self.plot)
@@ -175,16 +176,16 @@ class DrawPanel(QWidget):
         action.setToolTip(f"{text} ({action.shortcut().toString()})" if key else text)
         action.triggered.connect(lambda _checked=False: do())
         if icon == "ellipse":
-            self._paint_ellipse(action)
-            theme_changed.connect(partial(self._paint_ellipse, action))
+            self._ellipse = action
+            self._paint_ellipse()
+            theme_changed.connect(self._paint_ellipse)  # a method of ours, so that it ends with us
         else:
             set_icon(action, icon)
         self.addAction(action)
         self._actions[name] = action
         return action
 
-    @staticmethod
-    def _paint_ellipse(action: QAction) -> None:
+    def _paint_ellipse(self) -> None:
         """The icon family has no ellipse; this one has its stroke."""
         pixmap = QPixmap(64, 64)
         pixmap.fill(Qt.GlobalColor.transparent)
@@ -193,7 +194,7 @@ class DrawPanel(QWidget):
         painter.setPen(QPen(QColor(tokens().text), 4))
         painter.drawEllipse(8, 18, 48, 28)
         painter.end()
-        action.setIcon(QIcon(pixmap))
+        self._ellipse.setIcon(QIcon(pixmap))
 
     def _button(self, action: QAction) -> QToolButton:
         button = QToolButton()
@@ -229,15 +230,26 @@ class DrawPanel(QWidget):
         for tool in (*self.tools, self.handle_drag):
             tool.failed.connect(self.hover_text)
         self.card.side_by_side_changed.connect(self.refresh_soon)
+        self.card.folded.connect(self._leave_room)
         self.card.algorithm_chosen.connect(self._choose_algorithm)
         self.plot.pixel_wanted.connect(self._go_to_emission)
         self.plot.shown.connect(self.refresh_soon)
         for one, other in ((canvas, self.second), (self.second, canvas)):
             one.view_changed.connect(partial(self._share_view, one, other))
 
+    def _leave_room(self, folded: bool) -> None:
+        self.canvas.set_covered(0 if folded else self.card.width() + CARD_GAP_PX)
+
     def _share_view(self, one: CanvasSurface, other: CanvasSurface, _percent: float) -> None:
-        if one.isVisible() and not self.second.isHidden():
+        """Both pictures side by side show the same cells; the first one fits, with room for the card."""
+        if self.second.isHidden() or self._sharing:
+            return
+        self._sharing = True
+        if one is self.second and one.keeps_fit:
+            one.look_like(other)
+        else:
             other.look_like(one)
+        self._sharing = False
 
     # Tools
 

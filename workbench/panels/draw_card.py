@@ -60,10 +60,11 @@ def algorithm_choices(figure: AnyFigure | type) -> list[tuple[str, str]]:
 
 
 class ParameterCard(QFrame):
-    """Shows and edits the selection of a session. ``algorithm_chosen`` is for what is drawn next."""
+    """Shows and edits the selection of a session; ``algorithm_chosen`` is for what is drawn next."""
 
     side_by_side_changed = Signal(bool)
     algorithm_chosen = Signal(str)
+    folded = Signal(bool)
 
     def __init__(self, session: Session, parent: QWidget) -> None:
         super().__init__(parent)
@@ -80,7 +81,7 @@ class ParameterCard(QFrame):
         set_icon(self._fold, "caret-up", "muted")
         self._fold.setToolTip(_("Fold this card"))
         self._fold.setAccessibleName(_("Fold this card"))
-        self._fold.clicked.connect(lambda: self._folded(self._body.isHidden()))
+        self._fold.clicked.connect(lambda: self._set_open(self._body.isHidden()))
         head = QHBoxLayout()
         head.addWidget(self.title, 1)
         head.addWidget(self._fold)
@@ -117,10 +118,11 @@ class ParameterCard(QFrame):
         whole.addWidget(self._body)
         self.setFixedWidth(WIDTH_PX)
 
-    def _folded(self, open_: bool) -> None:
+    def _set_open(self, open_: bool) -> None:
         set_icon(self._fold, "caret-up" if open_ else "caret-down", "muted")
         self._body.setVisible(open_)
         self.adjustSize()
+        self.folded.emit(not open_)
 
     def event(self, event: QEvent) -> bool:
         """As large as what it holds."""

@@ -59,7 +59,8 @@ def handles(sheet: Sheet, figure: AnyFigure, held: str = "") -> list[Handle]:
     made: list[Handle] = []
 
     def add(address: str, name: str, x: float, y: float) -> None:
-        made.append(Handle(address, name, round(x, 6), round(y, 6), address == held))
+        shown = "" if address == held else name
+        made.append(Handle(address, shown, round(x, 6), round(y, 6), address == held))
 
     for number, point in enumerate(figure.points_world):
         name = _POINTS.get(type(figure), "P{k}").format(k=number)

@@ -64,7 +64,8 @@ class DrawView:
             self.second.set_picture(made.pixels, made.background)
             self.second.set_overlay(made.beside)
         self.card.refresh(tool if isinstance(tool, FigureTool) else None, selected, self.summary())
-        self._show_distances(active, compared, progress)
+        if not tool.busy and not drag.busy:
+            self._show_distances(active, compared, progress)
 
     def stepped_run(self) -> Run | None:
         """The session's run when it is that of the active figure and something of it is recorded."""

@@ -1,11 +1,13 @@
 """The seen half of the pixel canvas: the picture, its zoom and pan, and the painting."""
 
+import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPen, QRegion, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.language import _
@@ -16,6 +18,7 @@ from workbench.widgets.canvas_view import Area, CanvasView, centred, fitted
 from workbench.widgets.tokens import theme_changed, tokens
 
 MARGIN = 12
+WORTHWHILE = 0.85
 
 
 class CanvasSurface(QWidget):
@@ -33,12 +36,15 @@ class CanvasSurface(QWidget):
         self._overlay = Overlay()
         self._view = CanvasView()
         self._keeps_fit = True
+        self._covered = 0
+        self._stale = True
+        self._frame = QImage()
         self._describe: Callable[[int, int], str] | None = None
         self._tag = ""
         self._hover: Cell | None = None
         self._pointer = QPointF()
         self._cursor: Cell | None = None
-        theme_changed.connect(self.update)
+        theme_changed.connect(self.repaint_soon)
 
     # What is shown
 
@@ -53,12 +59,12 @@ class CanvasSurface(QWidget):
             if self._cursor is not None:
                 self._cursor = self._inside(*self._cursor)
             self.fit()
-        self.update()
+        self.repaint_soon()
 
     def set_overlay(self, overlay: Overlay) -> None:
         """Show other marks."""
         self._overlay = overlay
-        self.update()
+        self.repaint_soon()
 
     def set_describer(self, describe: Callable[[int, int], str] | None) -> None:
         """``describe(x, y)`` names what is at a cell: the pointer's tag, and what a screen reader says."""
@@ -68,7 +74,7 @@ class CanvasSurface(QWidget):
         """Text beside the pointer while something is being dragged; empty shows what the pointer is over."""
         if text != self._tag:
             self._tag = text
-            self.update()
+            self.repaint_soon()
 
     @property
     def overlay(self) -> Overlay:
@@ -93,11 +99,23 @@ class CanvasSurface(QWidget):
         return self._view.cell * 100
 
     def fit(self) -> None:
-        """The whole picture, as large as whole cells allow; stays so when the widget is resized."""
+        """The whole picture, as large as whole cells allow; stays so when the widget is resized.
+
+        What is covered at the left stays free, unless the picture would become much smaller.
+        """
         self._keeps_fit = True
-        self._show(
-            fitted(self.area, *self._picture.size, round(MARGIN * self.devicePixelRatioF())), keep=True
-        )
+        area, margin = self.area, round(MARGIN * self.devicePixelRatioF())
+        whole = fitted(area, *self._picture.size, margin)
+        covered = min(area.right - 1, area.left + round(self._covered * self.devicePixelRatioF()))
+        beside = fitted(replace(area, left=covered), *self._picture.size, margin)
+        self._show(beside if beside.cell >= WORTHWHILE * whole.cell else whole, keep=True)
+
+    def set_covered(self, width: int) -> None:
+        """So many logical pixels at the left of the picture are covered by something else."""
+        if width != self._covered:
+            self._covered = width
+            if self._keeps_fit:
+                self.fit()
 
     def actual_size(self) -> None:
         """One cell on one pixel of the screen."""
@@ -108,19 +126,22 @@ class CanvasSurface(QWidget):
         x, y = self.area.centre if about is None else self._screen(about)
         self._show(self._view.zoomed(steps, x, y))
 
+    @property
+    def keeps_fit(self) -> bool:
+        """Whether the picture stays fitted when the widget is resized."""
+        return self._keeps_fit
+
     def look_like(self, other: "CanvasSurface") -> None:
         """Take over the view of another canvas, so that two lie side by side alike."""
-        if other._keeps_fit and not self._keeps_fit:
-            self.fit()
-        elif not other._keeps_fit and (self._keeps_fit or other._view != self._view):
-            self._show(other._view)
+        if (other._view, other._keeps_fit) != (self._view, self._keeps_fit):
+            self._show(other._view, keep=other._keeps_fit)
 
     def _show(self, view: CanvasView, keep: bool = False) -> None:
         self._keeps_fit = keep
         margin = round(4 * MARGIN * self.devicePixelRatioF())
         self._view = view.kept_near(self.area, *self._picture.size, margin)
         self.view_changed.emit(self.zoom_percent)
-        self.update()
+        self.repaint_soon()
 
     @property
     def area(self) -> Area:
@@ -163,18 +184,39 @@ class CanvasSurface(QWidget):
 
     # Painting
 
+    def repaint_soon(self) -> None:
+        """Something shown has changed: paint it anew. Where a child lies on top nothing is to be seen."""
+        self._stale = True
+        region = QRegion(self.rect())
+        for child in self.children():
+            if isinstance(child, QWidget) and child.isVisible():
+                region -= child.geometry()
+        self.update(region)
+
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Picture, marks, rulers, cursor and tag."""
-        painter = QPainter(self)
+        """Show the frame; it is painted anew only when something in it has changed."""
         unit = self.devicePixelRatioF()
+        size = QSize(math.ceil(self.width() * unit) + 1, math.ceil(self.height() * unit) + 1)
+        if self._stale or self._frame.size() != size:
+            if self._frame.size() != size:
+                self._frame = QImage(size, QImage.Format.Format_RGB32)
+            self._paint_frame()
+            self._stale = False
+        painter = QPainter(self)
         origin = painter.deviceTransform()
         painter.translate(
             (round(origin.dx()) - origin.dx()) / unit, (round(origin.dy()) - origin.dy()) / unit
         )
         painter.scale(1 / unit, 1 / unit)
+        painter.drawImage(0, 0, self._frame)
+        painter.end()
+
+    def _paint_frame(self) -> None:
+        """Picture, marks, rulers, cursor and tag."""
         scene = self.scene()
-        area = scene.area
-        painter.fillRect(0, 0, area.right + 1, area.height + 1, QColor(scene.tokens.window))
+        area, unit = scene.area, scene.unit
+        self._frame.fill(QColor(scene.tokens.window))
+        painter = QPainter(self._frame)
         paint_scene(painter, self._picture, scene)
         paint_rulers(painter, scene, self._cursor or self._hover)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)

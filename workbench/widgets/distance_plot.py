@@ -65,6 +65,8 @@ class DistancePlot(QWidget):
 
             self._plot = pyqtgraph.PlotWidget()
             self._plot.setMenuEnabled(False)
+            for side in ("left", "bottom"):
+                self._plot.getAxis(side).enableAutoSIPrefix(False)
             self._plot.hideButtons()
             self._plot.setMouseEnabled(x=False, y=False)
             self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -87,7 +89,6 @@ class DistancePlot(QWidget):
         for side, text in (("left", _("distance (px)")), ("bottom", _("pixel k"))):
             axis = plot.getAxis(side)
             axis.setPen(QPen(QColor(now.muted), 1))
-            axis.enableAutoSIPrefix(False)
             axis.setTextPen(QPen(QColor(now.muted), 1))
             plot.setLabel(side, text, color=now.muted)
         plot.addItem(pyqtgraph.InfiniteLine(0, angle=0, pen=QPen(QColor(now.grid_strong), 0)))

@@ -159,14 +159,14 @@ class PixelCanvas(CanvasSurface):
                 self.hover_left.emit()
             else:
                 self.hovered.emit(*cell)
-        self.update()
+        self.repaint_soon()
 
     def leaveEvent(self, event: QEvent) -> None:
         """Nothing is pointed at any more."""
         if self._hover is not None:
             self._hover = None
             self.hover_left.emit()
-            self.update()
+            self.repaint_soon()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """A wheel zooms at the pointer; with Shift it pans sideways; two fingers pan, with Ctrl they zoom."""
@@ -236,7 +236,7 @@ class PixelCanvas(CanvasSurface):
         if self._cursor is not None:
             self._cursor = None
             self.setAccessibleDescription("")
-            self.update()
+            self.repaint_soon()
             return
         width, height = self._picture.size
         self._move_cursor(*(self._hover or (width // 2, height // 2)))
@@ -249,7 +249,7 @@ class PixelCanvas(CanvasSurface):
         said = self._describe(*self._cursor) if self._describe else f"({self._cursor[0]}, {self._cursor[1]})"
         self.setAccessibleDescription(said)
         QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.DescriptionChanged))
-        self.update()
+        self.repaint_soon()
 
     def _bring_into_view(self, cell: Cell) -> None:
         area = self.area
@@ -262,9 +262,9 @@ class PixelCanvas(CanvasSurface):
     def focusInEvent(self, event: QFocusEvent) -> None:
         """The focus ring appears."""
         super().focusInEvent(event)
-        self.update()
+        self.repaint_soon()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         """The focus ring goes."""
         super().focusOutEvent(event)
-        self.update()
+        self.repaint_soon()
