@@ -16,6 +16,10 @@ _TEACHING_ORDER = (
     "circles.midpoint_ellipse",
     "seed_fill.boundary_fill_4",
     "visibility.depth_buffer",
+    "scanning.raster_scan",
+    "scanning.random_scan",
+    "scanning.beam_spot",
+    "scanning.phosphor_decay",
 )
 
 _ENTRIES: tuple[Entry, ...] = tuple(

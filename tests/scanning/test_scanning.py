@@ -1,0 +1,116 @@
+"""The texts on scanning, and that the tube does as they say."""
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from workbench.algorithms.scanning.beam_spot import beam_spot
+from workbench.algorithms.scanning.phosphor_decay import phosphor_decay
+from workbench.algorithms.scanning.random_scan import random_scan
+from workbench.algorithms.scanning.raster_scan import raster_scan
+from workbench.display import MmStroke, Phosphor, RasterBeam, RasterTiming, Tube, VectorTiming
+from workbench.display.vector_beam import schedule
+
+P31 = Phosphor.named("P31")
+pictures = (
+    st.integers(1, 9)
+    .flatmap(lambda w: st.lists(st.lists(st.integers(0, 2), min_size=w, max_size=w), min_size=1, max_size=7))
+    .map(np.array)
+)
+
+
+@given(pictures, st.integers(0, 5), st.integers(0, 5))
+def test_a_raster_visits_each_lit_pixel_once_in_reading_order(image, h_blank, v_blank) -> None:
+    visited = list(raster_scan(image, h_blank, v_blank))
+    rows, columns = np.nonzero(image[::-1])
+    height = len(image)
+    assert visited == [(x, height - 1 - r) for r, x in zip(rows.tolist(), columns.tolist(), strict=True)]
+
+
+@given(pictures)
+@settings(max_examples=25, deadline=None)
+def test_the_raster_tube_scans_in_the_order_of_the_text(image) -> None:
+    height, width = image.shape
+    timing = RasterTiming.synthesised(width, height, 60)
+    tube = Tube((8, 8), (float(width), float(height)), [P31], spot_mm=0.5)
+    beam = RasterBeam(tube, timing, (image > 0)[None].astype(float), (0.0, 0.0, float(width), float(height)))
+    lit = []
+    for clock in range(timing.clocks_per_frame):
+        state = beam.state((clock + Fraction(1, 2)) / timing.pixel_clock_hz)
+        if any(state.currents):
+            lit.append((math.floor(state.x_mm), math.floor(state.y_mm)))
+    assert lit == list(raster_scan(image, 0, 0))
+
+
+@given(
+    st.lists(st.tuples(st.integers(0, 200), st.integers(0, 200)), min_size=2, max_size=10).filter(
+        lambda ends: len(ends) % 2 == 0
+    ),
+    st.sampled_from([1.0, 0.14, 0.1]),
+    st.floats(0.05, 1.0),
+    st.floats(0.0, 9.0),
+)
+def test_the_vector_tube_takes_the_time_of_the_text(ends, pace, jump_pace, settle) -> None:
+    points = np.array(ends, dtype=float)
+    assert [row[:4] for row in random_scan(points, pace, jump_pace, settle)] == [
+        (*points[i], *points[i + 1]) for i in range(0, len(points), 2)
+    ]
+    display = VectorTiming(
+        "test", 200, 0, 1e6 * pace, jump_ps_per_unit=1e6 * jump_pace, settle_ps=round(settle * 1e6)
+    )
+    strokes = [MmStroke(tuple(points[i]), tuple(points[i + 1]), (1.0,)) for i in range(0, len(points), 2)]
+    segments = schedule(strokes, display, 1.0, (0.0, 0.0))
+    expected = 0.0
+    x, y = points[-1]
+    for (x0, y0), (x1, y1) in zip(points[::2], points[1::2], strict=True):
+        if (x0, y0) != (x, y):
+            expected += max(abs(x0 - x), abs(y0 - y)) * jump_pace + settle
+        expected += max(abs(x1 - x0), abs(y1 - y0)) * pace
+        x, y = x1, y1
+    took = sum(s.duration_ps for s in segments if s.kind != "wait") * 1e-6
+    assert math.isclose(took, expected, rel_tol=1e-6, abs_tol=1e-4)
+
+
+places = st.tuples(st.floats(12.0, 28.0), st.floats(12.0, 28.0))
+
+
+@given(places, places, st.floats(0.7, 2.0))
+@settings(max_examples=40, deadline=None)
+def test_the_tube_deposits_what_the_text_says(a, b, sigma) -> None:
+    tube = Tube((40, 40), (40.0, 40.0), [P31], spot_mm=sigma, reach=4.0)
+    tube.deposit_stroke(a, b, 1.0)
+    energy = tube.stored[0][0] * P31.terms[0].tau_s / P31.energy_fractions[0]
+    text = np.zeros((40, 40))
+    # Pixel 0 of the face has its centre at 0.5 mm.
+    for x, y, share in beam_spot(a[0] - 0.5, a[1] - 0.5, b[0] - 0.5, b[1] - 0.5, 1.0, sigma):
+        text[y, x] = share
+    both = (text > 0) & (energy > 0)
+    assert abs(energy - text)[both].max() < 1e-12
+    assert abs(text.sum() - 1.0) < 4.0 * math.exp(-2.0 * math.pi**2 * sigma**2) + 1.3e-4
+
+
+@given(st.floats(0.01, 20.0), st.integers(1, 30))
+def test_decay_is_the_same_in_one_step_and_in_many(dt: float, steps: int) -> None:
+    terms = np.array([[term.weight, term.tau_s * 1e3] for term in P31.terms])
+    many = list(phosphor_decay(terms, dt, steps))
+    one = list(phosphor_decay(terms, dt * steps, 1))
+    assert len(many) == steps + 1
+    assert math.isclose(many[-1][1], one[-1][1], rel_tol=1e-11, abs_tol=1e-300)
+    for t, light in many:
+        assert math.isclose(light, P31.intensity(t * 1e-3), rel_tol=1e-11, abs_tol=1e-300)
+
+
+@pytest.mark.parametrize("name", ["P1", "P31"])
+def test_the_tube_fades_as_the_text_says(name: str) -> None:
+    phosphor = Phosphor.named(name)
+    tube = Tube((1, 1), (1.0, 1.0), [phosphor])
+    tube.deposit(np.ones((1, 1)))
+    start = tube.luminance().sum()
+    terms = np.array([[term.weight, term.tau_s] for term in phosphor.terms])
+    for t, light in phosphor_decay(terms, 1e-3, 8):
+        tube.advance((Fraction(t).limit_denominator(1000) - tube.seconds) * 10**12)
+        assert math.isclose(tube.luminance().sum() / start, light, rel_tol=1e-9)

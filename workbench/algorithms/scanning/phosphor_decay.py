@@ -1,0 +1,85 @@
+"""Phosphor decay: light fades as a sum of exponentials, each exact for any time step.
+
+terms           weight and time constant of each exponential
+states          what each term still gives of light
+light           all terms together
+emitted         light given off so far; with what is still stored it makes all the energy of the hit
+"""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.entry import Entry, Parameter, View
+
+
+def phosphor_decay(terms: NDArray[Any], dt: float, steps: int) -> Iterator[tuple[float, float]]:
+    """Emit time and light after a hit at time 0, in equal steps.
+
+    Args: (n, 2) weights and time constants, weights not negative; length of a step, in the same unit; how
+    many steps. Emits: (t, light). Source: energy balance of a sum of first-order decays.
+    """
+    # Take the hit: each term starts with its weight
+    states = [float(term[0]) for term in terms]
+    light = 0.0
+    for state in states:
+        light += state
+    emitted = 0.0
+    t = 0.0
+    yield t, light
+
+    for k in range(steps):
+        # Let every term fade
+        light = 0.0
+        stored = 0.0
+        for j in range(len(states)):
+            tau = float(terms[j, 1])
+            kept = 0.0
+            if tau > 0.0:
+                kept = math.exp(-dt / tau)
+                emitted += states[j] * tau * (1.0 - kept)
+            states[j] *= kept
+            stored += states[j] * tau
+            light += states[j]
+
+        # Show the light that is left
+        t = (k + 1) * dt
+        yield t, light
+
+
+_P31 = np.array([[0.942464, 0.1163], [0.05172, 2.001], [0.005816, 18.18]])
+
+ENTRY = Entry(
+    function=phosphor_decay,
+    topic="scanning",
+    title="Phosphor decay",
+    summary="Every step multiplies by exp(-dt/tau), so ten short steps end where one long step does.",
+    parameters=(
+        Parameter("terms", "w_k, tau_k", "points", _P31, meaning="weight and time constant in ms: P31"),
+        Parameter("dt", "dt", "float", 0.5, 0.0, 1e6, "ms", "length of a step"),
+        Parameter("steps", "n", "int", 12, 0, 100000, "", "number of steps"),
+    ),
+    emits="points",
+    source="Sum of exponentials fitted to the decay table of Tektronix, 1966",
+    columns=("k", "t", "light", "emitted", "stored"),
+    views=(
+        View(
+            block="Let every term fade",
+            tables={"Terms": ("[(j, states[j]) for j in range(len(states))]", ("k", "light"))},
+            sentence="Each term keeps exp(-dt/tau) of its light; together {light} is left.",
+        ),
+        View(
+            block="Show the light that is left",
+            row="(k, t, light, emitted, stored)",
+            sentence="At {t} the light is {light}; {emitted} was given off, {stored} is still to come.",
+        ),
+    ),
+    laws=(
+        "One step of n dt and n steps of dt leave the same light.",
+        "What was given off and what is stored make the energy of the hit, at every step.",
+    ),
+    labs=("Phosphor and persistence",),
+)

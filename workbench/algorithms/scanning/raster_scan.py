@@ -1,0 +1,90 @@
+"""Raster scan: the beam sweeps over the whole frame buffer, line after line.
+
+image       the frame buffer; 0 is dark
+line        number of the line, from the top
+y           row of the frame buffer that the line shows
+clock       pixel clocks since the frame began; it runs on while the beam is off
+lit         pixels of this line on which the beam was on
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.entry import Entry, Parameter, View
+
+
+def raster_scan(image: NDArray[Any], h_blank: int, v_blank: int) -> Iterator[tuple[int, int]]:
+    """Emit each lit pixel in the order in which the beam reaches it.
+
+    Args: a frame buffer (h, w); the pixel clocks of a horizontal retrace; the lines of the vertical one.
+    Emits: (x, y). Source: Hearn and Baker, Computer Graphics, C Version, section 2-1.
+    """
+    # Start at the top left
+    height, width = image.shape
+    clock = 0
+    lit = 0
+
+    for line in range(height):
+        # Scan the line from left to right
+        y = height - 1 - line
+        lit = 0
+        for x in range(width):
+            if image[y, x] != 0:
+                lit += 1
+                yield x, y
+            clock += 1
+
+        # Fly back to the left with the beam off
+        clock += h_blank
+
+    # Fly back to the top with the beam off
+    clock += v_blank * (width + h_blank)
+
+
+_PICTURE = np.array(
+    [
+        [0, 1, 1, 1, 1, 0],
+        [0, 1, 0, 0, 1, 0],
+        [0, 1, 1, 1, 1, 0],
+        [1, 0, 0, 0, 0, 1],
+    ]
+)
+
+ENTRY = Entry(
+    function=raster_scan,
+    topic="scanning",
+    title="Raster scan",
+    summary="The beam visits every pixel in order, whatever the picture, and flies back dark.",
+    parameters=(
+        Parameter("image", "image", "image", _PICTURE, meaning="frame buffer; 0 is dark"),
+        Parameter("h_blank", "h_blank", "int", 2, 0, 4096, "clocks", "horizontal retrace"),
+        Parameter("v_blank", "v_blank", "int", 1, 0, 4096, "lines", "vertical retrace"),
+    ),
+    emits="pixels",
+    source="Hearn and Baker, Computer Graphics, C Version, section 2-1",
+    columns=("line", "y", "first clock", "lit"),
+    views=(
+        View(
+            block="Scan the line from left to right",
+            row="(line, y, line * (width + h_blank), lit)",
+            sentence="Line {line} shows row {y}: {width} clocks, on {lit} of them the beam is on.",
+        ),
+        View(
+            block="Fly back to the left with the beam off",
+            sentence="The beam flies back for {h_blank} clocks and paints nothing.",
+        ),
+        View(
+            block="Fly back to the top with the beam off",
+            sentence="The beam flies back to the top for {v_blank} lines; one frame took {clock} clocks.",
+        ),
+    ),
+    laws=(
+        "Every pixel that is not 0 is emitted once, from top to bottom and from left to right.",
+        "A frame takes (width + h_blank)(height + v_blank) clocks, whatever the picture.",
+    ),
+    labs=("Frame buffer and raster scan",),
+    next_rung="random_scan",
+)
