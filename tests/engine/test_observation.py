@@ -120,6 +120,15 @@ def test_a_growing_recording_shows_the_same_steps(data: st.DataObject) -> None:
     assert steps.decisions == expected.decisions
 
 
+def test_a_row_counts_as_soon_as_its_call_is_over() -> None:
+    whole = record(tree, 1, 1)
+    back = next(
+        event for event in range(len(whole)) if event and whole.depths[event] < whole.depths[event - 1]
+    )
+    steps = Steps(TREE, so_far(whole, back + 1))
+    assert [step.row for step in list(steps)[1:]] == walked(1, 1)[:3]
+
+
 def number_is_shown(steps: Steps, cut: int) -> bool:
     return steps.span(len(steps))[1] < cut
 

@@ -127,6 +127,26 @@ def test_dda_in_64_bits_is_nearest_but_for_ties(ends: Ends) -> None:
         assert pixel == half_up(point) or is_tie(point)
 
 
+@given(
+    start=st.tuples(st.integers(-500, 500), st.integers(-500, 500)),
+    doublings=st.integers(0, 9),
+    share=st.floats(-1, 1),
+    steep=st.booleans(),
+)
+def test_halves_go_up_where_the_sum_is_exact(
+    start: tuple[int, int], doublings: int, share: float, steep: bool
+) -> None:
+    """With 2^n steps every partial sum of the DDA is a whole number of 2^n-ths, and ties are true ones."""
+    longer = 1 << doublings
+    shorter = round(share * longer)
+    dx, dy = (shorter, longer) if steep else (longer, shorter)
+    ends = (*start, start[0] + dx, start[1] + dy)
+    expected = [half_up(point) for point in true_points(ends)]
+    assert list(dda_line(*ends)) == expected
+    assert list(dda_line_single(*ends)) == expected
+    assert list(dda_line_fixed(*ends, 10)) == expected
+
+
 @given(ends=st.tuples(*[st.integers(-500, 500)] * 4))
 def test_fixed_point_with_24_bits_is_nearest_but_for_ties(ends: Ends) -> None:
     for point, pixel in zip(true_points(ends), dda_line_fixed(*ends, 24), strict=True):

@@ -141,6 +141,15 @@ def test_two_triangles_that_pierce_one_another() -> None:
     assert ["".join(map(str, row)) for row in image[::-1]] == ["1111122222"] * HEIGHT
 
 
+def test_an_edge_that_crosses_a_row_at_a_pixel_is_not_rounded_past_it() -> None:
+    """The edge up to (58, 14) crosses row 7 at exactly 29; its slope times 7 is a little more."""
+    vertices = np.array([[0, 0, 0.5], [58, 14, 0.5], [0, 14, 0.5]])
+    image, depth = np.zeros((14, 40), np.int64), np.ones((14, 40))
+    row = depth_buffer(image, depth, vertices, np.array([[0, 1, 2]]), np.array([1]), 7, 8)
+    assert 7 * (58 / 14) > 29
+    assert [x for x, *_ in row] == list(range(29))
+
+
 def test_a_triangle_seen_edge_on_draws_nothing() -> None:
     line = [tuple((Fraction(n), Fraction(n), Fraction(0)) for n in (0, 3, 7))]
     assert render(line)[2] == []  # type: ignore[arg-type]
