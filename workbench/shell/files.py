@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject
+from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog
 
 from workbench.language import _
@@ -158,3 +159,11 @@ class Files(QObject):
     def _remember(self, path: Path) -> None:
         self._window.settings.add_recent(path)
         self._window.refresh_recent()
+
+
+def dropped(event: QDropEvent) -> Path | None:
+    """The one picture of ours that is being dropped, if it is one."""
+    urls = event.mimeData().urls()
+    if len(urls) == 1 and urls[0].isLocalFile() and urls[0].toLocalFile().endswith(SUFFIX):
+        return Path(urls[0].toLocalFile())
+    return None

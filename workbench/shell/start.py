@@ -57,7 +57,7 @@ class Building(QObject):
         self._warming.stop()
 
     def _import(self) -> None:
-        for module in (*_SLOW_IMPORTS, *self._window.panel_modules()):
+        for module in (*_SLOW_IMPORTS, *self._window.panel_modules(), "pyqtgraph"):
             with suppress(Exception):  # the same failure is said where the module is needed
                 import_module(module)
         self._imported.emit()
@@ -93,6 +93,9 @@ class Building(QObject):
         self._warming.prepare("draw")
         window.entered.connect(self._warming.prepare)
         window.entered.connect(window.show_hints)
+        if window.place == "draw":
+            window.show_hints()
+        yield from window.prepare("draw")
 
 
 def make_window(settings: Settings | None = None, offered: Sequence[Workspace] | None = None) -> MainWindow:

@@ -23,8 +23,6 @@ from workbench.shell.workspaces import Workspace, panel_class, workspaces
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
-    from pathlib import Path
-
     from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
     from PySide6.QtWidgets import QToolBar
 
@@ -71,6 +69,7 @@ class MainWindow(QMainWindow):
         self.place = ""
         self._offered = {each.slug: each for each in (workspaces() if offered is None else offered)}
         self._panels: dict[str, list[Any]] = {}
+        self._makers: dict[str, Iterator[None]] = {}
         self.centres: dict[str, QWidget] = {}
         self._pages: dict[str, QWidget] = {}
         self._painted = False
@@ -207,8 +206,8 @@ class MainWindow(QMainWindow):
                 self.status.preparing(_("Preparing {title}").format(title=self._offered[slug].title))
             self._wanted.append(lambda: self.enter(slug))
             return
-        if slug not in self._panels:
-            self._make_panels(slug)
+        for _panel in self.prepare(slug):
+            pass
         if self.place == slug:
             return
         self._leave()
@@ -239,10 +238,18 @@ class MainWindow(QMainWindow):
         """The panels of a workspace, empty before it was first shown."""
         return list(self._panels.get(slug, []))
 
-    def _make_panels(self, slug: str) -> None:
+    def prepare(self, slug: str) -> Iterator[None]:
+        """Make the panels of a workspace, one per step, without showing it yet."""
+        if slug not in self._panels:
+            # One maker for whoever asks: who comes later goes on where the first has stopped.
+            yield from self._makers.setdefault(slug, self._make_panels(slug))
+
+    def _make_panels(self, slug: str) -> Iterator[None]:
         workspace = self._offered[slug]
-        made = [panel_class(panel)(self.session) for panel in workspace.panels]
-        self._panels[slug] = made
+        made: list[Any] = []
+        for name in workspace.panels:
+            made.append(panel_class(name)(self.session))
+            yield
         host = QWidget()
         layout = QVBoxLayout(host)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -258,6 +265,7 @@ class MainWindow(QMainWindow):
             if bar is not None:
                 self.steps.addWidget(bar)
             self.status.listen(panel)
+        self._panels[slug] = made
 
     def show_page(self, name: str) -> None:
         """Show a page: home, settings, help, keys or about."""
@@ -361,11 +369,15 @@ class MainWindow(QMainWindow):
     # Dropped files, closing
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if _dropped(event) is not None:
+        from workbench.shell.files import dropped
+
+        if dropped(event) is not None:
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        path = _dropped(event)
+        from workbench.shell.files import dropped
+
+        path = dropped(event)
         if path is not None:
             self.when_ready(lambda: self.files.open_path(path))
 
@@ -389,14 +401,3 @@ class MainWindow(QMainWindow):
     def _close_now(self) -> None:
         self._closing = True
         self.close()
-
-
-def _dropped(event: QDropEvent) -> Path | None:
-    from pathlib import Path
-
-    from workbench.shell.files import SUFFIX
-
-    urls = event.mimeData().urls()
-    if len(urls) == 1 and urls[0].isLocalFile() and urls[0].toLocalFile().endswith(SUFFIX):
-        return Path(urls[0].toLocalFile())
-    return None
