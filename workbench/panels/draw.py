@@ -1,6 +1,5 @@
 """The Draw panel: lines, circles, ellipses, polylines on a pixel canvas, drawn, typed and compared."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -8,14 +7,8 @@ from typing import Any
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import (
     QAction,
-    QColor,
     QHideEvent,
-    QIcon,
     QKeyEvent,
-    QKeySequence,
-    QPainter,
-    QPen,
-    QPixmap,
     QShowEvent,
 )
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
@@ -24,6 +17,7 @@ from workbench.document.edits import Edit, duplicate_figures, move_figures, remo
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure
 from workbench.language import _
+from workbench.panels.draw_actions import DrawActions
 from workbench.panels.draw_card import ParameterCard
 from workbench.panels.draw_empty import EmptyState
 from workbench.panels.draw_export import Exporter
@@ -41,9 +35,8 @@ from workbench.rendering import device_map
 from workbench.session.session import Session
 from workbench.widgets.canvas_surface import CanvasSurface
 from workbench.widgets.distance_plot import DistancePlot
-from workbench.widgets.icons import set_icon
 from workbench.widgets.pixel_canvas import PixelCanvas
-from workbench.widgets.tokens import theme_changed, tokens
+from workbench.widgets.tokens import theme_changed
 
 REACH_PX = 6
 TOOL_BAR_PX = 44
@@ -92,14 +85,8 @@ class DrawPanel(QWidget):
 
     def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
         """The plot of the distances."""
-        return [
-            (
-                "distance",
-                _("Distance from the ideal curve"),
-                self.plot,
-                Qt.DockWidgetArea.BottomDockWidgetArea,
-            )
-        ]
+        title = _("Distance from the ideal curve")
+        return [("distance", title, self.plot, Qt.DockWidgetArea.BottomDockWidgetArea)]
 
     def actions(self) -> list[QAction]:
         """Every command of this panel."""
@@ -128,73 +115,12 @@ class DrawPanel(QWidget):
         whole.addWidget(self._bar)
         whole.addWidget(self._split, 1)
         self.setFocusProxy(self.canvas)
-        self._actions: dict[str, QAction] = {}
+        self._actions = DrawActions(self).made
         for tool in self.tools:
-            action = self._action(
-                tool.name, tool.title, tool.icon, tool.key, lambda n=tool.name: self.choose_tool(n)
-            )
-            action.setCheckable(True)
-            column.addWidget(self._button(action))
+            column.addWidget(self._button(self._actions[tool.name]))
         column.addStretch(1)
-        for name, text, icon, key, do in (
-            ("zoom_in", _("Zoom in"), "magnifying-glass-plus", "Ctrl++", lambda: self.canvas.zoom(1)),
-            ("zoom_out", _("Zoom out"), "magnifying-glass-minus", "Ctrl+-", lambda: self.canvas.zoom(-1)),
-            ("fit", _("Fit the picture"), "frame-corners", "Ctrl+0", self.canvas.fit),
-            (
-                "actual",
-                _("One cell per screen pixel"),
-                "number-square-one",
-                "Ctrl+1",
-                self.canvas.actual_size,
-            ),
-        ):
-            action = self._action(name, text, icon, key, do)
-            if name != "actual":
-                column.addWidget(self._button(action))
-        for name, text, icon, key, do in (
-            ("delete", _("Delete"), "trash", "Del", self.delete_selected),
-            ("duplicate", _("Duplicate"), "copy", "Ctrl+D", self.duplicate_selected),
-            ("select_all", _("Select all"), "selection-all", "Ctrl+A", self.select_all),
-            ("forwards", _("Bring forwards"), "arrow-line-up", "Ctrl+]", lambda: self.shift_order(1)),
-            ("backwards", _("Send backwards"), "arrow-line-down", "Ctrl+[", lambda: self.shift_order(-1)),
-            ("copy_picture", _("Copy picture"), "clipboard", "Ctrl+Shift+C", self.exporter.copy_picture),
-            ("save_step", _("Save this step..."), "image-square", "", self.exporter.save_step),
-            ("save_run", _("Save this run..."), "files", "", self.exporter.save_run),
-            ("save_pixels", _("Save pixels as CSV..."), "table", "", self.exporter.save_pixels),
-        ):
-            self._action(name, text, icon, key, do)
-        self.canvas.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
-        for name in list(self._actions)[len(self.tools) + 4 :]:
-            self.canvas.addAction(self._actions[name])
-
-    def _action(self, name: str, text: str, icon: str, key: str, do: Callable[..., object]) -> QAction:
-        action = QAction(text, self)
-        action.setObjectName(f"draw.{name}")
-        if key:
-            action.setShortcut(QKeySequence(key))
-            action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        action.setToolTip(f"{text} ({action.shortcut().toString()})" if key else text)
-        action.triggered.connect(lambda _checked=False: do())
-        if icon == "ellipse":
-            self._ellipse = action
-            self._paint_ellipse()
-            theme_changed.connect(self._paint_ellipse)  # a method of ours, so that it ends with us
-        else:
-            set_icon(action, icon)
-        self.addAction(action)
-        self._actions[name] = action
-        return action
-
-    def _paint_ellipse(self) -> None:
-        """The icon family has no ellipse; this one has its stroke."""
-        pixmap = QPixmap(64, 64)
-        pixmap.fill(Qt.GlobalColor.transparent)
-        painter = QPainter(pixmap)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(QColor(tokens().text), 4))
-        painter.drawEllipse(8, 18, 48, 28)
-        painter.end()
-        self._ellipse.setIcon(QIcon(pixmap))
+        for name in ("zoom_in", "zoom_out", "fit"):
+            column.addWidget(self._button(self._actions[name]))
 
     def _button(self, action: QAction) -> QToolButton:
         button = QToolButton()
@@ -413,7 +339,7 @@ class DrawPanel(QWidget):
             self.session.run.back()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Keys that the canvas left: Home, End and Space for the run, Enter for the tool."""
+        """Keys that the canvas left: Home, End and Space for the run, Enter for the tool, Delete."""
         key = event.key()
         if key == Qt.Key.Key_Home:
             self.session.run.first()
@@ -424,6 +350,8 @@ class DrawPanel(QWidget):
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.tool.finish()
             self._after_gesture()
+        elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+            self.delete_selected()
         else:
             super().keyPressEvent(event)
 

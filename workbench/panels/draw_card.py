@@ -54,7 +54,7 @@ def parameters(sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
     return listed
 
 
-def algorithm_choices(figure: AnyFigure | type) -> list[tuple[str, str]]:
+def algorithm_choices(figure: AnyFigure | type[AnyFigure]) -> list[tuple[str, str]]:
     """Slug and title of every algorithm that can draw this kind of figure."""
     return [(slug, _(catalogue.get(slug).title)) for slug in figure.algorithms]
 
@@ -81,7 +81,6 @@ class ParameterCard(QFrame):
         set_icon(self._fold, "caret-up", "muted")
         self._fold.setToolTip(_("Fold this card"))
         self._fold.setAccessibleName(_("Fold this card"))
-        self._fold.clicked.connect(lambda: self._set_open(self._body.isHidden()))
         head = QHBoxLayout()
         head.addWidget(self.title, 1)
         head.addWidget(self._fold)
@@ -103,6 +102,7 @@ class ParameterCard(QFrame):
         self._grid.setHorizontalSpacing(12)
         self._grid.setVerticalSpacing(4)
         self._body = QWidget()
+        self._fold.clicked.connect(lambda: self._set_open(self._body.isHidden()))
         body = QVBoxLayout(self._body)
         body.setContentsMargins(0, 0, 0, 0)
         body.setSpacing(8)
@@ -168,7 +168,7 @@ class ParameterCard(QFrame):
         self.summary.setVisible(compared)
         self.summary.setText(summary)
         for address, field in self._fields.items():
-            field.set_value(round(float(resolve(session.document, address)), 6))
+            field.set_value(self._number(address))
         if self._size is not None:
             self._size[0].set_value(sheet.width_px)
             self._size[1].set_value(sheet.height_px)
@@ -215,13 +215,16 @@ class ParameterCard(QFrame):
                 field.scrub_ended.connect(self._session.end_merge)
                 self._grid.addWidget(field, k, 0, 1, 2)
 
+    def _number(self, address: str) -> float:
+        return round(float(resolve(self._session.document, address)), 6)
+
     def _set(self, address: str, value: float, merge: str = "") -> None:
         try:
             self._session.apply(
                 set_attribute(address, value), _("Change value"), merge and f"{merge} {address}"
             )
         except DocumentError as problem:
-            self._fields[address].complain(problem.short)
+            self._fields[address].refuse(problem.short, self._number(address))
 
     def _set_size(self, merge: str = "") -> None:
         assert self._size is not None
@@ -233,7 +236,7 @@ class ParameterCard(QFrame):
                 merge and f"{merge} size",
             )
         except DocumentError as problem:
-            self._size[0].complain(problem.short)
+            self._size[0].refuse(problem.short, self._session.sheet.width_px)
 
     def _choose_algorithm(self, index: int) -> None:
         slug = self.algorithm.itemData(index)

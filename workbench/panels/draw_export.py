@@ -34,6 +34,7 @@ class Page:
 
 def write_pdf(path: Path, title: str, pages: Iterator[Page], font: QFont) -> int:
     """Write one page per picture, with lines and cells as vectors; returns how many. Raises OSError."""
+    path.write_bytes(b"")
     writer = QPdfWriter(str(path))
     writer.setResolution(DOTS_PER_INCH)
     writer.setPageSize(QPageSize(QSizeF(*PAGE_MM), QPageSize.Unit.Millimeter))

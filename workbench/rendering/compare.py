@@ -44,9 +44,12 @@ def compare(sheet: Sheet, figure: AnyFigure, first: str, second: str) -> Compari
         {(int(x), int(y)) for x, y in figure_pixels(sheet, figure, algorithm)}
         for algorithm in (first, second)
     ]
-    calls = [call.arguments for call in figure_calls(sheet, figure, first) if is_line(call)]
+    lines = [call.arguments[:4] for call in figure_calls(sheet, figure, first) if is_line(call)]
     only = [sets[0] - sets[1], sets[1] - sets[0]]
-    tied = [{p for p in side if any(line_tie(*call[:4], *p) for call in calls)} for side in only]
+    tied = [
+        {(x, y) for x, y in side if any(line_tie(x0, y0, x1, y1, x, y) for x0, y0, x1, y1 in lines)}
+        for side in only
+    ]
     return Comparison(
         _cells(sets[0] & sets[1]),
         _cells(only[0] - tied[0]),

@@ -132,6 +132,11 @@ class NumberField(QWidget):
         ):
             self._show()
 
+    def refuse(self, sentence: str, value: float) -> None:
+        """What was sent cannot be: ``value`` holds on, what was typed stays, and ``sentence`` says why."""
+        self._value = value
+        self.complain(sentence)
+
     def complain(self, sentence: str) -> None:
         """Say under the field what is wrong with its value; empty takes it back."""
         self.complaint.setText(sentence)

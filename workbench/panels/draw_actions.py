@@ -1,0 +1,90 @@
+"""The commands of the Draw panel in one table: what each is called, its icon, its key, what it does."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QAction, QColor, QIcon, QKeySequence, QPainter, QPen, QPixmap
+
+from workbench.language import _
+from workbench.widgets.icons import set_icon
+from workbench.widgets.tokens import theme_changed, tokens
+
+if TYPE_CHECKING:
+    from workbench.panels.draw import DrawPanel
+
+Row = tuple[str, str, str, str, Callable[[], object]]
+
+
+class DrawActions(QObject):
+    """Makes the actions of a panel: ``made`` has them by name. Commands are in the canvas's menu too."""
+
+    def __init__(self, panel: "DrawPanel") -> None:
+        super().__init__(panel)
+        self._panel = panel
+        self.made: dict[str, QAction] = {}
+        for row in self._tools():
+            self._add(row).setCheckable(True)
+        for row in self._zooms():
+            self._add(row)
+        panel.canvas.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        for row in self._commands():
+            panel.canvas.addAction(self._add(row))
+
+    def _tools(self) -> list[Row]:
+        panel = self._panel
+        return [(t.name, t.title, t.icon, t.key, partial(panel.choose_tool, t.name)) for t in panel.tools]
+
+    def _zooms(self) -> list[Row]:
+        canvas = self._panel.canvas
+        return [
+            ("zoom_in", _("Zoom in"), "magnifying-glass-plus", "Ctrl++", lambda: canvas.zoom(1)),
+            ("zoom_out", _("Zoom out"), "magnifying-glass-minus", "Ctrl+-", lambda: canvas.zoom(-1)),
+            ("fit", _("Fit the picture"), "frame-corners", "Ctrl+0", canvas.fit),
+            ("actual", _("Cells of one pixel"), "number-square-one", "Ctrl+1", canvas.actual_size),
+        ]
+
+    def _commands(self) -> list[Row]:
+        panel = self._panel
+        exporter = panel.exporter
+        return [
+            ("delete", _("Delete"), "trash", "Del", panel.delete_selected),
+            ("duplicate", _("Duplicate"), "copy", "Ctrl+D", panel.duplicate_selected),
+            ("select_all", _("Select all"), "selection-all", "Ctrl+A", panel.select_all),
+            ("forwards", _("Bring forwards"), "arrow-line-up", "Ctrl+]", lambda: panel.shift_order(1)),
+            ("backwards", _("Send backwards"), "arrow-line-down", "Ctrl+[", lambda: panel.shift_order(-1)),
+            ("copy_picture", _("Copy picture"), "clipboard", "Ctrl+Shift+C", exporter.copy_picture),
+            ("save_step", _("Save this step..."), "image-square", "", exporter.save_step),
+            ("save_run", _("Save this run..."), "files", "", exporter.save_run),
+            ("save_pixels", _("Save pixels as CSV..."), "table", "", exporter.save_pixels),
+        ]
+
+    def _add(self, row: Row) -> QAction:
+        name, text, icon, key, do = row
+        action = QAction(text, self._panel)
+        action.setObjectName(f"draw.{name}")
+        if key:
+            action.setShortcut(QKeySequence(key))
+            action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        action.setToolTip(f"{text} ({action.shortcut().toString()})" if key else text)
+        action.triggered.connect(lambda _checked=False: do())
+        self.made[name] = action
+        if icon == "ellipse":
+            self._paint_ellipse()
+            theme_changed.connect(self._paint_ellipse)
+        else:
+            set_icon(action, icon)
+        self._panel.addAction(action)
+        return action
+
+    def _paint_ellipse(self) -> None:
+        """The icon family has no ellipse; this one has its stroke."""
+        pixmap = QPixmap(64, 64)
+        pixmap.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(pixmap)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(QColor(tokens().text), 4))
+        painter.drawEllipse(8, 18, 48, 28)
+        painter.end()
+        self.made["ellipse"].setIcon(QIcon(pixmap))
