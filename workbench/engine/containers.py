@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 LARGEST_ARRAY = 4096
+LARGEST_VIEW = 64
 _ATOMS = frozenset((int, float, bool, str, bytes, complex, type(None), range))
 _BETWEEN_KEYFRAMES = 256
 _CHUNK = 512
@@ -290,6 +291,12 @@ class ArrayLog(Log):
         return state.reshape(self.object.shape)
 
 
+def _is_large(value: NDArray[Any]) -> bool:
+    """An array of too many items to record, or a row of such a one."""
+    whole = value.base if isinstance(value.base, np.ndarray) else value
+    return value.size > LARGEST_ARRAY or (value.size > LARGEST_VIEW and whole.size > LARGEST_ARRAY)
+
+
 class Containers:
     """The logs of all lists and arrays that a name of a live frame is bound to."""
 
@@ -299,7 +306,7 @@ class Containers:
 
     def bind(self, value: Any, stamp: int, fresh: bool) -> Any:
         """What a column keeps for ``value``: a log of it; ``fresh`` looks for changes nobody has seen yet."""
-        if isinstance(value, np.ndarray) and value.size > LARGEST_ARRAY:
+        if isinstance(value, np.ndarray) and _is_large(value):
             return LeftOut(value.shape, str(value.dtype))
         log = self._logs.get(id(value))
         if log is None:

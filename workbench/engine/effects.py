@@ -50,7 +50,8 @@ class Text:
 
 
 class _Found:
-    def __init__(self) -> None:
+    def __init__(self, harmless: Callable[[str], bool]) -> None:
+        self._harmless = harmless
         self.binds: dict[str, None] = {}
         self.tails: dict[str, int] = {}
         self.touches: dict[str, None] = {}
@@ -94,7 +95,7 @@ class _Found:
     def _call(self, node: ast.Call, nested: bool) -> None:
         called = node.func
         if isinstance(called, ast.Name):
-            if called.id not in _PURE:
+            if not self._harmless(called.id):
                 for argument in (*node.args, *(keyword.value for keyword in node.keywords)):
                     self._touch(argument)
         elif isinstance(called, ast.Attribute):
@@ -142,13 +143,16 @@ def _headers(node: ast.stmt) -> Iterator[ast.AST]:
                 yield case.guard
 
 
-def line_effects(tree: ast.AST) -> dict[int, Effects]:
-    """Effects of each line of the function definition ``tree``; lines that change nothing are absent."""
+def line_effects(tree: ast.AST, harmless: Callable[[str], bool]) -> dict[int, Effects]:
+    """Effects of each line of the function definition ``tree``; lines that change nothing are absent.
+
+    ``harmless`` tells whether a call by this name changes nothing unseen.
+    """
     found: dict[int, _Found] = {}
 
     def note(part: ast.AST, first: int, last: int) -> None:
         for line in range(first, last + 1):
-            found.setdefault(line, _Found()).look(part, nested=False)
+            found.setdefault(line, _Found(harmless)).look(part, nested=False)
 
     for node in ast.walk(tree):
         if node is tree or not isinstance(node, ast.stmt):
@@ -160,13 +164,12 @@ def line_effects(tree: ast.AST) -> dict[int, Effects]:
             if isinstance(node, ast.Try):
                 for handler in node.handlers:
                     if handler.name:
-                        found.setdefault(handler.lineno, _Found()).binds[handler.name] = None
+                        found.setdefault(handler.lineno, _Found(harmless)).binds[handler.name] = None
         else:
             note(node, node.lineno, node.end_lineno or node.lineno)
     return {line: effects for line, look in found.items() if (effects := look.effects()) is not None}
 
 
-@lru_cache(maxsize=256)
 @lru_cache(maxsize=256)
 def text_of(function: FunctionType) -> Text:
     """Read one function; without its source every line is taken to change everything."""
@@ -182,12 +185,25 @@ def text_of(function: FunctionType) -> Text:
         everything = Effects(names, (), names)
         return Text(function, code, function.__name__, names, parameters, frozenset(), {}, everything)
     ast.increment_lineno(tree, first - 1)
-    effects = line_effects(tree.body[0])
+    effects = line_effects(tree.body[0], lambda name: _is_harmless(function, name))
     bound = dict.fromkeys(parameters)
     for line in sorted(effects):
         bound.update(dict.fromkeys(effects[line].binds))
     varying = _bound_in_loops(tree, effects)
     return Text(function, code, function.__name__, tuple(bound), parameters, varying, effects, None)
+
+
+def _is_harmless(caller: FunctionType, name: str) -> bool:
+    """Whether the line of a call need not be looked at for what the call changes.
+
+    A function of ours is recorded itself: its own lines tell what they change, also of its arguments.
+    """
+    value = caller.__globals__.get(name)
+    if value is None:
+        return name in _PURE
+    if isinstance(value, type):
+        return issubclass(value, tuple)
+    return isinstance(value, FunctionType) and _is_ours(value)
 
 
 def _bound_in_loops(tree: ast.AST, effects: Mapping[int, Effects]) -> frozenset[str]:

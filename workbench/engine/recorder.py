@@ -18,7 +18,7 @@ from inspect import CO_GENERATOR
 from types import CodeType, FrameType, TracebackType
 from typing import Any
 
-from workbench.engine.columns import MISSING
+from workbench.engine.columns import MISSING, Column
 from workbench.engine.containers import Containers, Log, is_fixed
 from workbench.engine.effects import Effects, texts_of
 from workbench.engine.recording import Failure, Recording
@@ -26,6 +26,8 @@ from workbench.engine.recording import Failure, Recording
 LIMIT = 1_000_000
 _YIELD = opmap["YIELD_VALUE"]
 _SLICE = 512
+_NUMBERS = frozenset((int, float, bool, type(None)))
+_NO_GLOBALS: dict[str, Any] = {}
 
 
 class _Ended(BaseException):
@@ -102,59 +104,36 @@ class _Tracer:
         recording.frame_parents.append(parent.number if parent else -1)
         recording.frame_ends.append(0)
         recording.frame_starts.append(2 * recording.count)
-        call.trace = self._local_trace(call, known)
+        call.trace = self._local_trace(call, known, self._may_have_changed(frame.f_back))
         self._calls[frame] = call
         return call
 
-    def _local_trace(self, call: _Call, known: _Known) -> Any:
+    def _may_have_changed(self, caller: FrameType | None) -> bool:
+        """Whether the line that makes a call can have changed a container before the call."""
+        known = self._texts.get(caller.f_code) if caller is not None else None
+        if known is None or caller is None:
+            return True
+        effects = known.effects.get(caller.f_lineno, known.otherwise)
+        return effects is not None and bool(effects.tails or effects.touches or effects.stores)
+
+    def _local_trace(self, call: _Call, known: _Known, fresh: bool) -> Any:
         """The trace function of one call; a closure, since this runs once per line."""
         recording, number = self.recording, call.number
         add_line, add_frame = recording.line_column.append, recording.frame_column.append
         columns = recording.columns(call.depth, known.number)
-        containers = self._containers
+        containers, look = self._containers, self._look
         effects_of, otherwise = known.effects.get, known.otherwise
-        scope: dict[str, Any] = {}
         generator, bytecode = known.generator, known.bytecode
         seen: dict[str, Any] = {}
         logs: dict[str, Log] = {}
         pending: Effects | None = known.entry
-        fresh = True
-
-        def look(variables: dict[str, Any], effects: Effects, stamp: int) -> None:
-            for name, pops in effects.tails:
-                if name in variables:
-                    containers.tail(variables[name], stamp, pops)
-            for name, index in effects.stores:
-                if name in variables:
-                    try:
-                        place = eval(index, scope, variables)
-                    except Exception:
-                        place = None
-                    containers.store(variables[name], stamp, place)
-            for name in effects.touches:
-                if name in variables:
-                    containers.touch(variables[name], stamp)
-            for name in effects.binds:
-                value = variables.get(name, MISSING)
-                old = seen.get(name, MISSING)
-                if value is old:
-                    continue
-                seen[name] = value
-                if type(value) is type(old) and is_fixed(value) and value == old:
-                    continue
-                held = value if is_fixed(value) else containers.bind(value, stamp, fresh)
-                columns[name].put(stamp, held)
-                if name in logs:
-                    containers.release(logs.pop(name))
-                if isinstance(held, Log):
-                    logs[name] = held
 
         def trace(frame: FrameType, event: str, arg: Any) -> Any:
-            nonlocal pending, fresh
+            nonlocal pending, fresh, trace
             if event == "line":
                 count = recording.count
                 if pending is not None:
-                    look(frame.f_locals, pending, 2 * count)
+                    look(frame.f_locals, pending, 2 * count, columns, seen, logs, fresh)
                     fresh = False
                 line = frame.f_lineno
                 if count >= self._next_check:
@@ -168,14 +147,62 @@ class _Tracer:
                 if not (generator and bytecode[frame.f_lasti] == _YIELD):
                     stamp = max(2 * recording.count - 1, 0)
                     if pending is not None:
-                        look(frame.f_locals, pending, stamp)
+                        look(frame.f_locals, pending, stamp, columns, seen, logs, fresh)
                     recording.frame_ends[number] = stamp
                     for log in logs.values():
                         containers.release(log)
                     self._calls.pop(frame, None)
+                    # Without this each call would leave a cycle behind, for the garbage collector to find.
+                    done, trace = trace, None  # type: ignore[assignment]
+                    return done
             return trace
 
         return trace
+
+    def _look(
+        self,
+        variables: dict[str, Any],
+        effects: Effects,
+        stamp: int,
+        columns: dict[str, Column],
+        seen: dict[str, Any],
+        logs: dict[str, Log],
+        fresh: bool,
+    ) -> None:
+        """Write down what a line with these effects has changed."""
+        containers = self._containers
+        for name, pops in effects.tails:
+            if name in variables:
+                containers.tail(variables[name], stamp, pops)
+        for name, index in effects.stores:
+            if name in variables:
+                try:
+                    place = eval(index, _NO_GLOBALS, variables)
+                except Exception:
+                    place = None
+                containers.store(variables[name], stamp, place)
+        for name in effects.touches:
+            value = variables.get(name)
+            if type(value) not in _NUMBERS:
+                containers.touch(value, stamp)
+        for name in effects.binds:
+            value = variables.get(name, MISSING)
+            old = seen.get(name, MISSING)
+            if value is old:
+                continue
+            seen[name] = value
+            kind = type(value)
+            if kind in _NUMBERS or is_fixed(value):
+                if kind is type(old) and value == old:
+                    continue
+                held = value
+            else:
+                held = containers.bind(value, stamp, fresh)
+            columns[name].put(stamp, held)
+            if logs and name in logs:
+                containers.release(logs.pop(name))
+            if isinstance(held, Log):
+                logs[name] = held
 
     def _check(self, count: int) -> None:
         if count >= self._limit:
