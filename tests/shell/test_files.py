@@ -1,5 +1,8 @@
 """Opening, saving and not losing work, as a person does it."""
 
+import os
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,6 +15,7 @@ from pytestqt.qtbot import QtBot
 from workbench.document.files import load
 from workbench.shell.window import MainWindow
 
+ROOT = Path(__file__).resolve().parents[2]
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -154,3 +158,36 @@ def test_an_example_opens_beside_unsaved_work(qtbot: QtBot, window: MainWindow) 
     window.open_example("octants")
     assert window.session.sheet.name == "A star in all octants"
     assert len(window.session.document.sheets) == 2
+
+
+CRASH = """
+import os, sys
+from PySide6.QtCore import QCoreApplication
+from workbench.document.edits import rename_sheet
+from workbench.document.samples import example_document
+from workbench.session.session import Session
+application = QCoreApplication([])
+session = Session(None, example_document())
+session.start_autosave()
+session.apply(rename_sheet(session.sheet.id, "nearly lost"), "Rename")
+session._recovery.flush()
+os._exit(1)
+"""
+
+
+@pytest.mark.parametrize("wish", ["Recover", "Discard"])
+def test_what_a_crash_left_is_offered(qtbot: QtBot, window: MainWindow, wish: str) -> None:
+    subprocess.run([sys.executable, "-c", CRASH], env={**os.environ, "PYTHONPATH": str(ROOT)}, timeout=60)
+    window.files.offer_recovery()
+    assert window.messages.text.startswith("The program ended before nearly lost was saved")
+    answer(window, wish)
+    assert (window.session.sheet.name == "nearly lost") == (wish == "Recover")
+    assert window.session.dirty == (wish == "Recover")
+    if wish == "Discard":
+        window.files.offer_recovery()
+        assert window.messages.text == ""
+
+
+def test_nothing_is_offered_after_a_clean_end(window: MainWindow) -> None:
+    window.files.offer_recovery()
+    assert window.messages.text == ""

@@ -167,10 +167,11 @@ class CommandPalette(QFrame):
         if item is None:
             return
         offer: Offer = item.data(Qt.ItemDataRole.UserRole)
-        self._leave()
+        self.leave()
         offer.act()
 
-    def _leave(self) -> None:
+    def leave(self) -> None:
+        """Close, and give the focus back."""
         self.field.removeEventFilter(self)
         self.close()
         if self._back_to is not None:
@@ -178,7 +179,7 @@ class CommandPalette(QFrame):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.FocusOut:
-            self._leave()
+            self.leave()
         elif isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             moves = {
                 Qt.Key.Key_Down: 1,
@@ -195,6 +196,6 @@ class CommandPalette(QFrame):
                 self._run(self.list.currentItem())
                 return True
             if key == Qt.Key.Key_Escape:
-                self._leave()
+                self.leave()
                 return True
         return super().eventFilter(watched, event)

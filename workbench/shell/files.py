@@ -160,10 +160,10 @@ class Files(QObject):
         self._window.settings.add_recent(path)
         self._window.refresh_recent()
 
-
-def dropped(event: QDropEvent) -> Path | None:
-    """The one picture of ours that is being dropped, if it is one."""
-    urls = event.mimeData().urls()
-    if len(urls) == 1 and urls[0].isLocalFile() and urls[0].toLocalFile().endswith(SUFFIX):
-        return Path(urls[0].toLocalFile())
-    return None
+    @staticmethod
+    def dropped(event: QDropEvent) -> Path | None:
+        """The one picture of ours that is being dropped, if it is one."""
+        urls = event.mimeData().urls()
+        if len(urls) == 1 and urls[0].isLocalFile() and urls[0].toLocalFile().endswith(SUFFIX):
+            return Path(urls[0].toLocalFile())
+        return None

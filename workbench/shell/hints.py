@@ -55,7 +55,7 @@ class Hints(QFrame):
     def dismiss(self) -> None:
         """Hide the hints for good."""
         self._window.settings.set("hints", False)
-        self._end()
+        self.end()
 
     def _go_on(self) -> None:
         self._at += 1
@@ -64,7 +64,8 @@ class Hints(QFrame):
         else:
             self._show()
 
-    def _end(self) -> None:
+    def end(self) -> None:
+        """Take the hint away, for now."""
         self._window.removeEventFilter(self)
         self.hide()
         self.deleteLater()
@@ -130,4 +131,4 @@ def show_hints(window: "MainWindow") -> Hints | None:
 def end_hints(window: "MainWindow") -> None:
     """Take hints away when their workspace is left; they come again next time."""
     for hints in window.findChildren(Hints):
-        hints._end()
+        hints.end()

@@ -33,10 +33,11 @@ class Building(QObject):
     built = Signal()
     _imported = Signal()
 
-    def __init__(self, window: MainWindow, path: Path | None = None) -> None:
+    def __init__(self, window: MainWindow, path: Path | None = None, warms: bool = True) -> None:
         super().__init__(window)
         self._window = window
         self._path = path
+        self._warms = warms
         self._slices: Iterator[None] = iter(())
         self._timer = QTimer(self)
         self._timer.setInterval(0)
@@ -90,8 +91,9 @@ class Building(QObject):
         session.autosave_failed.connect(window.files.warn)
         session.start_autosave()
         window.status.preparing("")
-        self._warming.prepare("draw")
-        window.entered.connect(self._warming.prepare)
+        if self._warms:
+            self._warming.prepare("draw")
+            window.entered.connect(self._warming.prepare)
         window.entered.connect(window.show_hints)
         if window.place == "draw":
             window.show_hints()

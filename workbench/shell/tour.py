@@ -84,14 +84,13 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
-    from workbench.shell.hints import end_hints
     from workbench.shell.start import Building, make_window
 
     application = QApplication(["Graphics Workbench"])
     window = make_window()
     window.settings.set("hints", False)
     window.resize(*size)
-    building = Building(window)
+    building = Building(window, warms=False)
     steps = [(theme, name, act) for theme in themes for name, act in scenes()]
 
     def leave() -> None:
@@ -111,7 +110,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
             return
         theme, _name, act = steps[0]
         window.messages.dismiss()
-        end_hints(window)
+        window.go("home")
         window.themes.choose(theme)
         window.resize(*size)
         act(window)

@@ -23,6 +23,7 @@ from workbench.shell.workspaces import Workspace, panel_class, workspaces
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
+
     from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
     from PySide6.QtWidgets import QToolBar
 
@@ -239,9 +240,8 @@ class MainWindow(QMainWindow):
         return list(self._panels.get(slug, []))
 
     def prepare(self, slug: str) -> Iterator[None]:
-        """Make the panels of a workspace, one per step, without showing it yet."""
+        """Make the panels of a workspace, one per step; who asks later goes on where the first stopped."""
         if slug not in self._panels:
-            # One maker for whoever asks: who comes later goes on where the first has stopped.
             yield from self._makers.setdefault(slug, self._make_panels(slug))
 
     def _make_panels(self, slug: str) -> Iterator[None]:
@@ -281,9 +281,12 @@ class MainWindow(QMainWindow):
 
     def _leave(self) -> None:
         """Take leave of a workspace: what floats over it goes, its arrangement is remembered."""
+        from workbench.shell.command_palette import CommandPalette
         from workbench.shell.hints import end_hints
 
         end_hints(self)
+        for palette in self.findChildren(CommandPalette):
+            palette.leave()
         self.views.together()
         self.arrangements.leave()
         self.steps.hide()
@@ -369,17 +372,12 @@ class MainWindow(QMainWindow):
     # Dropped files, closing
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        from workbench.shell.files import dropped
-
-        if dropped(event) is not None:
+        if self.session is not None and self.files.dropped(event) is not None:
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        from workbench.shell.files import dropped
-
-        path = dropped(event)
-        if path is not None:
-            self.when_ready(lambda: self.files.open_path(path))
+        if (path := self.files.dropped(event)) is not None:
+            self.files.open_path(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.session is not None and self.session.dirty and not self._closing:
@@ -387,8 +385,7 @@ class MainWindow(QMainWindow):
             self.files.unless_unsaved(self._close_now)
             return
         if self._complete:
-            self.views.together()
-            self.arrangements.leave()
+            self._leave()
         self.settings.keep_arrangement("window", self.saveGeometry())
         self.settings.write()
         if self.session is not None:
