@@ -129,9 +129,11 @@ def test_swap_takes_the_tube_to_the_middle_and_back(qtbot: QtBot, window: MainWi
     tube = window.arrangements.docks("draw")[-1]
     qtbot.keyClick(window, "T")
     assert tube.widget() is panel.center
+    assert tube.windowTitle() == "Canvas"
     assert panel.tube.isVisibleTo(window.centres["draw"])
     qtbot.keyClick(window, "T")
     assert tube.widget() is panel.tube
+    assert tube.windowTitle() == "Tube"
     assert panel.center.isVisibleTo(window.centres["draw"])
 
 

@@ -45,6 +45,8 @@ class Views(QObject):
         for widget in (middle, beside):
             widget.show()
         host.setFocusProxy(beside)
+        panel = window.panels(window.place)[0]
+        dock.setWindowTitle(_("Canvas") if middle is panel.center else _("Tube"))
         dock.show()
         dock.raise_()
 
