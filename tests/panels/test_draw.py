@@ -63,7 +63,6 @@ def recorded(qtbot, session):
 
 def test_a_line_is_drawn_by_dragging_and_is_one_step_of_undo(qtbot, session, panel):
     assert panel.empty.isVisible()
-    panel.choose_tool("line")
     drag(qtbot, panel, (20, 10), (25, 30), (30, 18))
     (line,) = session.sheet.figures
     assert isinstance(line, Line)
@@ -329,6 +328,7 @@ def test_hover_names_the_pixel_and_what_painted_it(qtbot, session, panel, line):
 def test_the_empty_sheet_offers_an_example(qtbot, session, panel):
     qtbot.mouseClick(panel.empty.button, LEFT)
     settle()
+    panel.choose_tool("select")
     assert len(session.sheet.figures) == 1
     assert not panel.empty.isVisible()
     assert not session.dirty

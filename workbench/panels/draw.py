@@ -73,7 +73,7 @@ class DrawPanel(QWidget):
         self.exporter = Exporter(self.view, self)
         self._make_layout()
         self._connect()
-        self.choose_tool("select")
+        self.choose_tool("select" if session.sheet.figures else "line")
         self.refresh()
 
     # What the window places
@@ -138,6 +138,7 @@ class DrawPanel(QWidget):
             for signal in (run.changed, run.moved, run.grown, run.asked):
                 signal.connect(self.refresh_soon)
         session.run.moved.connect(self.view.forget_answers)
+        session.changed.connect(self._take_line_when_empty)
         canvas.pressed.connect(self._press)
         canvas.moved.connect(self._move)
         canvas.released.connect(self._release)
@@ -205,6 +206,11 @@ class DrawPanel(QWidget):
             self._actions[name].setEnabled(bool(self.session.state.selection))
         for name in ("save_run", "save_pixels"):
             self._actions[name].setEnabled(self.session.active_figure is not None)
+
+    def _take_line_when_empty(self) -> None:
+        """An empty sheet asks for a line to be dragged, so that is what a drag does."""
+        if not self.session.sheet.figures and not self.gesturing and isinstance(self.tool, SelectTool):
+            self.choose_tool("line")
 
     def _choose_algorithm(self, slug: str) -> None:
         if isinstance(self.tool, FigureTool):
