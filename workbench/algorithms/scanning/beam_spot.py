@@ -56,10 +56,10 @@ ENTRY = Entry(
     title="Beam spot",
     summary="A slow stroke is bright, a fast one dim and a resting beam a hot dot: the energy decides.",
     parameters=(
-        Parameter("x0", "x_0", "float", 6.0, -32768, 32767, "px", "start of the stroke, column"),
-        Parameter("y0", "y_0", "float", 5.0, -32768, 32767, "px", "start of the stroke, row"),
-        Parameter("x1", "x_1", "float", 14.0, -32768, 32767, "px", "end of the stroke, column"),
-        Parameter("y1", "y_1", "float", 9.0, -32768, 32767, "px", "end of the stroke, row"),
+        Parameter("x0", "x_0", "float", 6.0, -1024, 1024, "px", "start of the stroke, column"),
+        Parameter("y0", "y_0", "float", 5.0, -1024, 1024, "px", "start of the stroke, row"),
+        Parameter("x1", "x_1", "float", 14.0, -1024, 1024, "px", "end of the stroke, column"),
+        Parameter("y1", "y_1", "float", 9.0, -1024, 1024, "px", "end of the stroke, row"),
         Parameter("energy", "Q", "float", 1.0, 0.0, 1e9, "", "energy sent: power times time"),
         Parameter("sigma", "sigma", "float", 1.0, 0.6, 8.0, "px", "standard deviation of the spot"),
     ),
@@ -87,6 +87,4 @@ ENTRY = Entry(
     ),
     labs=("Beam, spot and focus",),
     next_rung="phosphor_decay",
-    extent="min(x0, x1) - 4 * sigma - 2, min(y0, y1) - 4 * sigma - 2, "
-    "max(x0, x1) + 4 * sigma + 2, max(y0, y1) + 4 * sigma + 2",
 )
