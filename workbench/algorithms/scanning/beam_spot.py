@@ -21,7 +21,7 @@ def beam_spot(
     """
     # Measure the stroke
     sigma = max(float(sigma), 0.1)
-    length = math.hypot(x1 - x0, y1 - y0)
+    length = math.sqrt((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))
     cosine = 1.0
     sine = 0.0
     if length > 0.0001 * sigma:
