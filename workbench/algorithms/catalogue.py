@@ -14,6 +14,7 @@ _TEACHING_ORDER = (
     "lines.wu",
     "circles.midpoint_circle",
     "circles.midpoint_ellipse",
+    "polygons.scan_line_fill",
     "seed_fill.boundary_fill_4",
     "visibility.depth_buffer",
     "scanning.raster_scan",
