@@ -35,6 +35,7 @@ from workbench.display.driver import VISIBLE, TubeDriver, must_average
 from workbench.display.exposure import Screen
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.setup import (
+    COLOUR_TUBE,
     DeviceStroke,
     TubeSetup,
     area_mm,
@@ -63,6 +64,7 @@ _FRAME_MS = 16
 _IDLE_MS = 250
 _LONGEST_STEP_S = 0.1
 _WIDEST_PX = 520
+_WIDEST_COLOUR_PX = 380  # three guns with eight terms each: the state is six times as large
 _PLATE_PX = 22
 _BEAM_SEEN_FROM = 300.0
 
@@ -235,7 +237,8 @@ class TubeView(QWidget):
 
     def _face_px(self) -> tuple[int, int]:
         ratio = self.devicePixelRatioF()
-        width = min(round(self._glass.width() * ratio), _WIDEST_PX)
+        widest = _WIDEST_COLOUR_PX if self._setup.phosphor == COLOUR_TUBE else _WIDEST_PX
+        width = min(round(self._glass.width() * ratio), widest)
         face = face_mm(self._picture)
         return max(width, 16), max(round(width * face[1] / face[0]), 12)
 
