@@ -21,7 +21,7 @@ from pytest_benchmark.fixture import BenchmarkFixture
 
 from workbench.algorithms import catalogue
 from workbench.engine import compiled
-from workbench.engine.warm import USES, compile_use
+from workbench.engine.warm import compile_use, work
 from workbench.rendering.triangles import depth_buffer_triangles
 
 SIZE = 1000
@@ -196,10 +196,10 @@ print(time.perf_counter() - start)
 
 
 def test_twenty_kernels_from_the_cache_in_a_fresh_process(benchmark: BenchmarkFixture) -> None:
-    pairs = [(entry, use) for use in USES for entry in catalogue.entries() if _has(entry.slug, use)][:20]
-    for entry, use in pairs:
-        compile_use(entry, use)
-    words = [f"{entry.slug}:{use}" for entry, use in pairs]
+    pairs = work([entry.slug for entry in catalogue.entries()])[:20]
+    for slug, use in pairs:
+        compile_use(catalogue.get(slug), use)
+    words = [f"{slug}:{use}" for slug, use in pairs]
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
 
     def fresh() -> float:
@@ -210,7 +210,3 @@ def test_twenty_kernels_from_the_cache_in_a_fresh_process(benchmark: BenchmarkFi
     seconds = benchmark.pedantic(fresh, rounds=1 if benchmark.disabled else 5)
     if not benchmark.disabled:
         print(f"\n{len(words)} kernels ready in a fresh process, imports and one run each: {seconds:.2f} s")
-
-
-def _has(slug: str, use: str) -> bool:
-    return not (use == "paint_many" and slug in ("boundary_fill_4", "depth_buffer"))

@@ -42,7 +42,7 @@ class Warming:
 
     def __init__(self, slugs: Sequence[str], uses: Sequence[str] = USES) -> None:
         self._process: subprocess.Popen[str] | None = None
-        if compiled.available() and any(not warm(slug, use) for slug, use in _work(slugs, uses)):
+        if compiled.available() and any(not warm(slug, use) for slug, use in work(slugs, uses)):
             command = [sys.executable, "-m", "workbench.engine.warm", ",".join(uses), *slugs]
             self._process = subprocess.Popen(
                 command,
@@ -82,7 +82,7 @@ def warm(slug: str, use: str) -> bool:
     return compiled.ready(catalogue.get(slug).function, use)
 
 
-def _work(slugs: Sequence[str], uses: Sequence[str]) -> list[tuple[str, str]]:
+def work(slugs: Sequence[str], uses: Sequence[str] = USES) -> list[tuple[str, str]]:
     """What there is to do: the first use of every entry, then the second."""
     entries = [catalogue.get(slug) for slug in slugs]
     return [(entry.slug, use) for use in uses for entry in entries if not entry.compiles and _has(entry, use)]
@@ -132,13 +132,13 @@ def main(arguments: Sequence[str]) -> int:
     if hasattr(os, "nice"):
         os.nice(15)
     uses, *slugs = arguments
-    work = _work(slugs, uses.split(","))
-    for number, (slug, use) in enumerate(work, 1):
+    wanted = work(slugs, uses.split(","))
+    for number, (slug, use) in enumerate(wanted, 1):
         try:
             compile_use(catalogue.get(slug), use)
         except ValueError as error:
             print("failed", slug, use, str(error), flush=True)
-        print(number, len(work), slug, use, flush=True)
+        print(number, len(wanted), slug, use, flush=True)
     return 0
 
 
