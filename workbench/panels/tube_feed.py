@@ -1,6 +1,6 @@
 """Keeps tubes showing what a session holds: its sheet, and the tube's settings."""
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 
 from workbench.display.setup import TubeSetup
 from workbench.document.model import Sheet
@@ -8,6 +8,8 @@ from workbench.document.state import TubeSettings
 from workbench.rendering import display_list, frame_buffer
 from workbench.session.session import Session
 from workbench.widgets.tube_view import TubeView
+
+_SETTLE_MS = 120
 
 
 def setup_of(settings: TubeSettings) -> TubeSetup:
@@ -21,16 +23,28 @@ def setup_of(settings: TubeSettings) -> TubeSetup:
 
 
 class TubeFeed(QObject):
-    """Feeds ``views`` from ``session``; a view that is hidden is fed when it is shown."""
+    """Feeds ``views`` from ``session``; a view that is hidden is fed when it is shown.
+
+    A change is fed at once, those that follow on its heels, as under a drag, when they have come to rest.
+    """
 
     def __init__(self, session: Session, views: list[TubeView], parent: QObject) -> None:
         super().__init__(parent)
         self._session, self._views = session, views
         self._fed: dict[TubeView, Sheet] = {}
-        session.changed.connect(self.feed)
+        self._resting = QTimer(self)
+        self._resting.setSingleShot(True)
+        self._resting.setInterval(_SETTLE_MS)
+        self._resting.timeout.connect(self.feed)
+        session.changed.connect(self._changed)
         session.state_changed.connect(self.feed)
         for view in views:
             view.shown.connect(self.feed)
+
+    def _changed(self) -> None:
+        if not self._resting.isActive():
+            self.feed()
+        self._resting.start()
 
     def feed(self) -> None:
         """Bring every visible view up to date."""
