@@ -1,0 +1,29 @@
+"""The window that is clipped to, and the line of the course's example, as the clipping texts take them.
+
+A point on the window's edge is inside. A window without area, a polygon of fewer than three points and
+numbers that are not finite are refused before a text runs: by the document's check and its edits, and by the
+command line. The texts come to an end on such windows and polygons too, and on a line of no length.
+"""
+
+from workbench.algorithms.entry import Parameter
+
+_LOW, _HIGH = -1e12, 1e12
+
+WINDOW = (
+    Parameter("xmin", "x_min", "float", 0.0, _LOW, _HIGH, "px", "left edge of the window"),
+    Parameter("ymin", "y_min", "float", 0.0, _LOW, _HIGH, "px", "bottom edge of the window"),
+    Parameter("xmax", "x_max", "float", 30.0, _LOW, _HIGH, "px", "right edge of the window"),
+    Parameter("ymax", "y_max", "float", 20.0, _LOW, _HIGH, "px", "top edge of the window"),
+)
+
+LINE = (
+    Parameter("x0", "x_0", "float", 10.0, _LOW, _HIGH, "px", "first end point, column"),
+    Parameter("y0", "y_0", "float", 30.0, _LOW, _HIGH, "px", "first end point, row"),
+    Parameter("x1", "x_1", "float", 40.0, _LOW, _HIGH, "px", "second end point, column"),
+    Parameter("y1", "y_1", "float", 0.0, _LOW, _HIGH, "px", "second end point, row"),
+)
+
+POINT = (
+    Parameter("x", "x", "float", 12.0, _LOW, _HIGH, "px", "column of the point"),
+    Parameter("y", "y", "float", 20.0, _LOW, _HIGH, "px", "row of the point"),
+)
