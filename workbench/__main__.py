@@ -1,5 +1,6 @@
 """Where the program starts: a command without a window, or the window. Imports either only then."""
 
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -8,6 +9,8 @@ from pathlib import Path
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command in ``arguments`` (default: those of the process) and return its exit status."""
     words = sys.argv[1:] if arguments is None else list(arguments)
+    # The matrices here are small: threads of the linear algebra would only wait for one another.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     if _opens_a_window(words):
         from workbench.shell.start import start
 

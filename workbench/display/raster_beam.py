@@ -86,6 +86,7 @@ class RasterBeam:
             )
         self.drive = drive.astype(self._along.dtype, copy=False)
         self._spread: dict[tuple[int, float], Floats] = {}
+        self._frames: dict[int, Floats] = {}
 
     @property
     def frame_s(self) -> Fraction:
@@ -108,8 +109,11 @@ class RasterBeam:
         return self.power * float(self.timing.pixel_s)
 
     def energy_per_frame(self, gun: int = 0) -> Floats:
-        """What one whole frame deposits, (face rows, face columns)."""
-        return self._across @ self._spread_rows(gun, math.inf) * self._hit
+        """What one whole frame deposits, (face rows, face columns); read-only."""
+        if gun not in self._frames:
+            self._frames[gun] = self._across @ self._spread_rows(gun, math.inf) * self._hit
+            self._frames[gun].setflags(write=False)
+        return self._frames[gun]
 
     def hits_before(self, seconds: Fraction) -> int:
         """Pixel clocks whose middle lies before or at a time."""

@@ -28,6 +28,7 @@ Point = tuple[float, float]
 
 _PIECE_PX = 24.0
 _RUNS = 8
+_NOTHING_LEFT = 1e-30
 
 
 class MmStroke(NamedTuple):
@@ -142,6 +143,7 @@ class VectorBeam:
         self._segment_starts = [segment.start_ps for segment in self.segments]
         per_run = -(-len(self.pieces) // _RUNS) or 1
         self._runs = [(i, min(i + per_run, len(self.pieces))) for i in range(0, len(self.pieces), per_run)]
+        self._frames: dict[int, Floats] = {}
         self._maps: dict[tuple[int, int, float], Floats] = {}
 
     @property
@@ -208,13 +210,17 @@ class VectorBeam:
         return self._maps[key]
 
     def energy_per_frame(self, gun: int = 0) -> Floats:
-        """What one whole frame deposits, (face rows, face columns)."""
+        """What one whole frame deposits, (face rows, face columns); read-only."""
+        if gun in self._frames:
+            return self._frames[gun]
         columns, rows = self._geometry[0]
         total = np.zeros((rows, columns), dtype=self._kind)
         for piece in self.pieces:
             if piece.currents[gun]:
                 marks = self._marks_of(piece.begin, piece.end, 0.0, ())
                 total[marks.region] += marks.energy * self._energy_of(piece, gun)
+        total.setflags(write=False)
+        self._frames[gun] = total
         return total
 
     def _passes(self, start: int, end: int, t0: Fraction, t1: Fraction) -> tuple[int, Fraction]:
@@ -233,23 +239,34 @@ class VectorBeam:
         t0 = tube.seconds * 10**12
         tube.advance(ticks)
         t1 = tube.seconds * 10**12
+        whole: list[tuple[int, int, Fraction]] = []
         for run, (first, last) in enumerate(self._runs):
             start, end = int(self._starts[first]), int(self._ends[last - 1])
             count, age = self._passes(start, end, t0, t1)
             if count:
-                self._play_run(tube, run, count, age)
+                whole.append((run, count, age))
                 middle_end = t1 - age
                 middle_start = middle_end - (end - start) - (count - 1) * self.frame_ps
                 self._play_pieces(tube, first, last, t0, middle_start, t1)
                 self._play_pieces(tube, first, last, middle_end, t1, t1)
             else:
                 self._play_pieces(tube, first, last, t0, t1, t1)
+        self._play_runs(tube, whole)
 
-    def _play_run(self, tube: Tube, run: int, count: int, age: Fraction) -> None:
+    def _play_runs(self, tube: Tube, whole: list[tuple[int, int, Fraction]]) -> None:
+        """Deposit runs that passed as a whole, given as (run, how often, age of the last)."""
+        if not whole:
+            return
         for gun, taus in enumerate(self._taus):
-            energy = self._map_of_run(run, gun, math.inf) * count
-            left = [self._map_of_run(run, gun, tau) * self._kept(count, age, tau) for tau in taus]
-            tube.deposit_aged(energy, left, gun)
+            sums = []
+            for tau in (math.inf, *taus):
+                total = np.zeros(self._geometry[0][::-1], dtype=self._kind)
+                for run, count, age in whole:
+                    factor = count if math.isinf(tau) else self._kept(count, age, tau)
+                    if factor > _NOTHING_LEFT:
+                        total += self._map_of_run(run, gun, tau) * self._kind.type(factor)
+                sums.append(total)
+            tube.deposit_aged(sums[0], sums[1:], gun)
 
     def _play_pieces(
         self, tube: Tube, first: int, last: int, t0: Fraction, t1: Fraction, now: Fraction
