@@ -21,7 +21,7 @@ from workbench.document.edits import set_algorithm, set_attribute, set_sheet_siz
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, Sheet
 from workbench.language import _, ngettext
-from workbench.panels.draw_tools import FigureTool
+from workbench.panels.figure_tools import FigureTool
 from workbench.session.session import Session
 from workbench.widgets.icons import set_icon
 from workbench.widgets.number_field import NumberField
@@ -56,7 +56,8 @@ def parameters(sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
 
 def algorithm_choices(figure: AnyFigure | type[AnyFigure]) -> list[tuple[str, str]]:
     """Slug and title of every algorithm that can draw this kind of figure."""
-    return [(slug, _(catalogue.get(slug).title)) for slug in figure.algorithms]
+    known = {entry.slug: entry for entry in catalogue.entries()}
+    return [(slug, _(known[slug].title)) for slug in figure.algorithms if slug in known]
 
 
 class ParameterCard(QFrame):

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.document.model import AnyFigure, Sheet
-from workbench.panels.draw_outline import handles, outline
-from workbench.panels.draw_picture import (
+from workbench.panels.figure_outline import handles, outline
+from workbench.panels.figure_picture import (
     Cells,
     Pixels,
     comparison_classes,

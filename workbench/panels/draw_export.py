@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from workbench.exchange.tables import Table, to_csv
 from workbench.language import _
-from workbench.panels.draw_picture import pixel_rows
 from workbench.panels.draw_view import DrawView
+from workbench.panels.figure_picture import pixel_rows
 from workbench.widgets.canvas_overlay import Overlay
 from workbench.widgets.canvas_painter import Picture, Scene, paint_rulers, paint_scene, ruler_sizes
 from workbench.widgets.canvas_view import Area, fitted

@@ -16,8 +16,8 @@ from workbench.panels.draw_compose import (
     with_band,
     with_selection,
 )
-from workbench.panels.draw_gesture import HandleDrag, Tool
-from workbench.panels.draw_tools import FigureTool
+from workbench.panels.figure_gesture import HandleDrag, Tool
+from workbench.panels.figure_tools import FigureTool
 from workbench.rendering import painter_of
 from workbench.rendering.compare import Comparison, distances, figure_pixels
 from workbench.session.run import Run

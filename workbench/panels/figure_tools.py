@@ -7,8 +7,8 @@ from workbench.document.edits import add_figure, move_figures
 from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, WorldPoint
 from workbench.geometry.conventions import round_half_up
 from workbench.language import _
-from workbench.panels.draw_gesture import Cell, Modifiers, Tool, radius_between, snapped, span_text
-from workbench.panels.draw_outline import figure_at, outline
+from workbench.panels.figure_gesture import Cell, Modifiers, Tool, radius_between, snapped, span_text
+from workbench.panels.figure_outline import figure_at, outline
 from workbench.rendering import device_map
 from workbench.session.session import Session
 

@@ -1,6 +1,6 @@
-"""The commands of the Draw panel in one table: what each is called, its icon, its key, what it does."""
+"""The commands of a panel of figures in one table: what each is called, its icon, its key, what it does."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -12,15 +12,15 @@ from workbench.widgets.icons import set_icon
 from workbench.widgets.tokens import theme_changed, tokens
 
 if TYPE_CHECKING:
-    from workbench.panels.draw import DrawPanel
+    from workbench.panels.figure_panel import FigurePanel
 
 Row = tuple[str, str, str, str, Callable[[], object]]
 
 
-class DrawActions(QObject):
+class FigureActions(QObject):
     """Makes the actions of a panel: ``made`` has them by name. Commands are in the canvas's menu too."""
 
-    def __init__(self, panel: "DrawPanel") -> None:
+    def __init__(self, panel: "FigurePanel", commands: Sequence[Row]) -> None:
         super().__init__(panel)
         self._panel = panel
         self.made: dict[str, QAction] = {}
@@ -29,7 +29,7 @@ class DrawActions(QObject):
         for row in self._zooms():
             self._add(row)
         panel.canvas.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
-        for row in self._commands():
+        for row in (*self._commands(), *commands):
             panel.canvas.addAction(self._add(row))
 
     def _tools(self) -> list[Row]:
@@ -47,23 +47,18 @@ class DrawActions(QObject):
 
     def _commands(self) -> list[Row]:
         panel = self._panel
-        exporter = panel.exporter
         return [
             ("delete", _("Delete"), "trash", "Del", panel.delete_selected),
             ("duplicate", _("Duplicate"), "copy", "Ctrl+D", panel.duplicate_selected),
             ("select_all", _("Select all"), "selection-all", "Ctrl+A", panel.select_all),
             ("forwards", _("Bring forwards"), "arrow-line-up", "Ctrl+]", lambda: panel.shift_order(1)),
             ("backwards", _("Send backwards"), "arrow-line-down", "Ctrl+[", lambda: panel.shift_order(-1)),
-            ("copy_picture", _("Copy picture"), "clipboard", "Ctrl+Shift+C", exporter.copy_picture),
-            ("save_step", _("Save this step..."), "image-square", "", exporter.save_step),
-            ("save_run", _("Save this run..."), "files", "", exporter.save_run),
-            ("save_pixels", _("Save pixels as CSV..."), "table", "", exporter.save_pixels),
         ]
 
     def _add(self, row: Row) -> QAction:
         name, text, icon, key, do = row
         action = QAction(text, self._panel)
-        action.setObjectName(f"draw.{name}")
+        action.setObjectName(f"{self._panel.slug}.{name}")
         if key:
             action.setShortcut(QKeySequence(key))
             action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)

@@ -11,13 +11,13 @@ from workbench.language import _
 class EmptyState(QFrame):
     """One sentence and one button in the middle of ``canvas``; the pointer passes through the sentence."""
 
-    def __init__(self, canvas: QWidget, show_example: Callable[[], object]) -> None:
+    def __init__(self, canvas: QWidget, invitation: str, show_example: Callable[[], object]) -> None:
         super().__init__(canvas)
         self.setObjectName("card")
-        sentence = QLabel(_("Drag on the canvas to draw a line."))
+        sentence = QLabel(invitation)
         sentence.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.button = QPushButton(_("Show an example"))
-        self.button.setToolTip(_("Open a picture with one line"))
+        self.button.setToolTip(_("Open a picture that is already drawn"))
         self.button.clicked.connect(lambda: show_example())
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 12, 16, 12)

@@ -14,7 +14,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Document
 from workbench.geometry.conventions import round_half_up
 from workbench.language import _
-from workbench.panels.draw_outline import Curve
+from workbench.panels.figure_outline import Curve
 from workbench.rendering import device_map
 from workbench.session.session import Session
 
