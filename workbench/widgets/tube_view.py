@@ -13,9 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QElapsedTimer, QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
-    QBrush,
-    QColor,
-    QFont,
     QHideEvent,
     QImage,
     QKeyEvent,
@@ -24,7 +21,6 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
     QPixmap,
-    QRadialGradient,
     QResizeEvent,
     QShowEvent,
 )
@@ -51,12 +47,12 @@ from workbench.widgets.comfort import comfort
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.tube_glass import (
     CORNER,
-    LETTERING,
     cabinet_pixmap,
     fitted,
     glass_path,
     reflection_pixmap,
 )
+from workbench.widgets.tube_marks import paint_beam, paint_plate, paint_probe
 
 Kind = Literal["raster", "vector"]
 
@@ -376,6 +372,10 @@ class TubeView(QWidget):
 
     # Painting
 
+    @property
+    def _beam_is_seen(self) -> bool:
+        return self._slow >= _BEAM_SEEN_FROM and (self._paused or not self.averaged)
+
     def paintEvent(self, event: QPaintEvent) -> None:
         """Cabinet, light, beam, glass."""
         painter = QPainter(self)
@@ -392,59 +392,21 @@ class TubeView(QWidget):
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Plus)
             painter.drawImage(self._glass, self._shown)
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceOver)
-            self._paint_beam(painter)
-            self._paint_probe(painter)
+            if self._beam_is_seen and self.driver is not None:
+                state = self.driver.state()
+                paint_beam(painter, self._to_widget(state.x_mm, state.y_mm), self._glass.width(), state)
+            if self._probe is not None:
+                paint_probe(painter, self._to_widget(*self._probe_mm(self._probe)))
         painter.restore()
         painter.drawPixmap(0, 0, self._reflection)
-        self._paint_plate(painter)
+        if self._case.bottom() - self._glass.bottom() >= _PLATE_PX:
+            name = _("RASTER") if self.kind == "raster" else _("VECTOR")
+            rate = f"{self._setup.phosphor}   {self.refresh_hz:.4g} Hz"
+            top = self._case.bottom() - _PLATE_PX - 3
+            plate = QRectF(self._glass.left(), top, self._glass.width(), _PLATE_PX)
+            paint_plate(painter, plate, name, rate)
         if self.hasFocus():
             painter.setPen(QPen(colour(tokens().accent), 2))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             radius = CORNER * self._case.width()
             painter.drawRoundedRect(self._case.adjusted(1, 1, -1, -1), radius, radius)
-
-    def _paint_beam(self, painter: QPainter) -> None:
-        if self.driver is None or (self.averaged and not self._paused) or self._slow < _BEAM_SEEN_FROM:
-            return
-        state = self.driver.state()
-        place = self._to_widget(state.x_mm, state.y_mm)
-        radius = max(5.0, 0.012 * self._glass.width())
-        if state.lit and any(state.currents):
-            glow = QRadialGradient(place, 2.2 * radius)
-            glow.setColorAt(0.0, QColor(255, 255, 255, 190))
-            glow.setColorAt(0.25, QColor(255, 255, 255, 70))
-            glow.setColorAt(1.0, QColor(255, 255, 255, 0))
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(QBrush(glow))
-            painter.drawEllipse(place, 2.2 * radius, 2.2 * radius)
-        else:
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QPen(QColor(255, 255, 255, 120 if state.lit else 70), 1.2))
-            painter.drawEllipse(place, 0.6 * radius, 0.6 * radius)
-
-    def _paint_probe(self, painter: QPainter) -> None:
-        if self._probe is None:
-            return
-        place = self._to_widget(*self._probe_mm(self._probe))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        for pen, radius in ((QPen(QColor(0, 0, 0, 160), 3.2), 7.0), (QPen(QColor("#F5F7FA"), 1.4), 7.0)):
-            painter.setPen(pen)
-            painter.drawEllipse(place, radius, radius)
-            for dx, dy in ((1, 0), (-1, 0), (0, 1), (0, -1)):
-                painter.drawLine(place + QPointF(dx, dy) * radius, place + QPointF(dx, dy) * (radius + 4))
-
-    def _paint_plate(self, painter: QPainter) -> None:
-        if self._case.bottom() - self._glass.bottom() < _PLATE_PX:
-            return
-        font = QFont(self.font())
-        font.setPixelSize(11)
-        painter.setFont(font)
-        painter.setPen(LETTERING)
-        top = self._case.bottom() - _PLATE_PX - 3
-        plate = QRectF(self._glass.left(), top, self._glass.width(), _PLATE_PX)
-        inset = 0.06 * plate.width()
-        plate.adjust(inset, 0, -inset, 0)
-        name = _("RASTER") if self.kind == "raster" else _("VECTOR")
-        painter.drawText(plate, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, name)
-        rate = f"{self._setup.phosphor}   {self.refresh_hz:.4g} Hz"
-        painter.drawText(plate, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, rate)
