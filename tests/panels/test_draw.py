@@ -347,3 +347,13 @@ def test_a_line_is_drawn_with_the_keyboard_alone(qtbot, session, panel):
     settle()
     (line,) = session.sheet.figures
     assert points(line) == [start, (start[0] + 10, start[1] + 1)]
+
+
+def test_every_tool_has_a_pointer_of_its_own(qtbot, session, panel):
+    pictures = []
+    for tool in panel.tools[1:]:
+        panel.choose_tool(tool.name)
+        pictures.append(panel.canvas.cursor().pixmap().toImage())
+    assert all(one != other for k, one in enumerate(pictures) for other in pictures[:k])
+    panel.choose_tool("select")
+    assert panel.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor

@@ -4,12 +4,12 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt
-from PySide6.QtGui import QAction, QColor, QIcon, QKeySequence, QPainter, QPen, QPixmap
+from PySide6.QtCore import QObject, QRect, Qt
+from PySide6.QtGui import QAction, QColor, QCursor, QIcon, QKeySequence, QPainter, QPen, QPixmap
 
 from workbench.language import _
 from workbench.widgets.icons import set_icon
-from workbench.widgets.tokens import theme_changed, tokens
+from workbench.widgets.tokens import colour, theme_changed, tokens
 
 if TYPE_CHECKING:
     from workbench.panels.figure_panel import FigurePanel
@@ -83,3 +83,23 @@ class FigureActions(QObject):
         painter.drawEllipse(8, 18, 48, 28)
         painter.end()
         self.made["ellipse"].setIcon(QIcon(pixmap))
+
+
+def tool_cursor(icon: QIcon) -> QCursor:
+    """A cross with the tool's icon at its lower right; both with an edge that shows on any colour."""
+    now, density = tokens(), 2
+    pixmap = QPixmap(32 * density, 32 * density)
+    pixmap.setDevicePixelRatio(density)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    for ink, width in ((now.canvas, 3.0), (now.text, 1.0)):
+        painter.setPen(QPen(QColor(ink), width))
+        for x0, y0, x1, y1 in ((8, 1, 8, 6), (8, 10, 8, 15), (1, 8, 6, 8), (10, 8, 15, 8)):
+            painter.drawLine(x0, y0, x1, y1)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour(now.raised, 220))
+    painter.drawRoundedRect(14, 14, 18, 18, 4, 4)
+    icon.paint(painter, QRect(16, 16, 14, 14))
+    painter.end()
+    return QCursor(pixmap, 8, 8)

@@ -5,14 +5,14 @@ from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction, QHideEvent, QKeyEvent, QShowEvent
+from PySide6.QtGui import QAction, QCursor, QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from workbench.document.edits import Edit, duplicate_figures, move_figures, remove_figures, reorder
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure
 from workbench.language import _
-from workbench.panels.figure_actions import FigureActions, Row
+from workbench.panels.figure_actions import FigureActions, Row, tool_cursor
 from workbench.panels.figure_empty import EmptyState
 from workbench.panels.figure_gesture import HandleDrag, Tool
 from workbench.panels.figure_tools import FigureTool, SelectTool
@@ -154,7 +154,9 @@ class FigurePanel(QWidget):
         self.tool = next(tool for tool in self.tools if tool.name == name)
         for tool in self.tools:
             self._actions[tool.name].setChecked(tool is self.tool)
-        self.canvas.set_shape(self.tool.shape)
+        crossed = self.tool.shape == Qt.CursorShape.CrossCursor
+        icon = self._actions[name].icon()
+        self.canvas.set_shape(tool_cursor(icon) if crossed else QCursor(self.tool.shape))
         if isinstance(self.tool, FigureTool):
             self.session.update_state(selection=())
         self.refresh()

@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleEvent,
+    QCursor,
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
@@ -65,7 +66,7 @@ class PixelCanvas(CanvasSurface):
         self._press: QPointF | None = None
         self._panning: QPoint | None = None
         self._wheel = 0
-        self._shape = Qt.CursorShape.ArrowCursor
+        self._shape = QCursor(Qt.CursorShape.ArrowCursor)
         self.takes_handles = True
 
     @property
@@ -73,7 +74,7 @@ class PixelCanvas(CanvasSurface):
         """Whether the left button is down on the picture."""
         return self._press is not None
 
-    def set_shape(self, shape: Qt.CursorShape) -> None:
+    def set_shape(self, shape: QCursor) -> None:
         """The pointer's shape over the picture, one for each tool."""
         self._shape = shape
         self.setCursor(shape)
@@ -120,7 +121,7 @@ class PixelCanvas(CanvasSurface):
             self._hover_at(x, y)
             if self._press is None:
                 over = self.takes_handles and self.handle_at(event.position()) is not None
-                self.setCursor(Qt.CursorShape.SizeAllCursor if over else self._shape)
+                self.setCursor(QCursor(Qt.CursorShape.SizeAllCursor) if over else self._shape)
             self.moved.emit(x, y, event.modifiers())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
