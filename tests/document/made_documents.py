@@ -6,12 +6,15 @@ from hypothesis import strategies as st
 
 from workbench.document import edits
 from workbench.document.model import (
+    LINE_CLIPPERS,
+    POLYGON_CLIPPERS,
     AnyFigure,
     Circle,
     Document,
     Ellipse,
     Figure,
     Line,
+    Polygon,
     Polyline,
     Rectangle,
     SeedFill,
@@ -35,8 +38,8 @@ def rectangles(draw: st.DrawFn) -> Rectangle:
 @st.composite
 def figures(draw: st.DrawFn, identity: str = "") -> AnyFigure:
     """A figure of any kind, with ids made of ``identity``, or empty ones; its colours are 0 to 2."""
-    kind: type[Figure] = draw(st.sampled_from([Line, Polyline, Circle, Ellipse, SeedFill]))
-    count = draw(st.integers(kind.least_points, min(kind.most_points, 4)))
+    kind: type[Figure] = draw(st.sampled_from([Line, Polyline, Polygon, Circle, Ellipse, SeedFill]))
+    count = draw(st.integers(kind.least_points, min(kind.most_points, 7)))
     points = tuple(
         WorldPoint(f"{identity}p{i}" if identity else "", draw(coordinates), draw(coordinates))
         for i in range(count)
@@ -48,8 +51,12 @@ def figures(draw: st.DrawFn, identity: str = "") -> AnyFigure:
         more["radius_world"] = draw(radii)
     elif kind is Ellipse:
         more.update(radius_x_world=draw(radii), radius_y_world=draw(radii))
+    elif kind is Polygon:
+        whole = st.just((count,)) | st.just(())
+        more["ring_ends"] = draw(whole | st.just((3, count)) if count >= 6 else whole)
+        more.update(closed_interior=draw(st.booleans()), nonzero=draw(st.booleans()))
     elif kind is SeedFill:
-        more["boundary"] = draw(st.integers(0, 2))
+        more.update(boundary=draw(st.integers(0, 2)), recursion_limit=draw(st.integers(10, 4000)))
     figure: AnyFigure = kind(  # type: ignore[assignment]
         identity,
         points,
@@ -78,6 +85,9 @@ def documents(draw: st.DrawFn) -> Document:
                 draw(palettes),
                 tuple(draw(figures(f"s{s}f{f}-")) for f in range(draw(st.integers(0, 3)))),
                 draw(st.integers(0, 2)),
+                draw(st.none() | rectangles()),
+                draw(st.sampled_from(LINE_CLIPPERS)),
+                draw(st.sampled_from(POLYGON_CLIPPERS)),
             )
         )
     return Document(tuple(sheets), draw(st.integers(0, 50)))
@@ -98,6 +108,8 @@ def sound_edits(draw: st.DrawFn, document: Document) -> edits.Edit:
         st.builds(edits.set_window, st.just(sheet.id), rectangles()),
         st.builds(edits.set_viewport, st.just(sheet.id), rectangles()),
         st.builds(edits.set_palette, st.just(sheet.id), palettes),
+        st.builds(edits.set_clip, st.just(sheet.id), st.none() | rectangles()),
+        st.builds(edits.set_clippers, st.just(sheet.id), st.sampled_from(LINE_CLIPPERS)),
     ]
     if not sheet.figures or draw(st.integers(0, 3)) == 0:
         return draw(st.one_of(of_sheet))
@@ -118,8 +130,12 @@ def sound_edits(draw: st.DrawFn, document: Document) -> edits.Edit:
         st.builds(edits.rename_figure, st.just(figure.id), names),
     ]
     if isinstance(figure, Polyline):
+        choices.append(st.builds(edits.set_closed, st.just(figure.id), st.booleans()))
+    if isinstance(figure, Polygon):
+        corners = st.lists(st.tuples(coordinates, coordinates), min_size=3, max_size=5)
+        choices.append(st.builds(edits.add_ring, st.just(figure.id), corners))
+    if isinstance(figure, Polyline | Polygon):
         choices += [
-            st.builds(edits.set_closed, st.just(figure.id), st.booleans()),
             st.builds(
                 edits.insert_point,
                 st.just(figure.id),

@@ -87,7 +87,8 @@ def test_changed_names_what_differs_and_nothing_else(data: st.DataObject, old: D
     assert different <= told
     # Whatever else is told is a list's order or something that came or went.
     for address in told - different:
-        assert address.attribute in ("*", "sheets", "figures", "points_world", "palette")
+        lists = ("sheets", "figures", "points_world", "palette", "ring_ends")
+        assert address.attribute in ("*", "clip_world", *lists)
     whole = {Address(a.sheet, a.figure, a.point) for a in before.keys() ^ after.keys()}
     for address in whole:
         assert any(
@@ -97,6 +98,8 @@ def test_changed_names_what_differs_and_nothing_else(data: st.DataObject, old: D
                 Address(address.sheet, address.figure),
                 Address(address.sheet, address.figure, address.point),
                 Address(address.sheet, attribute="palette"),
+                Address(address.sheet, attribute="clip_world"),
+                Address(address.sheet, address.figure, attribute="ring_ends"),
             )
         )
 

@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from tests.document.made_documents import documents, figures, sound_edits
 from workbench.document import DocumentError, edits
 from workbench.document.addresses import resolve
 from workbench.document.check import check, shown
 from workbench.document.files import Stored, encode
-from workbench.document.model import Circle, Document, Line, Rectangle, WorldPoint
+from workbench.document.model import Circle, Document, Line, Polygon, Rectangle, WorldPoint
 from workbench.document.samples import blank_sheet, example, example_document
 
 BAD_NUMBERS = [math.nan, math.inf, -math.inf, 1.0000001e6, -1e300, "7", None, True, 10**400, 10**5000, 1j]
@@ -173,3 +174,42 @@ def test_several_edits_are_done_together_or_not_at_all() -> None:
         edits.set_attributes({"s1/f1/p1/x": 5, "s1/f1/colour": 77})(document)
     done = edits.set_attributes({"s1/f1/p1/x": 5, "s1/f1/colour": 2})(document)
     assert (resolve(done, "s1/f1/p1/x"), resolve(done, "s1/f1/colour")) == (5.0, 2)
+
+
+def _square(identity: str = "") -> Polygon:
+    places = [(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)]
+    return Polygon(identity, tuple(WorldPoint("", x, y) for x, y in places), "scan_line_fill")
+
+
+def test_a_polygon_takes_rings_and_corners() -> None:
+    document = edits.add_figure("s1", _square())(blank_sheet())
+    polygon = document.sheets[0].figures[0]
+    document = edits.add_ring(polygon.id, [(2, 2), (6, 2), (4, 6)])(document)
+    document = edits.insert_point(polygon.id, 4, 2.0, 4.0)(document)
+    document = edits.remove_point(f"s1/{polygon.id}/{polygon.points_world[0].id}/*")(document)
+    changed = document.sheets[0].figures[0]
+    assert isinstance(changed, Polygon)
+    assert changed.ring_ends == (3, 7)
+    assert [[(p.x, p.y) for p in ring] for ring in changed.rings] == [
+        [(8, 0), (8, 8), (0, 8)],
+        [(2, 4), (2, 2), (6, 2), (4, 6)],
+    ]
+
+
+def test_a_ring_of_two_corners_is_refused() -> None:
+    document = edits.add_figure("s1", _square())(blank_sheet())
+    polygon = document.sheets[0].figures[0].id
+    with pytest.raises(DocumentError, match="2 of at least 3 points in ring 2"):
+        edits.add_ring(polygon, [(2, 2), (6, 2)])(document)
+    with pytest.raises(DocumentError, match="3"):
+        edits.add_figure("s1", replace(_square(), points_world=_square().points_world[:2]))(document)
+
+
+def test_a_clip_window_without_area_is_refused() -> None:
+    document = edits.set_clip("s1", Rectangle(0, 0, 30, 20))(blank_sheet())
+    assert document.sheets[0].clip_world == Rectangle(0.0, 0.0, 30.0, 20.0)
+    with pytest.raises(DocumentError, match="clip_world has no width"):
+        edits.set_clip("s1", Rectangle(4, 0, 4, 20))(document)
+    assert edits.set_clip("s1", None)(document) == blank_sheet()
+    with pytest.raises(DocumentError, match="line_clipper"):
+        edits.set_clippers("s1", line="bresenham_line")(document)

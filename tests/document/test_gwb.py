@@ -32,7 +32,15 @@ def test_session_and_blobs_come_back(tmp_path: Path) -> None:
     stored = Stored(
         example_document(),
         SessionState(
-            "s1", ("f1",), "f1", "dda_line", 4, True, True, TubeSettings("vector", "P7", time_s=1.25)
+            sheet="s1",
+            selection=("f1",),
+            active="f1",
+            compare="dda_line",
+            step=4,
+            detail=True,
+            ask_first=True,
+            stepped="clipper",
+            tube=TubeSettings("vector", "P7", time_s=1.25),
         ),
         {hashlib.sha256(content).hexdigest(): content},
         origin="/somewhere/else.gwb",
@@ -53,13 +61,8 @@ def test_the_text_is_readable(tmp_path: Path) -> None:
 @pytest.mark.parametrize("version", range(1, VERSION + 1))
 def test_a_sample_of_every_version_opens(version: int) -> None:
     stored = read(SAMPLES / f"version-{version}.gwb")
-    assert [type(figure).__name__ for figure in stored.document.sheets[0].figures] == [
-        "Line",
-        "Polyline",
-        "Circle",
-        "Ellipse",
-        "SeedFill",
-    ]
+    kinds = ["Line", "Polyline", "Circle", "Ellipse", "SeedFill", *(["Polygon"] if version > 1 else [])]
+    assert [type(figure).__name__ for figure in stored.document.sheets[0].figures] == kinds
     assert stored.session.compare == "dda_line"
     assert list(stored.blobs.values()) == [b"blob"]
     assert decode(encode(stored)) == stored

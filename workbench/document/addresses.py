@@ -169,7 +169,7 @@ def _lists(
 
 
 def _parts(name: str, old: Any, new: Any) -> list[str]:
-    if isinstance(old, Rectangle):
+    if isinstance(old, Rectangle) and isinstance(new, Rectangle):
         return [
             f"{name}.{side}" for side in old.__struct_fields__ if getattr(old, side) != getattr(new, side)
         ]

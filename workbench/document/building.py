@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from workbench.document.addresses import Address, figure_with, highest, new_ids
 from workbench.document.check import shown
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Document, Polyline, Rectangle, Sheet, WorldPoint
+from workbench.document.model import AnyFigure, Document, Polygon, Polyline, Rectangle, Sheet, WorldPoint
 from workbench.language import _
 
 
@@ -88,9 +88,31 @@ def polyline_with(document: Document, figure: str) -> Polyline:
     """The polyline with this id; raises DocumentError."""
     found = figure_with(document, figure)[1]
     if not isinstance(found, Polyline):
-        sentence = _("Figure {id!r} is no polyline, so its number of points is fixed; choose a polyline.")
+        sentence = _("Figure {id!r} is no polyline, so it is neither open nor closed; choose a polyline.")
         raise DocumentError(figure, sentence.format(id=figure))
     return found
+
+
+def of_many_points(document: Document, figure: str) -> Polyline | Polygon:
+    """The polyline or polygon with this id; raises DocumentError."""
+    found = figure_with(document, figure)[1]
+    if not isinstance(found, Polyline | Polygon):
+        sentence = _(
+            "Figure {id!r} is no polyline or polygon, so its number of points is fixed; choose one of these."
+        )
+        raise DocumentError(figure, sentence.format(id=figure))
+    return found
+
+
+def with_points(
+    figure: Polyline | Polygon, points: tuple[WorldPoint, ...], at: int, more: int
+) -> Polyline | Polygon:
+    """``figure`` with ``points``, of which ``more`` are new (negative: gone) in the ring around ``at``."""
+    if isinstance(figure, Polyline) or not figure.ring_ends:
+        return replace(figure, points_world=points)
+    ring = next((k for k, end in enumerate(figure.ring_ends) if at < end), len(figure.ring_ends) - 1)
+    ends = tuple(end + more if k >= ring else end for k, end in enumerate(figure.ring_ends))
+    return replace(figure, points_world=points, ring_ends=ends)
 
 
 def position(index: int, most: int, field: str) -> int:

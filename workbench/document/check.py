@@ -7,10 +7,13 @@ from typing import Any
 
 from workbench.document.errors import DocumentError
 from workbench.document.model import (
+    LINE_CLIPPERS,
+    POLYGON_CLIPPERS,
     AnyFigure,
     Circle,
     Document,
     Ellipse,
+    Polygon,
     Rectangle,
     SeedFill,
     Sheet,
@@ -24,6 +27,8 @@ MAX_SHEETS = 1_000
 MAX_FIGURES = 100_000
 MAX_PALETTE = 256
 MAX_NAME = 200
+RECURSION_LIMITS = (10, 4_000)
+RING_LEAST = 3
 
 _ID = re.compile(r"(?!.*[0-9]{16}$)[A-Za-z][A-Za-z0-9_-]{0,31}")
 
@@ -43,6 +48,11 @@ def labels() -> dict[str, str]:
         "background": _("background"),
         "algorithm": _("algorithm"),
         "points_world": _("list of points"),
+        "ring_ends": _("list of rings"),
+        "recursion_limit": _("recursion limit"),
+        "clip_world": _("clip window"),
+        "line_clipper": _("line clipper"),
+        "polygon_clipper": _("polygon clipper"),
     }
 
 
@@ -86,6 +96,10 @@ def _sheet(at: str, sheet: Sheet, before: Sheet | None) -> None:
     _integer(f"{at}.height_px", sheet.height_px, 1, MAX_SIDE_PX)
     _rectangle(f"{at}.window_world", sheet.window_world)
     _rectangle(f"{at}.viewport_device", sheet.viewport_device)
+    if sheet.clip_world is not None:
+        _rectangle(f"{at}.clip_world", sheet.clip_world)
+    _choice(f"{at}.line_clipper", sheet.line_clipper, LINE_CLIPPERS)
+    _choice(f"{at}.polygon_clipper", sheet.polygon_clipper, POLYGON_CLIPPERS)
     _count(f"{at}.palette", sheet.palette, 2, MAX_PALETTE, _("colour"))
     for index, colour in enumerate(sheet.palette):
         _integer(f"{at}.palette[{index}]", colour, 0, 0xFFFFFF)
@@ -119,6 +133,26 @@ def _figure(at: str, figure: AnyFigure, sheet: Sheet) -> None:
         _radius(f"{at}.radius_y_world", figure.radius_y_world)
     elif isinstance(figure, SeedFill):
         _palette_index(f"{at}.boundary", figure.boundary, sheet)
+        _integer(f"{at}.recursion_limit", figure.recursion_limit, *RECURSION_LIMITS)
+    elif isinstance(figure, Polygon):
+        _rings(f"{at}.ring_ends", figure)
+        _truth(f"{at}.closed_interior", figure.closed_interior)
+        _truth(f"{at}.nonzero", figure.nonzero)
+
+
+def _rings(field: str, polygon: Polygon) -> None:
+    if not isinstance(polygon.ring_ends, tuple):
+        raise refuse(field, _("is not a list; give one"))
+    start, last = 0, len(polygon.points_world)
+    for index, end in enumerate(polygon.ring_ends):
+        _whole(f"{field}[{index}]", end)
+        if end - start < RING_LEAST:
+            problem = _("has {count} of at least {least} points in ring {ring}; add what is missing")
+            raise refuse(field, problem.format(count=max(end - start, 0), least=RING_LEAST, ring=index + 1))
+        start = end
+    if polygon.ring_ends and start != last:
+        problem = _("ends at {end}, but there are {count} points; end the last ring there")
+        raise refuse(field, problem.format(end=start, count=last))
 
 
 def ids(document: Document) -> Iterator[tuple[str, str]]:
@@ -195,6 +229,12 @@ def _palette_index(field: str, value: Any, sheet: Sheet) -> None:
     if not 0 <= value < len(sheet.palette):
         problem = _("is {value}, but the palette has the colours 0 to {last}; choose one of these")
         raise refuse(field, problem.format(value=shown(value), last=len(sheet.palette) - 1))
+
+
+def _choice(field: str, value: Any, choices: tuple[str, ...]) -> None:
+    if value not in choices:
+        problem = _("is {value}; choose one of {choices}")
+        raise refuse(field, problem.format(value=shown(value), choices=", ".join(choices)))
 
 
 def _integer(field: str, value: Any, low: int, high: int) -> None:

@@ -28,6 +28,7 @@ from workbench.document.building import (
     moved_by,
     number,
     numbered,
+    of_many_points,
     plain,
     plain_rectangle,
     polyline_with,
@@ -38,12 +39,21 @@ from workbench.document.building import (
     with_changed,
     with_figures,
     with_owner,
+    with_points,
     with_sheet,
     without_ids,
 )
 from workbench.document.check import MAX_SIDE_PX, check
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Document, Rectangle, Sheet, WorldPoint, whole_sheet
+from workbench.document.model import (
+    AnyFigure,
+    Document,
+    Polygon,
+    Rectangle,
+    Sheet,
+    WorldPoint,
+    whole_sheet,
+)
 from workbench.language import _
 
 Edit = Callable[[Document], Document]
@@ -199,28 +209,53 @@ def set_algorithm(figures: str | Iterable[str], slug: str) -> Edit:
 
 @_edit
 def insert_point(figure: str, index: int, x_world: float, y_world: float) -> Edit:
-    """Insert a control point into a polyline, before the one that is now at ``index``."""
+    """Insert a control point into a polyline or polygon, before the one that is now at ``index``.
+
+    A polygon takes it into the ring of that one, at the very end into the last ring.
+    """
 
     def edit(document: Document) -> Document:
-        line = polyline_with(document, figure)
+        line = of_many_points(document, figure)
         at = position(index, len(line.points_world), "points_world")
         point = WorldPoint(new_ids(document, "p", 1)[0], number(x_world), number(y_world))
         points = (*line.points_world[:at], point, *line.points_world[at:])
-        return with_changed(document, [replace(line, points_world=points)])
+        return with_changed(document, [with_points(line, points, at, 1)])
 
     return edit
 
 
 @_edit
 def remove_point(address: Address | str) -> Edit:
-    """Remove the control point that ``address`` names from its polyline."""
+    """Remove the control point that ``address`` names from its polyline or polygon."""
     where = parse(address)
 
     def edit(document: Document) -> Document:
-        line = polyline_with(document, where.figure)
+        line = of_many_points(document, where.figure)
         gone = point_with(line, where.point)
-        points = tuple(point for point in line.points_world if point is not gone)
-        return remembering(document, with_changed(document, [replace(line, points_world=points)]))
+        at = line.points_world.index(gone)
+        points = (*line.points_world[:at], *line.points_world[at + 1 :])
+        return remembering(document, with_changed(document, [with_points(line, points, at, -1)]))
+
+    return edit
+
+
+@_edit
+def add_ring(polygon: str, corners_world: Iterable[tuple[float, float]]) -> Edit:
+    """Add a ring, of three corners or more, to a polygon."""
+    corners = [(number(x), number(y)) for x, y in corners_world]
+
+    def edit(document: Document) -> Document:
+        old = figure_with(document, polygon)[1]
+        if not isinstance(old, Polygon):
+            sentence = _("Figure {id!r} is no polygon, so it has no rings; choose a polygon.")
+            raise DocumentError(polygon, sentence.format(id=polygon))
+        fresh = new_ids(document, "p", len(corners))
+        added = tuple(WorldPoint(name, x, y) for name, (x, y) in zip(fresh, corners, strict=True))
+        count = len(old.points_world)
+        ends = (*(old.ring_ends or (count,)), count + len(added))
+        return with_changed(
+            document, [replace(old, points_world=(*old.points_world, *added), ring_ends=ends)]
+        )
 
     return edit
 
@@ -320,6 +355,27 @@ def set_window(sheet: str, window_world: Rectangle) -> Edit:
     """Set the window, in world coordinates."""
     window = plain_rectangle(window_world)
     return lambda document: with_sheet(document, replace(sheet_with(document, sheet), window_world=window))
+
+
+@_edit
+def set_clip(sheet: str, clip_world: Rectangle | None) -> Edit:
+    """Set the window that figures are clipped to, in world coordinates; None clips nothing."""
+    clip = None if clip_world is None else plain_rectangle(clip_world)
+    return lambda document: with_sheet(document, replace(sheet_with(document, sheet), clip_world=clip))
+
+
+@_edit
+def set_clippers(sheet: str, line: str | None = None, polygon: str | None = None) -> Edit:
+    """Choose the algorithms that clip lines and polygons; None keeps the one that is chosen."""
+
+    def edit(document: Document) -> Document:
+        old = sheet_with(document, sheet)
+        changed = replace(
+            old, line_clipper=line or old.line_clipper, polygon_clipper=polygon or old.polygon_clipper
+        )
+        return with_sheet(document, changed)
+
+    return edit
 
 
 @_edit

@@ -4,6 +4,7 @@ Two frames, named in every field: world (float) and device (integer pixels, orig
 Ids are short texts, unique in their document, and survive edits, insertion and undo.
 """
 
+from itertools import pairwise
 from typing import ClassVar
 
 import msgspec
@@ -78,11 +79,35 @@ class Polyline(Figure, frozen=True, tag="polyline"):
     closed: bool = False
 
 
+class Polygon(Figure, frozen=True, tag="polygon"):
+    """An area inside one or more rings of at least three corners each, one ring after the other.
+
+    ``ring_ends`` is one past each ring's last corner; empty means one ring. ``closed_interior`` paints every
+    centre inside or on the boundary, else the half-open rule holds; ``nonzero`` counts windings, else the
+    crossings are paired (even-odd).
+    """
+
+    topic: ClassVar[str] = "polygons"
+    algorithms: ClassVar[tuple[str, ...]] = ("scan_line_fill",)
+    least_points: ClassVar[int] = 3
+    most_points: ClassVar[int] = 100_000
+
+    ring_ends: tuple[int, ...] = ()
+    closed_interior: bool = False
+    nonzero: bool = False
+
+    @property
+    def rings(self) -> tuple[tuple[WorldPoint, ...], ...]:
+        """The corners of each ring."""
+        ends = self.ring_ends or (len(self.points_world),)
+        return tuple(self.points_world[a:b] for a, b in pairwise((0, *ends)))
+
+
 class Circle(Figure, frozen=True, tag="circle", kw_only=True):
     """A circle about its one point; a radius of 0 is a single pixel."""
 
     topic: ClassVar[str] = "circles"
-    algorithms: ClassVar[tuple[str, ...]] = ("midpoint_circle",)
+    algorithms: ClassVar[tuple[str, ...]] = ("midpoint_circle", "circle_fill")
 
     radius_world: float
 
@@ -91,29 +116,44 @@ class Ellipse(Figure, frozen=True, tag="ellipse", kw_only=True):
     """An ellipse with axes parallel to x and y, about its one point; a radius of 0 makes it a segment."""
 
     topic: ClassVar[str] = "circles"
-    algorithms: ClassVar[tuple[str, ...]] = ("midpoint_ellipse",)
+    algorithms: ClassVar[tuple[str, ...]] = ("midpoint_ellipse", "ellipse_fill")
 
     radius_x_world: float
     radius_y_world: float
 
 
 class SeedFill(Figure, frozen=True, tag="seed_fill", kw_only=True):
-    """A fill from its one point, evaluated on what lies below it; ``boundary`` is a palette index."""
+    """A fill from its one point, evaluated on what lies below it; ``boundary`` is a palette index.
+
+    Flood fills ignore ``boundary``; the recursive fill is stopped ``recursion_limit`` calls deep.
+    """
 
     topic: ClassVar[str] = "seed_fill"
-    algorithms: ClassVar[tuple[str, ...]] = ("boundary_fill_4",)
+    algorithms: ClassVar[tuple[str, ...]] = (
+        "boundary_fill_4",
+        "boundary_fill_8",
+        "flood_fill_4",
+        "flood_fill_8",
+        "boundary_fill_recursive",
+        "boundary_fill_spans",
+    )
 
     boundary: int = 1
+    recursion_limit: int = 1000
 
 
-AnyFigure = Line | Polyline | Circle | Ellipse | SeedFill
+AnyFigure = Line | Polyline | Polygon | Circle | Ellipse | SeedFill
+
+LINE_CLIPPERS = ("cohen_sutherland", "liang_barsky")
+POLYGON_CLIPPERS = ("sutherland_hodgman",)
 
 
 class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """One picture: a size in pixels, window and viewport, palette (0xRRGGBB), figures from back to front.
 
     ``background`` is the palette index of the paper: the canvas shows it as the theme's canvas colour, the
-    tube as an unlit screen.
+    tube as an unlit screen. ``clip_world`` is the window that figures are clipped to before they are scan
+    converted, by the clippers named; None clips nothing.
     """
 
     id: str
@@ -125,6 +165,9 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     palette: tuple[int, ...]
     figures: tuple[AnyFigure, ...] = ()
     background: int = 0
+    clip_world: Rectangle | None = None
+    line_clipper: str = LINE_CLIPPERS[0]
+    polygon_clipper: str = POLYGON_CLIPPERS[0]
 
 
 class Document(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -5,7 +5,7 @@ from typing import Literal, get_args
 import msgspec
 
 from workbench.document.check import refuse, shown
-from workbench.document.model import AnyFigure, Document
+from workbench.document.model import LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure, Document
 from workbench.language import _
 
 
@@ -29,7 +29,8 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Current sheet, selected and active figures (ids), the compared algorithm, the cursor, the tube.
 
     An empty ``sheet`` means the first one, an empty ``compare`` no comparison. ``step`` counts rows of the
-    hand table, or lines in ``detail``; ``ask_first`` hides the next pixel until it was guessed.
+    hand table, or lines in ``detail``; ``ask_first`` hides the next pixel until it was guessed. ``stepped``
+    tells which run of the active figure is stepped: its algorithm's, or that of the sheet's clipper.
     """
 
     sheet: str = ""
@@ -39,6 +40,7 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     step: int = 0
     detail: bool = False
     ask_first: bool = False
+    stepped: Literal["figure", "clipper"] = "figure"
     tube: TubeSettings = TubeSettings()
 
 
@@ -53,6 +55,7 @@ def check_state(state: SessionState, document: Document) -> SessionState:
     if state.active and state.active not in figures:
         raise refuse("session.active", _missing(state.active))
     slugs = {slug for kind in get_args(AnyFigure) for slug in kind.algorithms}
+    slugs.update(LINE_CLIPPERS, POLYGON_CLIPPERS)
     if state.compare and state.compare not in slugs:
         raise refuse("session.compare", _missing(state.compare))
     if not 0 <= state.step < 2**53:

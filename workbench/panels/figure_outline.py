@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, Sheet
 from workbench.rendering import device_map, display_list
-from workbench.rendering.pipeline import device_radii
+from workbench.rendering.mapping import device_radii
 from workbench.widgets.canvas_overlay import Handle
 
 Curve = NDArray[np.float64]

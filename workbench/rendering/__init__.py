@@ -1,7 +1,8 @@
 """Document to frame buffer and display list, through the viewing pipeline; and why a pixel is as it is."""
 
+from workbench.rendering.clipping import clip_box, clipper_calls, clipper_of
 from workbench.rendering.display_list import Stroke, display_list, unshown
-from workbench.rendering.pipeline import Call, device_map
+from workbench.rendering.mapping import Call, device_map
 from workbench.rendering.raster import arguments, emitted, figure_calls, frame_buffer, painter_of
 from workbench.rendering.why import Touch, why
 
@@ -10,6 +11,9 @@ __all__ = [
     "Stroke",
     "Touch",
     "arguments",
+    "clip_box",
+    "clipper_calls",
+    "clipper_of",
     "device_map",
     "display_list",
     "emitted",

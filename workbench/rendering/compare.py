@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from workbench.document.model import AnyFigure, Sheet
 from workbench.geometry.distance import circle_distance, ellipse_distance, line_distance, line_tie
-from workbench.rendering.pipeline import Call
+from workbench.rendering.mapping import Call
 from workbench.rendering.raster import emitted, figure_calls, pixels
 
 Cells = NDArray[np.int64]

@@ -1,17 +1,19 @@
 """A sheet as a display list: what a random-scan tube draws, one stroke after the other.
 
 Strokes are in device coordinates (pixels, float, not rounded: a vector tube has no pixels), clipped to the
-viewport. A filled area has no strokes and cannot be shown.
+viewport and to the clip window. Of a filled polygon, circle or ellipse the outline is drawn.
 """
 
 import itertools
 import math
 from typing import NamedTuple
 
-from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, SeedFill, Sheet
+from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, Polyline, SeedFill, Sheet
 from workbench.language import _
+from workbench.rendering.clipping import clip_box, ring_strokes, visible_rings, visible_segments
 from workbench.rendering.limits import clip_segment
-from workbench.rendering.pipeline import box, colour_of, device_map, device_radii, world_segments
+from workbench.rendering.mapping import Box, box, device_map, device_radii
+from workbench.rendering.pipeline import colour_of
 
 FLATNESS_PX = 0.05
 """Largest distance between a curve and the chords that stand for it."""
@@ -44,19 +46,29 @@ def _ellipse_chords(
 
 
 def _segments(sheet: Sheet, figure: AnyFigure, flatness: float) -> list[tuple[float, float, float, float]]:
-    scale = device_map(sheet)
     if isinstance(figure, Line | Polyline):
-        return [(*scale.point(x0, y0), *scale.point(x1, y1)) for x0, y0, x1, y1 in world_segments(figure)]
+        return list(visible_segments(sheet, figure))
+    if isinstance(figure, Polygon):
+        return [stroke for ring in visible_rings(sheet, figure) for stroke in ring_strokes(ring)]
+    scale = device_map(sheet)
     if isinstance(figure, Circle | Ellipse) and figure.points_world:
         centre = scale.point(figure.points_world[0].x, figure.points_world[0].y)
         return _ellipse_chords(*centre, *device_radii(sheet, figure), flatness)
     return []
 
 
+def _bounds(sheet: Sheet) -> Box:
+    """What of the viewport the clip window leaves; lines and polygons have been clipped to it already."""
+    view, clip = box(sheet.viewport_device), clip_box(sheet)
+    if clip is None:
+        return view
+    return max(view[0], clip[0]), max(view[1], clip[1]), min(view[2], clip[2]), min(view[3], clip[3])
+
+
 def display_list(sheet: Sheet, flatness_px: float = FLATNESS_PX) -> list[Stroke]:
     """The strokes of every visible figure from back to front; a seed fill has none (see ``unshown``)."""
     strokes: list[Stroke] = []
-    bounds = box(sheet.viewport_device)
+    bounds = _bounds(sheet)
     for index, figure in enumerate(sheet.figures):
         if not figure.visible:
             continue

@@ -1,8 +1,11 @@
 """How far outside the picture an algorithm is let walk.
 
-A scan conversion visits every pixel of its figure, seen or not. A line that reaches further than ``REACH_PX``
-beyond the picture is cut there first; cutting nearer would change its slope in the picture by rounding.
+A scan conversion visits every pixel of its figure, seen or not. What reaches further than ``REACH_PX`` beyond
+the picture is cut there first; cutting nearer would change a line's slope in the picture by rounding.
 """
+
+import numpy as np
+from numpy.typing import NDArray
 
 REACH_PX = 1 << 14
 
@@ -33,3 +36,29 @@ def within_reach(
 ) -> tuple[float, float, float, float] | None:
     """A device segment, cut where it leaves the reach of a picture ; None when it never comes near."""
     return clip_segment(x0, y0, x1, y1, -REACH_PX, -REACH_PX, width + REACH_PX, height + REACH_PX)
+
+
+def clip_ring(ring: NDArray[np.float64], width: int, height: int) -> NDArray[np.float64]:
+    """A ring (n, 2) of device points, cut where it leaves the reach of a picture; one inside is unchanged.
+
+    What lies beyond is folded onto the edge of the reach, so that insides stay as they were within it.
+    """
+    for axis, size in ((0, width), (1, height)):
+        for sign, bound in ((-1.0, REACH_PX), (1.0, size + REACH_PX)):
+            beyond = sign * ring[:, axis] > bound
+            if beyond.any():
+                ring = _cut(ring, beyond, axis, sign * bound)
+    return ring
+
+
+def _cut(ring: NDArray[np.float64], beyond: NDArray[np.bool_], axis: int, at: float) -> NDArray[np.float64]:
+    kept: list[NDArray[np.float64]] = []
+    for k in range(len(ring)):
+        if beyond[k - 1] != beyond[k]:
+            a, b = ring[k - 1], ring[k]
+            crossing = a + (b - a) * ((at - a[axis]) / (b[axis] - a[axis]))
+            crossing[axis] = at
+            kept.append(crossing)
+        if not beyond[k]:
+            kept.append(ring[k])
+    return np.array(kept, np.float64).reshape(-1, 2)

@@ -4,6 +4,7 @@ What a call emits is kept by value (algorithm and arguments), so that moving one
 algorithm. The plain reading serves for short runs and until a kernel is ready; nothing here compiles.
 """
 
+import math
 import sys
 from collections.abc import Callable, Iterator
 from functools import lru_cache
@@ -16,7 +17,9 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry
 from workbench.document.model import AnyFigure, Sheet
 from workbench.geometry.conventions import round_half_up
-from workbench.rendering.pipeline import Call, calls, colour_of, fills
+from workbench.rendering.clipping import clip_box, clipper_of
+from workbench.rendering.mapping import Call
+from workbench.rendering.pipeline import calls, colour_of, fills
 
 Emitted = NDArray[np.float64] | NDArray[np.int64]
 Function = Callable[..., Iterator[tuple[Any, ...]]]
@@ -34,8 +37,10 @@ class Composite(NamedTuple):
 
 def _expected_length(arguments: tuple[Any, ...]) -> int:
     sizes = [abs(a) for a in arguments if isinstance(a, int)]
-    images = [a.size for a in arguments if isinstance(a, np.ndarray)]
-    return max([4 * size for size in sizes] + images, default=0)
+    arrays = [a for a in arguments if isinstance(a, np.ndarray)]
+    images = [a.size for a in arrays]
+    rows = [int(np.ptp(a[:, 1])) for a in arrays if a.dtype == np.float64 and a.ndim == 2 and len(a)]
+    return max([4 * size for size in sizes + rows] + images, default=0)
 
 
 def _run(function: Function, compilable: bool, arguments: tuple[Any, ...]) -> Emitted:
@@ -116,6 +121,20 @@ def viewport_bounds(sheet: Sheet) -> tuple[int, int, int, int]:
     )
 
 
+def seen_bounds(sheet: Sheet, figure: AnyFigure) -> tuple[int, int, int, int]:
+    """As ``viewport_bounds``; and for a figure that no algorithm clips, within the clip window."""
+    bounds, clip = viewport_bounds(sheet), clip_box(sheet)
+    if clip is None or clipper_of(sheet, figure):
+        return bounds
+    low_x, low_y, high_x, high_y = clip
+    return (
+        max(bounds[0], math.ceil(low_x)),
+        min(bounds[1], math.floor(high_x)),
+        max(bounds[2], math.ceil(low_y)),
+        min(bounds[3], math.floor(high_y)),
+    )
+
+
 def _blend(image: NDArray[np.uint32], x: Any, y: Any, coverage: NDArray[Any], colour: int) -> None:
     share = coverage.astype(np.float64)
     mixed = np.zeros(len(share), dtype=np.uint32)
@@ -130,7 +149,7 @@ def _blend(image: NDArray[np.uint32], x: Any, y: Any, coverage: NDArray[Any], co
 def _paint(sheet: Sheet, index: int, figure: AnyFigure, onto: Composite) -> None:
     below = onto.image if fills(figure) else None
     colour = colour_of(sheet, figure)
-    x_first, x_last, y_first, y_last = viewport_bounds(sheet)
+    x_first, x_last, y_first, y_last = seen_bounds(sheet, figure)
     for call in calls(sheet, figure, below=below):
         rows = emitted(call)
         xy = pixels(call.entry, rows)

@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from workbench.document.model import Sheet
-from workbench.rendering.pipeline import Call
-from workbench.rendering.raster import emitted, figure_calls, painter_of, viewport_bounds
+from workbench.rendering.mapping import Call
+from workbench.rendering.raster import emitted, figure_calls, painter_of, seen_bounds
 
 
 class Touch(NamedTuple):
@@ -38,12 +38,10 @@ def _emissions(call: Call, x: int, y: int) -> list[int]:
 
 def why(sheet: Sheet, x: int, y: int) -> list[Touch]:
     """Every emission on device pixel (x, y), in the order of painting; empty when no figure touched it."""
-    x_first, x_last, y_first, y_last = viewport_bounds(sheet)
-    if not (x_first <= x <= x_last and y_first <= y <= y_last):
-        return []
     touches: list[Touch] = []
     for index, figure in enumerate(sheet.figures):
-        if not figure.visible:
+        x_first, x_last, y_first, y_last = seen_bounds(sheet, figure)
+        if not figure.visible or not (x_first <= x <= x_last and y_first <= y <= y_last):
             continue
         for number, call in enumerate(figure_calls(sheet, figure)):
             touches.extend(

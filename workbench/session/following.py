@@ -4,7 +4,9 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer
 
-from workbench.rendering.pipeline import Call
+from workbench.document.model import LINE_CLIPPERS
+from workbench.rendering.clipping import clipper_calls, clipper_of
+from workbench.rendering.mapping import Call
 from workbench.rendering.raster import figure_calls
 from workbench.session.run import Run
 
@@ -28,7 +30,10 @@ class Following(QObject):
         """Follow what is active now."""
         session, state = self._session, self._session.state
         figure = session.active_figure
-        calls = [] if figure is None else figure_calls(session.sheet, figure)
+        clips = state.stepped == "clipper"
+        calls: list[Call] = []
+        if figure is not None:
+            calls = (clipper_calls if clips else figure_calls)(session.sheet, figure)
         another = figure is not None and figure.id != self._run.figure_id
         self._telling = True
         try:
@@ -41,7 +46,10 @@ class Following(QObject):
         finally:
             self._telling = False
         other: list[Call] = []
-        if figure is not None and state.compare in figure.algorithms and state.compare != figure.algorithm:
+        if figure is not None and clips:
+            if state.compare in LINE_CLIPPERS and clipper_of(session.sheet, figure) in LINE_CLIPPERS:
+                other = clipper_calls(session.sheet, figure, state.compare)
+        elif figure is not None and state.compare in figure.algorithms and state.compare != figure.algorithm:
             other = figure_calls(session.sheet, figure, state.compare)
         self._follow(self._follower, other, "" if figure is None else figure.id)
         self._lock()

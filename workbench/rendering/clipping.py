@@ -1,0 +1,114 @@
+"""Clipping before scan conversion: a sheet's clip window, and the chosen clippers at work on its figures.
+
+Coordinates are those of the device, not rounded. Lines and polygons are clipped by the texts of the
+catalogue; the pixels of all other figures are left out where their centres lie outside the window.
+"""
+
+from collections.abc import Iterable
+from functools import lru_cache
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms import catalogue
+from workbench.document.model import AnyFigure, Line, Polygon, Polyline, Sheet
+from workbench.rendering.limits import clip_ring, within_reach
+from workbench.rendering.mapping import Box, Call, device_map, device_rings, device_segments
+
+Segment = tuple[float, float, float, float]
+Ring = NDArray[np.float64]
+
+
+def clip_box(sheet: Sheet) -> Box | None:
+    """The clip window (xmin, ymin, xmax, ymax) in device coordinates; None where nothing is clipped."""
+    if sheet.clip_world is None:
+        return None
+    scale, window = device_map(sheet), sheet.clip_world
+    x0, y0 = scale.point(window.xmin, window.ymin)
+    x1, y1 = scale.point(window.xmax, window.ymax)
+    return min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1)
+
+
+def clipper_of(sheet: Sheet, figure: AnyFigure) -> str:
+    """The slug of the algorithm that clips this figure; empty where none does."""
+    if isinstance(figure, Line | Polyline):
+        return sheet.line_clipper
+    return sheet.polygon_clipper if isinstance(figure, Polygon) else ""
+
+
+def clipper_calls(sheet: Sheet, figure: AnyFigure, clipper: str | None = None) -> list[Call]:
+    """The runs that clip a figure, one per segment or ring, by the sheet's clipper or by another.
+
+    None for figures that are clipped pixel by pixel, or without a clip window. Raises LookupError when the
+    catalogue has no such algorithm.
+    """
+    window, slug = clip_box(sheet), clipper or clipper_of(sheet, figure)
+    if window is None or not slug:
+        return []
+    entry = catalogue.get(slug)
+    if isinstance(figure, Line | Polyline):
+        return [Call(entry, (*segment, *window)) for segment in device_segments(sheet, figure)]
+    if isinstance(figure, Polygon):
+        return [Call(entry, (ring, *window)) for ring in device_rings(sheet, figure)]
+    return []
+
+
+@lru_cache(maxsize=4096)
+def _clipped_segment(slug: str, segment: Segment, window: Box) -> tuple[Segment, ...]:
+    return tuple(
+        (float(x0), float(y0), float(x1), float(y1))
+        for x0, y0, x1, y1 in catalogue.get(slug).function(*segment, *window)
+    )
+
+
+def visible_segments(sheet: Sheet, figure: Line | Polyline) -> Iterable[Segment]:
+    """What of each segment is left to be drawn, device coordinates."""
+    window = clip_box(sheet)
+    for segment in device_segments(sheet, figure):
+        if window is None:
+            yield segment
+        else:
+            yield from _clipped_segment(sheet.line_clipper, segment, window)
+
+
+def visible_rings(sheet: Sheet, figure: Polygon) -> list[Ring]:
+    """The rings (n, 2) that are left to be drawn, device coordinates."""
+    window = clip_box(sheet)
+    if window is None:
+        return device_rings(sheet, figure)
+    function = catalogue.get(sheet.polygon_clipper).function
+    clipped = (list(function(ring, *window)) for ring in device_rings(sheet, figure))
+    return [np.array(ring, np.float64) for ring in clipped if len(ring) > 2]
+
+
+def polygon_values(sheet: Sheet, figure: Polygon) -> dict[str, Any] | None:
+    """What a polygon's algorithm is given, by name; None where nothing of it is left.
+
+    What lies far outside the picture is cut off first, since each of its rows would be walked.
+    """
+    rings = [clip_ring(ring, sheet.width_px, sheet.height_px) for ring in visible_rings(sheet, figure)]
+    rings = [ring for ring in rings if len(ring) > 2]
+    if not rings:
+        return None
+    return {
+        "vertices": np.concatenate(rings),
+        "ring_ends": np.cumsum([len(ring) for ring in rings]).astype(np.int64),
+        "closed": figure.closed_interior,
+        "nonzero": figure.nonzero,
+    }
+
+
+def line_values(sheet: Sheet, figure: Line | Polyline) -> Iterable[Segment]:
+    """The ends, not rounded, of each segment that a line's algorithm is to draw."""
+    for segment in visible_segments(sheet, figure):
+        near = within_reach(*segment, sheet.width_px, sheet.height_px)
+        if near is not None:
+            yield near
+
+
+def ring_strokes(ring: Ring) -> list[Segment]:
+    """The sides of a ring, back to its first corner."""
+    closed = np.concatenate([ring, ring[:1]])
+    return [(*a, *b) for a, b in pairwise([(float(x), float(y)) for x, y in closed])]

@@ -1,0 +1,74 @@
+"""From the world to the device, before anything is clipped or rounded."""
+
+import itertools
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.entry import Entry
+from workbench.algorithms.viewing import window_to_viewport
+from workbench.document.model import Circle, Ellipse, Line, Polygon, Polyline, Rectangle, Sheet
+
+Box = tuple[float, float, float, float]
+"""A rectangle as (xmin, ymin, xmax, ymax)."""
+
+
+class DeviceMap(NamedTuple):
+    """The diagonal matrix from world to device: x_d = sx x_w + tx, y_d = sy y_w + ty (pixels)."""
+
+    sx: float
+    sy: float
+    tx: float
+    ty: float
+
+    def point(self, x: float, y: float) -> tuple[float, float]:
+        """Device coordinates of a world point, not yet rounded."""
+        return self.sx * x + self.tx, self.sy * y + self.ty
+
+
+class Call(NamedTuple):
+    """One run of an algorithm: the entry and what its function is given, in device coordinates."""
+
+    entry: Entry
+    arguments: tuple[Any, ...]
+
+
+def box(rectangle: Rectangle) -> Box:
+    """The sides of a rectangle in the order that the viewing functions take."""
+    return rectangle.xmin, rectangle.ymin, rectangle.xmax, rectangle.ymax
+
+
+@lru_cache(maxsize=64)
+def _device_map(window: Box, viewport: Box) -> DeviceMap:
+    matrix = window_to_viewport(window, viewport, False)
+    return DeviceMap(float(matrix[0, 0]), float(matrix[1, 1]), float(matrix[0, 2]), float(matrix[1, 2]))
+
+
+def device_map(sheet: Sheet) -> DeviceMap:
+    """The map from the sheet's window (world) to its viewport (device)."""
+    return _device_map(box(sheet.window_world), box(sheet.viewport_device))
+
+
+def device_segments(sheet: Sheet, figure: Line | Polyline) -> list[tuple[float, float, float, float]]:
+    """The segments (x0, y0, x1, y1) of a line or polyline, device coordinates."""
+    scale = device_map(sheet)
+    points = [scale.point(point.x, point.y) for point in figure.points_world]
+    if isinstance(figure, Polyline) and figure.closed and len(points) > 2:
+        points.append(points[0])
+    return [(*a, *b) for a, b in itertools.pairwise(points)]
+
+
+def device_rings(sheet: Sheet, figure: Polygon) -> list[NDArray[np.float64]]:
+    """The rings of a polygon, each (n, 2), device coordinates."""
+    scale = device_map(sheet)
+    return [np.array([scale.point(p.x, p.y) for p in ring], np.float64) for ring in figure.rings]
+
+
+def device_radii(sheet: Sheet, figure: Circle | Ellipse) -> tuple[float, float]:
+    """Radii in pixels along x and y, not yet rounded."""
+    scale = device_map(sheet)
+    if isinstance(figure, Circle):
+        return abs(scale.sx) * figure.radius_world, abs(scale.sy) * figure.radius_world
+    return abs(scale.sx) * figure.radius_x_world, abs(scale.sy) * figure.radius_y_world
