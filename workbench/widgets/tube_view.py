@@ -103,19 +103,17 @@ class TubeView(QWidget):
         self.setMinimumSize(120, 110)
         title = _("Raster tube") if kind == "raster" else _("Vector tube")
         self.setAccessibleName(title)
-        self.setToolTip(
-            _("Click a point of the glass to measure its light over time.")
-            if kind == "raster"
-            else _("The beam draws the strokes of the display list one after the other.")
-        )
+        if kind == "raster":
+            hint = _("Click a point of the glass to measure its light over time.")
+        else:
+            hint = _("The beam draws the strokes of the display list one after the other.")
+        self.setToolTip(hint)
         theme.changed.connect(self.update)
         comfort.changed.connect(self._wake)
 
     def sizeHint(self) -> QSize:
         """A comfortable size for half a window."""
         return QSize(420, 360)
-
-    # What is shown
 
     def set_image(self, image: NDArray[np.uint32]) -> None:
         """Show a frame buffer (h, w), 0xRRGGBB, row 0 at the bottom; the old picture fades."""
@@ -155,8 +153,6 @@ class TubeView(QWidget):
     def setup(self) -> TubeSetup:
         """What the tube is set to."""
         return self._setup
-
-    # Time
 
     def set_slow_motion(self, factor: float) -> None:
         """Run ``factor`` times slower than life, 1 to 1,000,000."""
@@ -229,8 +225,6 @@ class TubeView(QWidget):
         self.update(self._glass.toAlignedRect())
         self.advanced.emit()
 
-    # Size
-
     def _face_px(self) -> tuple[int, int]:
         ratio = self.devicePixelRatioF()
         widest = _WIDEST_COLOUR_PX if self._setup.phosphor == COLOUR_TUBE else _WIDEST_PX
@@ -288,8 +282,6 @@ class TubeView(QWidget):
         """A tube that nobody sees costs nothing."""
         super().hideEvent(event)
         self._timer.stop()
-
-    # Places
 
     def _to_widget(self, x_mm: float, y_mm: float) -> QPointF:
         width, height = face_mm(self._picture)
@@ -369,8 +361,6 @@ class TubeView(QWidget):
         pixel = min(max(x + move[0], 0), self._picture[0] - 1), min(max(y + move[1], 0), self._picture[1] - 1)
         self.set_probe(pixel)
         self.probed.emit(*pixel)
-
-    # Painting
 
     @property
     def _beam_is_seen(self) -> bool:
