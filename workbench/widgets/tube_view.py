@@ -56,8 +56,7 @@ from workbench.widgets.tube_marks import paint_beam, paint_plate, paint_probe
 
 Kind = Literal["raster", "vector"]
 
-_FRAME_MS = 16
-_IDLE_MS = 250
+_FRAME_MS, _IDLE_MS = 16, 250
 _LONGEST_STEP_S = 0.1
 _WIDEST_PX = 520
 _WIDEST_COLOUR_PX = 380  # three guns with eight terms each: the state is six times as large
@@ -101,8 +100,7 @@ class TubeView(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(120, 110)
-        title = _("Raster tube") if kind == "raster" else _("Vector tube")
-        self.setAccessibleName(title)
+        self.setAccessibleName(_("Raster tube") if kind == "raster" else _("Vector tube"))
         if kind == "raster":
             hint = _("Click a point of the glass to measure its light over time.")
         else:
@@ -112,7 +110,7 @@ class TubeView(QWidget):
         comfort.changed.connect(self._wake)
 
     def sizeHint(self) -> QSize:
-        """A comfortable size for half a window."""
+        """Room for half a window."""
         return QSize(420, 360)
 
     def set_image(self, image: NDArray[np.uint32]) -> None:
