@@ -116,8 +116,9 @@ def _paint_handles(painter: QPainter, scene: Scene) -> None:
     handles = scene.overlay.handles
     if not handles:
         return
-    middle_x = sum(handle.x for handle in handles) / len(handles)
-    middle_y = sum(handle.y for handle in handles) / len(handles)
+    named = [handle for handle in handles if handle.name] or handles
+    middle_x = sum(handle.x for handle in named) / len(named)
+    middle_y = sum(handle.y for handle in named) / len(named)
     unit, tokens, area = scene.unit, scene.tokens, scene.area
     accent, surface, side = QColor(tokens.accent), QColor(tokens.surface), HANDLE * unit
     for handle in handles:
@@ -126,7 +127,11 @@ def _paint_handles(painter: QPainter, scene: Scene) -> None:
             continue
         painter.setPen(QPen(surface if handle.selected else accent, 1.5 * unit))
         painter.setBrush(accent if handle.selected else surface)
-        painter.drawEllipse(QPointF(x, y), side / 2, side / 2)
+        grip = QRectF(x - side / 2, y - side / 2, side, side)
+        if handle.square:
+            painter.drawRect(grip.adjusted(unit, unit, -unit, -unit))
+        else:
+            painter.drawEllipse(grip)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if handle.name:
             label = f"{handle.name} ({handle.x:g}, {handle.y:g})"

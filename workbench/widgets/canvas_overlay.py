@@ -5,6 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.widgets.canvas_drawing import Drawn
+
 Cell = tuple[int, int]
 
 ONLY_FIRST, ONLY_SECOND, BOTH, TIE_FIRST, TIE_SECOND = 1, 2, 3, 4, 5
@@ -12,13 +14,17 @@ ONLY_FIRST, ONLY_SECOND, BOTH, TIE_FIRST, TIE_SECOND = 1, 2, 3, 4, 5
 
 @dataclass(frozen=True, slots=True)
 class Handle:
-    """A point that can be grabbed. ``id`` comes back with the signals, ``name`` is written beside it."""
+    """A point that can be grabbed. ``id`` comes back with the signals, ``name`` is written beside it.
+
+    ``square`` tells the grips of a frame from those of a figure.
+    """
 
     id: str
     name: str
     x: float
     y: float
     selected: bool = False
+    square: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,6 +36,7 @@ class Overlay:
     compares two algorithms: 0 neither, ONLY_FIRST, ONLY_SECOND, BOTH, and TIE_FIRST, TIE_SECOND where the
     ideal curve passes exactly half way. ``ideal`` are open polylines, each (n, 2), thin in muted;
     ``outlined`` the same in accent for what is selected. ``snap`` is the cell the pointer has snapped to.
+    ``drawn`` is an algorithm's construction, under the marks and over the picture.
     """
 
     candidates: tuple[Cell, ...] = ()
@@ -43,6 +50,7 @@ class Overlay:
     handles: tuple[Handle, ...] = ()
     classes: NDArray[np.uint8] | None = None
     snap: Cell | None = None
+    drawn: tuple[Drawn, ...] = ()
 
 
 def compare_classes(

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen, QPolygonF
 
+from workbench.widgets.canvas_drawing import paint_drawn
 from workbench.widgets.canvas_marks import paint_marks
 from workbench.widgets.canvas_overlay import BOTH, ONLY_FIRST, ONLY_SECOND, TIE_FIRST, TIE_SECOND, Overlay
 from workbench.widgets.canvas_view import Area, CanvasView, label_step
@@ -102,6 +103,7 @@ def paint_scene(painter: QPainter, picture: Picture, scene: Scene) -> None:
         _paint_grid(painter, scene, seen)
     _paint_edge(painter, scene)
     _paint_curves(painter, scene)
+    paint_drawn(painter, scene, scene.overlay.drawn)
     paint_marks(painter, scene)
     painter.restore()
 

@@ -1,0 +1,174 @@
+"""What an algorithm's construction looks like on a canvas: strokes, areas, spots and words, as values.
+
+Everything is in device coordinates; ``ink`` names a colour of the theme: "text", "accent", "muted", "error",
+or "data 1" to "data 6". A pattern or a shape stands beside every colour.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+
+from workbench.widgets.tokens import Tokens, colour
+
+if TYPE_CHECKING:
+    from workbench.widgets.canvas_painter import Scene
+
+Points = NDArray[np.float64]
+Pattern = Literal["solid", "dash", "dot"]
+Shape = Literal["dot", "ring", "square", "cross"]
+
+_PATTERNS = {
+    "solid": Qt.PenStyle.SolidLine,
+    "dash": Qt.PenStyle.DashLine,
+    "dot": Qt.PenStyle.DotLine,
+}
+_SPOT = 8
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stroke:
+    """A polyline (n, 2), ``width`` logical pixels wide; ``haloed`` keeps it clear of what it crosses."""
+
+    points: Points
+    ink: str = "text"
+    width: float = 1.5
+    pattern: Pattern = "solid"
+    haloed: bool = False
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Region:
+    """The inside of a polygon (n, 2), filled by a share of its colour, 0 to 255."""
+
+    points: Points
+    ink: str = "accent"
+    alpha: int = 32
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """One place, marked by a shape of ``size`` logical pixels."""
+
+    x: float
+    y: float
+    ink: str = "text"
+    shape: Shape = "dot"
+    size: float = _SPOT
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A text beside a place (``right``, ``up``: 1, -1, or 0 for the middle), on a card when ``carded``."""
+
+    text: str
+    x: float
+    y: float
+    ink: str = "text"
+    right: int = 0
+    up: int = 0
+    carded: bool = False
+    strong: bool = False
+
+
+Drawn = Stroke | Region | Spot | Word
+
+
+def ink_of(tokens: Tokens, name: str) -> str:
+    """The colour that a name of an ink stands for."""
+    if name.startswith("data "):
+        return tokens.data[int(name[5:]) - 1]
+    return str(getattr(tokens, name))
+
+
+def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Drawn, ...]) -> None:
+    """Paint them in the order given."""
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    for each in drawn:
+        match each:
+            case Stroke():
+                _stroke(painter, scene, each)
+            case Region():
+                painter.setPen(Qt.PenStyle.NoPen)
+                painter.setBrush(colour(ink_of(scene.tokens, each.ink), each.alpha))
+                painter.drawPolygon(_on_screen(scene, each.points))
+                painter.setBrush(Qt.BrushStyle.NoBrush)
+            case Spot():
+                _spot(painter, scene, each)
+            case Word():
+                _word(painter, scene, each)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+
+
+def _on_screen(scene: Scene, points: Points) -> QPolygonF:
+    far = 1e6
+    return QPolygonF(
+        [
+            QPointF(min(max(x, -far), far), min(max(y, -far), far))
+            for x, y in (scene.view.to_screen(*point) for point in points.tolist())
+        ]
+    )
+
+
+def _stroke(painter: QPainter, scene: Scene, stroke: Stroke) -> None:
+    line = _on_screen(scene, stroke.points)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    if stroke.haloed:
+        painter.setPen(QPen(QColor(scene.tokens.canvas), (stroke.width + 2.5) * scene.unit))
+        painter.drawPolyline(line)
+    pen = QPen(QColor(ink_of(scene.tokens, stroke.ink)), stroke.width * scene.unit, _PATTERNS[stroke.pattern])
+    pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+    painter.setPen(pen)
+    painter.drawPolyline(line)
+
+
+def _spot(painter: QPainter, scene: Scene, spot: Spot) -> None:
+    x, y = scene.view.to_screen(spot.x, spot.y)
+    half = spot.size * scene.unit / 2
+    box = QRectF(x - half, y - half, 2 * half, 2 * half)
+    ink, ground = QColor(ink_of(scene.tokens, spot.ink)), QColor(scene.tokens.canvas)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    if spot.shape == "cross":
+        for pen in (QPen(ground, 4.5 * scene.unit), QPen(ink, 2 * scene.unit)):
+            painter.setPen(pen)
+            painter.drawLine(box.topLeft(), box.bottomRight())
+            painter.drawLine(box.topRight(), box.bottomLeft())
+        return
+    wide = 2 * scene.unit
+    painter.setPen(QPen(ground, wide))
+    painter.drawEllipse(box.adjusted(-wide, -wide, wide, wide))
+    painter.setPen(QPen(ink, wide))
+    painter.setBrush(ground if spot.shape == "ring" else ink)
+    if spot.shape == "square":
+        painter.drawRect(box)
+    else:
+        painter.drawEllipse(box)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def _word(painter: QPainter, scene: Scene, word: Word) -> None:
+    font = scene.caption()
+    font.setBold(word.strong)
+    metrics = QFontMetricsF(font)
+    pad = 3 * scene.unit
+    wide, high = metrics.horizontalAdvance(word.text) + 2 * pad, metrics.height() + pad
+    x, y = scene.view.to_screen(word.x, word.y)
+    away = 7 * scene.unit
+    left = x + word.right * away - wide * (1 - word.right) / 2
+    top = y - word.up * away - high * (1 + word.up) / 2
+    area = scene.area
+    left = min(max(left, area.left + pad), area.right - wide - pad)
+    top = min(max(top, area.top + pad), area.bottom - high - pad)
+    if word.carded:
+        painter.setPen(QPen(QColor(ink_of(scene.tokens, word.ink)), scene.unit))
+        painter.setBrush(colour(scene.tokens.raised, 235))
+        painter.drawRoundedRect(QRectF(left, top, wide, high), pad, pad)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setFont(font)
+    painter.setPen(QColor(ink_of(scene.tokens, word.ink)))
+    painter.drawText(QPointF(left + pad, top + pad / 2 + metrics.ascent()), word.text)
