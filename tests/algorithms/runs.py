@@ -16,6 +16,7 @@ _pictures = st.tuples(st.integers(1, 6), st.integers(1, 6)).flatmap(
     lambda shape: arrays(np.int64, shape, elements=st.integers(0, 3))
 )
 _fills = st.tuples(_pictures, st.integers(-1, 6), st.integers(-1, 6), st.just(2), st.just(1))
+_floods = st.tuples(_pictures, st.integers(-1, 6), st.integers(-1, 6), st.just(2))
 
 
 @st.composite
@@ -38,6 +39,11 @@ STRATEGIES: dict[str, st.SearchStrategy[tuple[Any, ...]]] = {
     "midpoint_circle": st.tuples(near, near, radius),
     "midpoint_ellipse": st.tuples(near, near, radius, radius),
     "boundary_fill_4": _fills,
+    "boundary_fill_8": _fills,
+    "boundary_fill_recursive": _fills,
+    "boundary_fill_spans": _fills,
+    "flood_fill_4": _floods,
+    "flood_fill_8": _floods,
     "depth_buffer": _scenes(),
 }
 

@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry, Parameter, View
-from workbench.algorithms.seed_fill.example import RING
+from workbench.algorithms.entry import Entry
+from workbench.algorithms.seed_fill.example import BOUNDED
+from workbench.algorithms.seed_fill.stack_views import BOUNDARY_VIEWS, COLUMNS
 
 
 def boundary_fill_4(
@@ -56,73 +57,16 @@ def boundary_fill_4(
                 yield next_x, next_y
 
 
-_PIXEL = "((next_x, next_y),)"
-_STACK = {"Stack": ("stack", ("x", "y"))}
-_DECIDE = "Colour it and push it, unless it is boundary or filled"
-
 ENTRY = Entry(
     function=boundary_fill_4,
     topic="seed_fill",
     title="Boundary fill, 4-connected",
     summary="Colours outwards from a seed until the boundary stops it, with its own stack for the recursion.",
-    parameters=(
-        Parameter("image", "image", "image", RING, meaning="the picture, filled in place"),
-        Parameter("x", "x", "int", 5, 0, 32767, "px", "seed, column"),
-        Parameter("y", "y", "int", 5, 0, 32767, "px", "seed, row"),
-        Parameter("fill", "fill", "colour", 2, 0, 0xFFFFFF, meaning="colour to fill with"),
-        Parameter("boundary", "boundary", "colour", 1, 0, 0xFFFFFF, meaning="colour that stops the fill"),
-    ),
+    parameters=BOUNDED,
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
-    columns=("pixel", "neighbour", "its colour", "pushed", "stack"),
-    views=(
-        View(
-            block="Test the seed",
-            when="colour == boundary or colour == fill",
-            rejected="((x, y),)",
-            considers="(x, y)",
-            sentence="The seed {(x, y)} has colour {colour}, so there is nothing to fill.",
-        ),
-        View(
-            block="Test the seed", considers="(x, y)", sentence="The seed {(x, y)} has colour {colour}: go."
-        ),
-        View(block="Colour the seed and push it", chosen="((x, y),)", tables=_STACK),
-        View(
-            block="Take a pixel from the stack",
-            tables=_STACK,
-            sentence="Take {(x, y)} from the stack; {len(stack)} are left.",
-        ),
-        View(
-            block=_DECIDE,
-            when="colour == boundary",
-            candidates=_PIXEL,
-            rejected=_PIXEL,
-            row="((x, y), (next_x, next_y), colour, 0, len(stack))",
-            tables=_STACK,
-            considers="(next_x, next_y)",
-            sentence="{(next_x, next_y)} beside {(x, y)} is boundary: leave it.",
-        ),
-        View(
-            block=_DECIDE,
-            when="colour == fill",
-            candidates=_PIXEL,
-            rejected=_PIXEL,
-            row="((x, y), (next_x, next_y), colour, 0, len(stack))",
-            tables=_STACK,
-            considers="(next_x, next_y)",
-            sentence="{(next_x, next_y)} beside {(x, y)} has been filled already: leave it.",
-        ),
-        View(
-            block=_DECIDE,
-            candidates=_PIXEL,
-            chosen=_PIXEL,
-            row="((x, y), (next_x, next_y), colour, 1, len(stack))",
-            tables=_STACK,
-            considers="(next_x, next_y)",
-            sentence="{(next_x, next_y)} beside {(x, y)} has colour {colour}, neither boundary nor "
-            "filled: colour it and push it, {len(stack)} on the stack.",
-        ),
-    ),
+    columns=COLUMNS,
+    views=BOUNDARY_VIEWS,
     laws=(
         "What is coloured is the 4-connected region of the seed among all that is neither boundary nor "
         "filled.",
@@ -134,5 +78,6 @@ ENTRY = Entry(
     ),
     questions=(3,),
     labs=("Boundary fill",),
+    next_rung="boundary_fill_8",
     writes="image",
 )

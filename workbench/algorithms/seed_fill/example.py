@@ -1,7 +1,9 @@
-"""A ring with two pixels of boundary inside it, as the example of the seed fills."""
+"""What the seed fills take, with a ring and two pixels of boundary inside it as their example."""
 
 import numpy as np
 from numpy.typing import NDArray
+
+from workbench.algorithms.entry import Parameter
 
 
 def picture(*rows: str) -> NDArray[np.int64]:
@@ -19,4 +21,15 @@ RING = picture(
     "0110001100",
     "0011111000",
     "0000000000",
+)
+
+FLOOD = (
+    Parameter("image", "image", "image", RING, meaning="the picture, filled in place"),
+    Parameter("x", "x", "int", 5, 0, 32767, "px", "seed, column"),
+    Parameter("y", "y", "int", 5, 0, 32767, "px", "seed, row"),
+    Parameter("fill", "fill", "colour", 2, 0, 0xFFFFFF, meaning="colour to fill with"),
+)
+BOUNDED = (
+    *FLOOD,
+    Parameter("boundary", "boundary", "colour", 1, 0, 0xFFFFFF, meaning="colour that stops the fill"),
 )
