@@ -15,8 +15,8 @@ Curve = NDArray[np.float64]
 
 
 def outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
-    """The figure as open polylines, each (n, 2), clipped to the viewport."""
-    return _outline(replace(sheet, figures=(figure,)))
+    """The whole figure as open polylines, each (n, 2), clipped to the viewport alone."""
+    return _outline(replace(sheet, figures=(figure,), clip_world=None))
 
 
 @lru_cache(maxsize=2048)

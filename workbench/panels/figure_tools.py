@@ -4,7 +4,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 
 from workbench.document.edits import add_figure, move_figures
-from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, WorldPoint
+from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, Polyline, WorldPoint
 from workbench.geometry.conventions import round_half_up
 from workbench.language import _
 from workbench.panels.figure_gesture import Cell, Modifiers, Tool, radius_between, snapped, span_text
@@ -91,7 +91,7 @@ class SelectTool(Tool):
 class FigureTool(Tool):
     """Draws a figure by dragging, or by two clicks; ``algorithm`` is what new figures are drawn by."""
 
-    kind: type[Line] | type[Polyline] | type[Circle] | type[Ellipse] = Line
+    kind: type[Line] | type[Polyline] | type[Polygon] | type[Circle] | type[Ellipse] = Line
 
     def __init__(self, session: Session) -> None:
         super().__init__(session)
@@ -236,7 +236,8 @@ class EllipseTool(FigureTool):
 class PolylineTool(FigureTool):
     """Draws polylines click by click; a click on the first point closes, one on the last or Enter ends."""
 
-    name, icon, key, kind = "polyline", "polygon", "P", Polyline
+    name, icon, key = "polyline", "path", "P"
+    kind: type[Polyline] | type[Polygon] = Polyline
 
     def __init__(self, session: Session) -> None:
         super().__init__(session)
@@ -285,3 +286,40 @@ class PolylineTool(FigureTool):
         if len(kept) < 2:
             return None
         return Polyline("", self.points(kept), self.algorithm, self.next_colour(), closed=self._closed)
+
+
+class PolygonTool(PolylineTool):
+    """Draws polygons corner by corner; a click on the first or the last corner, or Enter, ends."""
+
+    name, icon, key = "polygon", "polygon", "G"
+    kind = Polygon
+
+    @property
+    def title(self) -> str:
+        """What it is called."""
+        return _("Polygon")
+
+    def _make(self, cells: list[Cell]) -> None:
+        scale = device_map(self.session.sheet)
+        ends = [scale.point(*self.world(cell)) for cell in cells]
+        self.band = np.array(ends, np.float64) if len(set(cells)) < 3 else None
+        super()._make(cells)
+
+    def finish(self) -> None:
+        """End the polygon with the corners so far; fewer than three make none."""
+        if self.busy and len(set(self._cells)) < 3:
+            self.cancel()
+            self.failed.emit(_("A polygon needs three corners; click at least three places."))
+        else:
+            super().finish()
+
+    def _end(self) -> None:
+        self.band = None
+        super()._end()
+
+    def figure(self, cells: list[Cell]) -> AnyFigure | None:
+        """A polygon with the cells as corners, none twice running."""
+        kept = [cell for k, cell in enumerate(cells) if k == 0 or cell != cells[k - 1]]
+        if len(set(kept)) < 3:
+            return None
+        return Polygon("", self.points(kept), self.algorithm, self.next_colour())
