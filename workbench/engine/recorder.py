@@ -26,6 +26,7 @@ from workbench.engine.recording import Failure, Recording
 LIMIT = 1_000_000
 _YIELD = opmap["YIELD_VALUE"]
 _SLICE = 512
+_TURN_S = 0.0005
 _NUMBERS = frozenset((int, float, bool, type(None)))
 _NO_GLOBALS: dict[str, Any] = {}
 
@@ -228,6 +229,31 @@ class _Tracer:
         return Failure(exception, line, function, depth, isinstance(exception, RecursionError))
 
 
+class _ShortTurns:
+    """Makes threads take turns often while any recorder runs, so that an interface need not wait."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._running = 0
+        self._before = 0.0
+
+    def __enter__(self) -> None:
+        with self._lock:
+            if not self._running:
+                self._before = sys.getswitchinterval()
+                sys.setswitchinterval(min(self._before, _TURN_S))
+            self._running += 1
+
+    def __exit__(self, *_raised: object) -> None:
+        with self._lock:
+            self._running -= 1
+            if not self._running:
+                sys.setswitchinterval(self._before)
+
+
+_short_turns = _ShortTurns()
+
+
 @contextmanager
 def _tracing(trace: Any) -> Iterator[None]:
     before = sys.gettrace()
@@ -257,6 +283,11 @@ def _run(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[An
     except Exception as exception:
         recording.error = tracer.failure(exception)
         exception.__traceback__ = None
+
+
+def _run_beside(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]]) -> None:
+    with _short_turns:
+        _run(tracer, function, calls)
 
 
 def record(

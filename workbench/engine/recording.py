@@ -179,6 +179,15 @@ class Recording:
         frames = self.frames
         return np.frombuffer(self.frame_texts[:], np.uint16)[frames]
 
+    def ran_between(self, first: int, last: int) -> frozenset[tuple[str, int]]:
+        """(function, line) of the events ``first`` to ``last`` (left out)."""
+        last = min(last, self.count)
+        lines = np.frombuffer(self.line_column[first:last], np.uint32)
+        frames = np.frombuffer(self.frame_column[first:last], np.uint32)
+        texts = np.frombuffer(self.frame_texts[:], np.uint16)[frames]
+        found = np.unique(texts.astype(np.uint64) << np.uint64(32) | lines).tolist()
+        return frozenset((self.texts[each >> 32].name, each & 0xFFFFFFFF) for each in found)
+
     def event_at(self, emission: int) -> int:
         """The line event that emitted number ``emission``."""
         return int(self.emitted.events(emission, emission + 1)[0]) - 1

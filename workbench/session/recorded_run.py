@@ -17,6 +17,7 @@ from workbench.session.collecting import collect_here
 
 DEPTH_LIMIT = 900
 _LOOK_MS = 16
+_LONG_LOOK_MS = 60
 _FIRST_LOOK_MS = 2
 _LONG = 50_000
 
@@ -150,31 +151,38 @@ class RecordedRun(QObject):
             self._look.stop()
             return
         done = recorder.done
-        if done or self._look.interval() == _FIRST_LOOK_MS:
-            self._look.setInterval(_LOOK_MS)
+        if not self._held:
+            recorder.hold()
+            QTimer.singleShot(0, lambda: self._release(recorder))
+        long = recorder.recording.count > _LONG
+        self._look.setInterval(_LONG_LOOK_MS if long else _LOOK_MS)
         self.steps.update()
         if done:
             self._look.stop()
             self.total_steps = len(self.steps) if recorder.recording.complete else self.total_steps
             if not recorder.recording.complete:
                 self._find_total()
-        elif recorder.recording.count > _LONG:
+        elif long:
             self._find_total()
         self.grown.emit()
         self._recorded(done)
 
+    def _release(self, recorder: Recorder) -> None:
+        """Let it go on, after what was shown of it, unless the run is held."""
+        if not self._held:
+            recorder.go_on()
+
     def _find_total(self) -> None:
         """Ask the compiled reading for the number of steps, on another thread, if it needs no compilation."""
         entry, recorder, calls = self.entry, self._recorder, self.calls
-        if entry is None or entry.compiles or not compiled.available() or self.total_steps is not None:
-            return
-        if recorder is self._counted or not _counting_is_ready(entry):
+        if entry is None or entry.compiles or self.total_steps is not None or recorder is self._counted:
             return
         self._counted = recorder
 
         def count() -> None:
-            total = sum(counts.step_total(entry, *call, compiling=False) for call in calls)
-            self._total_found.emit(recorder, total)
+            if compiled.available() and _counting_is_ready(entry):
+                total = sum(counts.step_total(entry, *call, compiling=False) for call in calls)
+                self._total_found.emit(recorder, total)
 
         threading.Thread(target=count, name="count steps", daemon=True).start()
 

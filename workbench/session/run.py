@@ -14,11 +14,13 @@ from workbench.engine.columns import EmittedSoFar
 from workbench.engine.observation import Step
 from workbench.engine.recording import Moment
 from workbench.engine.sentences import Part
+from workbench.session.emissions import painted, touching
 from workbench.session.recorded_run import RecordedRun, same_value
 
 SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
 _FASTEST_TICK_MS = 33
 _FAR = 2**53
+_MOST_LINES = 100_000
 
 
 class Run(RecordedRun):
@@ -201,34 +203,16 @@ class Run(RecordedRun):
         if self.detail:
             return frozenset(((moment.function, moment.line),))
         first, last = self.steps.span(self._position)
-        names = [text.name for text in self.recording.texts]
-        last = min(last, first + 100_000)
-        pairs = np.unique(
-            np.stack([self.recording.codes[first : last + 1], self.recording.lines[first : last + 1]]), axis=1
-        )
-        return frozenset((names[code], int(line)) for code, line in pairs.T)
+        return self.recording.ran_between(first, min(last, first + _MOST_LINES) + 1)
 
     def image(self) -> NDArray[np.bool_]:
         """(height, width) which pixels were painted up to the cursor."""
-        width, height = self.image_size
-        painted = np.zeros((height, width), bool)
         moment = self.moment
         if moment is None or self.entry is None or self.recording is None:
-            return painted
+            return np.zeros(self.image_size[::-1], bool)
         step = None if self.detail else self.step
         count = len(moment.emitted) if step is None else step.emitted_to
-        rows = self.recording.emitted.array(0, count)
-        if not len(rows):
-            return painted
-        if self.entry.emits == "spans":
-            for y, left, right in rows[:, :3].astype(int):
-                if 0 <= y < height:
-                    painted[y, max(left, 0) : max(right + 1, 0)] = True
-            return painted
-        x, y = rows[:, 0].astype(int), rows[:, 1].astype(int)
-        inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
-        painted[y[inside], x[inside]] = True
-        return painted
+        return painted(self.recording.emitted.array(0, count), self.entry.emits, self.image_size)
 
     # Moving it
 
@@ -300,13 +284,7 @@ class Run(RecordedRun):
         """Go to the next step that emits pixel (x, y), or else the first; False when none does."""
         if self.recording is None or self.steps is None or self.entry is None:
             return False
-        rows = self.recording.emitted.array()
-        if not len(rows):
-            return False
-        if self.entry.emits == "spans":
-            hits = np.flatnonzero((rows[:, 0] == y) & (rows[:, 1] <= x) & (x <= rows[:, 2]))
-        else:
-            hits = np.flatnonzero((rows[:, 0] == x) & (rows[:, 1] == y))
+        hits = touching(self.recording.emitted.array(), self.entry.emits, x, y)
         if not len(hits):
             return False
         event = self._event()
@@ -364,7 +342,7 @@ class Run(RecordedRun):
     # Ask first
 
     def set_ask_first(self, ask: bool) -> None:
-        """Show a step only after its pixel was guessed, from here on."""
+        """Show a step only after it was guessed, from here on."""
         if ask != self.ask_first:
             self.ask_first = ask
             self.right = self.wrong = 0
@@ -372,10 +350,10 @@ class Run(RecordedRun):
             self.asked.emit()
 
     def questioned(self, number: int) -> bool:
-        """Whether step ``number`` has a pixel that can be asked for."""
+        """Whether step ``number`` has a pixel or a choice that can be asked for."""
         if self.steps is None or not 1 <= number <= len(self.steps):
             return False
-        return bool(self.steps[number].chosen)
+        return bool(self.steps[number].options or self.steps[number].chosen)
 
     @property
     def waiting(self) -> bool:
@@ -389,10 +367,23 @@ class Run(RecordedRun):
 
     def answer(self, x: int, y: int) -> bool:
         """The pixel (x, y) is said to come next: show the step, tell whether that was right, and count."""
-        if not self.waiting or self.steps is None:
+        if not self.waiting or self.options or self.steps is None:
             return False
+        return self._answered((x, y) in self.steps[self._seen + 1].chosen)
+
+    @property
+    def options(self) -> tuple[Any, ...]:
+        """What a person may choose from now; () when a pixel is asked for, or nothing."""
+        return self.steps.options_next(self._seen) if self.waiting and self.steps is not None else ()
+
+    def choose(self, option: Any) -> bool:
+        """``option`` is said to come next: as ``answer``."""
+        if option not in self.options or self.steps is None:
+            return False
+        return self._answered(option == self.steps[self._seen + 1].answer)
+
+    def _answered(self, right: bool) -> bool:
         number = self._seen + 1
-        right = (x, y) in self.steps[number].chosen
         self.right += right
         self.wrong += not right
         self._seen = number

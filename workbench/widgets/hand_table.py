@@ -3,7 +3,15 @@
 import threading
 from typing import Any
 
-from PySide6.QtCore import QAbstractTableModel, QMimeData, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QMimeData,
+    QModelIndex,
+    QPersistentModelIndex,
+    Qt,
+    QTimer,
+    Signal,
+)
 from PySide6.QtGui import QAction, QFont, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
@@ -18,6 +26,7 @@ from workbench.widgets.type_faces import code_font
 
 Index = QModelIndex | QPersistentModelIndex
 _AT_ONCE = 500
+_GROW_MS = 200
 
 
 class HandModel(QAbstractTableModel):
@@ -157,8 +166,13 @@ class HandTable(QWidget):
         self.setFocusProxy(self.view)
         self._ready.connect(self._to_clipboard)
         run.changed.connect(self._take_run)
-        for signal in (run.moved, run.grown, run.asked):
+        for signal in (run.moved, run.asked):
             signal.connect(self.refresh)
+        run.grown.connect(self._grow)
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.setInterval(_GROW_MS)
+        self._later.timeout.connect(self.refresh)
         theme.changed.connect(self.view.viewport().update)
         self._take_run()
 
@@ -166,6 +180,14 @@ class HandTable(QWidget):
         self.model.reset()
         self.state.set_empty(self._run.entry is None)
         self.refresh()
+
+    def _grow(self) -> None:
+        """Take in new rows now when the run is done, else now and then: a long table is slow to grow."""
+        if self._run.done:
+            self._later.stop()
+            self.refresh()
+        elif not self._later.isActive():
+            self._later.start()
 
     def refresh(self) -> None:
         """Follow the run: new rows, the current one in sight."""

@@ -19,6 +19,8 @@ class StepSlider(QSlider):
         super().__init__(Qt.Orientation.Horizontal, parent)
         self._run = run
         self._marks: tuple[int, ...] = ()
+        self._places: list[float] = []
+        self._drawn: tuple[object, ...] = ()
         self.setAccessibleName(_("Position in the run"))
         self.setToolTip(_("Drag to any step; marks show where the decision changed"))
         self.setMinimumWidth(90)
@@ -47,7 +49,10 @@ class StepSlider(QSlider):
         self.setRange(0, min(total, 2**31 - 1))
         self.setValue(run.position)
         self.blockSignals(False)
-        if run.steps is not None and len(run.steps) <= _MOST_MARKED and not run.ask_first:
+        if run.steps is None or len(run.steps) > _MOST_MARKED or run.ask_first:
+            self._search.stop()
+            self._marks = ()
+        elif run.steps.judged < len(run.steps) or len(self._marks) != len(run.steps.find_decisions(0)):
             self._search.start()
         self.update()
 
@@ -58,7 +63,7 @@ class StepSlider(QSlider):
             return
         before = steps.judged
         self._marks = steps.find_decisions(_AT_ONCE)
-        if steps.judged == before or steps.judged >= _MOST_MARKED:
+        if steps.judged == before:
             self._search.stop()
             self.update()
 
@@ -100,18 +105,28 @@ class StepSlider(QSlider):
     def paintEvent(self, event: QPaintEvent) -> None:
         """The slider, and its marks above and below the groove."""
         super().paintEvent(event)
-        marks, run = self._marks, self._run
-        if not marks or not self.isEnabled() or run.steps is None:
+        if not self._marks or not self.isEnabled():
             return
+        state = (self._marks, self.width(), self.minimum(), self.maximum(), self._run.detail)
+        if state != self._drawn:
+            self._drawn, self._places = state, self._places_of_marks()
         painter = QPainter(self)
         ink = colour(tokens().muted)
         middle = self.height() / 2
-        drawn = -10
-        for number in marks:
-            value = run.steps.span(number)[0] if run.detail else number
-            x = self.x_of(value)
-            if x - drawn < 3:
-                continue
-            drawn = x
+        for x in self._places:
             painter.fillRect(QRectF(x, middle + 9, 1.5, 4), ink)
             painter.fillRect(QRectF(x, middle - 13, 1.5, 4), ink)
+
+    def _places_of_marks(self) -> list[float]:
+        """Where the marks are drawn, 3 pixels apart at least."""
+        left, width, _option = self._groove()
+        span, steps = self.maximum() - self.minimum(), self._run.steps
+        if not span or steps is None:
+            return []
+        places = [-9.0]
+        for number in self._marks:
+            value = steps.span(number)[0] if self._run.detail else number
+            x = left + width * (value - self.minimum()) / span
+            if x - places[-1] >= 3:
+                places.append(x)
+        return places[1:]

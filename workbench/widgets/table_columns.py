@@ -21,7 +21,8 @@ class FittedColumns(QObject):
         view.setHorizontalScrollMode(QTableView.ScrollMode.ScrollPerPixel)
         view.viewport().installEventFilter(self)
         view.model().modelReset.connect(self.fit)
-        view.model().rowsInserted.connect(self.fit)
+        view.model().rowsInserted.connect(self._grown)
+        self._fitted_rows = 0
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Fit again when the view's width changes."""
@@ -29,10 +30,16 @@ class FittedColumns(QObject):
             self.fit()
         return False
 
+    def _grown(self) -> None:
+        """Numbers grow longer as a table grows, but slowly."""
+        if self._view.model().rowCount() > 2 * self._fitted_rows:
+            self.fit()
+
     def fit(self) -> None:
         """Share the width of the view among the columns."""
         view, model = self._view, self._view.model()
         columns, rows = model.columnCount(), model.rowCount()
+        self._fitted_rows = rows
         if not columns:
             return
         sampled = sorted({*range(min(rows, _SAMPLED)), *range(max(rows - 2, 0), rows)})

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHeaderView, QTableView, QVBoxLayout, QWidget
 from workbench.engine.containers import LeftOut
 from workbench.exchange.tables import shown
 from workbench.language import _, ngettext
+from workbench.session.recorded_run import same_value
 from workbench.session.run import Run
 from workbench.widgets.empty_state import EmptyState
 from workbench.widgets.tokens import colour, theme, tokens
@@ -50,9 +51,11 @@ class VariableModel(QAbstractTableModel):
             self.names, self.values, self.changed_names = list(values), values, changed
             self.endResetModel()
             return
+        before, marked = self.values, self.changed_names
         self.values, self.changed_names = values, changed
-        if self.names:
-            self.dataChanged.emit(self.index(0, 0), self.index(len(self.names) - 1, 1))
+        for row, name in enumerate(self.names):
+            if name in marked | changed or not same_value(before[name], values[name]):
+                self.dataChanged.emit(self.index(row, 0), self.index(row, 1))
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
         """How many variables."""
