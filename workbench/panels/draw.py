@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSplitter, QWidget
 
 from workbench.language import _
-from workbench.panels.draw_card import ParameterCard
 from workbench.panels.draw_export import Exporter
 from workbench.panels.draw_view import DrawView
+from workbench.panels.figure_card import ParameterCard
 from workbench.panels.figure_panel import FigurePanel
 from workbench.panels.figure_tools import (
     CircleTool,

@@ -6,8 +6,8 @@ from html import escape
 from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure
 from workbench.language import _
-from workbench.panels.draw_card import ParameterCard, kind_title
-from workbench.panels.draw_compose import (
+from workbench.panels.figure_card import ParameterCard, kind_title
+from workbench.panels.figure_compose import (
     Composition,
     Progress,
     compose,

@@ -18,6 +18,7 @@ from workbench.panels.figure_picture import (
     without,
 )
 from workbench.rendering.compare import Comparison
+from workbench.rendering.raster import pixels
 from workbench.session.run import Run
 from workbench.widgets.canvas_overlay import Cell, Overlay
 from workbench.widgets.tokens import Tokens
@@ -60,10 +61,10 @@ def progress_at(run: Run, number: int) -> Progress | None:
 
 
 def painted(run: Run, count: int) -> Cells:
-    """The first ``count`` pixels (n, 2) that the run painted."""
-    if run.recording is None or count == 0:
+    """The pixels (n, 2) of the first ``count`` rows that the run emitted, spans spread out."""
+    if run.recording is None or run.entry is None or count == 0 or run.entry.emits in ("points", "segments"):
         return np.empty((0, 2), np.int64)
-    return run.recording.emitted.array(0, count)[:, :2].astype(np.int64)
+    return pixels(run.entry, run.recording.emitted.array(0, count))
 
 
 def compose(

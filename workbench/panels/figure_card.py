@@ -19,7 +19,7 @@ from workbench.algorithms import catalogue
 from workbench.document.addresses import resolve
 from workbench.document.edits import set_algorithm, set_attribute, set_sheet_size
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, Sheet
+from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, Polyline, SeedFill, Sheet
 from workbench.language import _, ngettext
 from workbench.panels.figure_tools import FigureTool
 from workbench.session.session import Session
@@ -32,7 +32,13 @@ _MOST_POINTS = 4
 
 def kind_title(figure: AnyFigure) -> str:
     """What kind of figure it is."""
-    titles = {Line: _("Line"), Polyline: _("Polyline"), Circle: _("Circle"), Ellipse: _("Ellipse")}
+    titles = {
+        Line: _("Line"),
+        Polyline: _("Polyline"),
+        Polygon: _("Polygon"),
+        Circle: _("Circle"),
+        Ellipse: _("Ellipse"),
+    }
     return titles.get(type(figure), _("Fill"))
 
 
@@ -42,8 +48,8 @@ def parameters(sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
     centred = isinstance(figure, Circle | Ellipse)
     listed = []
     for k, point in enumerate(figure.points_world[:_MOST_POINTS]):
-        mark = "c" if centred else str(k)
-        who = _("centre") if centred else _("point {k}").format(k=k)
+        mark = "c" if centred else "s" if isinstance(figure, SeedFill) else str(k)
+        who = _("centre") if centred else _("seed") if mark == "s" else _("point {k}").format(k=k)
         listed.append((f"{place}/{point.id}/x", f"x_{mark}", _("x of the {who}").format(who=who)))
         listed.append((f"{place}/{point.id}/y", f"y_{mark}", _("y of the {who}").format(who=who)))
     if isinstance(figure, Circle):
@@ -107,7 +113,8 @@ class ParameterCard(QFrame):
         body = QVBoxLayout(self._body)
         body.setContentsMargins(0, 0, 0, 0)
         body.setSpacing(8)
-        for item in (self.algorithm, self._grid, self.compare, self.side_by_side, self.summary):
+        more = self.more_rows()
+        for item in (self.algorithm, self._grid, *more, self.compare, self.side_by_side, self.summary):
             if isinstance(item, QGridLayout):
                 body.addLayout(item)
             else:
@@ -118,6 +125,10 @@ class ParameterCard(QFrame):
         whole.addLayout(head)
         whole.addWidget(self._body)
         self.setFixedWidth(WIDTH_PX)
+
+    def more_rows(self) -> list[QWidget]:
+        """What a panel adds under the numbers."""
+        return []
 
     def _set_open(self, open_: bool) -> None:
         set_icon(self._fold, "caret-up" if open_ else "caret-down", "muted")
