@@ -1,0 +1,71 @@
+"""How long the interface thread is held while a long run is recorded, shown and stepped through.
+
+python -m pytest tests/bench/test_run_bench.py --benchmark-enable -s
+"""
+
+import time
+from typing import Any
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
+
+from workbench.algorithms import catalogue
+from workbench.session.run import Run
+from workbench.widgets.hand_table import HandTable
+from workbench.widgets.source_view import SourceView
+from workbench.widgets.step_bar import Steps
+from workbench.widgets.variable_table import VariableTable
+
+
+def said(name: str, values: list[float]) -> None:
+    """Print the figures of one list of delays in seconds."""
+    ordered = sorted(values)
+    print(
+        f"\n{name}: {len(ordered)} times, median {ordered[len(ordered) // 2] * 1e3:.2f},"
+        f" 99th of 100 {ordered[len(ordered) * 99 // 100] * 1e3:.2f}, worst {ordered[-1] * 1e3:.2f} ms"
+    )
+
+
+def test_delays_of_a_timer(benchmark: Any, qapp: QApplication) -> None:
+    """A timer of 1 ms measures its own lateness while 1,000,000 line events are recorded and shown."""
+    run, window = Run(), QWidget()
+    column = QVBoxLayout(window)
+    for view in (SourceView(run), VariableTable(run), HandTable(run), Steps(run)):
+        column.addWidget(view)
+    window.resize(500, 900)
+    window.show()
+    entry = catalogue.get("bresenham_line")
+    run.follow(entry, (0, 0, 20, 12), "figure", (1000, 1000))
+    while not run.done:
+        qapp.processEvents()
+    late: list[float] = []
+    last = [time.perf_counter()]
+
+    def tick() -> None:
+        now = time.perf_counter()
+        late.append(now - last[0] - 0.001)
+        last[0] = now
+
+    timer = QTimer()
+    timer.setTimerType(Qt.TimerType.PreciseTimer)
+    timer.timeout.connect(tick)
+
+    def record() -> None:
+        run.follow(entry, (0, 0, 400_000 if benchmark.enabled else 2_000, 700), "figure", (1000, 1000))
+        while not run.done:
+            qapp.processEvents()
+
+    timer.start(1)
+    benchmark.pedantic(record, rounds=1)
+    timer.stop()
+    assert run.recording is not None
+    if benchmark.enabled:
+        said(f"late while {len(run.recording)} line events were recorded", late)
+        moves = []
+        for number in range(200):
+            start = time.perf_counter()
+            run.go((number * 7919) % run.last_position)
+            moves.append(time.perf_counter() - start)
+        said("moving the cursor", moves)
+    run.clear()
+    window.deleteLater()
