@@ -19,6 +19,11 @@ _fills = st.tuples(_pictures, st.integers(-1, 6), st.integers(-1, 6), st.just(2)
 _floods = st.tuples(_pictures, st.integers(-1, 6), st.integers(-1, 6), st.just(2))
 
 
+def _with_floats(found: tuple[Any, ...]) -> tuple[float, ...]:
+    *numbers, window = found
+    return (*map(float, numbers), *map(float, window))
+
+
 @st.composite
 def _scenes(draw: st.DrawFn) -> tuple[Any, ...]:
     corner = st.tuples(st.integers(-8, 40), st.integers(-8, 32), st.integers(0, 15))
@@ -27,6 +32,17 @@ def _scenes(draw: st.DrawFn) -> tuple[Any, ...]:
     faces = np.arange(len(vertices)).reshape(-1, 3)
     colours = np.arange(1, len(faces) + 1)
     return np.zeros((6, 8), np.int64), np.ones((6, 8)), vertices, faces, colours, 0, 6
+
+
+_windows = st.tuples(near, near, st.integers(0, 12), st.integers(0, 12)).map(
+    lambda found: (found[0], found[1], found[0] + found[2], found[1] + found[3])
+)
+_places = st.one_of(near, near.map(lambda quarters: quarters / 4))
+_clipped_lines = st.tuples(_places, _places, _places, _places, _windows).map(_with_floats)
+_clipped_points = st.tuples(_places, _places, _windows).map(_with_floats)
+_clipped_polygons = st.tuples(st.lists(st.tuples(_places, _places), max_size=7), _windows).map(
+    lambda found: (np.array(found[0], float).reshape(-1, 2), *map(float, found[1]))
+)
 
 
 STRATEGIES: dict[str, st.SearchStrategy[tuple[Any, ...]]] = {
@@ -44,6 +60,10 @@ STRATEGIES: dict[str, st.SearchStrategy[tuple[Any, ...]]] = {
     "boundary_fill_spans": _fills,
     "flood_fill_4": _floods,
     "flood_fill_8": _floods,
+    "clip_point": _clipped_points,
+    "cohen_sutherland": _clipped_lines,
+    "liang_barsky": _clipped_lines,
+    "sutherland_hodgman": _clipped_polygons,
     "depth_buffer": _scenes(),
 }
 

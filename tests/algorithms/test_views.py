@@ -43,6 +43,9 @@ def test_every_step_of_a_run_can_be_shown(entry: Entry, data: st.DataObject) -> 
             assert all(len(row) == len(headings) for row in rows)
         if before is not None:
             assert steps.candidates_next(before.number) == step.candidates
+            assert steps.options_next(before.number) == step.options
+        if step.options:
+            assert step.options.count(step.answer) == 1
         if step.candidates:
             assert set(step.chosen) | set(step.rejected) == set(step.candidates)
             assert not set(step.chosen) & set(step.rejected)

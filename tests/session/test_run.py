@@ -179,6 +179,31 @@ def test_ask_first_hides_the_next_step_until_a_pixel_is_named(make: Callable[...
     assert run.position == 10
 
 
+def test_ask_first_by_a_choice(make: Callable[..., Run]) -> None:
+    run = make(catalogue.get("cohen_sutherland"), (10.0, 30.0, 40.0, 0.0, 0.0, 0.0, 30.0, 20.0))
+    assert run.options == ()
+    run.set_ask_first(True)
+    assert run.waiting
+    assert len(run.options) == 6
+    assert not run.answer(20, 20)
+    assert not run.choose("clip at dawn")
+    assert (run.position, run.right, run.wrong) == (0, 0, 0)
+    assert run.choose("clip top")
+    assert not run.choose("accept")
+    assert (run.position, run.right, run.wrong) == (2, 1, 1)
+    assert run.choose("accept")
+    assert (run.position, run.right, run.wrong) == (3, 2, 1)
+    assert run.options == ()
+    assert not run.choose("accept")
+
+
+def test_points_and_segments_are_no_pixels(make: Callable[..., Run]) -> None:
+    run = make(catalogue.get("cohen_sutherland"), (10.0, 30.0, 40.0, 0.0, 0.0, 0.0, 30.0, 20.0))
+    run.last()
+    assert not run.image().any()
+    assert not run.run_to_pixel(20, 20)
+
+
 def test_playing_goes_to_the_end_and_stops(make: Callable[..., Run], qtbot: QtBot) -> None:
     run = make()
     run.set_speed(64)

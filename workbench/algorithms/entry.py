@@ -6,7 +6,8 @@ titled blocks, runs next in the same frame. Views are Python expressions over th
 
 * the plain names are the values when the block is *left*;
 * ``before.name`` is the value when it was *entered*;
-* ``candidates`` alone is evaluated on entering, over the plain names, since it is shown before the choice.
+* ``candidates`` and ``options`` are evaluated on entering, over the plain names: they are shown before the
+  choice.
 
 Texts for people are plain strings here and are translated where they are shown.
 """
@@ -48,7 +49,8 @@ class View:
     maps a title to an expression for a local structure and to its column headings. ``sentence`` is a
     template: each ``{expression}`` is replaced by its value and becomes a link, to the variable it names
     or, for a pair, to the pixel. ``considers`` is the pixel that this block tests without always drawing
-    it, for *Why this pixel?*. ``when`` tells several views of one block apart: the first that holds is
+    it, for *Why this pixel?*. ``options`` are the texts that a person who is asked first may choose from, as
+    they stand on entering, and ``answer`` is the right one: where a choice is no pixel. ``when`` tells several views of one block apart: the first that holds is
     shown; where it changes, a decision changed.
     """
 
@@ -61,6 +63,8 @@ class View:
     tables: Mapping[str, tuple[str, tuple[str, ...]]] = field(default_factory=dict)
     sentence: str = ""
     considers: str = ""
+    options: str = "()"
+    answer: str = ""
 
 
 @dataclass(frozen=True, slots=True)

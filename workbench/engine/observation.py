@@ -37,7 +37,8 @@ class Step:
 
     ``first`` and ``last`` are its line events, both included; ``emitted_from`` up to ``emitted_to`` is
     what it emitted. ``tables`` maps a title to column headings and rows. ``view`` is the view that held,
-    ``row`` is empty in step 0.
+    ``row`` is empty in step 0. ``options`` are the choices a person has who is asked first, ``answer`` is the
+    right one; none where a pixel is asked for.
     """
 
     number: int
@@ -53,6 +54,8 @@ class Step:
     emitted_from: int
     emitted_to: int
     view: View | None
+    options: tuple[Any, ...] = ()
+    answer: Any = None
 
 
 class _Before:
@@ -148,11 +151,21 @@ class Steps:
 
     def candidates_next(self, number: int) -> Pixels:
         """The candidates of the step after this one, as they stand before its choice; none after the last."""
-        if number >= len(self._visits.rows):
-            return ()
-        visit = int(self._visits.rows[number])
-        view = self._view_of(visit) if number < self._length else self._visits.block_of(visit).views[0]
+        visit, view = self._next(number)
         return self._candidates(visit, view) if view else ()
+
+    def options_next(self, number: int) -> tuple[Any, ...]:
+        """The options of the step after this one, as they stand before its choice; none after the last."""
+        visit, view = self._next(number)
+        return self._options(visit, view)
+
+    def _next(self, number: int) -> tuple[int, View | None]:
+        """The visit of the step after this one, and its view; while it is under way, the first it may be."""
+        if number >= len(self._visits.rows):
+            return 0, None
+        visit = int(self._visits.rows[number])
+        views = self._visits.block_of(visit).views
+        return visit, self._view_of(visit) if number < self._length else views[0]
 
     @property
     def judged(self) -> int:
@@ -199,6 +212,10 @@ class Steps:
             emitted_from=self.recording.emitted_count(first) if self._visits.seen else 0,
             emitted_to=len(self.recording.emitted) if whole else self.recording.emitted_count(last + 1),
             view=view,
+            options=self._options(shown, view),
+            answer=self._value(shown, view, view.answer)
+            if shown is not None and view and view.answer
+            else None,
         )
 
     def _some_of(self, blocks: NDArray[np.bool_], low: int, high: int) -> list[int]:
@@ -246,6 +263,11 @@ class Steps:
 
     def _candidates(self, visit: int, view: View) -> Pixels:
         return _pixels(self._evaluate(visit, view, view.candidates, self._before(visit)))
+
+    def _options(self, visit: int | None, view: View | None) -> tuple[Any, ...]:
+        if visit is None or view is None:
+            return ()
+        return tuple(self._evaluate(visit, view, view.options, self._before(visit)))
 
     def _evaluate(self, visit: int, view: View, expression: str, variables: dict[str, Any]) -> Any:
         if expression == "()":

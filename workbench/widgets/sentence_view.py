@@ -70,6 +70,8 @@ class SentenceView(QLabel):
             return (Part(_("Draw a figure to see how its algorithm makes it, step by step."), None),)
         if run.waiting:
             score = _("Which pixel comes next? Click it on the canvas. {right} right, {wrong} wrong so far.")
+            if run.options:
+                score = _("What comes next? Choose it. {right} right, {wrong} wrong so far.")
             asked = Part(score.format(right=run.right, wrong=run.wrong), None)
             return (*run.sentence, Part(" ", None), asked) if run.position else (asked,)
         parts = run.sentence

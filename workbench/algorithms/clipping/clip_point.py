@@ -5,8 +5,9 @@ inside      whether the point passes all four
 
 from collections.abc import Iterator
 
+from workbench.algorithms.clipping.cutting import pixels
 from workbench.algorithms.clipping.window import POINT, WINDOW
-from workbench.algorithms.entry import Entry
+from workbench.algorithms.entry import Entry, View
 
 
 def clip_point(
@@ -25,6 +26,14 @@ def clip_point(
         yield x, y
 
 
+_COMPARE = "Compare with all four edges"
+_POINT = "pixels(((x, y),))"
+_OPTIONS = "('keep', 'leave out')"
+_ROW = (
+    "('yes' if xmin <= x else 'no', 'yes' if x <= xmax else 'no', 'yes' if ymin <= y else 'no', "
+    "'yes' if y <= ymax else 'no', {verdict!r})"
+)
+
 ENTRY = Entry(
     function=clip_point,
     topic="clipping",
@@ -33,5 +42,40 @@ ENTRY = Entry(
     parameters=(*POINT, *WINDOW),
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-6",
+    columns=("x_{min} ≤ x", "x ≤ x_{max}", "y_{min} ≤ y", "y ≤ y_{max}", "point"),
+    view_functions=(pixels,),
+    views=(
+        View(
+            block=_COMPARE,
+            when="inside",
+            candidates=_POINT,
+            chosen=_POINT,
+            row=_ROW.format(verdict="keep"),
+            options=_OPTIONS,
+            answer="'keep'",
+            sentence="{xmin} ≤ {x} ≤ {xmax} and {ymin} ≤ {y} ≤ {ymax}: keep the point.",
+        ),
+        View(
+            block=_COMPARE,
+            when="not xmin <= x <= xmax",
+            candidates=_POINT,
+            rejected=_POINT,
+            row=_ROW.format(verdict="leave out"),
+            options=_OPTIONS,
+            answer="'leave out'",
+            sentence="x = {x} is not between {xmin} and {xmax}: leave the point out.",
+        ),
+        View(
+            block=_COMPARE,
+            candidates=_POINT,
+            rejected=_POINT,
+            row=_ROW.format(verdict="leave out"),
+            options=_OPTIONS,
+            answer="'leave out'",
+            sentence="y = {y} is not between {ymin} and {ymax}: leave the point out.",
+        ),
+    ),
+    laws=("A point in the window or on its edge is kept as it is, any other is left out.",),
+    labs=("Clipping: points",),
     next_rung="cohen_sutherland",
 )

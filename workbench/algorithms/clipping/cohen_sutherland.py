@@ -7,9 +7,17 @@ k                   number of the step, from 0
 
 from collections.abc import Iterator
 
+from workbench.algorithms.clipping.cutting import (
+    INTERSECTION_VIEWS,
+    bits,
+    crossings,
+    edge_name,
+    others,
+    pixels,
+)
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP, intersection, region_code
 from workbench.algorithms.clipping.window import LINE, WINDOW
-from workbench.algorithms.entry import Entry
+from workbench.algorithms.entry import Entry, View
 
 
 def cohen_sutherland(
@@ -41,6 +49,42 @@ def cohen_sutherland(
             code_1 = region_code(x1, y1, xmin, ymin, xmax, ymax)
 
 
+_LOOK = "Accept, reject or cut off one end"
+_WINDOW = "(xmin, ymin, xmax, ymax)"
+_CODES = (
+    "f'{bits(before.code_0)}, {bits(before.code_1)}', bits(before.code_0 | before.code_1), "
+    "bits(before.code_0 & before.code_1)"
+)
+_CROSSED = f"crossings((x0, y0, code_0), (x1, y1, code_1), {_WINDOW})"
+_CROSSED_BEFORE = (
+    f"crossings((before.x0, before.y0, before.code_0), (before.x1, before.y1, before.code_1), {_WINDOW})"
+)
+_END = "((before.x0, before.y0) if before.code_0 else (before.x1, before.y1))"
+_CUT = "((x0, y0) if before.code_0 else (x1, y1))"
+_OPTIONS = "('accept', 'reject', 'clip top', 'clip bottom', 'clip right', 'clip left')"
+_BOTH = "Codes {bits(before.code_0)} and {bits(before.code_1)}"
+_ENDS = {"Ends": ("(('P0', x0, y0, bits(code_0)), ('P1', x1, y1, bits(code_1)))", ("end", "x", "y", "code"))}
+
+
+def _clip_view(edge: int, beyond: str) -> View:
+    """The view of an end cut off at ``edge``, which it is beyond."""
+    decision = f"clip {edge_name(edge)}"
+    return View(
+        block=_LOOK,
+        when=f"edge == {edge}",
+        candidates=_CROSSED,
+        chosen=f"pixels(({_CUT},))",
+        rejected=f"others({_CROSSED_BEFORE}, pixels(({_CUT},)))",
+        row=f"(k, {_CODES}, {decision!r}, {_END}, {_CUT})",
+        tables=_ENDS,
+        options=_OPTIONS,
+        answer=repr(decision),
+        sentence=f"{_BOTH}: or is {{bits(before.code_0 | before.code_1)}}, and is 0000, so neither. "
+        f"{{'P0' if before.code_0 else 'P1'}} {{{_END}}} is {beyond}: cut it off at {{{_CUT}}}, code "
+        "{bits(code_0 if before.code_0 else code_1)}.",
+    )
+
+
 ENTRY = Entry(
     function=cohen_sutherland,
     topic="clipping",
@@ -49,5 +93,51 @@ ENTRY = Entry(
     parameters=(*LINE, *WINDOW),
     emits="segments",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-7",
+    columns=("k", "codes", "or", "and", "decision", "end", "intersection"),
+    view_functions=(bits, crossings, others, pixels),
+    views=(
+        View(
+            block="Code both ends",
+            tables=_ENDS,
+            sentence="P0 {(x0, y0)} has code {bits(code_0)}, P1 {(x1, y1)} has code {bits(code_1)}.",
+        ),
+        View(
+            block=_LOOK,
+            when="before.code_0 | before.code_1 == 0",
+            row=f"(k, {_CODES}, 'accept', '', '')",
+            tables=_ENDS,
+            options=_OPTIONS,
+            answer="'accept'",
+            sentence=f"{_BOTH}: or is 0000, so both ends are inside. Accept {{(x0, y0)}} to {{(x1, y1)}}.",
+        ),
+        View(
+            block=_LOOK,
+            when="before.code_0 & before.code_1 != 0",
+            candidates=_CROSSED,
+            rejected=_CROSSED_BEFORE,
+            row=f"(k, {_CODES}, 'reject', '', '')",
+            tables=_ENDS,
+            options=_OPTIONS,
+            answer="'reject'",
+            sentence=f"{_BOTH}: and is {{bits(code_0 & code_1)}}, so both ends are beyond one edge. Reject.",
+        ),
+        _clip_view(TOP, "above the window"),
+        _clip_view(BOTTOM, "below the window"),
+        _clip_view(RIGHT, "right of the window"),
+        _clip_view(LEFT, "left of the window"),
+        *INTERSECTION_VIEWS,
+    ),
+    laws=(
+        "What is emitted lies in the window, to the last digit, and on the line, to a relative 1e-9.",
+        "The ends keep their order; an end inside the window stays as it is.",
+        "Four intersections are reckoned at most, and none for a line that is accepted or rejected at once.",
+        "Clipped again, the line stays as it is.",
+        "Mirrored left to right or top to bottom, line and window give the mirrored line, to the last digit.",
+    ),
+    not_laws=(
+        "A line that only touches a corner of the window is always found: rounding may lose it.",
+        "Only intersections on the window are reckoned: some lie on an edge's extension and are cut again.",
+    ),
+    labs=("Clipping: Cohen-Sutherland",),
     next_rung="liang_barsky",
 )

@@ -9,8 +9,9 @@ k           number of the edge: 1 left, 2 right, 3 bottom, 4 top
 
 from collections.abc import Iterator
 
+from workbench.algorithms.clipping.cutting import edge_symbol, pixels
 from workbench.algorithms.clipping.window import LINE, WINDOW
-from workbench.algorithms.entry import Entry
+from workbench.algorithms.entry import Entry, View
 
 
 def liang_barsky(
@@ -54,6 +55,27 @@ def liang_barsky(
     yield x0, y0, x1, y1
 
 
+_NARROW = "Narrow u1 to u2 by this edge"
+_CROSSING = "pixels(((x0 + q / p * dx, y0 + q / p * dy),) if p != 0.0 else ())"
+_OPTIONS = "('u1 grows', 'u2 shrinks', 'nothing changes', 'reject')"
+
+
+def _edge_view(when: str, answer: str, sentence: str) -> View:
+    """The view of an edge that has this effect."""
+    moves = answer in ("u1 grows", "u2 shrinks")
+    return View(
+        block=_NARROW,
+        when=when,
+        candidates=_CROSSING,
+        chosen=_CROSSING if moves else "()",
+        rejected="()" if moves else _CROSSING,
+        row="(k, p, q, r if p != 0.0 else '', u1, u2)",
+        options=_OPTIONS,
+        answer=repr(answer),
+        sentence=f"{{edge_symbol(1 << (k - 1))}}: {sentence}",
+    )
+
+
 ENTRY = Entry(
     function=liang_barsky,
     topic="clipping",
@@ -62,5 +84,64 @@ ENTRY = Entry(
     parameters=(*LINE, *WINDOW),
     emits="segments",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-7",
+    columns=("k", "p_k", "q_k", "r_k", "u_1", "u_2"),
+    view_functions=(edge_symbol, pixels),
+    views=(
+        View(
+            block="Begin with the whole line",
+            sentence="x = {x0} + u dx with dx = {dx}, y = {y0} + u dy with dy = {dy}; u goes from 0 to 1.",
+        ),
+        _edge_view(
+            "p == 0.0 and q < 0.0",
+            "reject",
+            "p = 0, the line is parallel to the edge, and q = {q} < 0, it is outside: reject it.",
+        ),
+        _edge_view(
+            "p == 0.0",
+            "nothing changes",
+            "p = 0, the line is parallel to the edge, and q = {q} ≥ 0, it is inside: nothing changes.",
+        ),
+        _edge_view(
+            "u1 > u2",
+            "reject",
+            "p = {p}, r = {q}/{p} = {r}: the line would leave at {u2} before it enters at {u1}: reject it.",
+        ),
+        _edge_view(
+            "p < 0.0 and u1 > before.u1",
+            "u1 grows",
+            "p = {p} < 0, the line enters, at r = {q}/{p} = {r}, later than {before.u1}: u1 = {u1}.",
+        ),
+        _edge_view(
+            "p < 0.0",
+            "nothing changes",
+            "p = {p} < 0, the line enters, at r = {q}/{p} = {r}, no later than u1 = {u1}: nothing changes.",
+        ),
+        _edge_view(
+            "u2 < before.u2",
+            "u2 shrinks",
+            "p = {p} > 0, the line leaves, at r = {q}/{p} = {r}, sooner than {before.u2}: u2 = {u2}.",
+        ),
+        _edge_view(
+            "True",
+            "nothing changes",
+            "p = {p} > 0, the line leaves, at r = {q}/{p} = {r}, no sooner than u2 = {u2}: nothing changes.",
+        ),
+        View(
+            block="Emit what is left",
+            sentence="From u1 = {u1} to u2 = {u2}: {(x0, y0)} to {(x1, y1)} is visible.",
+        ),
+    ),
+    laws=(
+        "What is emitted lies in the window, to the last digit, and on the line, to a relative 1e-9.",
+        "The ends keep their order; an end inside the window stays as it is.",
+        "Four divisions at most, and two intersections, both of them ends of what is visible.",
+        "Clipped again, the line stays as it is.",
+        "It finds what Cohen-Sutherland finds, to a relative 1e-9.",
+    ),
+    not_laws=(
+        "A line that only touches a corner of the window is always found: rounding may lose it.",
+        "An end that was cut off lies on the window's edge to the last digit.",
+    ),
+    labs=("Clipping: Liang-Barsky",),
     next_rung="sutherland_hodgman",
 )

@@ -13,9 +13,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.clipping.cutting import (
+    INTERSECTION_VIEWS,
+    edge_name,
+    edge_symbol,
+    met,
+    others,
+    output,
+    pixels,
+)
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP, intersection, region_code
 from workbench.algorithms.clipping.window import WINDOW
-from workbench.algorithms.entry import Entry, Parameter
+from workbench.algorithms.entry import Entry, Parameter, View
 
 
 def sutherland_hodgman(
@@ -56,9 +65,29 @@ def sutherland_hodgman(
 
 
 # A fork whose handle lies right of the window, so that its prongs come apart there
-_FORK = np.array(
-    [[38.0, 2.0], [-6.0, 4.0], [6.0, 8.0], [35.0, 9.0], [35.0, 11.0], [8.0, 12.0], [12.0, 24.0], [38.0, 18.0]]
-)
+_FORK = np.array([[38.0, 2], [-6, 4], [6, 8], [35, 9], [35, 11], [8, 12], [12, 24], [38, 18]])
+
+_SIDE = "Clip the side that ends at this vertex"
+_MET = "met((polygon[i - 1], polygon[i]), edge, (xmin, ymin, xmax, ymax))"
+_NEW = "clipped[len(before.clipped):]"
+_OPTIONS = "('in → in', 'in → out', 'out → in', 'out → out')"
+
+
+def _side_view(when: str, case: str, sentence: str) -> View:
+    """The view of one of the four cases."""
+    return View(
+        block=_SIDE,
+        when=when,
+        candidates=_MET,
+        chosen=f"pixels({_NEW})",
+        rejected=f"others({_MET}, pixels({_NEW}))",
+        row=f"(edge_name(edge), (x0, y0), (x1, y1), {case!r}, output({_NEW}))",
+        tables={"Vertices taken": ("polygon", ("x", "y")), "Vertices handed on": ("clipped", ("x", "y"))},
+        options=_OPTIONS,
+        answer=repr(case),
+        sentence=f"{{edge_symbol(edge)}}: {{(x0, y0)}} to {{(x1, y1)}} {sentence}",
+    )
+
 
 ENTRY = Entry(
     function=sutherland_hodgman,
@@ -68,4 +97,57 @@ ENTRY = Entry(
     parameters=(Parameter("vertices", "P_i", "points", _FORK, meaning="the polygon"), *WINDOW),
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-8",
+    columns=("edge", "from", "to", "case", "output"),
+    view_functions=(edge_name, edge_symbol, met, others, output, pixels),
+    views=(
+        View(
+            block="Take the whole polygon",
+            sentence="The polygon has {len(polygon)} vertices; it is clipped left, right, bottom and top.",
+        ),
+        _side_view(
+            "from_inside and to_inside",
+            "in → in",
+            "stays inside: hand on its end.",
+        ),
+        _side_view(
+            "from_inside",
+            "in → out",
+            "goes out: hand on the intersection, {clipped[-1]}.",
+        ),
+        _side_view(
+            "to_inside",
+            "out → in",
+            "comes in: hand on the intersection, {clipped[-2]}, and its end.",
+        ),
+        _side_view(
+            "True",
+            "out → out",
+            "stays outside: hand on nothing.",
+        ),
+        *INTERSECTION_VIEWS,
+        View(
+            block="Hand the list on to the next edge",
+            sentence="After this edge {len(polygon)} vertices are left.",
+        ),
+        View(
+            block="Emit the vertices that are left",
+            when="not polygon",
+            sentence="All four edges are done, and nothing is left.",
+        ),
+        View(
+            block="Emit the vertices that are left",
+            sentence="All four edges are done: {len(polygon)} vertices are left.",
+        ),
+    ),
+    laws=(
+        "Every vertex lies in the window, to the last digit.",
+        "Of a convex polygon exactly what lies in the window is left.",
+        "The area that lies in the window is left, of any polygon that does not cross itself.",
+        "Vertices inside the window stay, in order; clipped again, the polygon stays as it is.",
+    ),
+    not_laws=(
+        "A concave polygon that falls apart gives several polygons: it gives one, whose parts hang together "
+        "by edges that run back over each other along the window's boundary.",
+    ),
+    labs=("Clipping: Sutherland-Hodgman",),
 )

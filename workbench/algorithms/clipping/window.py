@@ -10,10 +10,10 @@ from workbench.algorithms.entry import Parameter
 _LOW, _HIGH = -1e12, 1e12
 
 WINDOW = (
-    Parameter("xmin", "x_min", "float", 0.0, _LOW, _HIGH, "px", "left edge of the window"),
-    Parameter("ymin", "y_min", "float", 0.0, _LOW, _HIGH, "px", "bottom edge of the window"),
-    Parameter("xmax", "x_max", "float", 30.0, _LOW, _HIGH, "px", "right edge of the window"),
-    Parameter("ymax", "y_max", "float", 20.0, _LOW, _HIGH, "px", "top edge of the window"),
+    Parameter("xmin", "x_{min}", "float", 0.0, _LOW, _HIGH, "px", "left edge of the window"),
+    Parameter("ymin", "y_{min}", "float", 0.0, _LOW, _HIGH, "px", "bottom edge of the window"),
+    Parameter("xmax", "x_{max}", "float", 30.0, _LOW, _HIGH, "px", "right edge of the window"),
+    Parameter("ymax", "y_{max}", "float", 20.0, _LOW, _HIGH, "px", "top edge of the window"),
 )
 
 LINE = (
