@@ -21,6 +21,7 @@ from typing import Any
 from workbench.engine.columns import MISSING, Column
 from workbench.engine.containers import Containers, Log, is_fixed
 from workbench.engine.effects import Effects, texts_of
+from workbench.engine.limited import room_for
 from workbench.engine.recording import Failure, Recording
 
 LIMIT = 1_000_000
@@ -323,6 +324,7 @@ class Recorder:
         self._may_run = threading.Event()
         self._may_run.set()
         self._stopped = False
+        self._depth_limit = depth_limit
         tracer = _Tracer(self.recording, limit, depth_limit, self._pause)
         self._thread = threading.Thread(
             target=_run,
@@ -340,7 +342,8 @@ class Recorder:
 
     def start(self) -> None:
         """Begin."""
-        self._thread.start()
+        with room_for(self._depth_limit or 0):
+            self._thread.start()
 
     def hold(self) -> None:
         """Wait at the end of the slice, until ``go_on``."""

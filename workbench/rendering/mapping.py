@@ -29,10 +29,14 @@ class DeviceMap(NamedTuple):
 
 
 class Call(NamedTuple):
-    """One run of an algorithm: the entry and what its function is given, in device coordinates."""
+    """One run of an algorithm: the entry and what its function is given, in device coordinates.
+
+    A text that calls itself is stopped ``recursion_limit`` calls deep; 0 for all others.
+    """
 
     entry: Entry
     arguments: tuple[Any, ...]
+    recursion_limit: int = 0
 
 
 def box(rectangle: Rectangle) -> Box:

@@ -76,7 +76,8 @@ def calls(
         chosen = entry
         if "r" in values and values["rx"] != values["ry"] and any(p.name == "r" for p in entry.parameters):
             chosen = catalogue.get(_UNEQUAL[entry.slug])
-        made.append(Call(chosen, tuple(values.get(p.name, p.example) for p in chosen.parameters)))
+        limit = figure.recursion_limit if isinstance(figure, SeedFill) and chosen.compiles else 0
+        made.append(Call(chosen, tuple(values.get(p.name, p.example) for p in chosen.parameters), limit))
     return made
 
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry
 from workbench.document.model import AnyFigure, Sheet
+from workbench.engine.limited import collect_limited
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering.clipping import clip_box, clipper_of
 from workbench.rendering.mapping import Call
@@ -43,9 +44,12 @@ def _expected_length(arguments: tuple[Any, ...]) -> int:
     return max([4 * size for size in sizes + rows] + images, default=0)
 
 
-def _run(function: Function, compilable: bool, arguments: tuple[Any, ...]) -> Emitted:
+def _run(function: Function, compilable: bool, arguments: tuple[Any, ...], limit: int) -> Emitted:
     given = tuple(a.copy() if isinstance(a, np.ndarray) else a for a in arguments)
     rows: Emitted
+    if limit:
+        listed = collect_limited(function, limit, *given).rows
+        return np.array(listed) if listed else np.empty((0, 2), dtype=np.int64)
     if compilable and _expected_length(given) > _LONG_RUN and "numba" in sys.modules:
         from workbench.engine.compiled import collect, ready
 
@@ -59,7 +63,7 @@ def _run(function: Function, compilable: bool, arguments: tuple[Any, ...]) -> Em
 
 @lru_cache(maxsize=4096)
 def _remembered(function: Function, compilable: bool, arguments: tuple[Any, ...]) -> Emitted:
-    rows = _run(function, compilable, arguments)
+    rows = _run(function, compilable, arguments, 0)
     rows.setflags(write=False)
     return rows
 
@@ -81,9 +85,11 @@ class _ByContent:
 
 
 @lru_cache(maxsize=64)
-def _remembered_on_image(function: Function, compilable: bool, arguments: tuple[Any, ...]) -> Emitted:
+def _remembered_on_image(
+    function: Function, compilable: bool, arguments: tuple[Any, ...], limit: int
+) -> Emitted:
     plain = tuple(a.array if isinstance(a, _ByContent) else a for a in arguments)
-    rows = _run(function, compilable, plain)
+    rows = _run(function, compilable, plain, limit)
     rows.setflags(write=False)
     return rows
 
@@ -93,7 +99,7 @@ def emitted(call: Call) -> Emitted:
     function, compilable = call.entry.function, not call.entry.compiles
     if any(isinstance(a, np.ndarray) for a in call.arguments):
         keys = tuple(_ByContent(a.copy()) if isinstance(a, np.ndarray) else a for a in call.arguments)
-        return _remembered_on_image(function, compilable, keys)
+        return _remembered_on_image(function, compilable, keys, call.recursion_limit)
     return _remembered(function, compilable, call.arguments)
 
 

@@ -4,10 +4,11 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer
 
-from workbench.document.model import LINE_CLIPPERS
+from workbench.document.model import LINE_CLIPPERS, AnyFigure, SeedFill
 from workbench.rendering.clipping import clipper_calls, clipper_of
 from workbench.rendering.mapping import Call
 from workbench.rendering.raster import figure_calls
+from workbench.session.recorded_run import DEPTH_LIMIT
 from workbench.session.run import Run
 
 
@@ -37,7 +38,7 @@ class Following(QObject):
         another = figure is not None and figure.id != self._run.figure_id
         self._telling = True
         try:
-            self._follow(self._run, calls, "" if figure is None else figure.id)
+            self._follow(self._run, calls, figure)
             self._run.set_ask_first(state.ask_first)
             self._run.set_detail(state.detail)
             if another or state.step != self._step:
@@ -51,16 +52,23 @@ class Following(QObject):
                 other = clipper_calls(session.sheet, figure, state.compare)
         elif figure is not None and state.compare in figure.algorithms and state.compare != figure.algorithm:
             other = figure_calls(session.sheet, figure, state.compare)
-        self._follow(self._follower, other, "" if figure is None else figure.id)
+        self._follow(self._follower, other, figure)
         self._lock()
 
-    def _follow(self, run: Run, calls: list[Call], figure: str) -> None:
-        if not calls:
+    def _follow(self, run: Run, calls: list[Call], figure: AnyFigure | None) -> None:
+        if not calls or figure is None:
             run.clear()
             return
         sheet = self._session.sheet
         arguments = [call.arguments for call in calls if call.entry is calls[0].entry]
-        run.follow(calls[0].entry, arguments[0], figure, (sheet.width_px, sheet.height_px), arguments[1:])
+        run.follow(
+            calls[0].entry,
+            arguments[0],
+            figure.id,
+            (sheet.width_px, sheet.height_px),
+            arguments[1:],
+            figure.recursion_limit if isinstance(figure, SeedFill) else DEPTH_LIMIT,
+        )
 
     def _moved(self) -> None:
         self._lock()

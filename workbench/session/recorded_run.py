@@ -15,7 +15,7 @@ from workbench.engine.recording import Recording
 from workbench.language import _
 from workbench.session.collecting import collect_here
 
-DEPTH_LIMIT = 900
+DEPTH_LIMIT = 1000
 _LOOK_MS = 16
 _LONG_LOOK_MS = 60
 _FIRST_LOOK_MS = 2
@@ -43,9 +43,10 @@ class RecordedRun(QObject):
         self.steps: Steps | None = None
         self.total_steps: int | None = None
         self.limit = LIMIT
+        self.depth_limit = DEPTH_LIMIT
         self._held = False
         self._deferred: (
-            tuple[Entry, tuple[Any, ...], str, tuple[int, int], Sequence[tuple[Any, ...]]] | None
+            tuple[Entry, tuple[Any, ...], str, tuple[int, int], Sequence[tuple[Any, ...]], int] | None
         ) = None
         self._recorder: Recorder | None = None
         self._counted: Recorder | None = None
@@ -62,25 +63,29 @@ class RecordedRun(QObject):
         figure_id: str,
         image_size: tuple[int, int],
         then: Sequence[tuple[Any, ...]] = (),
+        depth_limit: int = DEPTH_LIMIT,
     ) -> None:
         """Run ``entry`` on ``arguments``, and ``then`` on these, one run. The same run goes on as it is.
 
-        The cursor stays where it was when the figure is the same; array arguments are copied. While the run
-        is held, as under a drag, this waits and only the last of such calls is followed.
+        Calls that nest deeper than ``depth_limit`` end it. The cursor stays where it was when the figure is
+        the same; array arguments are copied. While the run is held, as under a drag, this waits and only the
+        last of such calls is followed.
         """
         if self._held:
-            self._deferred = (entry, arguments, figure_id, image_size, then)
+            self._deferred = (entry, arguments, figure_id, image_size, then, depth_limit)
             return
         calls = (arguments, *then)
         same = self.figure_id == figure_id and self.entry is entry
-        if same and self.image_size == image_size and _equal(calls, self.calls):
+        limits = self.image_size == image_size and self.depth_limit == depth_limit
+        if same and limits and _equal(calls, self.calls):
             return
         self._leaving(same)
         self._forget()
         self.entry, self.calls, self.figure_id, self.image_size = entry, calls, figure_id, image_size
+        self.depth_limit = depth_limit
         copies = [tuple(a.copy() if isinstance(a, np.ndarray) else a for a in call) for call in calls]
         self._recorder = Recorder(
-            entry.function, *copies[0], limit=self.limit, depth_limit=DEPTH_LIMIT, then=copies[1:]
+            entry.function, *copies[0], limit=self.limit, depth_limit=depth_limit, then=copies[1:]
         )
         self.recording = self._recorder.recording
         self.steps = Steps(entry, self.recording)
