@@ -1,5 +1,8 @@
 """Areas filled by scan lines, and the test of one point."""
 
+from workbench.algorithms.polygons.circle_fill import circle_fill
+from workbench.algorithms.polygons.ellipse_fill import ellipse_fill
+from workbench.algorithms.polygons.inside_outside import inside_outside
 from workbench.algorithms.polygons.scan_line_fill import scan_line_fill
 
-__all__ = ["scan_line_fill"]
+__all__ = ["circle_fill", "ellipse_fill", "inside_outside", "scan_line_fill"]
