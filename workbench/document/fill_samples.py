@@ -1,0 +1,151 @@
+"""The built-in pictures of the fills."""
+
+import math
+
+from workbench.document.model import AnyFigure, Circle, Ellipse
+from workbench.document.sample_figures import (
+    Example,
+    document_of,
+    points_at,
+    polygon,
+    polyline,
+    seed_fill,
+)
+from workbench.language import _
+
+Rings = list[list[tuple[float, float]]]
+
+
+def fill_examples() -> list[Example]:
+    """In the order of the list that a person sees."""
+    triangle = polygon([[(2, 1), (8, 1), (5, 7)]], 1, _("Triangle"), closed=True)
+    return [
+        Example(
+            "triangle",
+            _("The triangle of the course"),
+            _("Corners (2, 1), (8, 1), (5, 7): on row 4 the crossings are 3.5 and 6.5, the pixels 4 to 6."),
+            "fill",
+            document_of(_("The triangle of the course"), 11, 9, [triangle]),
+        ),
+        Example(
+            "two-interiors",
+            _("A star with two interiors"),
+            _("The same crossing outline by even-odd and by winding number: what becomes of its middle."),
+            "fill",
+            document_of(
+                _("A star with two interiors"),
+                56,
+                32,
+                [
+                    polygon([_pentagram(14, 15)], 1, _("Even-odd")),
+                    polygon([_pentagram(41, 15)], 2, _("Winding number"), nonzero=True),
+                ],
+            ),
+        ),
+        Example(
+            "letters",
+            _("Letters with holes"),
+            _("A word of polygons: the hole of an A or an O is a ring of its own."),
+            "fill",
+            document_of(_("Letters with holes"), 62, 30, _letters()),
+        ),
+        Example(
+            "pond",
+            _("A pond with two islands"),
+            _("A boundary fill finds its way round two islands; its stack grows and shrinks."),
+            "fill",
+            document_of(_("A pond with two islands"), 44, 30, _pond()),
+        ),
+        Example(
+            "leak",
+            _("A boundary that leaks"),
+            _("Pixels that touch only at corners stop the 4-connected fill; 8-connected it runs out."),
+            "fill",
+            document_of(_("A boundary that leaks"), 31, 27, _leak("boundary_fill_8")),
+        ),
+        Example(
+            "missed",
+            _("A region that is missed"),
+            _("Two rooms that touch only at a corner: 4-connected the second one stays empty."),
+            "fill",
+            document_of(_("A region that is missed"), 27, 19, _missed("boundary_fill_4")),
+        ),
+        Example(
+            "overflow",
+            _("Recursion that overflows"),
+            _("A square of 60 by 60 pixels nests almost 2,000 calls; the limit stops it at 1,000."),
+            "fill",
+            document_of(_("Recursion that overflows"), 66, 64, _overflow()),
+        ),
+    ]
+
+
+def _pentagram(x: float, y: float, radius: float = 14.0) -> list[tuple[float, float]]:
+    turns = [math.pi / 2 + k * 4 * math.pi / 5 for k in range(5)]
+    return [(round(x + radius * math.cos(a), 1), round(y - 1 + radius * math.sin(a), 1)) for a in turns]
+
+
+def _letters() -> list[AnyFigure]:
+    f: Rings = [[(3, 4), (7, 4), (7, 12), (13, 12), (13, 16), (7, 16), (7, 21), (15, 21), (15, 25), (3, 25)]]
+    i: Rings = [[(18, 4), (22, 4), (22, 25), (18, 25)]]
+    a: Rings = [
+        [(25, 4), (29, 4), (30.5, 9), (36.5, 9), (38, 4), (42, 4), (35.5, 25), (31.5, 25)],
+        [(31.7, 13), (35.3, 13), (33.5, 19.5)],
+    ]
+    o: Rings = [_round(52, 14.5, 8, 10.5, 24), _round(52, 14.5, 4, 6.5, 16)]
+    return [
+        polygon(f, 1, "F"),
+        polygon(i, 2, "I"),
+        polygon(a, 3, "A"),
+        polygon(o, 4, "O"),
+    ]
+
+
+def _round(x: float, y: float, rx: float, ry: float, corners: int) -> list[tuple[float, float]]:
+    turns = [2 * math.pi * k / corners for k in range(corners)]
+    return [(round(x + rx * math.cos(a), 2), round(y + ry * math.sin(a), 2)) for a in turns]
+
+
+def _pond() -> list[AnyFigure]:
+    shore = [
+        (6, 4), (15, 2), (24, 5), (35, 3), (40, 9), (38, 18), (41, 24), (31, 27),
+        (22, 24), (13, 27), (5, 22), (3, 13),
+    ]  # fmt: skip
+    return [
+        polyline(shore, 1, _("Shore"), True),
+        Circle("", points_at((14, 15)), "midpoint_circle", 1, _("Island"), radius_world=4.0),
+        Ellipse(
+            "",
+            points_at((29, 14)),
+            "midpoint_ellipse",
+            1,
+            _("Island"),
+            radius_x_world=6.0,
+            radius_y_world=4.0,
+        ),
+        seed_fill((21, 14), 6, 1, _("Water")),
+    ]
+
+
+def _leak(algorithm: str) -> list[AnyFigure]:
+    diamond = [(15, 4), (24, 13), (15, 22), (6, 13)]
+    return [
+        polyline([(1, 1), (29, 1), (29, 25), (1, 25)], 1, _("Frame"), True),
+        polyline(diamond, 1, _("Diagonal boundary"), True),
+        seed_fill((15, 13), 2, 1, _("Fill"), algorithm),
+    ]
+
+
+def _missed(algorithm: str) -> list[AnyFigure]:
+    walls = [(3, 3), (13, 3), (13, 9), (23, 9), (23, 16), (12, 16), (12, 10), (3, 10)]
+    return [
+        polyline(walls, 1, _("Two rooms"), True),
+        seed_fill((6, 6), 2, 1, _("Fill"), algorithm),
+    ]
+
+
+def _overflow() -> list[AnyFigure]:
+    return [
+        polyline([(2, 1), (63, 1), (63, 62), (2, 62)], 1, _("Square"), True),
+        seed_fill((32, 31), 2, 1, _("Fill"), "boundary_fill_recursive"),
+    ]

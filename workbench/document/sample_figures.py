@@ -1,0 +1,106 @@
+"""What the built-in documents are made of: figures without ids, numbered when their sheet is made."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import accumulate, count
+
+from msgspec.structs import replace
+
+from workbench.document.model import (
+    AnyFigure,
+    Document,
+    Line,
+    Polygon,
+    Polyline,
+    Rectangle,
+    SeedFill,
+    Sheet,
+    WorldPoint,
+    whole_sheet,
+)
+
+# The paper, then colours that keep a contrast of 3:1 on white and on near-black, then a grey.
+PALETTE = (0x000000, 0x0072B2, 0xD55E00, 0x00805C, 0xC2417C, 0xA97400, 0x1F86BF, 0x7F7F7F)
+
+Places = Sequence[tuple[float, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """A built-in document: ``slug`` names it in links, ``workspace`` is the one it opens in."""
+
+    slug: str
+    title: str
+    description: str
+    workspace: str
+    document: Document
+
+
+def document_of(
+    name: str,
+    width_px: int,
+    height_px: int,
+    figures: Sequence[AnyFigure],
+    clip_world: Rectangle | None = None,
+) -> Document:
+    """One sheet, whose world is its pixels, with these figures from back to front."""
+    whole = whole_sheet(width_px, height_px)
+    numbers = count(1)
+    numbered = []
+    for number, figure in enumerate(figures, 1):
+        points = tuple(replace(point, id=f"p{next(numbers)}") for point in figure.points_world)
+        numbered.append(replace(figure, id=f"f{number}", points_world=points))
+    sheet = Sheet("s1", name, width_px, height_px, whole, whole, PALETTE, tuple(numbered))
+    return Document((replace(sheet, clip_world=clip_world),))
+
+
+def points_at(*places: tuple[float, float]) -> tuple[WorldPoint, ...]:
+    """Control points at these places."""
+    return tuple(WorldPoint("", float(x), float(y)) for x, y in places)
+
+
+def line(
+    start: tuple[float, float],
+    end: tuple[float, float],
+    colour: int = 1,
+    algorithm: str = "bresenham_line",
+    name: str = "",
+) -> Line:
+    """A line."""
+    return Line("", points_at(start, end), algorithm, colour, name)
+
+
+def polyline(places: Places, colour: int, name: str, closed: bool) -> Polyline:
+    """A polyline by Bresenham's algorithm."""
+    return Polyline("", points_at(*places), "bresenham_line", colour, name, closed=closed)
+
+
+def polygon(
+    rings: Sequence[Places], colour: int, name: str, closed: bool = False, nonzero: bool = False
+) -> Polygon:
+    """A filled polygon of one or more rings."""
+    ends = tuple(accumulate(len(ring) for ring in rings)) if len(rings) > 1 else ()
+    corners = points_at(*(place for ring in rings for place in ring))
+    return Polygon(
+        "", corners, "scan_line_fill", colour, name, True, ends, closed_interior=closed, nonzero=nonzero
+    )
+
+
+def seed_fill(
+    seed: tuple[float, float],
+    colour: int,
+    boundary: int,
+    name: str,
+    algorithm: str = "boundary_fill_4",
+    recursion_limit: int = 1000,
+) -> SeedFill:
+    """A fill from a seed."""
+    return SeedFill(
+        "",
+        points_at(seed),
+        algorithm,
+        colour,
+        name,
+        boundary=boundary,
+        recursion_limit=recursion_limit,
+    )
