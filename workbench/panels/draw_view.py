@@ -1,35 +1,19 @@
-"""Keeps the canvases, the card and the plot of the Draw panel in step with the session and its run."""
-
-from dataclasses import replace
-from html import escape
+"""What the Draw panel shows beside its canvas: how far the pixels lie from the ideal curve."""
 
 from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure
 from workbench.language import _
-from workbench.panels.figure_card import ParameterCard, kind_title
-from workbench.panels.figure_compose import (
-    Composition,
-    Progress,
-    compose,
-    painted,
-    progress_at,
-    with_band,
-    with_selection,
-)
-from workbench.panels.figure_gesture import HandleDrag, Tool
-from workbench.panels.figure_tools import FigureTool
-from workbench.rendering import painter_of
-from workbench.rendering.compare import Comparison, distances, figure_pixels
-from workbench.session.run import Run
+from workbench.panels.figure_card import ParameterCard
+from workbench.panels.figure_compose import Progress
+from workbench.panels.figure_view import FigureView
+from workbench.rendering.compare import distances
 from workbench.session.session import Session
-from workbench.widgets.canvas_overlay import Cell
 from workbench.widgets.distance_plot import DistancePlot
 from workbench.widgets.pixel_canvas import PixelCanvas
-from workbench.widgets.tokens import LIGHT, tokens
 
 
-class DrawView:
-    """Shows a session on canvases, card and plot: ``refresh`` after anything changed."""
+class DrawView(FigureView):
+    """Shows a session on canvases, card and ``plot``."""
 
     def __init__(
         self,
@@ -39,95 +23,11 @@ class DrawView:
         card: ParameterCard,
         plot: DistancePlot,
     ) -> None:
-        self.session = session
-        self.canvas, self.second, self.card, self.plot = canvas, second, card, plot
-        self.comparison: Comparison | None = None
-        self._right: tuple[Cell, ...] = ()
-        self._wrong: tuple[Cell, ...] = ()
+        super().__init__(session, canvas, second, card)
+        self.plot = plot
 
-    def refresh(self, tool: Tool, drag: HandleDrag) -> None:
-        """Everything anew, from the session alone."""
-        session = self.session
-        sheet, active = session.sheet, session.active_figure
-        progress = None if tool.busy or drag.busy else self.progress()
-        compared = self.compared()
-        made = compose(sheet, active, progress, compared, tokens(), self.card.side_by_side.isChecked())
-        self.comparison = made.comparison
-        chosen = set(session.state.selection)
-        selected = [figure for figure in sheet.figures if figure.id in chosen]
-        overlay = with_band(with_selection(made.overlay, sheet, selected, drag.held), tool.band)
-        snap = tool.snap if isinstance(tool, FigureTool) else None
-        self.canvas.set_picture(made.pixels, made.background)
-        self.canvas.set_overlay(replace(overlay, snap=snap, right=self._right, wrong=self._wrong))
-        self.second.setVisible(made.beside is not None)
-        if made.beside is not None:
-            self.second.set_picture(made.pixels, made.background)
-            self.second.set_overlay(made.beside)
-        self.card.refresh(tool if isinstance(tool, FigureTool) else None, selected, self.summary())
-        if not tool.busy and not drag.busy:
-            self._show_distances(active, compared, progress)
-
-    def stepped_run(self) -> Run | None:
-        """The session's run when it is that of the active figure and something of it is recorded."""
-        run, active = self.session.run, self.session.active_figure
-        return run if active is not None and run.figure_id == active.id and run.step is not None else None
-
-    def progress(self) -> Progress | None:
-        """How far the run has come; None before its first step, when the picture is shown whole."""
-        run = self.stepped_run()
-        if run is None or run.step is None or (run.position == 0 and not run.ask_first):
-            return None
-        made = progress_at(run, run.step.number)
-        if made is None:
-            return None
-        if run.detail and run.moment is not None:
-            made = replace(made, reached=painted(run, len(run.moment.emitted)))
-        follower = self.session.follower
-        if self.compared() and follower.moment is not None:
-            made = replace(made, second=painted(follower, len(follower.moment.emitted)))
-        return replace(made, hidden=run.ask_first)
-
-    def compared(self) -> str:
-        """The slug of the second algorithm, when there is one that can draw the active figure."""
-        active, slug = self.session.active_figure, self.session.state.compare
-        fits = active is not None and slug in active.algorithms and slug != active.algorithm
-        return slug if fits else ""
-
-    def on_paper(self, number: int | None = None) -> Composition:
-        """What is shown, or one step of the run, in the light theme and without handles."""
-        run = self.stepped_run()
-        progress = self.progress() if number is None or run is None else progress_at(run, number)
-        session = self.session
-        return compose(session.sheet, session.active_figure, progress, self.compared(), LIGHT)
-
-    def answer(self, cell: Cell) -> bool:
-        """*Ask first*: ``cell`` is what the person expects next; False when nothing was asked."""
-        run = self.session.run
-        if not run.waiting:
-            return False
-        self._right, self._wrong = ((cell,), ()) if run.answer(*cell) else ((), (cell,))
-        return True
-
-    def forget_answers(self) -> None:
-        """The answer shown belongs to a step that is left."""
-        self._right = self._wrong = ()
-
-    def summary(self) -> str:
-        """What the comparison found, with the mark of each kind of pixel."""
-        active, result = self.session.active_figure, self.comparison
-        if active is None or result is None:
-            return ""
-        now = tokens()
-        first, second = (escape(_(catalogue.get(slug).title)) for slug in (active.algorithm, self.compared()))
-        lines = [
-            (now.agreement, "■", _("{n} pixels agree").format(n=len(result.both))),
-            (now.data[0], "◪", _("{n} only {title}").format(n=len(result.only_first), title=first)),
-            (now.data[1], "⬔", _("{n} only {title}").format(n=len(result.only_second), title=second)),
-            (now.muted, "◈", _("{n} ties: exactly half way").format(n=result.ties)),
-        ]
-        return "<br>".join(f'<span style="color:{ink}">{mark}</span> {text}' for ink, mark, text in lines)
-
-    def _show_distances(self, active: AnyFigure | None, compared: str, progress: Progress | None) -> None:
+    def show_beside(self, active: AnyFigure | None, compared: str, progress: Progress | None) -> None:
+        """Plot the distances of what is active, with a mark at the pixel painted last."""
         if not self.plot.isVisible():
             return
         if active is None:
@@ -140,20 +40,3 @@ class DrawView:
         )
         painted = 0 if progress is None else len(progress.reached)
         self.plot.show_cursor(painted - 1 if painted else None)
-
-    def emitted_cell(self, figure: AnyFigure, number: int) -> Cell:
-        """The pixel that a figure's algorithm paints as its ``number``-th."""
-        x, y = figure_pixels(self.session.sheet, figure)[number].tolist()
-        return x, y
-
-    def describe(self, x: int, y: int) -> str:
-        """A cell's name and what painted it."""
-        sheet = self.session.sheet
-        inside = 0 <= x < sheet.width_px and 0 <= y < sheet.height_px
-        index = int(painter_of(sheet)[y, x]) if inside else -1
-        if index < 0:
-            return f"({x}, {y})"
-        figure = sheet.figures[index]
-        title = _(catalogue.get(figure.algorithm).title)
-        name = figure.name or kind_title(figure)
-        return _("({x}, {y}) {name}, {title}").format(x=x, y=y, name=name, title=title)

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from workbench.exchange.tables import Table, to_csv
 from workbench.language import _
-from workbench.panels.draw_view import DrawView
 from workbench.panels.figure_picture import pixel_rows
+from workbench.panels.figure_view import FigureView
 from workbench.widgets.canvas_overlay import Overlay
 from workbench.widgets.canvas_painter import Picture, Scene, paint_rulers, paint_scene, ruler_sizes
 from workbench.widgets.canvas_view import Area, fitted
@@ -87,7 +87,7 @@ class Exporter(QObject):
 
     said = Signal(str)
 
-    def __init__(self, view: DrawView, owner: QWidget) -> None:
+    def __init__(self, view: FigureView, owner: QWidget) -> None:
         super().__init__(owner)
         self._view = view
         self._owner = owner

@@ -1,0 +1,93 @@
+"""A panel of figures whose algorithms are stepped and compared: two canvases, export, *Ask first*."""
+
+from collections.abc import Sequence
+from functools import partial
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QSplitter, QWidget
+
+from workbench.language import _
+from workbench.panels.figure_actions import Row
+from workbench.panels.figure_card import ParameterCard
+from workbench.panels.figure_export import Exporter
+from workbench.panels.figure_gesture import Tool
+from workbench.panels.figure_panel import FigurePanel
+from workbench.panels.figure_tools import FigureTool
+from workbench.panels.figure_view import FigureView
+from workbench.session.session import Session
+from workbench.widgets.canvas_surface import CanvasSurface
+from workbench.widgets.pixel_canvas import PixelCanvas
+
+
+class SteppedPanel(FigurePanel):
+    """Adds a second canvas for what is compared, the commands of export, and answers by clicks.
+
+    A panel makes its ``card`` and ``view`` and then calls ``start``.
+    """
+
+    card: ParameterCard
+    view: FigureView
+
+    def __init__(self, session: Session, tools: Sequence[Tool], parent: QWidget | None = None) -> None:
+        super().__init__(session, tools, parent)
+        self._sharing = False
+        self.second = PixelCanvas()
+        self.second.hide()
+
+    def start(self, invitation: str, commands: Sequence[Row] = ()) -> None:
+        """Lay out and connect what the panel has made."""
+        self.exporter = exporter = Exporter(self.view, self)
+        split = QSplitter(Qt.Orientation.Horizontal)
+        split.setChildrenCollapsible(False)
+        split.addWidget(self.canvas)
+        split.addWidget(self.second)
+        self.session.run.moved.connect(self.view.forget_answers)
+        exporter.said.connect(self.hover_text)
+        self.card.side_by_side_changed.connect(self.refresh_soon)
+        self.card.folded.connect(self.leave_room)
+        self.card.algorithm_chosen.connect(self._choose_algorithm)
+        for one, other in ((self.canvas, self.second), (self.second, self.canvas)):
+            one.view_changed.connect(partial(self._share_view, one, other))
+        self.begin(
+            split,
+            self.card,
+            invitation,
+            [
+                ("copy_picture", _("Copy picture"), "clipboard", "Ctrl+Shift+C", exporter.copy_picture),
+                ("save_step", _("Save this step..."), "image-square", "", exporter.save_step),
+                ("save_run", _("Save this run..."), "files", "", exporter.save_run),
+                ("save_pixels", _("Save pixels as CSV..."), "table", "", exporter.save_pixels),
+                *commands,
+            ],
+        )
+
+    def _share_view(self, one: CanvasSurface, other: CanvasSurface, _percent: float) -> None:
+        """Both pictures side by side show the same cells; the first one fits, with room for the card."""
+        if self.second.isHidden() or self._sharing:
+            return
+        self._sharing = True
+        if one is self.second and one.keeps_fit:
+            one.look_like(other)
+        else:
+            other.look_like(one)
+        self._sharing = False
+
+    def show_now(self) -> None:
+        """Canvases and card as the session is now, and what the panel shows beside them."""
+        self.view.refresh(self.tool, self.handle_drag)
+        for name in ("save_run", "save_pixels"):
+            self._actions[name].setEnabled(self.session.active_figure is not None)
+
+    def describe(self, x: int, y: int) -> str:
+        """A cell's name and what painted it."""
+        return self.view.describe(x, y)
+
+    def clicked(self, x: int, y: int) -> None:
+        """With *Ask first* a click on a cell answers."""
+        if self.view.answer((x, y)):
+            self.refresh()
+
+    def _choose_algorithm(self, slug: str) -> None:
+        if isinstance(self.tool, FigureTool):
+            self.tool.algorithm = slug
+            self.refresh()
