@@ -31,7 +31,7 @@ class FigurePanel(QWidget):
 
     A panel makes its card and what it shows, then calls ``begin``; it says in ``show_now`` what is shown,
     and in ``describe`` what a cell is called. ``slug`` begins the names of its actions, ``first_tool`` is
-    what an empty sheet takes up.
+    what an empty sheet takes up; ``stepped`` is the run of the active figure that is stepped here.
     """
 
     hover_text = Signal(str)
@@ -40,6 +40,7 @@ class FigurePanel(QWidget):
 
     slug = ""
     first_tool = "line"
+    stepped = "figure"
 
     def __init__(self, session: Session, tools: Sequence[Tool], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -323,6 +324,7 @@ class FigurePanel(QWidget):
         super().showEvent(event)
         for action in self._actions.values():
             action.setEnabled(True)
+        self.session.update_state(stepped=self.stepped)
         self._take_tool_when_empty()
         self.refresh()
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.document.model import AnyFigure, Line, Polygon, Polyline, Sheet
+from workbench.document.model import AnyFigure, Circle, Line, Polygon, Polyline, Sheet
 from workbench.rendering.limits import clip_ring, within_reach
 from workbench.rendering.mapping import Box, Call, device_map, device_rings, device_segments
 
@@ -32,14 +32,16 @@ def clip_box(sheet: Sheet) -> Box | None:
 
 
 def clipper_of(sheet: Sheet, figure: AnyFigure) -> str:
-    """The slug of the algorithm that clips this figure; empty where none does."""
+    """The slug of the algorithm that clips this figure, a circle of radius 0 as a point; empty for none."""
     if isinstance(figure, Line | Polyline):
         return sheet.line_clipper
+    if isinstance(figure, Circle) and figure.radius_world == 0:
+        return "clip_point"
     return sheet.polygon_clipper if isinstance(figure, Polygon) else ""
 
 
 def clipper_calls(sheet: Sheet, figure: AnyFigure, clipper: str | None = None) -> list[Call]:
-    """The runs that clip a figure, one per segment or ring, by the sheet's clipper or by another.
+    """The runs that clip a figure, one per segment, ring or point, by the sheet's clipper or by another.
 
     None for figures that are clipped pixel by pixel, or without a clip window. Raises LookupError when the
     catalogue has no such algorithm.
@@ -52,7 +54,8 @@ def clipper_calls(sheet: Sheet, figure: AnyFigure, clipper: str | None = None) -
         return [Call(entry, (*segment, *window)) for segment in device_segments(sheet, figure)]
     if isinstance(figure, Polygon):
         return [Call(entry, (ring, *window)) for ring in device_rings(sheet, figure)]
-    return []
+    scale = device_map(sheet)
+    return [Call(entry, (*scale.point(point.x, point.y), *window)) for point in figure.points_world]
 
 
 @lru_cache(maxsize=4096)

@@ -286,6 +286,7 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (stepping, "Right", _("Step forward")),
         (stepping, "Home", _("First step")),
         (stepping, "End", _("Last step")),
+        (_("Step bar, asked first with choices"), "1, 2, 3, 4, 5, 6", _("Choose what comes next")),
         (_("Canvas with a selection"), "Left, Right, Up, Down", _("Move by one pixel; with Shift by ten")),
         (canvas, "V", _("Select")),
         (canvas, "L", _("Draw lines")),

@@ -24,7 +24,7 @@ from workbench.shell.workspaces import Workspace, panel_class, workspaces
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
+    from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
     from PySide6.QtWidgets import QToolBar
 
     from workbench.shell.actions import Command
@@ -71,6 +71,7 @@ class MainWindow(QMainWindow):
         self._offered = {each.slug: each for each in (workspaces() if offered is None else offered)}
         self._panels: dict[str, list[Any]] = {}
         self._makers: dict[str, Iterator[None]] = {}
+        self._step_bars: dict[str, QAction] = {}
         self.centres: dict[str, QWidget] = {}
         self._pages: dict[str, QWidget] = {}
         self._painted = False
@@ -214,7 +215,9 @@ class MainWindow(QMainWindow):
         self._leave()
         usable = self.arrangements.show(slug)
         self.stack.setCurrentWidget(self.centres[slug])
-        self.steps.setVisible(self._offered[slug].steps and bool(self.steps.actions()))
+        for place, bar in self._step_bars.items():
+            bar.setVisible(place == slug)
+        self.steps.setVisible(self._offered[slug].steps and slug in self._step_bars)
         self.place = slug
         self.bar.show_current(slug)
         self.status.in_workspace(self._offered[slug].steps)
@@ -263,7 +266,7 @@ class MainWindow(QMainWindow):
                 self.addAction(action)
             bar = getattr(panel, "step_bar", None)
             if bar is not None:
-                self.steps.addWidget(bar)
+                self._step_bars[slug] = self.steps.addWidget(bar)
             self.status.listen(panel)
         self._panels[slug] = made
 

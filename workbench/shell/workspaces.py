@@ -50,6 +50,16 @@ def workspaces() -> tuple[Workspace, ...]:
             lower=("tube", "distance"),
         ),
         Workspace(
+            "clip",
+            _("Clip"),
+            _("What of lines, polygons and points a window keeps"),
+            "crop",
+            ("workbench.panels.clip:ClipPanel", inspector, "workbench.panels.tube_dock:TubePanel"),
+            steps=True,
+            topics=("clipping", "lines", "polygons"),
+            lower=("tube",),
+        ),
+        Workspace(
             "display",
             _("Display"),
             _("The picture on a cathode-ray tube"),

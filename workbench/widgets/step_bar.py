@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QToolBu
 from workbench.language import _
 from workbench.session.run import SPEEDS, Run
 from workbench.widgets.icons import set_icon
+from workbench.widgets.option_buttons import OptionButtons
 from workbench.widgets.sentence_view import SentenceView
 from workbench.widgets.step_slider import StepSlider
 from workbench.widgets.type_faces import code_font
@@ -161,15 +162,20 @@ class StepBar(QWidget):
 
 
 class Steps(QWidget):
-    """The step bar and, under it, the two lines of the sentence."""
+    """The step bar and, under it, the two lines of the sentence, with the choices where one is asked for."""
 
     def __init__(self, run: Run, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("stepsAndSentence")
         self.bar = StepBar(run)
         self.sentence = SentenceView(run)
+        self.options = OptionButtons(run)
+        told = QHBoxLayout()
+        told.setSpacing(0)
+        told.addWidget(self.sentence, 1)
+        told.addWidget(self.options)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.bar)
-        column.addWidget(self.sentence)
+        column.addLayout(told)

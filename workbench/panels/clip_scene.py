@@ -1,0 +1,190 @@
+"""What the Clip canvas draws of a sheet: the window, its nine regions with their codes, and every line and
+polygon with what is kept of it and what is cut off.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.clipping.degenerate_edges import degenerate_edges
+from workbench.algorithms.clipping.edges import region_code
+from workbench.document.model import AnyFigure, Circle, Line, Polygon, Polyline, Sheet
+from workbench.rendering.clipping import Segment, clip_box, clipper_calls
+from workbench.rendering.mapping import Box, Call
+from workbench.rendering.raster import emitted
+from workbench.widgets.canvas_drawing import Drawn, Pattern, Region, Spot, Stroke, Word
+
+Fate = Literal["accepted", "clipped", "rejected"]
+Points = NDArray[np.float64]
+
+INKS: dict[Fate, str] = {"accepted": "data 3", "clipped": "data 1", "rejected": "data 4"}
+PATTERNS: dict[Fate, Pattern] = {"accepted": "solid", "clipped": "dash", "rejected": "dot"}
+MOST_CODED = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What became of one line, ring or point; ``kept`` is the visible part of a line, if there is one."""
+
+    call: Call
+    fate: Fate
+    kept: Segment | None = None
+
+
+def code_text(code: int) -> str:
+    """A region code as the course writes it: top, bottom, right, left."""
+    return f"{code:04b}"
+
+
+def outcomes(sheet: Sheet, figure: AnyFigure) -> list[Outcome]:
+    """What the sheet's clippers make of each line, ring or point of a figure."""
+    found = []
+    for call in clipper_calls(sheet, figure):
+        rows = emitted(call).tolist()
+        if isinstance(figure, Line | Polyline):
+            given = tuple(float(value) for value in call.arguments[:4])
+            kept = tuple(float(value) for value in rows[0]) if rows else None
+            whole: Fate = "accepted" if kept == given else "clipped"
+            segment = None if kept is None else (kept[0], kept[1], kept[2], kept[3])
+            found.append(Outcome(call, whole if rows else "rejected", segment))
+        else:
+            given_rows = call.arguments[0].tolist() if isinstance(figure, Polygon) else rows
+            same = _same_ring(rows, given_rows)
+            found.append(Outcome(call, ("accepted" if same else "clipped") if rows else "rejected"))
+    return found
+
+
+def _same_ring(first: list[list[float]], second: list[list[float]]) -> bool:
+    return len(first) == len(second) and sorted(map(tuple, first)) == sorted(map(tuple, second))
+
+
+def tally(sheet: Sheet) -> dict[Fate, int]:
+    """How many lines, rings and points of the sheet were accepted, clipped and rejected."""
+    counted: dict[Fate, int] = {"accepted": 0, "clipped": 0, "rejected": 0}
+    for figure in sheet.figures:
+        if figure.visible:
+            for outcome in outcomes(sheet, figure):
+                counted[outcome.fate] += 1
+    return counted
+
+
+def window_corners(window: Box) -> Points:
+    """The window as a closed polyline (5, 2)."""
+    x0, y0, x1, y1 = window
+    return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)], np.float64)
+
+
+def scene(sheet: Sheet, active: AnyFigure | None, stepping: bool, codes: bool) -> Iterator[Drawn]:
+    """Everything but the run: ``stepping`` leaves the active figure to it, ``codes`` labels the regions."""
+    window = clip_box(sheet)
+    if window is None:
+        return
+    yield Region(window_corners(window)[:4], "accent", 22)
+    if codes:
+        yield from _regions(sheet, window)
+    yield Stroke(window_corners(window), "text", 2.0, haloed=True)
+    coded = 0
+    for figure in sheet.figures:
+        if not figure.visible:
+            continue
+        is_active = active is not None and figure.id == active.id
+        if not (is_active and stepping):
+            yield from _figure(sheet, figure, window)
+        if codes and isinstance(figure, Line | Polyline) and (is_active or coded < MOST_CODED):
+            coded += 1
+            yield from end_codes(sheet, figure, window, is_active)
+
+
+def _regions(sheet: Sheet, window: Box) -> Iterator[Drawn]:
+    """The window's sides prolonged, and the code of each region near its upper side."""
+    left, bottom, right, top = -0.5, -0.5, sheet.width_px - 0.5, sheet.height_px - 0.5
+    x0, y0, x1, y1 = window
+    for x in (x0, x1):
+        if left < x < right:
+            yield Stroke(np.array([(x, bottom), (x, top)]), "muted", 1.0, "dash")
+    for y in (y0, y1):
+        if bottom < y < top:
+            yield Stroke(np.array([(left, y), (right, y)]), "muted", 1.0, "dash")
+    columns = ((left, x0), (max(x0, left), min(x1, right)), (x1, right))
+    rows = ((bottom, y0), (max(y0, bottom), min(y1, top)), (y1, top))
+    for (low_x, high_x), (low_y, high_y) in product(columns, rows):
+        if high_x - low_x > 1 and high_y - low_y > 1:
+            x, y = (low_x + high_x) / 2, low_y + 0.8 * (high_y - low_y)
+            yield Word(code_text(region_code(x, y, *window)), x, y, "muted", strong=True)
+
+
+def end_codes(sheet: Sheet, figure: Line | Polyline, window: Box, carded: bool) -> Iterator[Drawn]:
+    """The code of each end point, beside it."""
+    seen: set[tuple[float, float]] = set()
+    for call in clipper_calls(sheet, figure):
+        x0, y0, x1, y1 = call.arguments[:4]
+        for x, y, other_x in ((x0, y0, x1), (x1, y1, x0)):
+            if (x, y) not in seen:
+                seen.add((x, y))
+                text = code_text(region_code(x, y, *window))
+                yield Word(text, x, y, "text", 1 if x >= other_x else -1, -1, carded)
+
+
+def _figure(sheet: Sheet, figure: AnyFigure, window: Box) -> Iterator[Drawn]:
+    for outcome in outcomes(sheet, figure):
+        if isinstance(figure, Line | Polyline):
+            yield from line_marks(outcome)
+        elif isinstance(figure, Polygon):
+            yield from _ring_marks(outcome, window)
+        elif isinstance(figure, Circle):
+            x, y = outcome.call.arguments[:2]
+            shape: Literal["dot", "cross"] = "cross" if outcome.fate == "rejected" else "dot"
+            yield Spot(x, y, INKS[outcome.fate], shape)
+
+
+def line_marks(outcome: Outcome) -> Iterator[Drawn]:
+    """A line: what is kept solid, what is cut off broken, intersections ringed."""
+    x0, y0, x1, y1 = (float(value) for value in outcome.call.arguments[:4])
+    ink = INKS[outcome.fate]
+    if outcome.kept is None:
+        yield Stroke(np.array([(x0, y0), (x1, y1)]), ink, 2.0, "dot")
+        return
+    a, b = outcome.kept[:2], outcome.kept[2:]
+    for end, cut in (((x0, y0), a), ((x1, y1), b)):
+        if end != cut:
+            yield Stroke(np.array([end, cut]), ink, 1.5, "dash")
+    yield Stroke(np.array([a, b]), ink, 2.5, haloed=True)
+    for end, cut in (((x0, y0), a), ((x1, y1), b)):
+        if end != cut:
+            yield Spot(*cut, "data 2", "ring", 7)
+
+
+def _ring_marks(outcome: Outcome, window: Box) -> Iterator[Drawn]:
+    """A polygon: its outline broken, what is kept solid, edges without area between them in a warning."""
+    ring = np.asarray(outcome.call.arguments[0], np.float64)
+    ink = INKS[outcome.fate]
+    yield Stroke(closed(ring), ink, 1.5, PATTERNS[outcome.fate])
+    kept = emitted(outcome.call)
+    if len(kept) > 1 and outcome.fate == "clipped":
+        yield Stroke(closed(np.asarray(kept, np.float64)), ink, 2.5, haloed=True)
+        yield from degenerate_marks(kept.tolist(), window)
+
+
+def degenerate_marks(polygon: list[list[float]] | list[tuple[float, float]], window: Box) -> Iterator[Drawn]:
+    """What Sutherland-Hodgman leaves of a concave polygon along the window: edges that enclose nothing."""
+    for start, end in degenerate_edges(polygon, window):
+        yield Stroke(np.array([start, end]), "error", 4.0, "dot", haloed=True)
+        for x, y in (start, end):
+            yield Spot(x, y, "error", "square", 6)
+
+
+def degenerate_count(sheet: Sheet, figure: AnyFigure | None) -> int:
+    """How many such edges the figure, clipped, has."""
+    window = clip_box(sheet)
+    if window is None or not isinstance(figure, Polygon):
+        return 0
+    return sum(len(degenerate_edges(emitted(call).tolist(), window)) for call in clipper_calls(sheet, figure))
+
+
+def closed(ring: Points) -> Points:
+    """A ring (n, 2) with its first corner at the end again."""
+    return np.concatenate([ring, ring[:1]]) if len(ring) else ring.reshape(0, 2)
