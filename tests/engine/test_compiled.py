@@ -61,6 +61,37 @@ def test_many_at_once_paint_what_they_paint_one_by_one(rows: list[tuple[int, ...
     assert np.array_equal(many, each)
 
 
+@given(rows=st.lists(st.tuples(near, near, near, near), max_size=8))
+def test_many_at_once_collect_what_they_collect_one_by_one(rows: list[tuple[int, ...]]) -> None:
+    table = np.array(rows, np.int64).reshape(-1, 4)
+    for flavour in ("", "interpreted"):
+        values, ends = compiled.collect_many(LINE, table, flavour=flavour)
+        assert values.dtype == np.int64
+        assert len(ends) == len(rows)
+        assert not rows or ends[-1] == len(values)
+        starts = [0, *ends][:-1]
+        for row, start, end in zip(rows, starts, ends, strict=True):
+            assert [tuple(pixel) for pixel in values[start:end]] == list(LINE(*row))
+
+
+def test_many_at_once_are_collected_again_where_there_was_no_room() -> None:
+    rows = np.array([[0, 0, 3000, 0], [0, 0, 0, 3000]])
+    values, ends = compiled.collect_many(LINE, rows)
+    assert ends.tolist() == [3001, 6002]
+    assert values[3000:3002].tolist() == [[3000, 0], [0, 0]]
+    assert values[-1].tolist() == [0, 3000]
+
+
+def test_rows_without_emissions_end_where_the_row_before_did() -> None:
+    clip = catalogue.get("cohen_sutherland").function
+    window = (0.0, 0.0, 30.0, 20.0)
+    values, ends = compiled.collect_many(
+        clip, [(10, 30, 40, 0, *window), (-1, 30, -5, 0, *window), (1, 2, 3, 4, *window)]
+    )
+    assert ends.tolist() == [1, 1, 2]
+    assert values.tolist() == [[20, 20, 30, 10], [1, 2, 3, 4]]
+
+
 @given(x0=near, y0=near, x1=near, y1=near)
 def test_coverage_mixes_each_channel(x0: int, y0: int, x1: int, y1: int) -> None:
     image = np.full((20, 24), 0x102030, np.uint32)
@@ -138,6 +169,8 @@ def test_what_cannot_be_painted_says_so() -> None:
         compiled.paint(texts.edges, np.zeros((3, 3), np.int64), 1, 3)
     with pytest.raises(ValueError, match="4 numbers"):
         compiled.paint_many(LINE, np.zeros((3, 3), np.int64), 1, [[1, 2, 3]])
+    with pytest.raises(ValueError, match="more than numbers"):
+        compiled.collect_many(FILL, [[1, 2, 3]])
     with pytest.raises(ValueError, match="more than numbers"):
         compiled.paint_many(FILL, np.zeros((3, 3), np.int64), 1, [[1, 2, 3]])
 

@@ -6,7 +6,7 @@ int64, pictures of integers as they are. Another form would be another signature
 
 import functools
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -35,6 +35,29 @@ def kinds(function: Callable[..., Any]) -> tuple[tuple[str, Kind | None], ...]:
         (name, _ANNOTATIONS.get(parameter.annotation))
         for name, parameter in inspect.signature(function).parameters.items()
     )
+
+
+def only_numbers(parameters: Iterable[tuple[str, str | None]]) -> bool:
+    """Whether each parameter, (name, kind), is a number, so that many calls are the rows of one array."""
+    return all(kind in ("int", "float", "bool", "colour") for _name, kind in parameters)
+
+
+def table(function: Callable[..., Any], rows: Any) -> NDArray[Any]:
+    """The arguments of many calls, one a row, (n, number of parameters): float64 where one is a float.
+
+    Raises ValueError: the function takes more than numbers, or the rows are not as long as it asks.
+    """
+    parameters = kinds(function)
+    name = function.__name__
+    if not only_numbers(parameters):
+        raise ValueError(_("{name} takes more than numbers; run it once at a time").format(name=name))
+    dtype = np.float64 if any(kind == "float" for _name, kind in parameters) else np.int64
+    found = np.ascontiguousarray(rows, dtype=dtype)
+    if found.ndim != 2 or found.shape[1] != len(parameters):
+        raise ValueError(
+            _("{name} takes {count} numbers in each row").format(name=name, count=len(parameters))
+        )
+    return found
 
 
 def bind(function: Callable[..., Any], arguments: tuple[Any, ...], copied: bool) -> tuple[Any, ...]:

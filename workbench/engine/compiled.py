@@ -26,7 +26,18 @@ from workbench.engine.lowering import Lowered, Variant, lower
 from workbench.engine.sinks import Stopped
 from workbench.language import _
 
-__all__ = ["NotCompilable", "Stop", "Stopped", "available", "collect", "hits", "paint", "paint_many", "ready"]
+__all__ = [
+    "NotCompilable",
+    "Stop",
+    "Stopped",
+    "available",
+    "collect",
+    "collect_many",
+    "hits",
+    "paint",
+    "paint_many",
+    "ready",
+]
 
 Function = Callable[..., Any]
 
@@ -248,17 +259,44 @@ def collect(
         Stopped: ``stop`` was set. DialectError, NotCompilable: the text cannot be run so.
         TypeError, ValueError: the arguments do not fit.
     """
+    flag = (stop or Stop()).flag
     one = kernel(function, flavour=flavour)
+    return _collected(one, "_collect", lambda: (flag, *arguments.bind(function, args, True)), 4096, compiling)
+
+
+def collect_many(
+    function: Function,
+    rows: Any,
+    *,
+    stop: Stop | None = None,
+    compiling: bool = True,
+    flavour: str = "",
+) -> tuple[NDArray[Any], NDArray[np.int64]]:
+    """As ``collect``, once for each row of arguments in ``rows`` (n, number of parameters).
+
+    Returns everything emitted, and for each row (n,) how much was emitted up to its end. Raises as
+    ``collect``, and ValueError for a text that takes more than numbers.
+    """
+    one = kernel(function, flavour=flavour)
+    table, flag = arguments.table(function, rows), (stop or Stop()).flag
+    ends = np.zeros(len(table), np.int64)
+    room = max(4096, len(table))
+    return _collected(one, "_collect_many", lambda: (ends, flag, table), room, compiling), ends
+
+
+def _collected(
+    one: Kernel, driver: str, rest: Callable[[], tuple[Any, ...]], room: int, compiling: bool
+) -> NDArray[Any]:
+    """What a driver collects, (n, k), given the ``rest`` of its arguments; run again where it had no room."""
     arity = one.lowered.arity
     dtype: Any = np.int64 if one.emits in ("pixels", "spans") else np.float64
-    flag = stop or Stop()
-    room = 4096
     while True:
         values = np.zeros(room * arity, dtype)
         count = np.zeros(1, np.int64)
-        one.call("_collect", (values, count, flag.flag, *arguments.bind(function, args, True)), compiling)
+        one.call(driver, (values, count, *rest()), compiling)
         if count[0] <= room:
-            return values[: count[0] * arity].reshape(-1, arity).copy()
+            found = values[: count[0] * arity].reshape(-1, arity)
+            return found if 2 * count[0] > room else found.copy()
         room = int(count[0])
 
 
@@ -308,17 +346,7 @@ def paint_many(
     """As ``paint``, once for each row of arguments in ``rows`` (n, number of parameters)."""
     one = kernel(function, emits, flavour)
     _paintable(one)
-    kinds = arguments.kinds(function)
-    if any(kind not in ("int", "float", "bool", "colour") for _name, kind in kinds):
-        raise ValueError(
-            _("{name} takes more than numbers; paint one at a time").format(name=one.lowered.name)
-        )
-    dtype = np.float64 if any(kind == "float" for _name, kind in kinds) else np.int64
-    table = np.ascontiguousarray(rows, dtype=dtype)
-    if table.ndim != 2 or table.shape[1] != len(kinds):
-        raise ValueError(
-            _("{name} takes {count} numbers in each row").format(name=one.lowered.name, count=len(kinds))
-        )
+    table = arguments.table(function, rows)
     picture = _picture(image)
     flag = (stop or Stop()).flag
     one.call("_paint_many", (picture, picture.dtype.type(value), flag, table), compiling)

@@ -4,6 +4,7 @@ Each driver takes the algorithm's own arguments last, all of them, in order; its
 """
 
 from workbench.algorithms.entry import Emits
+from workbench.engine.arguments import only_numbers
 
 PAINTING: dict[str, str] = {"pixels": "Paint", "coverage": "Blend", "spans": "PaintSpans"}
 
@@ -17,6 +18,16 @@ def _collect(_values, _count, _stop, {arguments}):
 @reading
 def _run(_stop, {arguments}):
     {name}(Nothing(_stop), {arguments})
+"""
+
+_COLLECT_MANY = """
+@reading
+def _collect_many(_values, _count, _ends, _stop, _rows):
+    for row in range(len(_rows)):
+        if _stop[0] != 0:
+            raise Stopped
+        {name}(Collect(_values, _count, _stop), {columns})
+        _ends[row] = _count[0]
 """
 
 _PAINT = """
@@ -90,9 +101,13 @@ def drivers(
     y_max) around everything that is emitted, or empty.
     """
     arguments = ", ".join(parameter for parameter, _kind in parameters)
-    fields = {"name": name, "arguments": arguments}
+    columns = ", ".join(_column(k, kind) for k, (_n, kind) in enumerate(parameters))
+    fields = {"name": name, "arguments": arguments, "columns": columns}
     used = ["Collect", "Nothing", "Stopped"]
     text = _PLAIN.format(**fields)
+    numbers = only_numbers(parameters)
+    if numbers:
+        text += _COLLECT_MANY.format(**fields)
     if emits in PAINTING:
         sink = PAINTING[emits]
         used.append(sink)
@@ -101,10 +116,8 @@ def drivers(
             text += _PAINT_WITHIN.format(**fields, sink=sink, extent=extent)
         else:
             text += _PAINT.format(**fields, sink=sink)
-        if all(kind in ("int", "float", "bool", "colour") for _name, kind in parameters):
-            text += _PAINT_MANY.format(
-                columns=", ".join(_column(k, kind) for k, (_n, kind) in enumerate(parameters))
-            )
+        if numbers:
+            text += _PAINT_MANY.format(**fields)
     if emits in ("pixels", "coverage", "fragments", "spans"):
         sink = "HitSpan" if emits == "spans" else "Hit"
         used.append(sink)

@@ -17,10 +17,11 @@ import numpy as np
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.engine import compiled, counts, touches
+from workbench.engine.arguments import kinds, only_numbers
 from workbench.engine.drivers import PAINTING
 
 # In the order in which they are felt: a drag, the step bar, a question about a pixel.
-USES = ("paint", "paint_many", "collect", "count", "probe", "hits")
+USES = ("paint", "paint_many", "collect_many", "collect", "count", "probe", "hits")
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,8 +94,9 @@ def _has(entry: Entry, use: str) -> bool:
         case "paint":
             return bool(entry.writes) or entry.emits in PAINTING
         case "paint_many":
-            numbers = all(item.kind in ("int", "float", "bool", "colour") for item in entry.parameters)
-            return numbers and entry.emits in PAINTING
+            return entry.emits in PAINTING and only_numbers(kinds(entry.function))
+        case "collect_many":
+            return entry.emits == "segments" and only_numbers(kinds(entry.function))
         case "hits":
             return entry.emits in ("pixels", "coverage", "spans", "fragments")
     return True
@@ -109,6 +111,8 @@ def compile_use(entry: Entry, use: str) -> None:
             compiled.paint(function, image, 1, *example)
         case "paint_many":
             compiled.paint_many(function, image, 1, [example])
+        case "collect_many":
+            compiled.collect_many(function, [example])
         case "collect":
             compiled.collect(function, *example)
         case "count":
