@@ -13,7 +13,6 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from dis import opmap
 from inspect import CO_GENERATOR
 from types import CodeType, FrameType, TracebackType
 from typing import Any
@@ -22,12 +21,12 @@ from workbench.engine.columns import MISSING, Column
 from workbench.engine.containers import Containers, Log, is_fixed
 from workbench.engine.effects import Effects, texts_of
 from workbench.engine.limited import room_for
+from workbench.engine.passing import YIELD, Known, Passing, Skip
 from workbench.engine.recording import Failure, Recording
+from workbench.engine.turns import short_turns
 
 LIMIT = 1_000_000
-_YIELD = opmap["YIELD_VALUE"]
 _SLICE = 512
-_TURN_S = 0.0005
 _NUMBERS = frozenset((int, float, bool, type(None)))
 _NO_GLOBALS: dict[str, Any] = {}
 
@@ -37,21 +36,6 @@ class _Ended(BaseException):
 
     def __init__(self, truncated: bool) -> None:
         self.truncated = truncated
-
-
-class _Known:
-    """One text, prepared for the trace function."""
-
-    __slots__ = ("bytecode", "effects", "entry", "generator", "number", "otherwise")
-
-    def __init__(self, recording: Recording, number: int) -> None:
-        text = recording.texts[number]
-        self.number = number
-        self.effects = dict(text.effects)
-        self.otherwise = text.otherwise
-        self.entry = Effects(text.parameters, (), ())
-        self.generator = bool(text.code.co_flags & CO_GENERATOR)
-        self.bytecode = text.code.co_code
 
 
 class _Call:
@@ -69,11 +53,17 @@ class _Tracer:
     """Holds what the trace functions of one run share. ``pause`` is called every ``_SLICE`` events."""
 
     def __init__(
-        self, recording: Recording, limit: int, depth_limit: int | None, pause: Callable[[], None] | None
+        self,
+        recording: Recording,
+        limit: int,
+        depth_limit: int | None,
+        pause: Callable[[], None] | None,
+        skip: Skip | None = None,
     ) -> None:
         self.recording = recording
-        self._texts: dict[CodeType, _Known] = {
-            text.code: _Known(recording, number) for number, text in enumerate(recording.texts)
+        recording.steps_before = skip.steps if skip else 0
+        self._texts: dict[CodeType, Known] = {
+            text.code: Known(recording, number) for number, text in enumerate(recording.texts)
         }
         self._limit = limit
         self._depth_limit = depth_limit
@@ -83,6 +73,16 @@ class _Tracer:
         self._stack: list[_Call] = []
         self._containers = Containers()
         self.overflow = False
+        self._passing = (
+            Passing(skip, lambda frame: self._texts.get(frame.f_code), self.refuse_depth, pause, self.begin)
+            if skip and skip.steps
+            else None
+        )
+
+    @property
+    def first(self) -> Callable[[FrameType, str, Any], Any]:
+        """The global trace function to begin with."""
+        return self._passing.call if self._passing else self.call
 
     def call(self, frame: FrameType, event: str, arg: Any) -> Any:
         """The global trace function: a call, or a generator resumed."""
@@ -93,20 +93,36 @@ class _Tracer:
         self._stack.append(call)
         return call.trace
 
-    def _open(self, frame: FrameType, known: _Known) -> _Call:
-        recording = self.recording
-        parent = self._stack[-1] if self._stack else None
-        depth = parent.depth + 1 if parent else 0
+    def begin(self, under_way: Iterable[tuple[FrameType, int]]) -> None:
+        """Record from here on; ``under_way`` are the calls there are, with the block that each is in."""
+        sys.settrace(self.call)
+        for frame, block in under_way:
+            known = self._texts[frame.f_code]
+            call = self._open(frame, known, under_way=True)
+            self._stack.append(call)
+            self.recording.begun_in.append(block)
+            self.recording.begun_at.append(frame.f_lineno)
+            frame.f_trace = call.trace
+
+    def refuse_depth(self, depth: int) -> None:
+        """Raise RecursionError for a call that nests too deep."""
         if self._depth_limit is not None and depth > self._depth_limit:
             self.overflow = True
             raise RecursionError(f"the calls are more than {self._depth_limit} deep")
+
+    def _open(self, frame: FrameType, known: Known, under_way: bool = False) -> _Call:
+        recording = self.recording
+        parent = self._stack[-1] if self._stack else None
+        depth = parent.depth + 1 if parent else 0
+        self.refuse_depth(depth)
         call = _Call(len(recording.frame_starts), depth)
         recording.frame_texts.append(known.number)
         recording.frame_depths.append(depth)
         recording.frame_parents.append(parent.number if parent else -1)
         recording.frame_ends.append(0)
         recording.frame_starts.append(2 * recording.count)
-        call.trace = self._local_trace(call, known, self._may_have_changed(frame.f_back))
+        fresh = not under_way and self._may_have_changed(frame.f_back)
+        call.trace = self._local_trace(call, known, fresh, frame if under_way else None)
         self._calls[frame] = call
         return call
 
@@ -118,7 +134,7 @@ class _Tracer:
         effects = known.effects.get(caller.f_lineno, known.otherwise)
         return effects is not None and bool(effects.tails or effects.touches or effects.stores)
 
-    def _local_trace(self, call: _Call, known: _Known, fresh: bool) -> Any:
+    def _local_trace(self, call: _Call, known: Known, fresh: bool, under_way: FrameType | None) -> Any:
         """The trace function of one call; a closure, since this runs once per line."""
         recording, number = self.recording, call.number
         add_line, add_frame = recording.line_column.append, recording.frame_column.append
@@ -129,6 +145,9 @@ class _Tracer:
         seen: dict[str, Any] = {}
         logs: dict[str, Log] = {}
         pending: Effects | None = known.entry
+        if under_way is not None:
+            look(under_way.f_locals, known.everything, 0, columns, seen, logs, fresh)
+            pending = effects_of(under_way.f_lineno, otherwise)
 
         def trace(frame: FrameType, event: str, arg: Any) -> Any:
             nonlocal pending, fresh, trace
@@ -146,7 +165,7 @@ class _Tracer:
                 recording.count = count + 1
             elif event == "return":
                 self._stack.pop()
-                if not (generator and bytecode[frame.f_lasti] == _YIELD):
+                if not (generator and bytecode[frame.f_lasti] == YIELD):
                     stamp = max(2 * recording.count - 1, 0)
                     if pending is not None:
                         look(frame.f_locals, pending, stamp, columns, seen, logs, fresh)
@@ -206,6 +225,11 @@ class _Tracer:
             if isinstance(held, Log):
                 logs[name] = held
 
+    def finish(self) -> None:
+        """The run came to its end; where it has fewer steps than were to be passed, say how many."""
+        if self._passing is not None and not self.recording.count:
+            self.recording.steps_before = self._passing.steps
+
     def _check(self, count: int) -> None:
         if count >= self._limit:
             raise _Ended(truncated=True)
@@ -230,31 +254,6 @@ class _Tracer:
         return Failure(exception, line, function, depth, isinstance(exception, RecursionError))
 
 
-class _ShortTurns:
-    """Makes threads take turns often while any recorder runs, so that an interface need not wait."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._running = 0
-        self._before = 0.0
-
-    def __enter__(self) -> None:
-        with self._lock:
-            if not self._running:
-                self._before = sys.getswitchinterval()
-                sys.setswitchinterval(min(self._before, _TURN_S))
-            self._running += 1
-
-    def __exit__(self, *_raised: object) -> None:
-        with self._lock:
-            self._running -= 1
-            if not self._running:
-                sys.setswitchinterval(self._before)
-
-
-_short_turns = _ShortTurns()
-
-
 @contextmanager
 def _tracing(trace: Any) -> Iterator[None]:
     before = sys.gettrace()
@@ -270,7 +269,7 @@ def _run(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[An
     add = recording.emitted.add
     generator = recording.texts[0].code.co_flags & CO_GENERATOR
     try:
-        with _tracing(tracer.call):
+        with _tracing(tracer.first):
             for args in calls:
                 running = function(*args)
                 if not generator:
@@ -278,6 +277,7 @@ def _run(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[An
                     continue
                 for item in running:
                     add(item if isinstance(item, tuple) else (item,), recording.count)
+        tracer.finish()
         recording.complete = True
     except _Ended as ended:
         recording.truncated = ended.truncated
@@ -287,14 +287,20 @@ def _run(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[An
 
 
 def _run_beside(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]]) -> None:
-    with _short_turns:
+    with short_turns:
         _run(tracer, function, calls)
 
 
 def record(
-    function: Callable[..., Any], *args: Any, limit: int = LIMIT, depth_limit: int | None = None
+    function: Callable[..., Any],
+    *args: Any,
+    limit: int = LIMIT,
+    depth_limit: int | None = None,
+    skip: Skip | None = None,
 ) -> Recording:
     """Run ``function`` to its end, or to ``limit`` line events, and return what happened.
+
+    What ``skip`` passes over is run, and what it emits is kept, but none of its lines is recorded.
 
     Nothing that the text raises leaves this function: it is in ``Recording.error``. ``depth_limit`` is the
     deepest call allowed (the entry is 0); beyond it RecursionError is raised where the call was made. Array
@@ -302,14 +308,15 @@ def record(
     function.
     """
     recording = Recording(texts_of(function))
-    _run(_Tracer(recording, limit, depth_limit, None), function, (args,))
+    _run(_Tracer(recording, limit, depth_limit, None, skip), function, (args,))
     return recording
 
 
 class Recorder:
     """Records on a thread of its own, in slices, so that an interface stays free; ``hold`` makes it wait.
 
-    ``then`` are the arguments of further calls, which are recorded behind the first.
+    ``then`` are the arguments of further calls, which are recorded behind the first. ``skip`` is as in
+    ``record``.
     """
 
     def __init__(
@@ -319,13 +326,14 @@ class Recorder:
         limit: int = LIMIT,
         depth_limit: int | None = None,
         then: Iterable[tuple[Any, ...]] = (),
+        skip: Skip | None = None,
     ) -> None:
         self.recording = Recording(texts_of(function))
         self._may_run = threading.Event()
         self._may_run.set()
         self._stopped = False
         self._depth_limit = depth_limit
-        tracer = _Tracer(self.recording, limit, depth_limit, self._pause)
+        tracer = _Tracer(self.recording, limit, depth_limit, self._pause, skip)
         self._thread = threading.Thread(
             target=_run,
             args=(tracer, function, (args, *then)),

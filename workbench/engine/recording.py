@@ -41,7 +41,9 @@ class Recording:
     """Line events as columns; see the module of the recorder for how they come about.
 
     ``complete`` is set when the run came to its own end, ``truncated`` when the limit on line events stopped
-    it, ``error`` when it raised. ``result`` is what a plain function returned.
+    it, ``error`` when it raised. ``result`` is what a plain function returned. ``steps_before`` steps ran
+    before the first event that is recorded, and ``begun_in`` and ``begun_at`` tell in which viewed block and
+    line each of the calls was that were then under way.
     """
 
     def __init__(self, texts: tuple[Text, ...]) -> None:
@@ -52,6 +54,9 @@ class Recording:
         self.truncated = False
         self.error: Failure | None = None
         self.result: Any = None
+        self.steps_before = 0
+        self.begun_in = array("h")
+        self.begun_at = array("I")
         self.line_column = array("I")
         self.frame_column = array("I")
         self.frame_texts = array("H")
@@ -130,11 +135,10 @@ class Recording:
         event = self._index(event)
         frame, at, found = int(self.frame_column[event]), event, []
         while frame >= 0:
-            while self.frame_column[at] != frame:
+            while at >= 0 and self.frame_column[at] != frame:
                 at -= 1
-            found.append(
-                (self.line_column[at], self.texts[self.frame_texts[frame]].name, self._read(frame, 2 * event))
-            )
+            line = self.line_column[at] if at >= 0 else self.begun_at[frame]
+            found.append((line, self.texts[self.frame_texts[frame]].name, self._read(frame, 2 * event)))
             frame = self.frame_parents[frame]
         return found
 

@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, View
 from workbench.engine.blocks import blocks
+from workbench.engine.effects import texts_of
+from workbench.engine.passing import Skip
 from workbench.engine.recording import Recording
 from workbench.language import _
 
@@ -50,6 +52,7 @@ class Visits:
         self._table = np.zeros((4, 64), np.int64)
         self._block_in: NDArray[np.int64] = np.zeros(0, np.int64)
         self._visit_in: NDArray[np.int64] = np.zeros(0, np.int64)
+        self._begun = False
 
     def __len__(self) -> int:
         return self._count
@@ -64,9 +67,13 @@ class Visits:
         """Last event of each visit, so far as is recorded."""
         return self._table[_LAST, : self._count]
 
+    def block_number(self, visit: int) -> int:
+        """The number of the block that was visited, among those with views."""
+        return int(self._table[_BLOCK, visit])
+
     def block_of(self, visit: int) -> Viewed:
         """The block that was visited."""
-        return self._viewed[int(self._table[_BLOCK, visit])]
+        return self._viewed[self.block_number(visit)]
 
     def blocks_where(self, holds: Callable[[View], bool]) -> NDArray[np.bool_]:
         """For each block with views, whether ``holds`` is true of any of them."""
@@ -103,6 +110,10 @@ class Visits:
         calls = np.array(recording.frame_column[seen:count], np.int64)
         texts = np.array(recording.frame_texts[:], np.int64)
         self._make_room(len(texts))
+        if not self._begun:
+            # A call that was under way when recording began goes on with its block; that is no new visit.
+            self._begun = True
+            self._block_in[: len(recording.begun_in)] = recording.begun_in[:]
         order = np.argsort(calls, kind="stable")
         call, block = calls[order], self._lookup[texts[calls], lines][order]
         other_call = np.append(True, call[1:] != call[:-1])
@@ -113,7 +124,8 @@ class Visits:
         goes_on = other_call[starts] & (self._block_in[in_call] == in_block) & (in_block != _NONE)
         new = ~goes_on & (in_block != _NONE)
         found = np.array([seen + order[starts], seen + order[stops], in_block, in_call], np.int64)
-        self._table[_LAST, self._visit_in[in_call[goes_on]]] = found[_LAST, goes_on]
+        earlier = self._visit_in[in_call[goes_on]]
+        self._table[_LAST, earlier[earlier != _NONE]] = found[_LAST, goes_on][earlier != _NONE]
         by_entering = np.flatnonzero(new)[np.argsort(found[_ENTERED, new], kind="stable")]
         numbers = np.full(len(starts), _NONE, np.int64)
         numbers[by_entering] = self._count + np.arange(len(by_entering))
@@ -141,6 +153,17 @@ class Visits:
         self._count = needed
         bearing = first + np.flatnonzero(self._bears_row[found[_BLOCK]])
         self.rows = np.append(self.rows, bearing)
+
+
+def skip(entry: Entry, steps: int) -> Skip:
+    """What a recorder of ``entry`` passes over for its first event to be that of step ``steps`` + 1."""
+    recording = Recording(texts_of(entry.function))
+    viewed = _viewed_blocks(entry, recording)
+    blocks = tuple(
+        {line: block for line, block in enumerate(row.tolist()) if block != _NONE}
+        for row in _block_of_line(viewed, recording)
+    )
+    return Skip(steps, blocks, tuple(any(bool(view.row) for view in block.views) for block in viewed))
 
 
 def _viewed_blocks(entry: Entry, recording: Recording) -> list[Viewed]:
