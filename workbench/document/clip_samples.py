@@ -40,14 +40,14 @@ def _lines() -> list[AnyFigure]:
         line((18, 40), (48, 10), 1, name=_("Across a corner")),
         line((12, 16), (27, 13), 3, name=_("Inside")),
         line((41, 32), (48, 40), 4, name=_("Beyond one corner")),
-        line((1, 25), (14, 39), 4, name=_("Past a corner")),
+        line((1, 26), (10, 36), 4, name=_("Past a corner")),
         line((3, 3), (48, 34), 2, name=_("From corner to corner")),
         line((13, 21), (13, 4), 5, name=_("Upright")),
     ]
 
 
 def _fork() -> AnyFigure:
-    corners = [(48, 12), (4, 14), (16, 18), (45, 19), (45, 21), (18, 22), (22, 34), (48, 28)]
+    corners = [(48, 12), (4, 14), (16, 16), (45, 17), (45, 23), (18, 24), (22, 36), (48, 28)]
     return polygon([[(float(x), float(y)) for x, y in corners]], 1, _("Fork"), closed=True)
 
 

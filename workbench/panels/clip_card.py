@@ -87,6 +87,8 @@ class ClipCard(ParameterCard):
     def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
         """Show what is selected, or what ``tool`` draws next, and the window."""
         super().refresh(tool, figures, summary)
+        for field in self._size or ():
+            field.hide()
         self.algorithm.hide()
         self.compare.hide()
         if not figures and tool is None:
@@ -116,8 +118,7 @@ class ClipCard(ParameterCard):
         polygons = issubclass(kind, Polygon)
         known = {entry.slug: entry for entry in catalogue.topic("clipping")}
         slugs = POLYGON_CLIPPERS if polygons else LINE_CLIPPERS
-        what = _("Polygons by {title}") if polygons else _("Lines by {title}")
-        choices = [(slug, what.format(title=_(known[slug].title))) for slug in slugs]
+        choices = [(slug, _(known[slug].title)) for slug in slugs]
         self._fill(self.clipper, choices, sheet.polygon_clipper if polygons else sheet.line_clipper)
         tip = _("The algorithm that clips polygons") if polygons else _("The algorithm that clips lines")
         self.clipper.setToolTip(tip)

@@ -6,7 +6,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP
-from workbench.language import _
 from workbench.panels.clip_scene import PATTERNS, Fate, closed, code_text, degenerate_marks, window_corners
 from workbench.rendering.mapping import Box
 from workbench.session.run import Run
@@ -16,34 +15,34 @@ _BY_NUMBER = (LEFT, RIGHT, BOTTOM, TOP)
 
 
 class ClipMoment(NamedTuple):
-    """Where a clipper is: its arguments in this call, its variables, whether it has come to its end."""
+    """Where a clipper is: its arguments in this call, of which it is the ``call``-th, its variables."""
 
     slug: str
     arguments: tuple[Any, ...]
     variables: dict[str, Any]
     call: int
-    calls: int
     ended: bool
-    emitted: int
 
 
-def clip_moment(run: Run) -> ClipMoment | None:
-    """The clipper's own call under way at the cursor; None before the first step."""
-    recording, step = run.recording, run.step
-    if run.entry is None or run.entry.topic != "clipping" or recording is None or step is None:
+def clip_moment(run: Run, number: int | None = None) -> ClipMoment | None:
+    """The clipper's own call under way at the cursor, or at the end of a step; None for other runs."""
+    recording, steps, step = run.recording, run.steps, run.step
+    if run.entry is None or run.entry.topic != "clipping" or recording is None or not len(recording):
         return None
-    if not len(recording) or run.position == 0:
+    if steps is None or step is None or (number is not None and number > len(steps)):
         return None
-    event = min(run.position, len(recording) - 1) if run.detail else max(step.last, 0)
+    if number is None and run.detail:
+        event = min(run.position, len(recording) - 1)
+    else:
+        event = max(steps.span(step.number if number is None else number)[1], 0)
     frame = root = int(recording.frame_column[event])
     while frame >= 0:
         root, frame = frame, int(recording.frame_parents[frame])
     depths = np.frombuffer(recording.frame_depths[:root], np.uint32)
-    call = int((depths == 0).sum())
-    variables = recording.after(event) if run.ended else recording.stack(event)[-1][2]
-    count = recording.emitted.count_at(event) if not run.ended else len(recording.emitted)
-    call = min(call, len(run.calls) - 1)
-    return ClipMoment(run.entry.slug, run.calls[call], variables, call, len(run.calls), run.ended, count)
+    call = min(int((depths == 0).sum()), len(run.calls) - 1)
+    ended = recording.complete and event == len(recording) - 1
+    variables = recording.after(event) if ended else recording.stack(event)[-1][2]
+    return ClipMoment(run.entry.slug, run.calls[call], variables, call, ended)
 
 
 def edge_points(window: Box, edge: int) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -51,11 +50,6 @@ def edge_points(window: Box, edge: int) -> np.ndarray[Any, np.dtype[np.float64]]
     corners = window_corners(window)
     first = {BOTTOM: 0, RIGHT: 1, TOP: 2, LEFT: 3}[edge]
     return corners[first : first + 2]
-
-
-def edge_title(edge: int) -> str:
-    """What the edge with this bit is called."""
-    return {LEFT: _("left"), RIGHT: _("right"), BOTTOM: _("bottom"), TOP: _("top")}[edge]
 
 
 def run_marks(moment: ClipMoment) -> Iterator[Drawn]:

@@ -171,6 +171,8 @@ class FigurePanel(QWidget):
     def refresh(self) -> None:
         """Show the session as it is now."""
         self._waiting = False
+        if self.isVisible():
+            self.session.update_state(stepped=self.stepped)
         self.show_now()
         self.empty.setVisible(not self.session.sheet.figures and not self.gesturing)
         for name in ("delete", "duplicate", "forwards", "backwards"):
@@ -184,7 +186,7 @@ class FigurePanel(QWidget):
             self.choose_tool(self.first_tool)
 
     def _press(self, x: float, y: float, modifiers: Any) -> None:
-        if self.session.run.waiting:
+        if self._answering:
             return
         self._hold(True)
         reach = max(0.75, REACH_PX * self.devicePixelRatioF() / self.canvas.view.cell)
@@ -199,7 +201,7 @@ class FigurePanel(QWidget):
             self.canvas.set_overlay(replace(self.canvas.overlay, snap=self.tool.snap))
 
     def _release(self, x: float, y: float, _modifiers: Any) -> None:
-        if not self.session.run.waiting:
+        if not self._answering:
             self.tool.release(x, y)
         self._hold(self.tool.busy)
         self._after_gesture()
@@ -230,6 +232,11 @@ class FigurePanel(QWidget):
                 run.hold()
             else:
                 run.go_on()
+
+    @property
+    def _answering(self) -> bool:
+        """Whether a click on the canvas answers what is asked."""
+        return self.session.run.waiting and not self.session.run.options
 
     @property
     def gesturing(self) -> bool:
@@ -324,7 +331,6 @@ class FigurePanel(QWidget):
         super().showEvent(event)
         for action in self._actions.values():
             action.setEnabled(True)
-        self.session.update_state(stepped=self.stepped)
         self._take_tool_when_empty()
         self.refresh()
 

@@ -109,7 +109,7 @@ class FigureView:
     def answer(self, cell: Cell) -> bool:
         """*Ask first*: ``cell`` is what the person expects next; False when nothing was asked."""
         run = self.session.run
-        if not run.waiting:
+        if not run.waiting or run.options:
             return False
         self._right, self._wrong = ((cell,), ()) if run.answer(*cell) else ((), (cell,))
         return True

@@ -168,7 +168,11 @@ def _word(painter: QPainter, scene: Scene, word: Word) -> None:
         painter.setPen(QPen(QColor(ink_of(scene.tokens, word.ink)), scene.unit))
         painter.setBrush(colour(scene.tokens.raised, 235))
         painter.drawRoundedRect(QRectF(left, top, wide, high), pad, pad)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
+    else:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour(scene.tokens.canvas, 150))
+        painter.drawRoundedRect(QRectF(left, top, wide, high), pad, pad)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setFont(font)
     painter.setPen(QColor(ink_of(scene.tokens, word.ink)))
     painter.drawText(QPointF(left + pad, top + pad / 2 + metrics.ascent()), word.text)

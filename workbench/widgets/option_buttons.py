@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QGridLayout, QPushButton, QWidget
 from workbench.language import _
 from workbench.session.run import Run
 
-_HEIGHT, _IN_ONE_ROW = 24, 3
+_HEIGHT, _IN_ONE_ROW = 22, 3
 
 
 class OptionButtons(QWidget):
@@ -18,8 +18,9 @@ class OptionButtons(QWidget):
         self._options: tuple[object, ...] = ()
         self.buttons: list[QPushButton] = []
         self._grid = QGridLayout(self)
-        self._grid.setContentsMargins(8, 0, 12, 2)
-        self._grid.setSpacing(4)
+        self._grid.setContentsMargins(8, 0, 12, 0)
+        self._grid.setHorizontalSpacing(4)
+        self._grid.setVerticalSpacing(2)
         self.setAccessibleName(_("What comes next?"))
         for signal in (run.changed, run.moved, run.grown, run.asked):
             signal.connect(self.refresh)

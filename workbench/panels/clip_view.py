@@ -1,0 +1,82 @@
+"""Keeps the canvas and the card of the Clip panel in step with the session and the clipper's run."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from workbench.algorithms.clipping.edges import region_code
+from workbench.language import _
+from workbench.panels.clip_card import ClipCard
+from workbench.panels.clip_run import ClipMoment, clip_moment, run_marks
+from workbench.panels.clip_scene import code_text, scene
+from workbench.panels.clip_window import ClipSelectTool, window_handles
+from workbench.panels.figure_compose import Composition, with_band
+from workbench.panels.figure_gesture import HandleDrag, Tool
+from workbench.panels.figure_outline import handles
+from workbench.panels.figure_picture import packed, picture, with_faint
+from workbench.panels.figure_tools import FigureTool
+from workbench.panels.figure_view import FigureView
+from workbench.rendering.clipping import clip_box
+from workbench.session.session import Session
+from workbench.widgets.canvas_overlay import Overlay
+from workbench.widgets.pixel_canvas import PixelCanvas
+from workbench.widgets.tokens import LIGHT, Tokens, tokens
+
+
+class ClipView(FigureView):
+    """Shows the sheet's window and what its clippers keep, and the moment of the run over it."""
+
+    card: ClipCard
+
+    def __init__(self, session: Session, canvas: PixelCanvas, second: PixelCanvas, card: ClipCard) -> None:
+        super().__init__(session, canvas, second, card)
+
+    def refresh(self, tool: Tool, drag: HandleDrag) -> None:
+        """Everything anew, from the session alone."""
+        session = self.session
+        sheet = session.sheet
+        busy = tool.busy or drag.busy
+        made = self._composed(None if busy else self._moment(), tokens())
+        held = drag.held or (tool.side.held if isinstance(tool, ClipSelectTool) else "")
+        chosen = set(session.state.selection)
+        selected = [figure for figure in sheet.figures if figure.id in chosen]
+        grips = [*window_handles(sheet, held)]
+        for figure in selected:
+            grips += handles(sheet, figure, held)
+        overlay = with_band(replace(made.overlay, handles=tuple(grips)), tool.band)
+        drawing = tool if isinstance(tool, FigureTool) else None
+        self.canvas.set_picture(made.pixels, made.background)
+        self.canvas.set_overlay(replace(overlay, snap=drawing.snap if drawing else None))
+        self.card.refresh(drawing, selected, "")
+
+    def _moment(self, number: int | None = None) -> ClipMoment | None:
+        """Where the run is, or one of its steps; before the first step only while something is asked."""
+        run = self.stepped_run()
+        if run is None or (run.position == 0 and not run.waiting and number is None):
+            return None
+        return clip_moment(run, number)
+
+    def _composed(self, moment: ClipMoment | None, now: Tokens) -> Composition:
+        sheet, active = self.session.sheet, self.session.active_figure
+        shown = picture(sheet, now)
+        if moment is not None and active is not None and not moment.ended:
+            nothing = np.empty((0, 2), np.int64)
+            shown = with_faint(shown, sheet, active, nothing, now, hidden=self.session.run.ask_first)
+        drawn = [*scene(sheet, active, moment is not None, self.card.codes.isChecked())]
+        if moment is not None:
+            drawn += run_marks(moment)
+        return Composition(shown, packed(now.canvas), Overlay(drawn=tuple(drawn)))
+
+    def on_paper(self, number: int | None = None) -> Composition:
+        """What is shown, or one step of the run, in the light theme and without handles."""
+        return self._composed(self._moment(number) if number != 0 else None, LIGHT)
+
+    def describe(self, x: int, y: int) -> str:
+        """A cell with its region code, and what painted it."""
+        window = clip_box(self.session.sheet)
+        said = super().describe(x, y)
+        if window is None:
+            return said
+        code = region_code(x, y, *window)
+        where = _("in the window") if code == 0 else _("outside the window")
+        return _("{cell}, code {code}, {where}").format(cell=said, code=code_text(code), where=where)
