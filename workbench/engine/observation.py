@@ -85,6 +85,7 @@ class Steps:
         self._visits = Visits(entry, recording)
         self._tells = self._visits.blocks_where(lambda view: bool(view.sentence) and not view.row)
         self._tabulates = self._visits.blocks_where(lambda view: bool(view.tables))
+        self._considers = self._visits.blocks_where(lambda view: bool(view.considers))
         self._length = 0
         self._steps: OrderedDict[int, Step] = OrderedDict()
         self._states: OrderedDict[int, dict[str, Any]] = OrderedDict()
@@ -186,6 +187,23 @@ class Steps:
             self._last_view = view
             self._judged = number
         return tuple(self._decisions)
+
+    def considered(self, first: int, most: int) -> tuple[list[tuple[int, tuple[int, int]]], int, bool]:
+        """The pixels that the visits from ``first`` on tested, each with the event its visit was entered at.
+
+        Looks at up to ``most`` visits; gives back, too, where to go on, and whether there is more.
+        """
+        visits = self._visits
+        last = min(first + most, len(visits))
+        found: list[tuple[int, tuple[int, int]]] = []
+        for visit in range(first, last):
+            if not self._is_left(visit):
+                return found, visit, False
+            view = self._view_of(visit) if self._considers[visits.block_number(visit)] else None
+            if view is not None and view.considers:
+                x, y = self._value(visit, view, view.considers)
+                found.append((int(visits.entered[visit]), (int(x), int(y))))
+        return found, last, last < len(visits)
 
     # Showing one step
 

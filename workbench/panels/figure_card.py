@@ -113,12 +113,10 @@ class ParameterCard(QFrame):
         body = QVBoxLayout(self._body)
         body.setContentsMargins(0, 0, 0, 0)
         body.setSpacing(8)
-        more = self.more_rows()
-        for item in (self.algorithm, self._grid, *more, self.compare, self.side_by_side, self.summary):
-            if isinstance(item, QGridLayout):
-                body.addLayout(item)
-            else:
-                body.addWidget(item)
+        body.addWidget(self.algorithm)
+        body.addLayout(self._grid)
+        for widget in (*self.more_rows(), self.compare, self.side_by_side, self.summary):
+            body.addWidget(widget)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(12, 8, 8, 8)
         whole.setSpacing(4)

@@ -91,7 +91,7 @@ class SelectTool(Tool):
 class FigureTool(Tool):
     """Draws a figure by dragging, or by two clicks; ``algorithm`` is what new figures are drawn by."""
 
-    kind: type[Line] | type[Polyline] | type[Polygon] | type[Circle] | type[Ellipse] = Line
+    kind: type[AnyFigure] = Line
 
     def __init__(self, session: Session) -> None:
         super().__init__(session)

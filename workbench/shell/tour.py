@@ -138,6 +138,13 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("draw-hint", _hint),
         ("draw-question", _question),
         ("draw-empty", _empty),
+        ("fill-triangle", lambda window: _fill(window, "triangle", 4)),
+        ("fill-letters", lambda window: _fill(window, "letters", 9)),
+        ("fill-interiors", _inside),
+        ("fill-pond", lambda window: _fill(window, "pond", 700)),
+        ("fill-heat", lambda window: _fill(window, "leak", 900, heat=True)),
+        ("fill-overflow", lambda window: _fill(window, "overflow", 1500)),
+        ("fill-empty", _fill_empty),
         ("display", _display),
         ("palette", _palette),
         ("settings", lambda window: window.go("settings")),
@@ -151,6 +158,26 @@ def _draw(window: MainWindow, step: int = 0) -> None:
     window.open_example("line")
     figures = window.session.sheet.figures
     window.session.update_state(active=figures[0].id, selection=(figures[0].id,), step=step)
+
+
+def _fill(window: MainWindow, slug: str, step: int, heat: bool = False) -> None:
+    window.open_example(slug)
+    front = window.session.sheet.figures[-1].id
+    window.session.update_state(active=front, selection=(front,), step=step)
+    window.panels("fill")[0].card.heat.setChecked(heat)
+
+
+def _inside(window: MainWindow) -> None:
+    _fill(window, "two-interiors", 0)
+    panel = window.panels("fill")[0]
+    panel.choose_tool("inside")
+    panel.inside.point = (41.0, 14.0)
+    panel.refresh()
+
+
+def _fill_empty(window: MainWindow) -> None:
+    window.session.new()
+    window.go("fill")
 
 
 def _hint(window: MainWindow) -> None:

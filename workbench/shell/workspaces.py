@@ -50,6 +50,16 @@ def workspaces() -> tuple[Workspace, ...]:
             lower=("tube", "distance"),
         ),
         Workspace(
+            "fill",
+            _("Fill"),
+            _("Polygons by scan lines, areas from a seed, inside and outside"),
+            "paint-bucket",
+            ("workbench.panels.fill:FillPanel", inspector, "workbench.panels.tube_dock:TubePanel"),
+            steps=True,
+            topics=("polygons", "seed_fill"),
+            lower=("tube", "depth"),
+        ),
+        Workspace(
             "clip",
             _("Clip"),
             _("What of lines, polygons and points a window keeps"),

@@ -1,0 +1,135 @@
+"""What a fill still has to do at an event, how deep it is, and how often it has tested each pixel.
+
+A text with a list named ``stack`` keeps it itself; one that calls itself has the calls under way for a stack.
+Only the columns that are needed are read, since a picture among the variables makes a whole moment dear.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.engine.columns import MISSING
+from workbench.engine.observation import Steps
+from workbench.engine.recording import Recording
+
+Cell = tuple[int, int]
+STACK = "stack"
+
+
+def read(recording: Recording, event: int, names: tuple[str, ...]) -> dict[str, Any] | None:
+    """The values of ``names`` at an event, in the innermost call that has them all; None where none has."""
+    frame = int(recording.frame_column[event])
+    while frame >= 0:
+        text = recording.frame_texts[frame]
+        if set(names) <= set(recording.texts[text].names):
+            columns = recording.columns(recording.frame_depths[frame], text)
+            since = recording.frame_starts[frame]
+            values = {name: columns[name].read(since, 2 * event) for name in names}
+            if all(value is not MISSING for value in values.values()):
+                return values
+        frame = recording.frame_parents[frame]
+    return None
+
+
+def keeps_stack(recording: Recording) -> bool:
+    """Whether the text keeps a stack of its own."""
+    return any(STACK in text.names for text in recording.texts)
+
+
+def calls_itself(recording: Recording) -> bool:
+    """Whether the entry's text calls itself."""
+    first = recording.texts[0]
+    return first.name in first.code.co_names and not keeps_stack(recording)
+
+
+def pending(recording: Recording, event: int, spans: bool) -> list[Any]:
+    """The stack at an event, its foot first: pixels (x, y), or with ``spans`` the rows of its own stack.
+
+    For a text that calls itself, the pixels of the calls under way, the first call first.
+    """
+    if keeps_stack(recording):
+        found = read(recording, event, (STACK,))
+        rows = [] if found is None else list(found[STACK])
+        return rows if spans else [(int(row[0]), int(row[1])) for row in rows]
+    cells: list[Cell] = []
+    frame, stamp = int(recording.frame_column[event]), 2 * event
+    while frame >= 0:
+        columns = recording.columns(recording.frame_depths[frame], recording.frame_texts[frame])
+        since = recording.frame_starts[frame]
+        x, y = columns["x"].read(since, stamp), columns["y"].read(since, stamp)
+        if x is not MISSING and y is not MISSING:
+            cells.append((int(x), int(y)))
+        frame = recording.frame_parents[frame]
+    return cells[::-1]
+
+
+class Depths:
+    """How many entries the stack has, or how many calls nest, at the end of each step; found in slices."""
+
+    def __init__(self, steps: Steps) -> None:
+        self._steps = steps
+        self._own = keeps_stack(steps.recording)
+        self._room = np.zeros(256, np.int64)
+        self._known = 0
+
+    @property
+    def values(self) -> NDArray[np.int64]:
+        """(n,) depth after steps 0 to n - 1."""
+        return self._room[: self._known]
+
+    def advance(self, most: int) -> bool:
+        """Look at up to ``most`` further steps; True while there are more."""
+        steps, recording = self._steps, self._steps.recording
+        last = min(len(steps) + 1, self._known + most)
+        if last > len(self._room):
+            self._room = np.append(self._room, np.zeros(max(last, len(self._room)), np.int64))
+        for number in range(self._known, last):
+            event = max(steps.span(number)[1], 0)
+            if event >= len(recording):
+                return False
+            if self._own:
+                found = read(recording, event, (STACK,))
+                depth = 0 if found is None else len(found[STACK])
+            else:
+                depth = int(recording.frame_depths[recording.frame_column[event]]) + 1
+            self._room[number] = depth
+            self._known = number + 1
+        return self._known <= len(steps)
+
+
+class Tested:
+    """Which pixel each step tested, found in slices; spans are not among them."""
+
+    def __init__(self, steps: Steps) -> None:
+        self._steps = steps
+        self._looked = 0
+        self._step: list[int] = []
+        self._cells: list[Cell] = []
+
+    def __len__(self) -> int:
+        """How many tests were found so far."""
+        return len(self._cells)
+
+    def advance(self, most: int) -> bool:
+        """Look at up to ``most`` further visits; True while there are more."""
+        found, self._looked, more = self._steps.considered(self._looked, most)
+        for event, cell in found:
+            self._step.append(self._steps.step_of(event))
+            self._cells.append(cell)
+        return more
+
+    def counts(self, number: int, size: tuple[int, int]) -> NDArray[np.int64]:
+        """(height, width) how often each pixel was tested up to step ``number``."""
+        counted = np.zeros((size[1], size[0]), np.int64)
+        if not self._cells:
+            return counted
+        upto = int(np.searchsorted(np.array(self._step), number, side="right"))
+        x, y = np.array(self._cells[:upto], np.int64).reshape(-1, 2).T
+        inside = (x >= 0) & (x < size[0]) & (y >= 0) & (y < size[1])
+        np.add.at(counted, (y[inside], x[inside]), 1)
+        return counted
+
+    def steps_at(self, cell: Cell) -> list[int]:
+        """The steps that tested this pixel, so far as has been looked."""
+        return [step for step, tested in zip(self._step, self._cells, strict=True) if tested == cell]

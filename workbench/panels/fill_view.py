@@ -1,0 +1,125 @@
+"""Keeps the canvas, the card and the plot of the Fill panel in step with the session and its run."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QTimer
+
+from workbench.document.model import AnyFigure
+from workbench.engine.observation import Steps
+from workbench.engine.pending import Depths, Tested, calls_itself
+from workbench.panels.figure_compose import Composition, Progress
+from workbench.panels.figure_view import FigureView
+from workbench.panels.fill_card import FillCard
+from workbench.panels.fill_scene import Verdict, construction, heat_words, heated, ray, verdict
+from workbench.panels.fill_tools import InsideTool
+from workbench.session.run import Run
+from workbench.session.session import Session
+from workbench.widgets.canvas_overlay import Overlay
+from workbench.widgets.depth_plot import DepthPlot
+from workbench.widgets.pixel_canvas import PixelCanvas
+from workbench.widgets.tokens import tokens
+
+_SLICE_MS, _STEPS, _VISITS = 8, 120, 60
+_NOTHING = np.zeros(0, np.int64)
+
+
+class FillView(FigureView):
+    """Shows a session on canvases, card and ``plot``; what is found slowly is found a slice at a time."""
+
+    def __init__(
+        self,
+        session: Session,
+        canvas: PixelCanvas,
+        second: PixelCanvas,
+        card: FillCard,
+        plot: DepthPlot,
+        inside: InsideTool,
+        changed: Callable[[], object],
+    ) -> None:
+        super().__init__(session, canvas, second, card)
+        self.fill_card = card
+        self.plot = plot
+        self.inside = inside
+        self.changed = changed
+        self.verdict: Verdict | None = None
+        self._steps: Steps | None = None
+        self._depths: Depths | None = None
+        self._tested: Tested | None = None
+        self._slices = QTimer(canvas)
+        self._slices.setSingleShot(True)
+        self._slices.setInterval(_SLICE_MS)
+        self._slices.timeout.connect(self._look_on)
+
+    def completed(self, made: Composition, progress: Progress | None) -> Composition:
+        """With the run's construction, the heat map, and the ray of a point that is asked about."""
+        run, sheet = self.stepped_run(), self.session.sheet
+        overlay: Overlay = made.overlay
+        pixels = made.pixels
+        heat = self._heat(run)
+        if heat is not None:
+            pixels = heated(pixels, heat, tokens())
+            overlay = replace(overlay, drawn=heat_words(heat))
+        elif run is not None and progress is not None and made.comparison is None:
+            overlay = replace(overlay, drawn=construction(run, sheet.width_px))
+        self.verdict = self._verdict()
+        self.fill_card.say_verdict("" if self.verdict is None else self.verdict.sentence)
+        if self.verdict is not None:
+            overlay = replace(overlay, drawn=(*overlay.drawn, *ray(sheet, self.verdict)))
+        return replace(made, pixels=pixels, overlay=overlay)
+
+    def _verdict(self) -> Verdict | None:
+        polygon = self.inside.polygon()
+        if self.inside.point is None or polygon is None:
+            return None
+        return verdict(self.session.sheet, polygon, *self.inside.point)
+
+    def _heat(self, run: Run | None) -> NDArray[np.int64] | None:
+        """How often each pixel was tested up to the cursor; None when that is not to be seen."""
+        if not self.fill_card.heat.isChecked() or self.fill_card.heat.isHidden():
+            return None
+        self._take(run)
+        if run is None or self._tested is None:
+            return None
+        number = run.step_number or (0 if run.ask_first else len(run.steps or ()))
+        return self._tested.counts(number, run.image_size)
+
+    def show_beside(self, active: AnyFigure | None, compared: str, progress: Progress | None) -> None:
+        """The depth of the stack, and what became of a recursion."""
+        run = self.stepped_run()
+        self._take(run)
+        recording = None if run is None else run.recording
+        if run is None or self._depths is None or recording is None:
+            self.plot.show_depths(_NOTHING, False)
+            return
+        recursive = calls_itself(recording)
+        self.plot.show_depths(self._depths.values, recursive, run.depth_limit if recursive else 0)
+        self.plot.show_cursor(run.step_number)
+        self.fill_card.say_overflow(run.message if recording.error is not None else "")
+
+    def _take(self, run: Run | None) -> None:
+        """Follow another run, or more of the same; only a seed fill has a stack."""
+        steps = None
+        if run is not None and run.entry is not None and run.entry.topic == "seed_fill":
+            steps = run.steps
+        if steps is not self._steps:
+            self._steps = steps
+            self._depths = None if steps is None else Depths(steps)
+            self._tested = None if steps is None else Tested(steps)
+        if steps is not None and not self._slices.isActive():
+            self._slices.start()
+
+    def _look_on(self) -> None:
+        """Look at a slice of what is not yet known, while it is to be seen."""
+        if self._steps is None or self._depths is None or self._tested is None:
+            return
+        known = len(self._depths.values), len(self._tested)
+        more = self.plot.isVisible() and self._depths.advance(_STEPS)
+        heat = self.fill_card.heat.isVisible() and self.fill_card.heat.isChecked()
+        more = (heat and self._tested.advance(_VISITS)) or more
+        if more:
+            self._slices.start()
+        if (len(self._depths.values), len(self._tested)) != known:
+            self.changed()
