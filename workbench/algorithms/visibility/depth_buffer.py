@@ -77,8 +77,16 @@ def depth_buffer(
     height, width = image.shape
 
     for face in range(len(faces)):
-        # Take the corners, lowest first
+        # Find the rows that the triangle covers
         a, b, c = int(faces[face, 0]), int(faces[face, 1]), int(faces[face, 2])
+        y_low = float(min(vertices[a, 1], vertices[b, 1], vertices[c, 1]))
+        y_high = float(max(vertices[a, 1], vertices[b, 1], vertices[c, 1]))
+        first_row = max(math.ceil(y_low), low_row, 0)
+        row_end = min(math.ceil(y_high), high_row, height)
+        if first_row >= row_end:
+            continue
+
+        # Take the corners, lowest first
         if vertices[b, 1] < vertices[a, 1]:
             a, b = b, a
         if vertices[c, 1] < vertices[b, 1]:
@@ -99,7 +107,7 @@ def depth_buffer(
         dz_dx = -A / C
         dz_dy = -B / C
 
-        for y in range(max(math.ceil(y0), low_row, 0), min(math.ceil(y2), high_row, height)):
+        for y in range(first_row, row_end):
             # Find where the row enters and leaves the triangle
             x_left = crossing(x0, y0, x2, y2, y)
             x_right = crossing(x0, y0, x1, y1, y) if y < y1 else crossing(x1, y1, x2, y2, y)

@@ -7,6 +7,15 @@ _PIXEL = "((left + k, y),)"
 
 VIEWS = (
     View(
+        block="Find the rows that the triangle covers",
+        when="first_row >= row_end",
+        sentence="Triangle {face} reaches from y = {y_low} to {y_high}: it covers none of these rows.",
+    ),
+    View(
+        block="Find the rows that the triangle covers",
+        sentence="Triangle {face} reaches from y = {y_low} to {y_high}: rows {first_row} to {row_end - 1}.",
+    ),
+    View(
         block="Find the plane's normal",
         when="C == 0.0",
         sentence="C = {C}: triangle {face} is seen edge on and covers no pixel.",
