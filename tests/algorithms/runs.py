@@ -6,6 +6,7 @@ import numpy as np
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from tests.curves.made_curves import BEZIER_RUNS, DE_BOOR_RUNS
 from workbench.algorithms.entry import Entry
 
 near = st.integers(-9, 9)
@@ -65,6 +66,8 @@ STRATEGIES: dict[str, st.SearchStrategy[tuple[Any, ...]]] = {
     "liang_barsky": _clipped_lines,
     "sutherland_hodgman": _clipped_polygons,
     "depth_buffer": _scenes(),
+    "de_casteljau": BEZIER_RUNS,
+    "de_boor": DE_BOOR_RUNS,
 }
 
 

@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from tests.algorithms import runs
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry, Parameter
 from workbench.engine import compiled
@@ -48,7 +49,7 @@ def argument(parameter: Parameter) -> st.SearchStrategy[Any]:
             return like(st.integers(0, 3))
         case "depth":
             return like(st.sampled_from([0.25, 0.5, 1.0]))
-        case "points":
+        case "points" | "floats":
             return like(st.one_of(st.integers(-2, 14).map(float), st.floats(-2, 14)))
         case "ints":
             # Only numbers that the example has: they may be indexes
@@ -57,6 +58,8 @@ def argument(parameter: Parameter) -> st.SearchStrategy[Any]:
 
 
 def arguments(entry: Entry) -> st.SearchStrategy[tuple[Any, ...]]:
+    if entry.topic == "curves":  # knots and points must fit each other, else the text refuses them
+        return runs.arguments(entry)
     return st.one_of(st.just(entry.example), st.tuples(*map(argument, entry.parameters)))
 
 

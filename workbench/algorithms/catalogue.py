@@ -28,6 +28,8 @@ _TEACHING_ORDER = (
     "clipping.cohen_sutherland",
     "clipping.liang_barsky",
     "clipping.sutherland_hodgman",
+    "curves.de_casteljau",
+    "curves.de_boor",
     "visibility.depth_buffer",
     "scanning.raster_scan",
     "scanning.random_scan",

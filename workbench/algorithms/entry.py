@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 Emits = Literal["pixels", "coverage", "spans", "fragments", "points", "segments"]
-Kind = Literal["int", "float", "bool", "colour", "image", "depth", "points", "ints"]
+Kind = Literal["int", "float", "bool", "colour", "image", "depth", "points", "floats", "ints"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,8 +26,8 @@ class Parameter:
     """One argument of the function: its name there, how the course writes it, its range and an example.
 
     An ``image`` is an integer array (h, w), a ``depth`` buffer a float64 array (h, w), ``points`` a
-    float64 array (n, 2) or (n, 3), ``ints`` an integer array. ``low`` and ``high`` bound a number, both
-    included.
+    float64 array (n, 2) or (n, 3), ``floats`` a float64 array (m,), ``ints`` an integer array. ``low`` and
+    ``high`` bound a number, both included.
     """
 
     name: str

@@ -112,6 +112,10 @@ def _integers(value: Any) -> Any:
     return np.array([_whole(number) for number in listed], dtype=np.int64)
 
 
+def _reals(value: Any) -> Any:
+    return np.array([_real(number) for number in _listed(value)], dtype=np.float64)
+
+
 def _depths(value: Any) -> Any:
     """An (h, w) array, row 0 lowest, from rows of numbers, the top row first."""
     rows = _equally_long([[_real(number) for number in _listed(row)] for row in _listed(value)])
@@ -151,5 +155,6 @@ _CONVERT = {
     "image": _picture,
     "depth": _depths,
     "points": _points,
+    "floats": _reals,
     "ints": _integers,
 }

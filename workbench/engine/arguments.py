@@ -83,7 +83,7 @@ def _formed(name: str, kind: Kind | None, value: Any, copied: bool) -> Any:
                 return float(value)
             case "bool":
                 return bool(value)
-            case "points" | "depth":
+            case "points" | "depth" | "floats":
                 return _array(value, np.float64, copied)
             case "ints":
                 return _array(value, np.int64, copied)

@@ -1,0 +1,121 @@
+"""What points, knots and weights must be before a curve can be made of them.
+
+``refuse_bezier`` and ``refuse_b_spline`` stand at the door of the texts that are stepped and compiled;
+``faults`` finds everything that is wrong, each fault with its place and a sentence about it.
+"""
+
+import math
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+class Fault(NamedTuple):
+    """What is wrong: at which point, weight or knot (-1: all of them), and what to do about it."""
+
+    what: Literal["points", "weights", "knots", "degree"]
+    number: int
+    sentence: str
+
+
+def refuse_bezier(points: NDArray[Any], u: float) -> None:
+    """Raise ValueError unless there are two points or more, and every number is finite."""
+    if len(points) < 2:
+        raise ValueError("A Bezier curve needs two points or more; add points.")
+    if not (np.all(np.isfinite(points)) and math.isfinite(u)):
+        raise ValueError("A coordinate or the parameter is not a finite number; give it a value.")
+
+
+def refuse_b_spline(points: NDArray[Any], knots: NDArray[Any], degree: int) -> None:
+    """Raise ValueError unless these points and knots make a B-spline of this degree."""
+    if degree < 1:
+        raise ValueError("The degree of a B-spline is 1 or more; raise it.")
+    if len(points) < degree + 1:
+        raise ValueError("There are fewer points than degree + 1; add points, or lower the degree.")
+    if len(knots) != len(points) + degree + 1:
+        raise ValueError("There must be degree + 1 more knots than points; add knots, or take some away.")
+    if not (np.all(np.isfinite(points)) and np.all(np.isfinite(knots))):
+        raise ValueError("A coordinate or a knot is not a finite number; give it a value.")
+    if np.min(knots[1:] - knots[:-1]) < 0.0:
+        raise ValueError("The knots decrease; make each at least as large as the one before it.")
+    if knots[degree] == knots[len(points)]:
+        raise ValueError("The curve has no length in u: its first and its last knot are equal; part them.")
+
+
+def refuse_parameter(knots: NDArray[Any], degree: int, count: int, u: float) -> None:
+    """Raise ValueError unless a B-spline of ``count`` points is defined at u."""
+    if not knots[degree] <= u <= knots[count]:
+        raise ValueError("The parameter u is outside the curve; keep it from knot t_p to knot t_{n+1}.")
+
+
+def faults(
+    points: ArrayLike,
+    knots: ArrayLike | None = None,
+    degree: int | None = None,
+    weights: ArrayLike | None = None,
+    least: int = 2,
+) -> list[Fault]:
+    """Everything that is wrong with a curve's numbers, first things first; nothing if it can be made.
+
+    Args: points (n, k); knots (m,) and degree of a B-spline; weights (n,); the least number of points.
+    """
+    shape = np.asarray(points, float)
+    found = []
+    if shape.ndim != 2:
+        found.append(Fault("points", -1, "The points are not rows of coordinates; give each its x and y."))
+        return found
+    for i in np.flatnonzero(~np.isfinite(shape).all(axis=1)):
+        found.append(Fault("points", int(i), f"Point {i} is not finite; give it numbers."))
+    least = max(least, (degree or 0) + 1)
+    if len(shape) < least:
+        sentence = f"There are {len(shape)} points, and {least} are needed; add {least - len(shape)}."
+        found.append(Fault("points", -1, sentence))
+    if degree is not None and degree < 1:
+        found.append(Fault("degree", -1, f"The degree is {degree}; it must be 1 or more."))
+    if weights is not None:
+        found += _weight_faults(np.asarray(weights, float), len(shape))
+    if knots is not None and degree is not None:
+        found += _knot_faults(np.asarray(knots, float), len(shape), degree)
+    return found
+
+
+def refuse(found: list[Fault]) -> None:
+    """Raise ValueError with the sentence of the first fault, if there is one."""
+    if found:
+        raise ValueError(found[0].sentence)
+
+
+def _weight_faults(weights: NDArray[np.float64], count: int) -> list[Fault]:
+    if weights.shape != (count,):
+        return [Fault("weights", -1, f"There are {weights.size} weights for {count} points; give each one.")]
+    return [
+        Fault("weights", int(i), f"Weight {i} is {weights[i]:g}; it must be a finite number above 0.")
+        for i in np.flatnonzero(~(np.isfinite(weights) & (weights > 0)))
+    ]
+
+
+def _knot_faults(knots: NDArray[np.float64], count: int, degree: int) -> list[Fault]:
+    needed = count + degree + 1
+    if knots.shape != (needed,):
+        what = f"There are {knots.size} knots, and {count} points of degree {degree} need {needed}"
+        more = knots.size - needed
+        return [Fault("knots", -1, f"{what}; {'take away' if more > 0 else 'add'} {abs(more)}.")]
+    unbounded = [
+        Fault("knots", int(i), f"Knot {i} is not finite; give it a number.")
+        for i in np.flatnonzero(~np.isfinite(knots))
+    ]
+    if unbounded:
+        return unbounded
+    found = [
+        Fault(
+            "knots",
+            int(i) + 1,
+            f"Knot {i + 1} is {knots[i + 1]:g}, less than knot {i}, {knots[i]:g}; raise it.",
+        )
+        for i in np.flatnonzero(np.diff(knots) < 0)
+    ]
+    if not found and 1 <= degree < count and knots[degree] == knots[count]:
+        sentence = f"Knots {degree} and {count}, where the curve begins and ends, are equal; part them."
+        found.append(Fault("knots", count, sentence))
+    return found

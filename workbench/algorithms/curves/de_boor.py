@@ -1,0 +1,128 @@
+"""De Boor's construction of a point of a B-spline.
+
+span        number of the knot span that u lies in: t_span <= u < t_{span+1}
+triangle    all points, level by level: first the control points that matter, last the point of the curve
+start       number of the first point of the level above, r - 1
+r           level
+i           number of a point, counted as the control points are
+alpha       how far u lies from t_i to t_{i+p+1-r}, as a part of 1
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+from numpy.typing import NDArray
+
+from workbench.algorithms.curves.conditions import refuse_b_spline, refuse_parameter
+from workbench.algorithms.curves.knot_views import basis_rows, knot_rows
+from workbench.algorithms.curves.parameters import B_SPLINE
+from workbench.algorithms.curves.triangle import level_rows
+from workbench.algorithms.entry import Entry, Parameter, View
+
+
+def de_boor(
+    points: NDArray[Any], knots: NDArray[Any], degree: int, u: float
+) -> Iterator[tuple[float, float]]:
+    """Find the knot span of u, then divide legs of the control polygon as u divides the knots around it.
+
+    Args: (n+1, 2) control points, n + degree + 2 knots, and u from knot t_degree to knot t_{n+1}.
+    Emits: (x, y) of every intermediate point, level by level, the point of the curve last.
+    Raises: ValueError for knots that decrease or do not fit, too few points, a u outside the curve.
+    Source: Hearn and Baker, Computer Graphics, C Version, section 10-9; de Boor, 1972.
+    """
+    # Check the knots
+    refuse_b_spline(points, knots, degree)
+    refuse_parameter(knots, degree, len(points), u)
+    span = degree
+
+    while span < len(points) - 1 and u >= knots[span + 1]:
+        # Go on to the next knot span
+        span += 1
+
+    # Leave out a span without length
+    while knots[span] == knots[span + 1]:
+        span -= 1
+
+    # Begin with the control points that matter
+    triangle = [(float(points[i, 0]), float(points[i, 1])) for i in range(span - degree, span + 1)]
+    start = 0
+
+    for r in range(1, degree + 1):
+        for i in range(span - degree + r, span + 1):
+            # Divide a leg
+            left = float(knots[i])
+            right = float(knots[i + degree + 1 - r])
+            alpha = (u - left) / (right - left)
+            x0, y0 = triangle[start + i - (span - degree + r)]
+            x1, y1 = triangle[start + i - (span - degree + r) + 1]
+            x = (1.0 - alpha) * x0 + alpha * x1
+            y = (1.0 - alpha) * y0 + alpha * y1
+            triangle.append((x, y))
+            yield x, y
+
+        # Go down to the level just made
+        start += degree + 2 - r
+
+
+_LEG = "Divide a leg"
+_ROW = "(r, i, alpha, (x0, y0), (x1, y1), (x, y))"
+_TABLES = {
+    "Triangle": ("level_rows(triangle, degree + 1)", ("r", "points")),
+    "Basis values": ("basis_rows(knots, degree, span, u)", ("i", "N_{i,p}(u)")),
+    "Knot span": ("knot_rows(knots, degree, span)", ("i", "t_i", "in the span")),
+}
+
+ENTRY = Entry(
+    function=de_boor,
+    topic="curves",
+    title="De Boor's construction",
+    summary="Finds the knot span of u and divides the legs of degree + 1 control points down to one point.",
+    parameters=(*B_SPLINE, Parameter("u", "u", "float", 1.25, meaning="from knot t_p to knot t_{n+1}")),
+    emits="points",
+    source="Hearn and Baker, Computer Graphics, C Version, section 10-9",
+    columns=("r", "i", "α", "d_{i-1}^{r-1}", "d_i^{r-1}", "d_i^r"),
+    view_functions=(level_rows, basis_rows, knot_rows),
+    views=(
+        View(
+            block="Check the knots",
+            sentence="{len(points)} points of degree {degree} have {len(knots)} knots; in the course's words "
+            "n = {len(points) - 1}, d = {degree + 1}, and n + d + 1 knots. Is u in span {span}?",
+        ),
+        View(
+            block="Go on to the next knot span",
+            sentence="u = {u} is not before {knots[span]}: go on to span {span}.",
+        ),
+        View(
+            block="Begin with the control points that matter",
+            tables=_TABLES,
+            sentence="u = {u} lies in span {span}, {knots[span]} to {knots[span + 1]}: only the points "
+            "{span - degree} to {span} matter.",
+        ),
+        View(
+            block=_LEG,
+            when="r == degree",
+            row=_ROW,
+            tables=_TABLES,
+            sentence="α = {alpha}: (1 − α) {(x0, y0)} + α {(x1, y1)} = {(x, y)}. One point is left, and "
+            "it is on the curve.",
+        ),
+        View(
+            block=_LEG,
+            row=_ROW,
+            tables=_TABLES,
+            sentence="α = ({u} − {left}) / ({right} − {left}) = {alpha}: "
+            "(1 − α) {(x0, y0)} + α {(x1, y1)} = {(x, y)}.",
+        ),
+    ),
+    laws=(
+        "The last point is the sum of the control points, each times its basis function.",
+        "Only degree + 1 control points matter; the point lies in their convex hull.",
+        "Moving, turning or stretching the control points does the same to every point.",
+        "With knots at the two ends only, it is de Casteljau's construction.",
+    ),
+    not_laws=(
+        "The curve begins at the first control point: only where the first knot is repeated often enough.",
+    ),
+    questions=(8,),
+    labs=("Curves: B-spline",),
+)

@@ -1,0 +1,93 @@
+"""De Casteljau's construction of a point of a Bézier curve.
+
+triangle    all points, level by level: first the control points, last the point of the curve
+start       number of the first point of the level above, r - 1
+r           level; its points divide the legs of the level above in the ratio u to 1 - u
+i           number of a point in its level
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+from numpy.typing import NDArray
+
+from workbench.algorithms.curves.conditions import refuse_bezier
+from workbench.algorithms.curves.parameters import BEZIER_POINTS, U
+from workbench.algorithms.curves.triangle import level_rows
+from workbench.algorithms.entry import Entry, View
+
+
+def de_casteljau(points: NDArray[Any], u: float) -> Iterator[tuple[float, float]]:
+    """Divide every leg of the control polygon in the ratio u to 1 - u, then those between, down to one point.
+
+    Args: (n+1, 2) control points of a curve of degree n, and the parameter, 0 to 1 on the curve.
+    Emits: (x, y) of every intermediate point, level by level, the point of the curve last.
+    Raises: ValueError for fewer than two points or numbers that are not finite.
+    Source: Hearn and Baker, Computer Graphics, C Version, section 10-8; de Casteljau, 1959.
+    """
+    # Begin with the control points
+    refuse_bezier(points, u)
+    triangle = [(float(point[0]), float(point[1])) for point in points]
+    n = len(triangle) - 1
+    start = 0
+
+    for r in range(1, n + 1):
+        for i in range(n + 1 - r):
+            # Divide a leg
+            x0, y0 = triangle[start + i]
+            x1, y1 = triangle[start + i + 1]
+            x = (1.0 - u) * x0 + u * x1
+            y = (1.0 - u) * y0 + u * y1
+            triangle.append((x, y))
+            yield x, y
+
+        # Go down to the level just made
+        start += n + 2 - r
+
+
+_LEG = "Divide a leg"
+_ROW = "(r, i, (x0, y0), (x1, y1), (x, y))"
+_TABLES = {"Triangle": ("level_rows(triangle, n + 1)", ("r", "points"))}
+
+ENTRY = Entry(
+    function=de_casteljau,
+    topic="curves",
+    title="De Casteljau's construction",
+    summary="Divides the legs of the control polygon, and the legs between, until one point is left.",
+    parameters=(BEZIER_POINTS, U),
+    emits="points",
+    source="Hearn and Baker, Computer Graphics, C Version, section 10-8",
+    columns=("r", "i", "P_i^{r-1}", "P_{i+1}^{r-1}", "P_i^r"),
+    view_functions=(level_rows,),
+    views=(
+        View(
+            block="Begin with the control points",
+            tables=_TABLES,
+            sentence="{n + 1} control points make a curve of degree {n}; the parameter is u = {u}.",
+        ),
+        View(
+            block=_LEG,
+            when="r == n",
+            row=_ROW,
+            tables=_TABLES,
+            sentence="(1 − u) {(x0, y0)} + u {(x1, y1)} = {(x, y)}: one point is left, and it is on the "
+            "curve; the last leg is its tangent.",
+        ),
+        View(
+            block=_LEG,
+            row=_ROW,
+            tables=_TABLES,
+            sentence="Level {r}, point {i}: (1 − u) {(x0, y0)} + u {(x1, y1)} = {(x, y)}, with u = {u}.",
+        ),
+    ),
+    laws=(
+        "The last point is the sum of the control points, each times its Bernstein polynomial.",
+        "The curve begins at the first control point and ends at the last one.",
+        "Every point lies in the convex hull of the control points, for u from 0 to 1.",
+        "Moving, turning or stretching the control points does the same to every point.",
+        "The outer points of the levels are the control points of the two halves of the curve.",
+    ),
+    questions=(8,),
+    labs=("Curves: Bézier",),
+    next_rung="de_boor",
+)

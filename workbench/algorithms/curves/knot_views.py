@@ -1,0 +1,19 @@
+"""Knots and basis values around one knot span, as they are shown."""
+
+from typing import Any
+
+from numpy.typing import NDArray
+
+from workbench.algorithms.curves.basis_functions import basis_functions
+
+
+def knot_rows(knots: NDArray[Any], degree: int, span: int) -> list[tuple[int, float, str]]:
+    """The knots that matter in a span: (i, t_i, and whether the span begins or ends there)."""
+    ends = {span: "from", span + 1: "to"}
+    return [(i, float(knots[i]), ends.get(i, "")) for i in range(span - degree + 1, span + degree + 1)]
+
+
+def basis_rows(knots: NDArray[Any], degree: int, span: int, u: float) -> list[tuple[int, float]]:
+    """The basis functions that are not 0 in the span: (i, N_i(u))."""
+    _span, values = basis_functions(knots, degree, u)
+    return [(span - degree + j, float(value)) for j, value in enumerate(values)]
