@@ -52,7 +52,7 @@ class ClipView(FigureView):
     def _moment(self, number: int | None = None) -> ClipMoment | None:
         """Where the run is, or one of its steps; before the first step only while something is asked."""
         run = self.stepped_run()
-        if run is None or (run.position == 0 and not run.waiting and number is None):
+        if run is None or (run.number == 0 and not run.waiting and number is None):
             return None
         return clip_moment(run, number)
 

@@ -80,7 +80,7 @@ class FigureView:
     def progress(self) -> Progress | None:
         """How far the run has come; None before its first step, when the picture is shown whole."""
         run = self.stepped_run()
-        if run is None or run.step is None or (run.position == 0 and not run.ask_first):
+        if run is None or run.step is None or (run.number == 0 and not run.ask_first):
             return None
         made = progress_at(run, run.step.number)
         if made is None:

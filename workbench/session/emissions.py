@@ -1,4 +1,4 @@
-"""Emitted rows as pixels: which were painted, and which rows touch one."""
+"""Emitted rows as pixels: which were painted, which rows touch one, and where in a run that was."""
 
 from typing import Any
 
@@ -6,7 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Emits
+from workbench.engine.recording import Recording
 
+_MOST_HITS = 4096
 _PIXELS = ("pixels", "coverage", "fragments")
 
 
@@ -37,3 +39,21 @@ def touching(rows: NDArray[Any], emits: Emits, x: int, y: int) -> NDArray[np.int
     if len(rows) and emits in _PIXELS:
         return np.flatnonzero((rows[:, 0] == x) & (rows[:, 1] == y))
     return np.zeros(0, np.int64)
+
+
+def event_touching(recording: Recording, emits: Emits, after: int, x: int, y: int) -> int | None:
+    """The next line event behind ``after`` that emits pixel (x, y), or else the first; None without any."""
+    hits = touching(recording.emitted.array(), emits, x, y)
+    if not len(hits):
+        return None
+    events = [recording.event_at(int(hit)) for hit in hits[:_MOST_HITS]]
+    return next((event for event in events if event > after), events[0])
+
+
+def event_on_line(recording: Recording, start: int, line: int, function: str = "") -> int | None:
+    """The first event from ``start`` on at this line of the source file, in ``function`` if one is named."""
+    found = recording.lines[start:] == line
+    if function:
+        names = [text.name for text in recording.texts]
+        found = found & (recording.codes[start : start + len(found)] == names.index(function))
+    return start + int(np.argmax(found)) if found.any() else None

@@ -42,7 +42,7 @@ class Following(QObject):
             self._run.set_ask_first(state.ask_first)
             self._run.set_detail(state.detail)
             if another or state.step != self._step:
-                self._run.go(state.step)
+                self._run.go_to_number(state.step)
             self._step = state.step
         finally:
             self._telling = False
@@ -86,4 +86,5 @@ class Following(QObject):
             return
         if self._follower.detail:
             self._follower.set_detail(False)
-        self._follower.go(step.number if not self._run.ended else self._follower.last_position)
+        number = self._run.passed + step.number
+        self._follower.go(number if not self._run.ended else self._follower.last_position)

@@ -12,20 +12,27 @@ from workbench.engine import compiled, counts
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import LIMIT, Recorder
 from workbench.engine.recording import Recording
+from workbench.engine.visits import skip
 from workbench.language import _
 from workbench.session.collecting import collect_here
+from workbench.session.variables import same_value
 
 DEPTH_LIMIT = 1000
 _LOOK_MS = 16
 _LONG_LOOK_MS = 60
 _FIRST_LOOK_MS = 2
 _LONG = 50_000
+# A stretch begins this part of a stretch before the step that is asked for, and never more steps before it.
+_LEAD = 10
+_MOST_LEAD = 1_000
 
 
 class RecordedRun(QObject):
     """Records ``entry`` on ``calls`` and says how far that is.
 
-    ``changed``: another run, or none. ``grown``: more was recorded, or the total became known.
+    ``changed``: another run, another stretch of it, or none. ``grown``: more was recorded, or the total
+    became known. A run too long to be recorded whole is recorded in a stretch: ``passed`` steps ran
+    before it.
     """
 
     changed = Signal()
@@ -83,9 +90,17 @@ class RecordedRun(QObject):
         self._forget()
         self.entry, self.calls, self.figure_id, self.image_size = entry, calls, figure_id, image_size
         self.depth_limit = depth_limit
-        copies = [tuple(a.copy() if isinstance(a, np.ndarray) else a for a in call) for call in calls]
+        self._record(entry, 0)
+
+    def _record(self, entry: Entry, passed: int) -> None:
+        copies = [tuple(a.copy() if isinstance(a, np.ndarray) else a for a in call) for call in self.calls]
         self._recorder = Recorder(
-            entry.function, *copies[0], limit=self.limit, depth_limit=depth_limit, then=copies[1:]
+            entry.function,
+            *copies[0],
+            limit=self.limit,
+            depth_limit=self.depth_limit,
+            then=copies[1:],
+            skip=skip(entry, passed),
         )
         self.recording = self._recorder.recording
         self.steps = Steps(entry, self.recording)
@@ -104,6 +119,36 @@ class RecordedRun(QObject):
         self._forget()
         self.entry, self.calls, self.figure_id = None, (), ""
         self.changed.emit()
+
+    # A stretch of it
+
+    @property
+    def passed(self) -> int:
+        """How many steps ran before the stretch that is recorded; 0 when it is recorded from its start."""
+        return self.recording.steps_before if self.recording is not None else 0
+
+    @property
+    def in_stretches(self) -> bool:
+        """Whether the run is longer than what is recorded of it at once."""
+        return self.passed > 0 or (self.recording is not None and self.recording.truncated)
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether there are steps behind the stretch that is recorded."""
+        return self.done and self.recording is not None and self.recording.truncated
+
+    def record_around(self, number: int) -> bool:
+        """Record another stretch, with step ``number`` and some of those before it; False while held."""
+        if self.entry is None or self.steps is None or self._held:
+            return False
+        number = max(1, min(number, self.total_steps or number))
+        lead = min(len(self.steps) // _LEAD, _MOST_LEAD)
+        total, entry = self.total_steps, self.entry
+        self._leaving(True)
+        self._forget()
+        self.total_steps = total
+        self._record(entry, max(number - 1 - lead, 0))
+        return True
 
     def _leaving(self, same: bool) -> None:
         """Another run follows, of the ``same`` figure and algorithm or not."""
@@ -164,9 +209,13 @@ class RecordedRun(QObject):
         self.steps.update()
         if done:
             self._look.stop()
-            self.total_steps = len(self.steps) if recorder.recording.complete else self.total_steps
+            if recorder.recording.complete:
+                self.total_steps = self.passed + len(self.steps)
             if not recorder.recording.complete:
                 self._find_total()
+            elif self.passed and not len(recorder.recording):
+                self.record_around(self.passed)
+                return
         elif long:
             self._find_total()
         self.grown.emit()
@@ -203,8 +252,13 @@ class RecordedRun(QObject):
         if recording is None:
             return ""
         if recording.truncated:
-            return _("The run is longer than {limit:,} lines: {steps:,} steps are shown.").format(
-                limit=self.limit, steps=len(self.steps) if self.steps else 0
+            return _(
+                "The run is longer than {limit:,} lines; steps {first:,} to {last:,} are recorded. Type "
+                "another step, and the run is recorded from there."
+            ).format(
+                limit=self.limit,
+                first=self.passed + bool(self.passed),
+                last=self.passed + (len(self.steps) if self.steps else 0),
             )
         if recording.error is not None:
             if recording.error.overflow:
@@ -221,13 +275,6 @@ def _counting_is_ready(entry: Entry) -> bool:
     except ValueError:
         return False
     return any(use.startswith("count") for use in kernel.used) or any(kernel.folder.glob("count*.ready"))
-
-
-def same_value(a: Any, b: Any) -> bool:
-    """Equality of two values of a variable, arrays included."""
-    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
-        return isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and np.array_equal(a, b)
-    return type(a) is type(b) and bool(a == b)
 
 
 def _equal(a: Sequence[tuple[Any, ...]], b: Sequence[tuple[Any, ...]]) -> bool:

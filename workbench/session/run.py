@@ -14,8 +14,9 @@ from workbench.engine.columns import EmittedSoFar
 from workbench.engine.observation import Step
 from workbench.engine.recording import Moment
 from workbench.engine.sentences import Part
-from workbench.session.emissions import painted, touching
-from workbench.session.recorded_run import RecordedRun, same_value
+from workbench.session.emissions import event_on_line, event_touching, painted
+from workbench.session.recorded_run import RecordedRun
+from workbench.session.variables import differing, in_order
 
 SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
 _FASTEST_TICK_MS = 33
@@ -49,11 +50,10 @@ class Run(RecordedRun):
         self.changed.connect(self.moved)
 
     def _leaving(self, same: bool) -> None:
-        at_end = same and self.done and 0 < self._position >= self.last_position
-        if at_end:
+        if same and self.done and 0 < self._position >= self.last_position:
             self._wanted = _FAR
         elif same:
-            self._wanted = self._position if self._wanted is None else self._wanted
+            self._wanted = self.passed + self._position if self._wanted is None else self._wanted
         else:
             self._wanted = None
             self.right = self.wrong = self._seen = 0
@@ -61,11 +61,14 @@ class Run(RecordedRun):
         self._position = 0
 
     def _recorded(self, done: bool) -> None:
-        if self._wanted is not None:
-            wanted = self._wanted
-            self._move_to(wanted)
-            if done or wanted <= self.last_position:
-                self._wanted = None
+        if self._wanted is None:
+            return
+        wanted = self._wanted
+        self._move_to(wanted)
+        if done or wanted <= self.last_position:
+            self._wanted = None
+        if self.last_position < wanted < _FAR and self.goes_on and not self.passed:
+            self.go_to_number(wanted)
 
     # Where the cursor is
 
@@ -76,8 +79,10 @@ class Run(RecordedRun):
 
     @property
     def target(self) -> int | None:
-        """Where the cursor is, or is going as soon as that is recorded; None for an end not yet known."""
-        return self._position if self._wanted is None else None if self._wanted >= _FAR else self._wanted
+        """Number where the cursor is, or is going once that is recorded; None for an end not yet known."""
+        if self._wanted is None:
+            return self.number
+        return None if self._wanted >= _FAR else self._wanted + (0 if self.detail else self.passed)
 
     @property
     def ended(self) -> bool:
@@ -116,11 +121,16 @@ class Run(RecordedRun):
     @property
     def total_text(self) -> str:
         """How many positions there are: a number, or ``46+`` while nobody knows."""
-        total = self.last_position
+        total = self.last_position + (0 if self.detail else self.passed)
         if not self.detail and self.total_steps is not None:
             return str(self.total_steps)
         finished = self.done and self.recording is not None and self.recording.complete
         return str(total) if finished or self.recording is None else f"{total}+"
+
+    @property
+    def number(self) -> int:
+        """What the position is called: the step of the whole run, or in detail the line of the stretch."""
+        return self._position if self.detail else self.passed + self._position
 
     def _event(self) -> int:
         """The line event shown; -1 when nothing is recorded."""
@@ -173,9 +183,7 @@ class Run(RecordedRun):
         moment, recording = self.moment, self.recording
         if moment is None or recording is None:
             return {}
-        varying = next(text.varying for text in recording.texts if text.name == moment.function)
-        order = sorted(moment.variables, key=lambda name: name not in varying)
-        return {name: moment.variables[name] for name in order}
+        return in_order(recording, moment)
 
     @property
     def changed_names(self) -> frozenset[str]:
@@ -187,12 +195,8 @@ class Run(RecordedRun):
             return self.recording.changed(event)
         if self._position == 0:
             return frozenset()
-        moment = self.moment
-        assert moment is not None
         before = self.recording[event if self.detail else max(self.steps.span(self._position)[0], 0)]
-        if before.depth != moment.depth:
-            return frozenset()
-        return frozenset(n for n, v in moment.variables.items() if not same_value(before.variables.get(n), v))
+        return differing(before, self.moment)
 
     @property
     def lines_run(self) -> frozenset[tuple[str, int]]:
@@ -216,6 +220,16 @@ class Run(RecordedRun):
 
     # Moving it
 
+    def go_to_number(self, number: int) -> None:
+        """Move to a step of the whole run; where it is not recorded, record the stretch around it."""
+        position = number if self.detail else number - self.passed
+        beyond = position > self.last_position and self.goes_on
+        if self.detail or not (beyond or (self.passed > 0 and position < 1)):
+            self.go(position)
+        elif self.record_around(number):
+            self._wanted = self._seen = max(number - self.passed, 0)
+            self._move_to(self._wanted)
+
     def go(self, position: int) -> None:
         """Move to ``position``, or as far as there is; further as soon as that is recorded."""
         self._wanted = position if position > self.last_position and not self.done else None
@@ -234,19 +248,20 @@ class Run(RecordedRun):
 
     def forward(self) -> None:
         """One step, or one line."""
-        self.go(self._position + 1)
+        self.go_to_number(self.number + 1)
 
     def back(self) -> None:
         """One step, or one line, back."""
-        self.go(self._position - 1)
+        self.go_to_number(self.number - 1)
 
     def first(self) -> None:
         """Before the first step."""
-        self.go(0)
+        self.go_to_number(0)
 
     def last(self) -> None:
-        """To the end of the run, or as far as it is recorded."""
-        self.go(max(self.last_position, self.total_steps or 0) if not self.detail else self.last_position)
+        """To the end of the run, or as far as it is recorded and its length is known."""
+        last = self.last_position
+        self.go_to_number(last if self.detail else max(self.passed + last, self.total_steps or 0))
 
     def set_detail(self, detail: bool) -> None:
         """Count lines, or rows of the hand table; the cursor stays in its step."""
@@ -268,14 +283,9 @@ class Run(RecordedRun):
         """Go to where this line of the source file runs next; False, and no move, when it does not."""
         if self.recording is None or self.steps is None:
             return False
-        start = self._event() + 1
-        found = self.recording.lines[start:] == line
-        if function:
-            names = [text.name for text in self.recording.texts]
-            found = found & (self.recording.codes[start : start + len(found)] == names.index(function))
-        if not found.any():
+        event = event_on_line(self.recording, self._event() + 1, line, function)
+        if event is None:
             return False
-        event = start + int(np.argmax(found))
         before = self._position
         self.go(event if self.detail else self.steps.step_of(event))
         return self._position != before
@@ -284,12 +294,9 @@ class Run(RecordedRun):
         """Go to the next step that emits pixel (x, y), or else the first; False when none does."""
         if self.recording is None or self.steps is None or self.entry is None:
             return False
-        hits = touching(self.recording.emitted.array(), self.entry.emits, x, y)
-        if not len(hits):
+        target = event_touching(self.recording, self.entry.emits, self._event(), x, y)
+        if target is None:
             return False
-        event = self._event()
-        later = [at for at in (self.recording.event_at(int(hit)) for hit in hits[:4096]) if at > event]
-        target = later[0] if later else self.recording.event_at(int(hits[0]))
         self.go(target + 1 if self.detail else self.steps.step_of(target))
         return True
 

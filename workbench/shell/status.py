@@ -82,4 +82,4 @@ class Status(QObject):
     @staticmethod
     def _run_text(run: Any) -> str:
         text = _("{title}, line {n} of {total}") if run.detail else _("{title}, step {n} of {total}")
-        return text.format(title=_(run.entry.title), n=run.position, total=run.total_text)
+        return text.format(title=_(run.entry.title), n=run.number, total=run.total_text)

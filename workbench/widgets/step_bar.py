@@ -63,6 +63,21 @@ class StepBar(QWidget):
         self.speed.setToolTip(_("Steps a second while playing"))
         self.speed.setCurrentIndex(SPEEDS.index(run.speed))
         self.speed.activated.connect(lambda index: run.set_speed(SPEEDS[index]))
+        self.stretch_start = self._action(
+            _("Detail from the start"), _("Record the start of the run"), "", lambda: run.go_to_number(0)
+        )
+        self.stretch_next = self._action(
+            "", _("Record what comes next"), "", lambda: run.go_to_number(run.passed + run.last_position + 1)
+        )
+        self.stretch = QToolButton()
+        self.stretch.setToolTip(
+            _("The run is too long to record whole. Choose a stretch, type a step, or drag the slider")
+        )
+        self.stretch.setAccessibleName(_("Stretch that is recorded"))
+        self.stretch.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.stretch.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.stretch.addActions([self.stretch_start, self.stretch_next])
+        self.stretch.hide()
         self._place()
         run.changed.connect(self.refresh)
         for signal in (run.moved, run.grown, run.asked):
@@ -101,6 +116,7 @@ class StepBar(QWidget):
         row.addSpacing(8)
         row.addWidget(self.jump)
         row.addWidget(self.total)
+        row.addWidget(self.stretch)
         row.addSpacing(12)
         row.addWidget(self._button(self.step, words=True))
         row.addWidget(self._button(self.detail, words=True))
@@ -120,17 +136,31 @@ class StepBar(QWidget):
         run = self._run
         there = run.entry is not None
         for action in (self.first, self.back):
-            action.setEnabled(there and run.position > 0)
+            action.setEnabled(there and run.number > 0)
+        further = run.position < run.last_position or (run.goes_on and not run.detail)
         for action in (self.forward, self.last):
-            action.setEnabled(there and not run.waiting and run.position < run.last_position)
+            action.setEnabled(there and not run.waiting and further)
         for control in (self.play, self.step, self.detail, self.ask, self.jump, self.speed):
             control.setEnabled(there)
         (self.detail if run.detail else self.step).setChecked(True)
         if self.ask.isChecked() != run.ask_first:
             self.ask.setChecked(run.ask_first)
         if not (self.jump.hasFocus() and self.jump.isModified()):
-            self.jump.setText(str(run.position) if there else "")
+            self.jump.setText(str(run.number) if there else "")
         self.total.setText(f"/ {run.total_text}" if there else "")
+        self._offer_stretches()
+
+    def _offer_stretches(self) -> None:
+        """Where a run is too long to be recorded whole, offer what comes before and behind."""
+        run = self._run
+        self.stretch.setVisible(run.entry is not None and run.in_stretches)
+        if self.stretch.isHidden() or run.steps is None:
+            return
+        first, last = run.passed + 1, run.passed + len(run.steps)
+        self.stretch.setText(_("Detail from step {n:,}").format(n=first if run.passed else 0))
+        self.stretch_start.setEnabled(run.passed > 0)
+        self.stretch_next.setText(_("Detail from step {n:,}").format(n=last))
+        self.stretch_next.setEnabled(run.goes_on)
 
     def _played(self, playing: bool) -> None:
         self.play.setText(_("Pause") if playing else _("Play"))
@@ -142,7 +172,7 @@ class StepBar(QWidget):
         self.jump.setModified(False)
         text = self.jump.text().strip()
         if text.isdigit():
-            self._run.go(int(text))
+            self._run.go_to_number(int(text))
         self.refresh()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -19,6 +19,7 @@ class StepSlider(QSlider):
         super().__init__(Qt.Orientation.Horizontal, parent)
         self._run = run
         self._marks: tuple[int, ...] = ()
+        self._beyond: int | None = None
         self._places: list[float] = []
         self._drawn: tuple[object, ...] = ()
         self.setAccessibleName(_("Position in the run"))
@@ -30,6 +31,7 @@ class StepSlider(QSlider):
         self._search.setInterval(0)
         self._search.timeout.connect(self._look_for_marks)
         self.valueChanged.connect(self._moved_by_hand)
+        self.sliderReleased.connect(self._let_go)
         run.changed.connect(self._take_run)
         run.moved.connect(self.refresh)
         run.grown.connect(self.refresh)
@@ -38,18 +40,20 @@ class StepSlider(QSlider):
 
     def _take_run(self) -> None:
         self._marks = ()
+        self._beyond = None
         self.refresh()
 
     def refresh(self) -> None:
         """Follow the run."""
         run = self._run
-        total = run.last_position if run.detail else max(run.total_steps or 0, run.last_position)
+        total = run.last_position if run.detail else max(run.total_steps or 0, run.passed + run.last_position)
         self.blockSignals(True)
         self.setEnabled(run.entry is not None)
         self.setRange(0, min(total, 2**31 - 1))
-        self.setValue(run.position)
+        if self._beyond is None or not self.isSliderDown():
+            self.setValue(run.number)
         self.blockSignals(False)
-        if run.steps is None or len(run.steps) > _MOST_MARKED or run.ask_first:
+        if run.steps is None or len(run.steps) > _MOST_MARKED or run.ask_first or run.in_stretches:
             self._search.stop()
             self._marks = ()
         elif run.steps.judged < len(run.steps) or len(self._marks) != len(run.steps.find_decisions(0)):
@@ -73,8 +77,21 @@ class StepSlider(QSlider):
         return self._marks
 
     def _moved_by_hand(self, value: int) -> None:
-        self._run.go(value)
+        run = self._run
+        beyond = run.in_stretches and not run.detail and not 0 < value - run.passed <= run.last_position
+        self._beyond = value if beyond else None
+        if beyond and not self.isSliderDown():
+            self._let_go()
+        elif not beyond:
+            run.go_to_number(value)
         self.refresh()
+
+    def _let_go(self) -> None:
+        """Where nothing is recorded, the stretch there is recorded once the handle is let go."""
+        beyond, self._beyond = self._beyond, None
+        if beyond is not None:
+            self._run.go_to_number(beyond)
+            self.refresh()
 
     def _groove(self) -> tuple[int, int, QStyleOptionSlider]:
         option = QStyleOptionSlider()

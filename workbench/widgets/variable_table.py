@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QHeaderView, QTableView, QVBoxLayout, QWidget
 from workbench.engine.containers import LeftOut
 from workbench.exchange.tables import shown
 from workbench.language import _, ngettext
-from workbench.session.recorded_run import same_value
 from workbench.session.run import Run
+from workbench.session.variables import same_value
 from workbench.widgets.empty_state import EmptyState
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import code_font
