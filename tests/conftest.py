@@ -8,6 +8,7 @@ import gc
 import itertools
 import logging
 import os
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -45,7 +46,24 @@ def _garbage() -> Iterator[None]:
     """Collect what an application collects from its event loop, which no longer turns after a test."""
     yield
     if not gc.isenabled():
-        gc.collect(0)
+        gc.collect(1)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _old_garbage() -> Iterator[None]:
+    """The same for what has grown old, such as whole windows."""
+    yield
+    if not gc.isenabled():
+        gc.collect()
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _clipboard() -> Iterator[None]:
+    """The offscreen clipboard outlives the interpreter; with what Python made in it, the process dies."""
+    yield
+    gui = sys.modules.get("PySide6.QtGui")
+    if gui is not None and gui.QGuiApplication.instance() is not None:
+        gui.QGuiApplication.clipboard().clear()
 
 
 class _Unexpected(logging.Handler):
