@@ -1,5 +1,6 @@
 """Documents and edits made by hypothesis, for the laws of this folder."""
 
+from collections.abc import Callable
 from typing import Any
 
 from hypothesis import strategies as st
@@ -97,52 +98,55 @@ def documents(draw: st.DrawFn) -> Document:
 def sound_edits(draw: st.DrawFn, document: Document) -> edits.Edit:
     """An edit that ``document`` may still refuse (the last sheet, a polyline's last two points)."""
     sheet = draw(st.sampled_from(document.sheets))
+    if sheet.figures and draw(st.integers(0, 3)):
+        return draw(_edits_of_a_figure(sheet, draw(st.sampled_from(sheet.figures))))
     size = st.integers(1, 200)
-    of_sheet: list[st.SearchStrategy[edits.Edit]] = [
-        st.builds(edits.add_figure, st.just(sheet.id), figures()),
-        st.builds(edits.add_sheet, st.sampled_from(document.sheets)),
-        st.builds(edits.remove_sheet, st.just(sheet.id)),
-        st.builds(edits.rename_sheet, st.just(sheet.id), names),
-        st.builds(edits.reorder_sheet, st.just(sheet.id), st.integers(0, len(document.sheets) - 1)),
-        st.builds(edits.set_sheet_size, st.just(sheet.id), size, size),
-        st.builds(edits.set_window, st.just(sheet.id), rectangles()),
-        st.builds(edits.set_viewport, st.just(sheet.id), rectangles()),
-        st.builds(edits.set_palette, st.just(sheet.id), palettes),
-        st.builds(edits.set_clip, st.just(sheet.id), st.none() | rectangles()),
-        st.builds(edits.set_clippers, st.just(sheet.id), st.sampled_from(LINE_CLIPPERS)),
+    here = st.just(sheet.id)
+    # Made only when drawn: to make a strategy takes longer than to draw from it.
+    choices: list[Callable[[], st.SearchStrategy[edits.Edit]]] = [
+        lambda: st.builds(edits.add_figure, here, figures()),
+        lambda: st.builds(edits.add_sheet, st.sampled_from(document.sheets)),
+        lambda: st.builds(edits.remove_sheet, here),
+        lambda: st.builds(edits.rename_sheet, here, names),
+        lambda: st.builds(edits.reorder_sheet, here, st.integers(0, len(document.sheets) - 1)),
+        lambda: st.builds(edits.set_sheet_size, here, size, size),
+        lambda: st.builds(edits.set_window, here, rectangles()),
+        lambda: st.builds(edits.set_viewport, here, rectangles()),
+        lambda: st.builds(edits.set_palette, here, palettes),
+        lambda: st.builds(edits.set_clip, here, st.none() | rectangles()),
+        lambda: st.builds(edits.set_clippers, here, st.sampled_from(LINE_CLIPPERS)),
     ]
-    if not sheet.figures or draw(st.integers(0, 3)) == 0:
-        return draw(st.one_of(of_sheet))
-    figure = draw(st.sampled_from(sheet.figures))
+    return draw(draw(st.sampled_from(choices))())
+
+
+@st.composite
+def _edits_of_a_figure(draw: st.DrawFn, sheet: Sheet, figure: AnyFigure) -> edits.Edit:
     point = draw(st.sampled_from(figure.points_world))
     at = f"{sheet.id}/{figure.id}/{point.id}"
+    here = st.just(figure.id)
     some = st.lists(st.sampled_from([f.id for f in sheet.figures]), min_size=1, unique=True)
+    place = st.tuples(coordinates, coordinates)
     near = st.floats(-100, 100)
-    choices: list[st.SearchStrategy[edits.Edit]] = [
-        st.builds(edits.move_points, st.fixed_dictionaries({f"{at}/x": st.tuples(coordinates, coordinates)})),
-        st.builds(edits.set_attribute, st.just(f"{at}/y"), coordinates),
-        st.builds(edits.set_attribute, st.just(f"{sheet.id}/{figure.id}/colour"), st.integers(0, 2)),
-        st.builds(edits.set_algorithm, st.just(figure.id), st.sampled_from(figure.algorithms)),
-        st.builds(edits.remove_figures, some),
-        st.builds(edits.duplicate_figures, some, near, near),
-        st.builds(edits.move_figures, some, near, near),
-        st.builds(edits.reorder, st.just(figure.id), st.integers(0, len(sheet.figures) - 1)),
-        st.builds(edits.rename_figure, st.just(figure.id), names),
+    choices: list[Callable[[], st.SearchStrategy[edits.Edit]]] = [
+        lambda: st.builds(edits.move_points, st.fixed_dictionaries({f"{at}/x": place})),
+        lambda: st.builds(edits.set_attribute, st.just(f"{at}/y"), coordinates),
+        lambda: st.builds(edits.set_attribute, st.just(f"{sheet.id}/{figure.id}/colour"), st.integers(0, 2)),
+        lambda: st.builds(edits.set_algorithm, here, st.sampled_from(figure.algorithms)),
+        lambda: st.builds(edits.remove_figures, some),
+        lambda: st.builds(edits.duplicate_figures, some, near, near),
+        lambda: st.builds(edits.move_figures, some, near, near),
+        lambda: st.builds(edits.reorder, here, st.integers(0, len(sheet.figures) - 1)),
+        lambda: st.builds(edits.rename_figure, here, names),
     ]
     if isinstance(figure, Polyline):
-        choices.append(st.builds(edits.set_closed, st.just(figure.id), st.booleans()))
+        choices.append(lambda: st.builds(edits.set_closed, here, st.booleans()))
     if isinstance(figure, Polygon):
-        corners = st.lists(st.tuples(coordinates, coordinates), min_size=3, max_size=5)
-        choices.append(st.builds(edits.add_ring, st.just(figure.id), corners))
+        corners = st.lists(place, min_size=3, max_size=5)
+        choices.append(lambda: st.builds(edits.add_ring, here, corners))
     if isinstance(figure, Polyline | Polygon):
+        index = st.integers(0, len(figure.points_world))
         choices += [
-            st.builds(
-                edits.insert_point,
-                st.just(figure.id),
-                st.integers(0, len(figure.points_world)),
-                coordinates,
-                coordinates,
-            ),
-            st.builds(edits.remove_point, st.just(at + "/*")),
+            lambda: st.builds(edits.insert_point, here, index, coordinates, coordinates),
+            lambda: st.builds(edits.remove_point, st.just(at + "/*")),
         ]
-    return draw(st.one_of(choices))
+    return draw(draw(st.sampled_from(choices))())
