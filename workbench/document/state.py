@@ -4,7 +4,7 @@ from typing import Literal, get_args
 
 import msgspec
 
-from workbench.document.check import refuse, shown
+from workbench.document.check import MAX_SIDE_PX, refuse, shown
 from workbench.document.model import LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure, Document
 from workbench.language import _
 
@@ -31,6 +31,7 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     An empty ``sheet`` means the first one, an empty ``compare`` no comparison. ``step`` counts rows of the
     hand table, or lines in ``detail``; ``ask_first`` hides the next pixel until it was guessed. ``stepped``
     tells which run of the active figure is stepped: its algorithm's, or that of the sheet's clipper.
+    ``pixel`` (x, y) is the one that is asked about: why is it as it is.
     """
 
     sheet: str = ""
@@ -41,6 +42,7 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     detail: bool = False
     ask_first: bool = False
     stepped: Literal["figure", "clipper"] = "figure"
+    pixel: tuple[int, int] | None = None
     tube: TubeSettings = TubeSettings()
 
 
@@ -58,6 +60,9 @@ def check_state(state: SessionState, document: Document) -> SessionState:
     slugs.update(LINE_CLIPPERS, POLYGON_CLIPPERS)
     if state.compare and state.compare not in slugs:
         raise refuse("session.compare", _missing(state.compare))
+    if state.pixel is not None and not all(0 <= side < MAX_SIDE_PX for side in state.pixel):
+        problem = _("is {value}; give a column and a row from 0")
+        raise refuse("session.pixel", problem.format(value=shown(state.pixel)))
     if not 0 <= state.step < 2**53:
         raise refuse("session.step", _("is {value}; give a whole number from 0").format(value=state.step))
     if not state.tube.phosphor.isalnum() or len(state.tube.phosphor) > 32:

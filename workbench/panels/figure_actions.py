@@ -48,6 +48,7 @@ class FigureActions(QObject):
     def _commands(self) -> list[Row]:
         panel = self._panel
         return [
+            ("why", _("Why this pixel?"), "question", "Y", panel.ask_why),
             ("delete", _("Delete"), "trash", "Del", panel.delete_selected),
             ("duplicate", _("Duplicate"), "copy", "Ctrl+D", panel.duplicate_selected),
             ("select_all", _("Select all"), "selection-all", "Ctrl+A", panel.select_all),

@@ -20,6 +20,7 @@ from workbench.panels.figure_picture import (
 from workbench.rendering.compare import Comparison
 from workbench.rendering.raster import pixels
 from workbench.session.run import Run
+from workbench.widgets.canvas_drawing import Stroke, Word
 from workbench.widgets.canvas_overlay import Cell, Overlay
 from workbench.widgets.tokens import Tokens
 
@@ -116,3 +117,20 @@ def with_selection(overlay: Overlay, sheet: Sheet, selected: list[AnyFigure], he
 def with_band(overlay: Overlay, band: NDArray[np.float64] | None) -> Overlay:
     """The marks with the band of a selection under way."""
     return overlay if band is None else replace(overlay, outlined=(*overlay.outlined, band))
+
+
+def with_asked(overlay: Overlay, cell: Cell | None) -> Overlay:
+    """The marks with a frame round the pixel that is asked about."""
+    if cell is None:
+        return overlay
+    x, y = cell
+    corners = [
+        (x - 0.5, y - 0.5),
+        (x + 0.5, y - 0.5),
+        (x + 0.5, y + 0.5),
+        (x - 0.5, y + 0.5),
+        (x - 0.5, y - 0.5),
+    ]
+    frame = Stroke(np.array(corners, np.float64), "accent", 2.0, haloed=True)
+    question = Word("?", x + 0.5, y + 0.5, "accent", 1, 1, carded=True, strong=True)
+    return replace(overlay, drawn=(*overlay.drawn, frame, question))

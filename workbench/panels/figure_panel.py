@@ -297,6 +297,14 @@ class FigurePanel(QWidget):
             if 0 <= place < len(figures):
                 self.apply(reorder(chosen[0].id, place), _("Change order"))
 
+    def ask_why(self) -> None:
+        """Ask why the pixel that is pointed at is as it is."""
+        cell = self.canvas.pointed_cell
+        if cell is None:
+            self.hover_text.emit(_("Point at a pixel first, then ask why it is as it is."))
+        else:
+            self.session.update_state(pixel=cell)
+
     def _arrow(self, dx: int, dy: int, modifiers: Any) -> None:
         """Arrows nudge what is selected; with nothing selected they step."""
         if chosen := self.selected():

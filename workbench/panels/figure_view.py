@@ -13,6 +13,7 @@ from workbench.panels.figure_compose import (
     compose,
     painted,
     progress_at,
+    with_asked,
     with_band,
     with_selection,
 )
@@ -54,6 +55,7 @@ class FigureView:
         chosen = set(session.state.selection)
         selected = [figure for figure in sheet.figures if figure.id in chosen]
         overlay = with_band(with_selection(made.overlay, sheet, selected, drag.held), tool.band)
+        overlay = with_asked(overlay, session.state.pixel)
         snap = tool.snap if isinstance(tool, FigureTool) else None
         self.canvas.set_picture(made.pixels, made.background)
         self.canvas.set_overlay(replace(overlay, snap=snap, right=self._right, wrong=self._wrong))

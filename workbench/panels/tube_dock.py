@@ -17,6 +17,7 @@ class TubeDock(QWidget):
         super().__init__(parent)
         self.raster, self.vector = TubeView("raster"), TubeView("vector")
         self.feed = TubeFeed(session, [self.raster, self.vector], self)
+        self.raster.probed.connect(lambda x, y: session.update_state(pixel=(x, y)))
         self._choices = QButtonGroup(self)
         row = QHBoxLayout()
         row.setSpacing(4)

@@ -38,13 +38,14 @@ def panel_class(panel: str) -> Callable[..., Any]:
 def workspaces() -> tuple[Workspace, ...]:
     """Those that exist."""
     inspector = "workbench.panels.inspector:InspectorPanel"
+    why = "workbench.panels.why:WhyPanel"
     return (
         Workspace(
             "draw",
             _("Draw"),
             _("Lines, circles and ellipses, pixel by pixel"),
             "pencil-line",
-            ("workbench.panels.draw:DrawPanel", inspector, "workbench.panels.tube_dock:TubePanel"),
+            ("workbench.panels.draw:DrawPanel", inspector, why, "workbench.panels.tube_dock:TubePanel"),
             steps=True,
             topics=("lines", "circles"),
             lower=("tube", "distance"),
@@ -54,7 +55,7 @@ def workspaces() -> tuple[Workspace, ...]:
             _("Fill"),
             _("Polygons by scan lines, areas from a seed, inside and outside"),
             "paint-bucket",
-            ("workbench.panels.fill:FillPanel", inspector, "workbench.panels.tube_dock:TubePanel"),
+            ("workbench.panels.fill:FillPanel", inspector, why, "workbench.panels.tube_dock:TubePanel"),
             steps=True,
             topics=("polygons", "seed_fill"),
             lower=("tube", "depth"),
@@ -64,7 +65,7 @@ def workspaces() -> tuple[Workspace, ...]:
             _("Clip"),
             _("What of lines, polygons and points a window keeps"),
             "crop",
-            ("workbench.panels.clip:ClipPanel", inspector, "workbench.panels.tube_dock:TubePanel"),
+            ("workbench.panels.clip:ClipPanel", inspector, why, "workbench.panels.tube_dock:TubePanel"),
             steps=True,
             topics=("clipping", "lines", "polygons"),
             lower=("tube",),

@@ -66,6 +66,7 @@ class PixelCanvas(CanvasSurface):
         self._press: QPointF | None = None
         self._panning: QPoint | None = None
         self._wheel = 0
+        self._last_hover: Cell | None = None
         self._shape = QCursor(Qt.CursorShape.ArrowCursor)
         self.takes_handles = True
 
@@ -159,6 +160,7 @@ class PixelCanvas(CanvasSurface):
             if cell is None:
                 self.hover_left.emit()
             else:
+                self._last_hover = cell
                 self.hovered.emit(*cell)
         self.repaint_soon()
 
@@ -232,6 +234,11 @@ class PixelCanvas(CanvasSurface):
     def cursor_cell(self) -> Cell | None:
         """Where the keyboard's cursor is; None outside cursor mode."""
         return self._cursor
+
+    @property
+    def pointed_cell(self) -> Cell | None:
+        """The cell of the keyboard's cursor, or else the one that the pointer is over or was over last."""
+        return self._cursor or self._hover or self._last_hover
 
     def _toggle_cursor(self) -> None:
         if self._cursor is not None:
