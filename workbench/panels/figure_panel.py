@@ -117,8 +117,13 @@ class FigurePanel(QWidget):
         button.setAccessibleName(action.text())
         return button
 
+    def point_at(self, cell: tuple[int, int] | None) -> None:
+        """Point at a pixel that the sentence names, until the run moves; None when no longer."""
+        self.canvas.point_at(cell)
+
     def _connect_canvas(self) -> None:
         session, canvas = self.session, self.canvas
+        session.run.moved.connect(lambda: canvas.point_at(None))
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
         for told in (session.changed, session.state_changed, theme_changed):
             told.connect(self.refresh_soon)

@@ -4,7 +4,7 @@ from typing import Any
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QSplitter, QWidget
+from PySide6.QtWidgets import QDockWidget, QSplitter, QWidget
 
 from workbench.language import _
 from workbench.session.session import Session
@@ -19,7 +19,7 @@ class InspectorPanel(QWidget):
     """Docks over the run of a session, and the step bar below the workspace.
 
     ``hover_text``: what is to be said in passing. ``pixel_pointed``: a pixel (x, y) that the sentence names
-    and that is pointed at, None when no longer.
+    and that is pointed at or was clicked, None when no longer.
     """
 
     hover_text = Signal(str)
@@ -29,6 +29,7 @@ class InspectorPanel(QWidget):
         super().__init__(parent)
         self._session = session
         run = session.run
+        self._chosen: tuple[int, int] | None = None
         self.title = _("Inspector")
         self.source = SourceView(run)
         self.variables = VariableTable(run)
@@ -39,14 +40,35 @@ class InspectorPanel(QWidget):
         self.values.addWidget(self.structures)
         self.values.setChildrenCollapsible(False)
         self.step_bar = Steps(run)
-        self.step_bar.sentence.variable_chosen.connect(self.variables.point_at)
+        self.step_bar.sentence.variable_chosen.connect(self._show_variable)
         self.step_bar.sentence.variable_pointed.connect(self.variables.point_at)
-        self.step_bar.sentence.pixel_chosen.connect(run.run_to_pixel)
-        self.step_bar.sentence.pixel_pointed.connect(self.pixel_pointed)
+        self.step_bar.sentence.pixel_chosen.connect(self._choose_pixel)
+        self.step_bar.sentence.pixel_pointed.connect(self._point_at_pixel)
+        run.moved.connect(self._choose_nothing)
         self.source.refused.connect(self.hover_text)
         self.hand.copied.connect(self.hover_text)
         for view in (self.source, self.variables, self.hand):
             view.example_wanted.connect(self.show_example)
+
+    def _show_variable(self, name: str) -> None:
+        self.variables.point_at(name)
+        dock: QWidget | None = self.variables
+        while dock is not None and not isinstance(dock, QDockWidget):
+            dock = dock.parentWidget()
+        if dock is not None:
+            dock.show()
+            dock.raise_()
+
+    def _choose_nothing(self) -> None:
+        self._chosen = None
+
+    def _choose_pixel(self, x: int, y: int) -> None:
+        self._chosen = (x, y)
+        self.pixel_pointed.emit(self._chosen)
+
+    def _point_at_pixel(self, cell: tuple[int, int] | None) -> None:
+        """What the pointer is over; without anything there, what was clicked."""
+        self.pixel_pointed.emit(cell or self._chosen)
 
     @property
     def center(self) -> QWidget:

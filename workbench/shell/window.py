@@ -268,6 +268,8 @@ class MainWindow(QMainWindow):
             if bar is not None:
                 self._step_bars[slug] = self.steps.addWidget(bar)
             self.status.listen(panel)
+            if hasattr(panel, "pixel_pointed") and hasattr(made[0], "point_at"):
+                panel.pixel_pointed.connect(made[0].point_at)
         self._panels[slug] = made
 
     def show_page(self, name: str) -> None:

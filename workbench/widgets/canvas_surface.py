@@ -44,6 +44,7 @@ class CanvasSurface(QWidget):
         self._hover: Cell | None = None
         self._pointer = QPointF()
         self._cursor: Cell | None = None
+        self._pointed: Cell | None = None
         theme_changed.connect(self.repaint_soon)
 
     # What is shown
@@ -75,6 +76,19 @@ class CanvasSurface(QWidget):
         if text != self._tag:
             self._tag = text
             self.repaint_soon()
+
+    def point_at(self, cell: Cell | None) -> None:
+        """Ring a cell that something else names, and bring it into sight; None rings none."""
+        if cell is not None:
+            self._bring_into_view(cell)
+        if cell != self._pointed:
+            self._pointed = cell
+            self.repaint_soon()
+
+    @property
+    def pointed(self) -> Cell | None:
+        """The cell that is ringed because something else names it."""
+        return self._pointed
 
     @property
     def overlay(self) -> Overlay:
@@ -142,6 +156,14 @@ class CanvasSurface(QWidget):
         self._view = view.kept_near(self.area, *self._picture.size, margin)
         self.view_changed.emit(self.zoom_percent)
         self.repaint_soon()
+
+    def _bring_into_view(self, cell: Cell) -> None:
+        area = self.area
+        left, top, side = self._view.cell_box(*cell)
+        right = max(0, area.left + side - left) - max(0, left + 2 * side - area.right)
+        down = max(0, area.top + side - top) - max(0, top + 2 * side - area.bottom)
+        if right or down:
+            self._show(self._view.moved(right, down))
 
     @property
     def area(self) -> Area:
@@ -220,6 +242,8 @@ class CanvasSurface(QWidget):
         paint_scene(painter, self._picture, scene)
         paint_rulers(painter, scene, self._cursor or self._hover)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        if self._pointed is not None:
+            self._paint_ring(painter, scene, self._pointed)
         if self._cursor is not None:
             self._paint_cursor(painter, scene)
         tag = self._tag or self._hover_text()
@@ -244,12 +268,16 @@ class CanvasSurface(QWidget):
 
     def _paint_cursor(self, painter: QPainter, scene: Scene) -> None:
         assert self._cursor is not None
-        left, top, side = scene.view.cell_box(*self._cursor)
+        left, top, side = self._paint_ring(painter, scene, self._cursor)
+        if not self._tag and self._describe is not None:
+            paint_label(painter, self._describe(*self._cursor), left + side, top, scene)
+
+    def _paint_ring(self, painter: QPainter, scene: Scene, cell: Cell) -> tuple[float, float, float]:
+        left, top, side = scene.view.cell_box(*cell)
         painter.setClipRect(QRectF(scene.area.left, scene.area.top, scene.area.width, scene.area.height))
         ring(painter, QRectF(left, top, side, side).adjusted(-1, -1, 1, 1), scene)
         painter.setClipping(False)
-        if not self._tag and self._describe is not None:
-            paint_label(painter, self._describe(*self._cursor), left + side, top, scene)
+        return left, top, side
 
     def _hover_text(self) -> str:
         if self._hover is None or self._describe is None or self._cursor is not None:

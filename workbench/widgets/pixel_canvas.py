@@ -259,14 +259,6 @@ class PixelCanvas(CanvasSurface):
         QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.DescriptionChanged))
         self.repaint_soon()
 
-    def _bring_into_view(self, cell: Cell) -> None:
-        area = self.area
-        left, top, side = self._view.cell_box(*cell)
-        right = max(0, area.left + side - left) - max(0, left + 2 * side - area.right)
-        down = max(0, area.top + side - top) - max(0, top + 2 * side - area.bottom)
-        if right or down:
-            self._show(self._view.moved(right, down))
-
     def focusInEvent(self, event: QFocusEvent) -> None:
         """The focus ring appears."""
         super().focusInEvent(event)
