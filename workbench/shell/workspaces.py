@@ -39,36 +39,37 @@ def workspaces() -> tuple[Workspace, ...]:
     """Those that exist."""
     inspector = "workbench.panels.inspector:InspectorPanel"
     why = "workbench.panels.why:WhyPanel"
+    compare, tube = "workbench.panels.compare:ComparePanel", "workbench.panels.tube_dock:TubePanel"
     return (
         Workspace(
             "draw",
             _("Draw"),
             _("Lines, circles and ellipses, pixel by pixel"),
             "pencil-line",
-            ("workbench.panels.draw:DrawPanel", inspector, why, "workbench.panels.tube_dock:TubePanel"),
+            ("workbench.panels.draw:DrawPanel", inspector, compare, why, tube),
             steps=True,
             topics=("lines", "circles"),
-            lower=("tube", "distance"),
+            lower=("tube", "compare", "distance"),
         ),
         Workspace(
             "fill",
             _("Fill"),
             _("Polygons by scan lines, areas from a seed, inside and outside"),
             "paint-bucket",
-            ("workbench.panels.fill:FillPanel", inspector, why, "workbench.panels.tube_dock:TubePanel"),
+            ("workbench.panels.fill:FillPanel", inspector, compare, why, tube),
             steps=True,
             topics=("polygons", "seed_fill"),
-            lower=("tube", "depth"),
+            lower=("tube", "compare", "depth"),
         ),
         Workspace(
             "clip",
             _("Clip"),
             _("What of lines, polygons and points a window keeps"),
             "crop",
-            ("workbench.panels.clip:ClipPanel", inspector, why, "workbench.panels.tube_dock:TubePanel"),
+            ("workbench.panels.clip:ClipPanel", inspector, compare, why, tube),
             steps=True,
             topics=("clipping", "lines", "polygons"),
-            lower=("tube",),
+            lower=("compare", "tube"),
         ),
         Workspace(
             "display",
