@@ -22,6 +22,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, Polyline, SeedFill, Sheet
 from workbench.language import _, ngettext
 from workbench.panels.figure_tools import FigureTool
+from workbench.rendering import REACH_PX, reach_of
 from workbench.session.session import Session
 from workbench.widgets.icons import set_icon
 from workbench.widgets.number_field import NumberField
@@ -105,6 +106,9 @@ class ParameterCard(QFrame):
         self.summary = QLabel()
         self.summary.setTextFormat(Qt.TextFormat.RichText)
         self.summary.setWordWrap(True)
+        self.trouble = QLabel()
+        self.trouble.setWordWrap(True)
+        self.trouble.setProperty("role", "warn")
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(12)
         self._grid.setVerticalSpacing(4)
@@ -115,7 +119,7 @@ class ParameterCard(QFrame):
         body.setSpacing(8)
         body.addWidget(self.algorithm)
         body.addLayout(self._grid)
-        for widget in (*self.more_rows(), self.compare, self.side_by_side, self.summary):
+        for widget in (self.trouble, *self.more_rows(), self.compare, self.side_by_side, self.summary):
             body.addWidget(widget)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(12, 8, 8, 8)
@@ -131,14 +135,22 @@ class ParameterCard(QFrame):
     def _set_open(self, open_: bool) -> None:
         set_icon(self._fold, "caret-up" if open_ else "caret-down", "muted")
         self._body.setVisible(open_)
-        self.adjustSize()
+        self._fit()
         self.folded.emit(not open_)
+
+    def _fit(self) -> None:
+        """As high as what it holds, whose words wrap at its width."""
+        layout = self.layout()
+        if layout is not None:
+            wraps = layout.hasHeightForWidth()
+            height = layout.totalHeightForWidth(WIDTH_PX) if wraps else layout.totalSizeHint().height()
+            self.resize(WIDTH_PX, height)
 
     def event(self, event: QEvent) -> bool:
         """As large as what it holds."""
         done = super().event(event)
         if event.type() == QEvent.Type.LayoutRequest:
-            self.adjustSize()
+            self._fit()
         return done
 
     def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
@@ -173,6 +185,7 @@ class ParameterCard(QFrame):
             else [],
             state.compare,
         )
+        self._say_trouble(sheet, figures)
         compared = bool(summary) and bool(others)
         self.side_by_side.setVisible(compared)
         self.summary.setVisible(compared)
@@ -182,7 +195,19 @@ class ParameterCard(QFrame):
         if self._size is not None:
             self._size[0].set_value(sheet.width_px)
             self._size[1].set_value(sheet.height_px)
-        self.adjustSize()
+        self._fit()
+
+    def _say_trouble(self, sheet: Sheet, figures: Sequence[AnyFigure]) -> None:
+        """What is not drawn, and why."""
+        far = [(reach, figure) for figure in figures if (reach := reach_of(sheet, figure)) > REACH_PX]
+        self.trouble.setVisible(bool(far))
+        if far:
+            reach, figure = max(far, key=lambda each: each[0])
+            sentence = _(
+                "\N{WARNING SIGN} This {what} is not drawn: it reaches {reach:,.0f} pixels, and {most:,} is "
+                "the most. Make it smaller, or bring it nearer."
+            )
+            self.trouble.setText(sentence.format(what=kind_title(figure).lower(), reach=reach, most=REACH_PX))
 
     def _fill(self, box: QComboBox, choices: list[tuple[str, str]], now: str) -> None:
         held = [(box.itemData(k), box.itemText(k)) for k in range(box.count())]

@@ -2,11 +2,14 @@
 
 from workbench.rendering.clipping import clip_box, clipper_calls, clipper_of
 from workbench.rendering.display_list import Stroke, display_list, unshown
+from workbench.rendering.limits import REACH_PX
 from workbench.rendering.mapping import Call, device_map
+from workbench.rendering.pipeline import reach_of
 from workbench.rendering.raster import arguments, emitted, figure_calls, frame_buffer, painter_of
 from workbench.rendering.why import Touch, why
 
 __all__ = [
+    "REACH_PX",
     "Call",
     "Stroke",
     "Touch",
@@ -20,6 +23,7 @@ __all__ = [
     "figure_calls",
     "frame_buffer",
     "painter_of",
+    "reach_of",
     "unshown",
     "why",
 ]

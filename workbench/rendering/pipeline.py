@@ -30,16 +30,13 @@ def _named(sheet: Sheet, figure: AnyFigure, below: NDArray[np.uint32] | None) ->
         return [] if values is None else [values]
     if not figure.points_world:
         return []
-    scale = device_map(sheet)
-    x, y = scale.point(figure.points_world[0].x, figure.points_world[0].y)
+    if reach_of(sheet, figure) > REACH_PX:
+        return []
+    x, y = device_map(sheet).point(figure.points_world[0].x, figure.points_world[0].y)
     if isinstance(figure, Circle | Ellipse):
         radius_x, radius_y = device_radii(sheet, figure)
-        if max(abs(x), abs(y), radius_x, radius_y) > REACH_PX:
-            return []
         rx, ry = round_half_up(radius_x), round_half_up(radius_y)
         return [{"xc": round_half_up(x), "yc": round_half_up(y), "rx": rx, "ry": ry, "r": rx}]
-    if max(abs(x), abs(y)) > REACH_PX:
-        return []
     return [
         {
             "image": below,
@@ -49,6 +46,15 @@ def _named(sheet: Sheet, figure: AnyFigure, below: NDArray[np.uint32] | None) ->
             "boundary": sheet.palette[figure.boundary % len(sheet.palette)],
         }
     ]
+
+
+def reach_of(sheet: Sheet, figure: AnyFigure) -> float:
+    """How far the centre, the radii or the seed of a figure reach, in pixels; 0 for one that is clipped."""
+    if not isinstance(figure, Circle | Ellipse | SeedFill) or not figure.points_world:
+        return 0.0
+    x, y = device_map(sheet).point(figure.points_world[0].x, figure.points_world[0].y)
+    radii = () if isinstance(figure, SeedFill) else device_radii(sheet, figure)
+    return max(abs(x), abs(y), *radii)
 
 
 def colour_of(sheet: Sheet, figure: AnyFigure) -> int:
