@@ -12,6 +12,7 @@ from workbench.document.model import (
     Circle,
     Ellipse,
     Line,
+    Polygon,
     Polyline,
     Rectangle,
     SeedFill,
@@ -167,6 +168,11 @@ def test_far_points_neither_hang_nor_fail(x0, y0, x1, y1) -> None:
     circle = Circle("c", points((x0, y0)), "midpoint_circle", radius_world=abs(x1))
     picture = frame_buffer(sheet(line((x0, y0), (x1, y1)), circle))
     assert picture.shape == (30, 40)
+
+
+def test_a_polygon_without_height_fills_nothing() -> None:
+    flat = Polygon("f1", points((2, 3), (9, 3), (5, 3)), "scan_line_fill")
+    assert (painter_of(sheet(flat)) == -1).all()
 
 
 def test_why_names_figure_call_and_emission() -> None:

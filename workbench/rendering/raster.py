@@ -28,6 +28,9 @@ Function = Callable[..., Iterator[tuple[Any, ...]]]
 _LONG_RUN = 4096
 """Emitted pixels from which a compiled kernel is worth its call and the look whether it is ready."""
 
+_MOST_COLUMNS = 3
+"""Of a row, as of a span; where nothing is emitted there is no row to tell."""
+
 
 class Composite(NamedTuple):
     """A sheet's picture (h, w), 0xRRGGBB, and the index of the figure that painted each pixel last, or -1."""
@@ -48,17 +51,18 @@ def _run(function: Function, compilable: bool, arguments: tuple[Any, ...], limit
     given = tuple(a.copy() if isinstance(a, np.ndarray) else a for a in arguments)
     rows: Emitted
     if limit:
-        listed = collect_limited(function, limit, *given).rows
-        return np.array(listed) if listed else np.empty((0, 2), dtype=np.int64)
+        return _as_rows(collect_limited(function, limit, *given).rows)
     if compilable and _expected_length(given) > _LONG_RUN and "numba" in sys.modules:
         from workbench.engine.compiled import collect, ready
 
         if ready(function, "collect"):
             rows = collect(function, *given, compiling=False)
             return rows
-    listed = list(function(*given))
-    rows = np.array(listed) if listed else np.empty((0, 2), dtype=np.int64)
-    return rows
+    return _as_rows(list(function(*given)))
+
+
+def _as_rows(listed: list[tuple[Any, ...]]) -> Emitted:
+    return np.array(listed) if listed else np.empty((0, _MOST_COLUMNS), dtype=np.int64)
 
 
 @lru_cache(maxsize=4096)
