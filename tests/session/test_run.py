@@ -1,5 +1,7 @@
 """The cursor of a run: recorded behind the interface, stepped, played, jumped with, asked first."""
 
+import gc
+import weakref
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -360,3 +362,16 @@ def test_the_steps_are_those_of_a_straight_recording(make: Callable[..., Run]) -
         run.go(number)
         assert run.step == steps[number]
         assert words(run) == "".join(part.text for part in steps[number].sentence)
+
+
+def test_a_run_that_nobody_holds_records_no_further(qtbot: QtBot) -> None:
+    run = Run()
+    run.limit = 10**9
+    run.follow(BRESENHAM, (0, 0, 10**9, 10**8), "figure", SIZE)
+    recorder = run._recorder
+    assert recorder is not None
+    gone = weakref.ref(run)
+    del run
+    gc.collect()
+    assert gone() is None
+    assert recorder.join(30)

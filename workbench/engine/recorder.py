@@ -13,10 +13,12 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from inspect import CO_GENERATOR
 from types import CodeType, FrameType, TracebackType
 from typing import Any
 
+from workbench.engine import background
 from workbench.engine.columns import MISSING, Column
 from workbench.engine.containers import Containers, Log, is_fixed
 from workbench.engine.effects import Effects, texts_of
@@ -334,11 +336,8 @@ class Recorder:
         self._stopped = False
         self._depth_limit = depth_limit
         tracer = _Tracer(self.recording, limit, depth_limit, self._pause, skip)
-        self._thread = threading.Thread(
-            target=_run,
-            args=(tracer, function, (args, *then)),
-            name=f"record {function.__name__}",
-            daemon=True,
+        self._thread = background.thread(
+            partial(_run_beside, tracer, function, (args, *then)), f"record {function.__name__}", self.stop
         )
 
     def _pause(self) -> None:

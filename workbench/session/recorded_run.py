@@ -1,14 +1,15 @@
 """The recording of one figure's run, made in the background and watched from the event loop."""
 
-import threading
+import weakref
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from workbench.algorithms.entry import Entry
-from workbench.engine import compiled, counts
+from workbench.engine import background, compiled, counts
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import LIMIT, Recorder
 from workbench.engine.recording import Recording
@@ -56,6 +57,7 @@ class RecordedRun(QObject):
             tuple[Entry, tuple[Any, ...], str, tuple[int, int], Sequence[tuple[Any, ...]], int] | None
         ) = None
         self._recorder: Recorder | None = None
+        self._abandoned: weakref.finalize[..., Any] | None = None
         self._counted: Recorder | None = None
         self._look = QTimer(self)
         self._look.timeout.connect(self._look_again)
@@ -106,6 +108,7 @@ class RecordedRun(QObject):
         self.steps = Steps(entry, self.recording)
         if self._held:
             self._recorder.hold()
+        self._abandoned = weakref.finalize(self, self._recorder.stop)
         self._recorder.start()
         self._look.start(_FIRST_LOOK_MS)
         self.changed.emit()
@@ -157,9 +160,9 @@ class RecordedRun(QObject):
         """More was recorded, or it is done."""
 
     def _forget(self) -> None:
-        if self._recorder is not None:
-            self._recorder.stop()
-        self._recorder = None
+        if self._abandoned is not None:
+            self._abandoned()
+        self._recorder = self._abandoned = None
         self._look.stop()
         self.recording = self.steps = self.total_steps = None
 
@@ -236,9 +239,10 @@ class RecordedRun(QObject):
         def count() -> None:
             if compiled.available() and _counting_is_ready(entry):
                 total = sum(counts.step_total(entry, *call, compiling=False) for call in calls)
-                self._total_found.emit(recorder, total)
+                with suppress(RuntimeError):  # this run is gone
+                    self._total_found.emit(recorder, total)
 
-        threading.Thread(target=count, name="count steps", daemon=True).start()
+        background.thread(count, "count steps").start()
 
     def _take_total(self, recorder: object, total: int) -> None:
         if recorder is self._recorder:

@@ -1,6 +1,6 @@
 """The hand table as the course writes it, one row for each step, filled only where it is looked at."""
 
-import threading
+from contextlib import suppress
 from typing import Any
 
 from PySide6.QtCore import (
@@ -15,6 +15,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QAction, QFont, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
+from workbench.engine import background
 from workbench.engine.observation import Steps
 from workbench.exchange.tables import Table, shown, to_html, to_tsv, typeset
 from workbench.language import _
@@ -206,9 +207,13 @@ class HandTable(QWidget):
             self._to_clipboard(_table(Steps(entry, recording), rows))
             return
         self.copied.emit(_("Copying {rows:,} rows ...").format(rows=rows))
-        threading.Thread(
-            target=lambda: self._ready.emit(_table(Steps(entry, recording), rows)), name="copy", daemon=True
-        ).start()
+
+        def copy() -> None:
+            table = _table(Steps(entry, recording), rows)
+            with suppress(RuntimeError):  # this widget is gone
+                self._ready.emit(table)
+
+        background.thread(copy, "copy").start()
 
     def _to_clipboard(self, table: Table) -> None:
         data = QMimeData()
