@@ -34,27 +34,27 @@ def fill_examples() -> list[Example]:
             "fill",
             document_of(
                 _("A star with two interiors"),
-                56,
+                36,
                 32,
                 [
-                    polygon([_pentagram(14, 15)], 1, _("Even-odd")),
-                    polygon([_pentagram(41, 15)], 2, _("Winding number"), nonzero=True),
+                    polygon([_pentagram(10, 10)], 1, _("Even-odd")),
+                    polygon([_pentagram(25, 21)], 2, _("Winding number"), nonzero=True),
                 ],
             ),
         ),
         Example(
             "letters",
             _("Letters with holes"),
-            _("A word of polygons: the hole of an A or an O is a ring of its own."),
+            _("The hole of an A or an O is a ring of its own, whose crossings are counted with the others."),
             "fill",
-            document_of(_("Letters with holes"), 62, 30, _letters()),
+            document_of(_("Letters with holes"), 36, 31, _letters()),
         ),
         Example(
             "pond",
             _("A pond with two islands"),
             _("A boundary fill finds its way round two islands; its stack grows and shrinks."),
             "fill",
-            document_of(_("A pond with two islands"), 44, 30, _pond()),
+            document_of(_("A pond with two islands"), 34, 32, _pond()),
         ),
         Example(
             "leak",
@@ -80,25 +80,18 @@ def fill_examples() -> list[Example]:
     ]
 
 
-def _pentagram(x: float, y: float, radius: float = 14.0) -> list[tuple[float, float]]:
+def _pentagram(x: float, y: float, radius: float = 9.5) -> list[tuple[float, float]]:
     turns = [math.pi / 2 + k * 4 * math.pi / 5 for k in range(5)]
-    return [(round(x + radius * math.cos(a), 1), round(y - 1 + radius * math.sin(a), 1)) for a in turns]
+    return [(round(x + radius * math.cos(a), 1), round(y - 0.5 + radius * math.sin(a), 1)) for a in turns]
 
 
 def _letters() -> list[AnyFigure]:
-    f: Rings = [[(3, 4), (7, 4), (7, 12), (13, 12), (13, 16), (7, 16), (7, 21), (15, 21), (15, 25), (3, 25)]]
-    i: Rings = [[(18, 4), (22, 4), (22, 25), (18, 25)]]
     a: Rings = [
-        [(25, 4), (29, 4), (30.5, 9), (36.5, 9), (38, 4), (42, 4), (35.5, 25), (31.5, 25)],
-        [(31.7, 13), (35.3, 13), (33.5, 19.5)],
+        [(1, 3), (5, 3), (6.5, 9), (12.5, 9), (14, 3), (18, 3), (11.5, 27), (7.5, 27)],
+        [(7.6, 13), (11.4, 13), (9.5, 20.5)],
     ]
-    o: Rings = [_round(52, 14.5, 8, 10.5, 24), _round(52, 14.5, 4, 6.5, 16)]
-    return [
-        polygon(f, 1, "F"),
-        polygon(i, 2, "I"),
-        polygon(a, 3, "A"),
-        polygon(o, 4, "O"),
-    ]
+    o: Rings = [_round(26.5, 15, 7.5, 12, 24), _round(26.5, 15, 3.5, 7.5, 16)]
+    return [polygon(a, 1, "A"), polygon(o, 2, "O")]
 
 
 def _round(x: float, y: float, rx: float, ry: float, corners: int) -> list[tuple[float, float]]:
@@ -108,22 +101,22 @@ def _round(x: float, y: float, rx: float, ry: float, corners: int) -> list[tuple
 
 def _pond() -> list[AnyFigure]:
     shore = [
-        (6, 4), (15, 2), (24, 5), (35, 3), (40, 9), (38, 18), (41, 24), (31, 27),
-        (22, 24), (13, 27), (5, 22), (3, 13),
+        (5, 3), (12, 1), (18, 4), (26, 2), (31, 8), (29, 16), (32, 23), (25, 29),
+        (17, 27), (10, 30), (4, 25), (2, 14),
     ]  # fmt: skip
     return [
         polyline(shore, 1, _("Shore"), True),
-        Circle("", points_at((14, 15)), "midpoint_circle", 1, _("Island"), radius_world=4.0),
+        Circle("", points_at((11, 19)), "midpoint_circle", 1, _("Island"), radius_world=4.0),
         Ellipse(
             "",
-            points_at((29, 14)),
+            points_at((21, 11)),
             "midpoint_ellipse",
             1,
             _("Island"),
             radius_x_world=6.0,
             radius_y_world=4.0,
         ),
-        seed_fill((21, 14), 6, 1, _("Water")),
+        seed_fill((17, 19), 6, 1, _("Water")),
     ]
 
 

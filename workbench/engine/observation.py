@@ -199,11 +199,26 @@ class Steps:
         for visit in range(first, last):
             if not self._is_left(visit):
                 return found, visit, False
-            view = self._view_of(visit) if self._considers[visits.block_number(visit)] else None
-            if view is not None and view.considers:
-                x, y = self._value(visit, view, view.considers)
-                found.append((int(visits.entered[visit]), (int(x), int(y))))
+            if self._considers[visits.block_number(visit)]:
+                cell = self._considered(visit)
+                if cell is not None:
+                    found.append((int(visits.entered[visit]), cell))
         return found, last, last < len(visits)
+
+    def _considered(self, visit: int) -> tuple[int, int] | None:
+        """The pixel that a visit tested. Where all views name the same, only the variables in it are read."""
+        block = self._visits.block_of(visit)
+        expressions = {view.considers for view in block.views}
+        if len(expressions) > 1:
+            view = self._view_of(visit)
+            if view is None or not view.considers:
+                return None
+            x, y = self._value(visit, view, view.considers)
+            return int(x), int(y)
+        code = _compiled(next(iter(expressions)))
+        known = self.recording.values_after(int(self._visits.last[visit]), code.co_names)
+        x, y = eval(code, {**block.function.__globals__, **self._functions, **known})
+        return int(x), int(y)
 
     # Showing one step
 

@@ -1,7 +1,7 @@
 """What a recorder wrote down, readable at any event, also while it grows on another thread."""
 
 from array import array
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -107,11 +107,23 @@ class Recording:
     def after(self, event: int) -> dict[str, Any]:
         """Variables of the frame of ``event`` once its line has run, as far as that is recorded."""
         event = self._index(event)
-        frame = self.frame_column[event]
+        return self._read(self.frame_column[event], self._stamp_after(event))
+
+    def values_after(self, event: int, names: Iterable[str]) -> dict[str, Any]:
+        """As ``after``, but of the variables ``names`` alone, those of them that there are."""
+        event = self._index(event)
+        frame, stamp = self.frame_column[event], self._stamp_after(event)
+        since = self.frame_starts[frame]
+        columns = self.columns(self.frame_depths[frame], self.frame_texts[frame])
+        values = ((name, columns[name].read(since, stamp)) for name in names if name in columns)
+        return {name: value for name, value in values if value is not MISSING}
+
+    def _stamp_after(self, event: int) -> int:
+        """When the line of ``event`` has run."""
         following = self.next_in_frame(event)
-        if following is not None:
-            return self._read(frame, 2 * following)
-        return self._read(frame, self.frame_ends[frame] or 2 * event)
+        return (
+            2 * following if following is not None else self.frame_ends[self.frame_column[event]] or 2 * event
+        )
 
     def next_in_frame(self, event: int) -> int | None:
         """The next line event of the same call, or None when it is left (or recorded no further)."""

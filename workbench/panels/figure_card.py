@@ -146,6 +146,14 @@ class ParameterCard(QFrame):
             height = layout.totalHeightForWidth(WIDTH_PX) if wraps else layout.totalSizeHint().height()
             self.resize(WIDTH_PX, height)
 
+    def _fit(self) -> None:
+        """As high as what it holds, whose words wrap at its width."""
+        layout = self.layout()
+        if layout is not None:
+            wraps = layout.hasHeightForWidth()
+            height = layout.totalHeightForWidth(WIDTH_PX) if wraps else layout.totalSizeHint().height()
+            self.resize(WIDTH_PX, height)
+
     def event(self, event: QEvent) -> bool:
         """As large as what it holds."""
         done = super().event(event)

@@ -6,12 +6,14 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, Sheet
-from workbench.rendering import device_map, display_list
+from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, SeedFill, Sheet
+from workbench.geometry.conventions import round_half_up
+from workbench.rendering import device_map, display_list, painter_of
 from workbench.rendering.mapping import device_radii
 from workbench.widgets.canvas_overlay import Handle
 
 Curve = NDArray[np.float64]
+_AREAS = ("scan_line_fill", "circle_fill", "ellipse_fill")
 
 
 def outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
@@ -45,11 +47,24 @@ def distance_to(curves: tuple[Curve, ...], x: float, y: float) -> float:
 
 
 def figure_at(sheet: Sheet, x: float, y: float, reach: float) -> AnyFigure | None:
-    """The front figure whose ideal geometry passes within ``reach`` pixels of a device point."""
+    """The front figure whose ideal geometry passes within ``reach`` pixels of a device point.
+
+    Where none does, the area that is seen there.
+    """
     for figure in reversed(sheet.figures):
         if figure.visible and distance_to(outline(sheet, figure), x, y) <= reach:
             return figure
-    return None
+    return _area_at(sheet, round_half_up(x), round_half_up(y))
+
+
+def _area_at(sheet: Sheet, x: int, y: int) -> AnyFigure | None:
+    """The figure that is seen at a pixel, if it is an area."""
+    if not (0 <= x < sheet.width_px and 0 <= y < sheet.height_px):
+        return None
+    index = int(painter_of(sheet)[y, x])
+    figure = sheet.figures[index] if index >= 0 else None
+    is_area = figure is not None and (isinstance(figure, SeedFill) or figure.algorithm in _AREAS)
+    return figure if is_area else None
 
 
 def handles(sheet: Sheet, figure: AnyFigure, held: str = "") -> list[Handle]:
@@ -76,4 +91,4 @@ def handles(sheet: Sheet, figure: AnyFigure, held: str = "") -> list[Handle]:
     return made
 
 
-_POINTS: dict[type, str] = {Line: "P{k}", Polyline: "P{k}", Circle: "C", Ellipse: "C"}
+_POINTS: dict[type, str] = {Line: "P{k}", Polyline: "P{k}", Circle: "C", Ellipse: "C", SeedFill: "S"}

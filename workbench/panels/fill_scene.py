@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
 from workbench.document.model import Polygon, Sheet
-from workbench.engine.observation import Step, Steps
-from workbench.engine.pending import pending, read
+from workbench.engine.observation import Steps
+from workbench.engine.pending import keeps_stack, pending, read
 from workbench.engine.recorder import record
 from workbench.panels.figure_picture import Pixels, packed
 from workbench.rendering import figure_calls
@@ -67,7 +67,7 @@ def _emitted_to(run: Run) -> int:
     return 0 if step is None else step.emitted_to
 
 
-def stack(run: Run) -> list[Drawn]:
+def stack(run: Run, cell_px: float) -> list[Drawn]:
     """What is still to be done: the pixels on the stack, or those of the calls under way, the top ringed."""
     event, recording, entry = event_of(run), run.recording, run.entry
     if event is None or recording is None or entry is None:
@@ -77,21 +77,25 @@ def stack(run: Run) -> list[Drawn]:
     if spans:
         rows = [np.array([(row[1], row[0]), (row[2], row[0])], np.float64) for row in waiting[-MOST_SPOTS:]]
         return [Stroke(row, "data 5", 3.0, "dot", haloed=True) for row in rows]
-    drawn: list[Drawn] = [Spot(x, y, "text", "dot", 7) for x, y in waiting[-MOST_SPOTS:]]
-    if waiting:
-        x, y = waiting[-1]
-        drawn.append(Spot(x, y, "text", "ring", 13))
-    return drawn
+    if not waiting:
+        return []
+    x, y = waiting[-1]
+    if not keeps_stack(recording) and len(waiting) > 1:
+        path = np.array(waiting, np.float64)
+        return [Stroke(path, "text", min(3.0, cell_px / 3), haloed=True), Spot(x, y, "text", "ring", 13)]
+    size = max(2.0, min(6.0, cell_px / 2))
+    spots: list[Drawn] = [Spot(x, y, "text", "dot", size) for x, y in waiting[-MOST_SPOTS:]]
+    return [*spots, Spot(x, y, "text", "ring", 13)]
 
 
-def construction(run: Run, width_px: int) -> tuple[Drawn, ...]:
-    """What is drawn of the run's own structures."""
+def construction(run: Run, width_px: int, cell_px: float) -> tuple[Drawn, ...]:
+    """What is drawn of the run's own structures; a cell is ``cell_px`` logical pixels wide."""
     entry = run.entry
     if entry is None:
         return ()
     if entry.slug == _SCAN_LINE:
         return tuple(scan_line(run, width_px))
-    return tuple(stack(run)) if entry.topic == "seed_fill" else ()
+    return tuple(stack(run, cell_px)) if entry.topic == "seed_fill" else ()
 
 
 def heated(shown: Pixels, counts: NDArray[np.int64], now: Tokens) -> Pixels:
@@ -138,14 +142,9 @@ def verdict(sheet: Sheet, polygon: Polygon, x: float, y: float) -> Verdict | Non
     vertices, ring_ends = calls[0].arguments[:2]
     recording = record(entry.function, vertices, ring_ends, x, y, polygon.nonzero)
     steps = Steps(entry, recording)
-    said = _last_words(steps[len(steps)])
+    said = "".join(part.text for part in steps.told(len(recording)))
     crossings = sorted((float(row[0]), int(row[2])) for row in recording.emitted)
     return Verdict(x, y, tuple(crossings), said)
-
-
-def _last_words(step: Step) -> str:
-    """The sentence of the last block, which a step of several blocks tells behind the others."""
-    return "".join(part.text for part in step.sentence)
 
 
 def ray(sheet: Sheet, found: Verdict) -> tuple[Drawn, ...]:

@@ -22,7 +22,8 @@ from workbench.widgets.depth_plot import DepthPlot
 from workbench.widgets.pixel_canvas import PixelCanvas
 from workbench.widgets.tokens import tokens
 
-_SLICE_MS, _STEPS, _VISITS = 8, 120, 60
+_SLICE_MS, _STEPS, _VISITS = 8, 150, 300
+_READABLE_PX = 12
 _NOTHING = np.zeros(0, np.int64)
 
 
@@ -61,14 +62,19 @@ class FillView(FigureView):
         heat = self._heat(run)
         if heat is not None:
             pixels = heated(pixels, heat, tokens())
-            overlay = replace(overlay, drawn=heat_words(heat))
+            if self._cell_px >= _READABLE_PX:
+                overlay = replace(overlay, drawn=heat_words(heat))
         elif run is not None and progress is not None and made.comparison is None:
-            overlay = replace(overlay, drawn=construction(run, sheet.width_px))
+            overlay = replace(overlay, drawn=construction(run, sheet.width_px, self._cell_px))
         self.verdict = self._verdict()
         self.fill_card.say_verdict("" if self.verdict is None else self.verdict.sentence)
         if self.verdict is not None:
             overlay = replace(overlay, drawn=(*overlay.drawn, *ray(sheet, self.verdict)))
         return replace(made, pixels=pixels, overlay=overlay)
+
+    @property
+    def _cell_px(self) -> float:
+        return self.canvas.view.cell / self.canvas.devicePixelRatioF()
 
     def _verdict(self) -> Verdict | None:
         polygon = self.inside.polygon()

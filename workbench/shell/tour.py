@@ -144,6 +144,7 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("fill-pond", lambda window: _fill(window, "pond", 700)),
         ("fill-heat", lambda window: _fill(window, "leak", 900, heat=True)),
         ("fill-overflow", lambda window: _fill(window, "overflow", 1500)),
+        ("fill-why", _why),
         ("fill-empty", _fill_empty),
         ("display", _display),
         ("palette", _palette),
@@ -164,15 +165,23 @@ def _fill(window: MainWindow, slug: str, step: int, heat: bool = False) -> None:
     window.open_example(slug)
     front = window.session.sheet.figures[-1].id
     window.session.update_state(active=front, selection=(front,), step=step)
-    window.panels("fill")[0].card.heat.setChecked(heat)
+    panel = window.panels("fill")[0]
+    panel.choose_tool("select")
+    window.session.update_state(selection=(front,))
+    panel.card.heat.setChecked(heat)
 
 
 def _inside(window: MainWindow) -> None:
     _fill(window, "two-interiors", 0)
     panel = window.panels("fill")[0]
     panel.choose_tool("inside")
-    panel.inside.point = (41.0, 14.0)
+    panel.inside.point = (25.0, 20.0)
     panel.refresh()
+
+
+def _why(window: MainWindow) -> None:
+    _fill(window, "pond", 700)
+    window.session.update_state(pixel=(20, 20))
 
 
 def _fill_empty(window: MainWindow) -> None:

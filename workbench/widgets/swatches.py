@@ -26,7 +26,7 @@ class Swatches(QWidget):
         self._buttons: dict[int, QToolButton] = {}
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
-        self._row.setSpacing(2)
+        self._row.setSpacing(1)
         self.label = QLabel(name)
         self._row.addWidget(self.label, 1)
         theme_changed.connect(self._paint)
@@ -47,7 +47,7 @@ class Swatches(QWidget):
 
     def _button(self, index: int) -> QToolButton:
         button = QToolButton()
-        button.setFixedSize(SIDE_PX + 2, SIDE_PX + 2)
+        button.setFixedSize(SIDE_PX, SIDE_PX)
         button.setIconSize(QSize(SIDE_PX, SIDE_PX))
         text = _("{name}: number {index} of the palette").format(name=self._name, index=index)
         button.setToolTip(text)
