@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from PySide6.QtWidgets import QFileDialog, QPushButton
 from pytestqt.qtbot import QtBot
 
 from workbench.document.files import load
+from workbench.session import saver
 from workbench.shell.window import MainWindow
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -35,6 +37,11 @@ def draw_a_line(qtbot: QtBot, window: MainWindow) -> None:
     window.session.flush()
 
 
+def saved(window: MainWindow) -> None:
+    """Wait for the save in the background."""
+    window.session.finish_saving()
+
+
 def answer(window: MainWindow, text: str) -> None:
     next(button for button in window.messages.buttons() if button.text() == text).click()
 
@@ -51,6 +58,8 @@ def test_draw_undo_redo_save_and_reopen(qtbot: QtBot, window: MainWindow, chosen
     qtbot.keyClick(window, "Z", CONTROL | SHIFT)
     assert window.session.document == drawn
     qtbot.keyClick(window, "S", CONTROL)
+    assert window.session.saving
+    qtbot.waitUntil(lambda: not window.session.saving, timeout=10_000)
     assert load(chosen) == drawn
     assert not window.isWindowModified()
     assert window.windowTitle() == "my lines[*] - Graphics Workbench"
@@ -64,7 +73,8 @@ def test_a_name_without_ending_gets_one(
     window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_args: (str(tmp_path / "plain"), ""))
-    assert window.files.save_as()
+    window.files.save_as()
+    saved(window)
     assert (tmp_path / "plain.gwb").is_file()
 
 
@@ -81,7 +91,8 @@ def test_a_folder_that_cannot_be_written_is_said(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_args: (str(tmp_path / "no" / "x.gwb"), ""))
-    assert not window.files.save_as()
+    window.files.save_as()
+    saved(window)
     assert window.messages.text.startswith("x.gwb was not saved: ")
     assert window.session.path is None
 
@@ -104,8 +115,69 @@ def test_closing_can_save_first(qtbot: QtBot, window: MainWindow, chosen: Path) 
     drawn = window.session.document
     window.close()
     answer(window, "Save")
+    qtbot.waitUntil(lambda: not window.isVisible(), timeout=10_000)
+    assert load(chosen) == drawn
+
+
+def test_quitting_waits_for_a_save_that_is_under_way(
+    qtbot: QtBot, window: MainWindow, chosen: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    draw_a_line(qtbot, window)
+    drawn = window.session.document
+    slow = saver.write
+    monkeypatch.setattr(saver, "write", lambda *given: (time.sleep(0.3), slow(*given)))
+    qtbot.keyClick(window, "S", CONTROL)
+    assert window.session.saving
+    assert window.isWindowModified()
+    window.close()
     assert not window.isVisible()
     assert load(chosen) == drawn
+
+
+def test_what_is_changed_while_it_is_saved_stays_unsaved(
+    qtbot: QtBot, window: MainWindow, chosen: Path
+) -> None:
+    draw_a_line(qtbot, window)
+    drawn = window.session.document
+    window.files.save_as()
+    draw_a_line(qtbot, window)
+    qtbot.waitUntil(lambda: not window.session.saving, timeout=10_000)
+    assert load(chosen) == drawn
+    assert window.session.dirty
+    assert window.session.path == chosen
+
+
+def test_a_file_that_another_program_changed_is_not_saved_over_unasked(
+    qtbot: QtBot, window: MainWindow, chosen: Path
+) -> None:
+    window.files.save_as()
+    saved(window)
+    theirs = chosen.read_bytes() + b"\n"
+    chosen.write_bytes(theirs)
+    draw_a_line(qtbot, window)
+    qtbot.keyClick(window, "S", CONTROL)
+    assert window.messages.text == "Another program has changed my lines.gwb since it was opened here."
+    answer(window, "Cancel")
+    assert chosen.read_bytes() == theirs
+    qtbot.keyClick(window, "S", CONTROL)
+    answer(window, "Save over it")
+    saved(window)
+    assert load(chosen) == window.session.document
+    draw_a_line(qtbot, window)
+    qtbot.keyClick(window, "S", CONTROL)
+    saved(window)
+    assert window.messages.text == ""
+    assert not window.session.dirty
+
+
+def test_a_file_that_is_gone_is_saved_again(qtbot: QtBot, window: MainWindow, chosen: Path) -> None:
+    window.files.save_as()
+    saved(window)
+    chosen.unlink()
+    draw_a_line(qtbot, window)
+    qtbot.keyClick(window, "S", CONTROL)
+    saved(window)
+    assert load(chosen) == window.session.document
 
 
 def test_closing_can_discard(qtbot: QtBot, window: MainWindow) -> None:
@@ -129,7 +201,8 @@ def test_opening_asks_too_and_a_failed_save_loses_nothing(
 def test_recent_files_are_on_home_and_in_the_menu(
     qtbot: QtBot, window: MainWindow, chosen: Path, open_window: Callable[[], MainWindow]
 ) -> None:
-    assert window.files.save_as()
+    window.files.save_as()
+    saved(window)
     window.settings.write()
     again = open_window()
     again.go("home")
@@ -143,7 +216,8 @@ def test_recent_files_are_on_home_and_in_the_menu(
 
 
 def test_a_file_dropped_on_the_window_opens(window: MainWindow, chosen: Path) -> None:
-    assert window.files.save_as()
+    window.files.save_as()
+    saved(window)
     window.session.new()
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(chosen))])

@@ -22,6 +22,7 @@ from workbench.language import _
 from workbench.session.following import Following
 from workbench.session.recovery import Recoverable, RecoveryFile
 from workbench.session.run import Run
+from workbench.session.saver import Saved, Saver, Stamp, stamp
 
 
 class _Change(QUndoCommand):
@@ -45,13 +46,15 @@ class Session(QObject):
 
     ``changed(old, new, addresses)`` and ``state_changed(old, new)`` come once per turn of the event loop, in
     this order, with everything that happened since the last time. ``revision`` counts every change at once:
-    a worker answers with the revision it was given, and stale answers are dropped.
+    a worker answers with the revision it was given, and stale answers are dropped. ``saved(Saved)``: a save
+    in the background has ended, well or not.
     """
 
     changed = Signal(object, object, object)
     state_changed = Signal(object, object)
     path_changed = Signal(object)
     dirty_changed = Signal(bool)
+    saved = Signal(object)
     autosave_failed = Signal(str)
     _due = Signal()
 
@@ -68,6 +71,9 @@ class Session(QObject):
         self._merging: tuple[str, _Change] | None = None
         self._pushing = False
         self._recovery: RecoveryFile | None = None
+        self._on_disk: Stamp | None = None
+        self._saver = Saver(self)
+        self._saver.saved.connect(self._take_saved)
         self.run, self.follower = Run(self), Run(self)
         self._following = Following(self, self.run, self.follower)
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
@@ -180,11 +186,39 @@ class Session(QObject):
 
     def save_as(self, path: Path | str) -> None:
         """Save to ``path``, which is its file from now on; raises DocumentError."""
+        self.finish_saving()
         self.end_merge()
         write(self.stored, path)
-        self.path = Path(path)
-        self.undo_stack.setClean()
-        self.path_changed.emit(self.path)
+        self._take_saved(Saved(self.stored, Path(path), stamp(Path(path))))
+
+    def save_behind(self, path: Path) -> None:
+        """As ``save_as``, but come back at once; ``saved`` tells how it ended."""
+        self.end_merge()
+        self._saver.start(self.stored, path)
+
+    @property
+    def saving(self) -> bool:
+        """Whether a save is under way."""
+        return self._saver.busy
+
+    def finish_saving(self) -> None:
+        """Wait for the save that is under way, if any."""
+        self._saver.wait()
+
+    @property
+    def changed_on_disk(self) -> bool:
+        """Whether another program has changed the file since it was opened or saved here."""
+        now = stamp(self.path) if self.path is not None else None
+        return now is not None and self._on_disk is not None and now != self._on_disk
+
+    def _take_saved(self, saved: Saved) -> None:
+        """The document has a file now; what was changed meanwhile is not in it."""
+        if not saved.problem:
+            self.path, self._on_disk = saved.path, saved.stamp
+            if self.document == saved.stored.document:
+                self.undo_stack.setClean()
+            self.path_changed.emit(self.path)
+        self.saved.emit(saved)
 
     def start_autosave(self, folder: Path | None = None) -> None:
         """Keep unsaved work in a recovery file until ``close``; ``autosave_failed`` tells of trouble."""
@@ -209,6 +243,7 @@ class Session(QObject):
 
     def close(self) -> None:
         """End the session: nothing unsaved is kept any longer."""
+        self.finish_saving()
         self.run.clear()
         self.follower.clear()
         if self._recovery is not None:
@@ -216,10 +251,12 @@ class Session(QObject):
             self._recovery = None
 
     def _begin(self, stored: Stored, path: Path | None) -> None:
+        self.finish_saving()
         self._merging = None
         self.undo_stack.clear()
         self._blobs = stored.blobs
         self.path = path
+        self._on_disk = stamp(path) if path is not None else None
         self._show(stored.document)
         self.state = cleaned(stored.session, stored.document)
         self.path_changed.emit(path)

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog
 
@@ -67,22 +67,37 @@ class Files(QObject):
         if then:
             then()
 
-    def save(self) -> bool:
-        """Save; the first time a name is asked for. True when it was saved."""
-        if self._session.path is None:
-            return self.save_as()
-        return self._save(self._session.path)
+    def save(self, then: Callable[[], object] | None = None) -> None:
+        """Save, the first time under a name that is asked for; ``then`` follows when it was saved."""
+        path = self._session.path
+        if path is None:
+            self.save_as(then)
+        elif self._session.changed_on_disk:
+            self._window.messages.ask(
+                _("Another program has changed {name} since it was opened here.").format(name=path.name),
+                [
+                    (_("Save under another name"), lambda: self.save_as(then)),
+                    (_("Save over it"), lambda: self._save(path, then)),
+                    (_("Cancel"), lambda: None),
+                ],
+            )
+        else:
+            self._save(path, then)
 
-    def save_as(self) -> bool:
-        """Ask for a name and save there."""
+    def save_as(self, then: Callable[[], object] | None = None) -> None:
+        """Ask for a name and save there; ``then`` follows when it was saved."""
         start = self._session.path or Path.home() / (_("Untitled") + SUFFIX)
         chosen, __ = QFileDialog.getSaveFileName(
             self._window, _("Save the picture"), str(start), _("Pictures of the workbench (*.gwb)")
         )
-        if not chosen:
-            return False
-        path = Path(chosen)
-        return self._save(path if path.suffix else path.with_suffix(SUFFIX))
+        if chosen:
+            path = Path(chosen)
+            self._save(path if path.suffix else path.with_suffix(SUFFIX), then)
+
+    def is_unsaved(self) -> bool:
+        """Whether there is unsaved work, once a save that is under way has ended."""
+        self._session.finish_saving()
+        return bool(self._session.dirty)
 
     def unless_unsaved(self, then: Callable[[], object]) -> None:
         """Do ``then`` at once, or after a person has saved or given up the unsaved changes."""
@@ -92,7 +107,7 @@ class Files(QObject):
         self._window.messages.ask(
             _("{name} has changes that are not saved.").format(name=self.name),
             [
-                (_("Save"), lambda: self.save() and then()),
+                (_("Save"), lambda: self.save(partial(self.unless_unsaved, then))),
                 (_("Discard changes"), then),
                 (_("Cancel"), lambda: None),
             ],
@@ -142,19 +157,27 @@ class Files(QObject):
         if self._window.place not in self._window.workspace_slugs:
             self._window.enter("draw")
 
-    def _save(self, path: Path) -> bool:
-        from workbench.document.errors import DocumentError
+    def _save(self, path: Path, then: Callable[[], object] | None) -> None:
+        session = self._session
+        session.finish_saving()
+        session.saved.connect(
+            partial(self._saved, then),
+            Qt.ConnectionType.SingleShotConnection,  # type: ignore[call-overload]
+        )
+        self._window.say_status(_("Saving {name} ...").format(name=path.name))
+        session.save_behind(path)
 
-        try:
-            self._session.save_as(path)
-        except DocumentError as error:
+    def _saved(self, then: Callable[[], object] | None, saved: Any) -> None:
+        name = saved.path.name
+        if saved.problem:
             self._window.messages.say(
-                _("{name} was not saved: {error}").format(name=path.name, error=error), "error"
+                _("{name} was not saved: {error}").format(name=name, error=saved.problem), "error"
             )
-            return False
-        self._remember(path)
-        self._window.say_status(_("Saved {name}.").format(name=path.name))
-        return True
+            return
+        self._remember(saved.path)
+        self._window.say_status(_("Saved {name}.").format(name=name))
+        if then:
+            then()
 
     def _remember(self, path: Path) -> None:
         self._window.settings.add_recent(path)

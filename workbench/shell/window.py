@@ -19,7 +19,7 @@ from workbench.shell.places import HomePage, make_page
 from workbench.shell.settings import Settings
 from workbench.shell.theme import ThemeSwitch
 from workbench.shell.workspace_bar import WorkspaceBar
-from workbench.shell.workspaces import Workspace, panel_class, workspaces
+from workbench.shell.workspaces import Workspace, join, panel_class, workspaces
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -195,10 +195,7 @@ class MainWindow(QMainWindow):
 
     def go(self, slug: str) -> None:
         """Show a page or a workspace."""
-        if slug in self._offered:
-            self.enter(slug)
-        else:
-            self.show_page(slug)
+        (self.enter if slug in self._offered else self.show_page)(slug)
 
     def enter(self, slug: str) -> None:
         """Show a workspace; its panels are made the first time."""
@@ -268,8 +265,7 @@ class MainWindow(QMainWindow):
             if bar is not None:
                 self._step_bars[slug] = self.steps.addWidget(bar)
             self.status.listen(panel)
-            if hasattr(panel, "pixel_pointed") and hasattr(made[0], "point_at"):
-                panel.pixel_pointed.connect(made[0].point_at)
+        join(made)
         self._panels[slug] = made
 
     def show_page(self, name: str) -> None:
@@ -385,7 +381,7 @@ class MainWindow(QMainWindow):
             self.files.open_path(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self.session is not None and self.session.dirty and not self._closing:
+        if self.session is not None and self.files.is_unsaved() and not self._closing:
             event.ignore()
             self.files.unless_unsaved(self._close_now)
             return
@@ -394,9 +390,7 @@ class MainWindow(QMainWindow):
         self.settings.keep_arrangement("window", self.saveGeometry())
         self.settings.write()
         if self.session is not None:
-            self.session.undo_stack.indexChanged.disconnect(
-                self.menus.refresh
-            )  # its end sends this once more
+            self.session.undo_stack.indexChanged.disconnect(self.menus.refresh)  # its end sends it once more
             self.session.close()
         super().closeEvent(event)
 

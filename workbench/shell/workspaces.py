@@ -35,6 +35,13 @@ def panel_class(panel: str) -> Callable[..., Any]:
     return made
 
 
+def join(panels: list[Any]) -> None:
+    """Let the panel in the middle of a workspace point at the pixels that the others name."""
+    for panel in panels:
+        if hasattr(panel, "pixel_pointed") and hasattr(panels[0], "point_at"):
+            panel.pixel_pointed.connect(panels[0].point_at)
+
+
 def workspaces() -> tuple[Workspace, ...]:
     """Those that exist."""
     inspector = "workbench.panels.inspector:InspectorPanel"

@@ -1,0 +1,79 @@
+"""Writes the file of a session behind its back, since a disk may take its time."""
+
+import os
+import threading
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from workbench.document.errors import DocumentError
+from workbench.document.files import Stored, write
+
+Stamp = tuple[int, int, int]
+
+
+def stamp(path: Path) -> Stamp | None:
+    """What tells one state of a file on the disk from another; None when there is no such file."""
+    with suppress(OSError):
+        found = os.stat(path)
+        return found.st_mtime_ns, found.st_size, found.st_ino
+    return None
+
+
+@dataclass(frozen=True, slots=True)
+class Saved:
+    """How a save ended: what was written where, and ``problem``, a sentence, when it was not."""
+
+    stored: Stored
+    path: Path
+    stamp: Stamp | None
+    problem: str = ""
+
+
+class Saver(QObject):
+    """One write at a time. ``saved(Saved)`` comes on the thread this lives on."""
+
+    saved = Signal(object)
+    _written = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._thread: threading.Thread | None = None
+        self._outcome: Saved | None = None
+        self._written.connect(self._deliver, Qt.ConnectionType.QueuedConnection)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a write is under way, or its end not yet told."""
+        return self._thread is not None
+
+    def start(self, stored: Stored, path: Path) -> None:
+        """Write ``stored``; what was begun before is waited for."""
+        self.wait()
+        # No daemon: the process does not end in the middle of it.
+        self._thread = threading.Thread(target=self._write, args=(stored, path), name="save")
+        self._thread.start()
+
+    def wait(self) -> None:
+        """Come back when nothing is being written, and its end was told."""
+        if self._thread is not None:
+            self._thread.join()
+            self._deliver()
+
+    def _write(self, stored: Stored, path: Path) -> None:
+        try:
+            write(stored, path)
+            self._outcome = Saved(stored, path, stamp(path))
+        except DocumentError as error:
+            self._outcome = Saved(stored, path, None, str(error))
+        with suppress(RuntimeError):  # nobody is there any more
+            self._written.emit()
+
+    def _deliver(self) -> None:
+        outcome, self._outcome = self._outcome, None
+        if outcome is not None and self._thread is not None:
+            self._thread.join()
+            self._thread = None
+            self.saved.emit(outcome)
