@@ -212,6 +212,8 @@ class FigurePanel(QWidget):
         self._after_gesture()
 
     def _after_gesture(self) -> None:
+        # While corners are clicked, a handle of the figure that grows must not catch the click.
+        self.canvas.takes_handles = not self.tool.busy
         self.canvas.set_tag(self.tool.tag)
         self.refresh_soon()
 
