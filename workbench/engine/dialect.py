@@ -80,13 +80,15 @@ def _nodes(function: ast.FunctionDef) -> Iterator[Refusal]:
     arguments = function.args
     if arguments.vararg or arguments.kwarg:
         yield Refusal(function.lineno, _("arguments behind a star cannot be compiled; name each of them"))
-    lines = {id(node.value) for node in ast.walk(function) if isinstance(node, ast.Expr)}
-    assigned = {id(node.value) for node in ast.walk(function) if isinstance(node, ast.Assign)}
-    for node in _walk(function):
+    nodes = list(_walk(function))
+    lines = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
+    assigned = {id(node.value) for node in nodes if isinstance(node, ast.Assign)}
+    for node in nodes:
+        if isinstance(node, ast.expr_context | ast.Name | ast.operator):
+            continue  # most of a text, and never refused
         line = getattr(node, "lineno", function.lineno)
-        for kind, sentence in _STATEMENTS.items():
-            if isinstance(node, kind):
-                yield Refusal(line, sentence)
+        if type(node) in _STATEMENTS:
+            yield Refusal(line, _STATEMENTS[type(node)])
         match node:
             case ast.FunctionDef():
                 yield Refusal(

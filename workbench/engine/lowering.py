@@ -22,7 +22,7 @@ from typing import Any, Literal
 import numpy as np
 
 from workbench.engine.blocks import blocks
-from workbench.engine.texts import SINK, VISIT, Text, arity, gather, parameters, recursive
+from workbench.engine.texts import SINK, VISIT, Text, arity, gather, parameters, parse, recursive
 from workbench.language import _
 
 Variant = Literal["plain", "counting", "probing"]
@@ -110,7 +110,8 @@ class _Rewriter(ast.NodeTransformer):
         self.sinks = sinks
 
     def rewritten(self) -> ast.FunctionDef:
-        tree = copy.deepcopy(self.text.tree)
+        tree = parse(self.text.source, self.text.first)  # far cheaper than a deep copy
+        assert isinstance(tree, ast.FunctionDef)
         tree.returns = None
         for argument in parameters(tree):
             argument.annotation = None

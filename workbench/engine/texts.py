@@ -20,7 +20,7 @@ RESERVED = {SINK, VISIT, "emit", "tick", "probe"}
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """One function: its source as it is shown, and its tree at the line numbers of its file.
+    """One function: its source as it is shown, which begins at line ``first`` of its file, and its tree.
 
     ``callees`` and ``constants`` are what its global names stand for. ``considers`` are the expressions, by
     title of block, that are to be probed when such a block is left.
@@ -28,6 +28,7 @@ class Text:
 
     function: FunctionType
     source: str
+    first: int
     tree: ast.FunctionDef
     generator: bool
     callees: dict[str, FunctionType]
@@ -80,11 +81,9 @@ def _read(function: FunctionType, considers: Mapping[str, tuple[str, ...]]) -> T
     except (OSError, TypeError) as error:
         raise DialectError(function.__name__, 0, _("its text cannot be found")) from error
     source = "".join(lines)
-    module = ast.parse(textwrap.dedent(source))
-    tree = module.body[0]
+    tree = parse(source, first)
     if not isinstance(tree, ast.FunctionDef):
         raise DialectError(function.__name__, first, _("only a function written with def can be lowered"))
-    ast.increment_lineno(module, max(first, 1) - 1)
     if function.__closure__:
         raise DialectError(
             function.__name__, first, _("it uses names of a function around it; pass them instead")
@@ -97,8 +96,14 @@ def _read(function: FunctionType, considers: Mapping[str, tuple[str, ...]]) -> T
         if block.title in considers
     }
     callees, constants = _globals(function, tree, [item for found in probed.values() for item in found])
-    generator = any(isinstance(node, ast.Yield | ast.YieldFrom) for node in ast.walk(tree))
-    return Text(function, source, tree, generator, callees, constants, probed)
+    emits = inspect.isgeneratorfunction(function)
+    return Text(function, source, first, tree, emits, callees, constants, probed)
+
+
+def parse(source: str, first: int) -> ast.stmt:
+    """The tree of a function's source, new each time, at the line numbers of its file."""
+    behind = "\n" * (max(first, 1) - 1)
+    return ast.parse(behind + textwrap.dedent(source)).body[0]
 
 
 def _globals(
