@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from tests.curves.made_curves import BEZIER_RUNS, DE_BOOR_RUNS
+from tests.curves.made_curves import BEZIER_RUNS, CURVE_RUNS, DE_BOOR_RUNS, FLATTENING_RUNS
 from workbench.algorithms.entry import Entry
 
 near = st.integers(-9, 9)
@@ -68,6 +68,8 @@ STRATEGIES: dict[str, st.SearchStrategy[tuple[Any, ...]]] = {
     "depth_buffer": _scenes(),
     "de_casteljau": BEZIER_RUNS,
     "de_boor": DE_BOOR_RUNS,
+    "b_spline_curve": CURVE_RUNS,
+    "flatten_bezier": FLATTENING_RUNS,
 }
 
 

@@ -63,3 +63,5 @@ def _with_parameter(found: tuple[tuple[Array, Array, int], float]) -> tuple[Any,
 
 BEZIER_RUNS = st.tuples(point_lists(2, 7), part_of_one)
 DE_BOOR_RUNS = st.tuples(b_splines(), part_of_one).map(_with_parameter)
+CURVE_RUNS = st.tuples(b_splines(), st.integers(2, 20)).map(lambda found: (*found[0], found[1]))
+FLATTENING_RUNS = st.tuples(point_lists(2, 5), st.sampled_from([0.5, 3.0, 100.0]))

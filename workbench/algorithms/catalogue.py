@@ -30,6 +30,8 @@ _TEACHING_ORDER = (
     "clipping.sutherland_hodgman",
     "curves.de_casteljau",
     "curves.de_boor",
+    "curves.b_spline_curve",
+    "curves.flatten_bezier",
     "visibility.depth_buffer",
     "scanning.raster_scan",
     "scanning.random_scan",

@@ -79,6 +79,7 @@ class Entry:
     writes in place (then a painting sink writes nothing). ``compiles`` is empty, or says why this text is
     stepped only. ``extent`` is an expression over the parameters for a box (x_min, y_min, x_max, y_max) that
     no emitted pixel leaves: a figure whose box lies inside the picture is painted without testing each pixel.
+    ``count`` is one for how many tuples are emitted, where that is known beforehand.
     """
 
     function: Callable[..., Iterator[tuple[Any, ...]]]
@@ -100,6 +101,7 @@ class Entry:
     writes: str = ""
     compiles: str = ""
     extent: str = ""
+    count: str = ""
 
     @property
     def slug(self) -> str:

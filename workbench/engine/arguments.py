@@ -16,6 +16,7 @@ from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry, Kind
 from workbench.language import _
 
+_MOST_EXPECTED = 2**24
 _ANNOTATIONS: dict[Any, Kind] = {int: "int", float: "float", bool: "bool"}
 
 
@@ -58,6 +59,17 @@ def table(function: Callable[..., Any], rows: Any) -> NDArray[Any]:
             _("{name} takes {count} numbers in each row").format(name=name, count=len(parameters))
         )
     return found
+
+
+def expected(function: Callable[..., Any], arguments: tuple[Any, ...]) -> int:
+    """How many tuples are emitted for these arguments, where the entry knows; else a room that often does."""
+    entry = entry_of(function)
+    if entry is None or not entry.count:
+        return 4096
+    values = bind(function, arguments, False)
+    names = (name for name, _kind in kinds(function))
+    count = int(eval(entry.count, {}, dict(zip(names, values, strict=True))))
+    return min(max(count, 1), _MOST_EXPECTED)
 
 
 def bind(function: Callable[..., Any], arguments: tuple[Any, ...], copied: bool) -> tuple[Any, ...]:

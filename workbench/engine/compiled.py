@@ -283,7 +283,8 @@ def collect(
     """
     flag = (stop or Stop()).flag
     one = kernel(function, flavour=flavour)
-    return _collected(one, "_collect", lambda: (flag, *arguments.bind(function, args, True)), 4096, compiling)
+    room = arguments.expected(function, args)
+    return _collected(one, "_collect", lambda: (flag, *arguments.bind(function, args, True)), room, compiling)
 
 
 def collect_many(

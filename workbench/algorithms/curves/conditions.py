@@ -23,7 +23,7 @@ def refuse_bezier(points: NDArray[Any], u: float) -> None:
     """Raise ValueError unless there are two points or more, and every number is finite."""
     if len(points) < 2:
         raise ValueError("A Bezier curve needs two points or more; add points.")
-    if not (np.all(np.isfinite(points)) and math.isfinite(u)):
+    if not (math.isfinite(np.max(np.abs(points))) and math.isfinite(u)):
         raise ValueError("A coordinate or the parameter is not a finite number; give it a value.")
 
 
@@ -35,9 +35,9 @@ def refuse_b_spline(points: NDArray[Any], knots: NDArray[Any], degree: int) -> N
         raise ValueError("There are fewer points than degree + 1; add points, or lower the degree.")
     if len(knots) != len(points) + degree + 1:
         raise ValueError("There must be degree + 1 more knots than points; add knots, or take some away.")
-    if not (np.all(np.isfinite(points)) and np.all(np.isfinite(knots))):
+    if not (math.isfinite(np.max(np.abs(points))) and math.isfinite(np.max(np.abs(knots)))):
         raise ValueError("A coordinate or a knot is not a finite number; give it a value.")
-    if np.min(knots[1:] - knots[:-1]) < 0.0:
+    if min([knots[i + 1] - knots[i] for i in range(len(knots) - 1)]) < 0.0:
         raise ValueError("The knots decrease; make each at least as large as the one before it.")
     if knots[degree] == knots[len(points)]:
         raise ValueError("The curve has no length in u: its first and its last knot are equal; part them.")
