@@ -4,6 +4,7 @@ A text with a list named ``stack`` keeps it itself; one that calls itself has th
 Only the columns that are needed are read, since a picture among the variables makes a whole moment dear.
 """
 
+import inspect
 from typing import Any
 
 import numpy as np
@@ -62,6 +63,23 @@ def pending(recording: Recording, event: int, spans: bool) -> list[Any]:
             cells.append((int(x), int(y)))
         frame = recording.frame_parents[frame]
     return cells[::-1]
+
+
+def largest(recording: Recording) -> int:
+    """The most entries that the stack ever had, or how many calls nested at most; of what is recorded.
+
+    A text that keeps a stack changes it on lines of their own, so that their runs tell its size at any time.
+    """
+    if not keeps_stack(recording):
+        return max(recording.frame_depths[:], default=-1) + 1
+    text = next(text for text in recording.texts if STACK in text.names)
+    source, first = inspect.getsourcelines(text.function)
+    change = np.zeros(first + len(source), np.int64)
+    for number, line in enumerate(source, first):
+        pushes = line.strip().startswith((f"{STACK}.append(", f"{STACK} = [("))
+        change[number] = int(pushes) - int(f"{STACK}.pop()" in line)
+    lines = recording.lines[recording.codes == recording.texts.index(text)]
+    return int(np.cumsum(change[lines]).max(initial=0))
 
 
 class Depths:

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP
+from workbench.engine.recording import Recording
 from workbench.panels.clip_scene import PATTERNS, Fate, closed, code_text, degenerate_marks, window_corners
 from workbench.rendering.mapping import Box
 from workbench.session.run import Run
@@ -32,17 +33,30 @@ def clip_moment(run: Run, number: int | None = None) -> ClipMoment | None:
     if steps is None or step is None or (number is not None and number > len(steps)):
         return None
     if number is None and run.detail:
-        event = min(run.position, len(recording) - 1)
+        first = last = min(run.position, len(recording) - 1)
     else:
-        event = max(steps.span(step.number if number is None else number)[1], 0)
-    frame = root = int(recording.frame_column[event])
-    while frame >= 0:
-        root, frame = frame, int(recording.frame_parents[frame])
+        first, last = steps.span(step.number if number is None else number)
+    root, event = _own_call(recording, max(first, 0), max(last, 0))
     depths = np.frombuffer(recording.frame_depths[:root], np.uint32)
     call = min(int((depths == 0).sum()), len(run.calls) - 1)
-    ended = recording.complete and event == len(recording) - 1
+    ended = event < last or (recording.complete and event == len(recording) - 1)
     variables = recording.after(event) if ended else recording.stack(event)[-1][2]
     return ClipMoment(run.entry.slug, run.calls[call], variables, call, ended)
+
+
+def _own_call(recording: Recording, first: int, last: int) -> tuple[int, int]:
+    """The outermost frame that event ``first`` is in, and the last event, up to ``last``, that still is."""
+    frame = root = int(recording.frame_column[first])
+    while frame >= 0:
+        root, frame = frame, int(recording.frame_parents[frame])
+    frames = np.frombuffer(recording.frame_column[first : last + 1], np.uint32)
+    others = np.frombuffer(recording.frame_depths[root + 1 :], np.uint32)
+    following = np.flatnonzero(others == 0)
+    if len(following):
+        beyond = np.flatnonzero(frames >= root + 1 + int(following[0]))
+        if len(beyond):
+            return root, first + int(beyond[0]) - 1
+    return root, last
 
 
 def edge_points(window: Box, edge: int) -> np.ndarray[Any, np.dtype[np.float64]]:

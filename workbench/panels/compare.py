@@ -27,12 +27,12 @@ from PySide6.QtWidgets import (
 
 from workbench.algorithms import catalogue
 from workbench.document.edits import set_algorithm, set_clippers
+from workbench.engine.recording import Recording
 from workbench.exchange.tables import Table, to_html, to_tsv
 from workbench.language import _
 from workbench.panels.compare_work import (
     Job,
     Outcome,
-    Recorded,
     Row,
     choices,
     figures_compared,
@@ -354,11 +354,11 @@ def _order(slug: str) -> int:
     return [entry.slug for entry in catalogue.entries()].index(slug)
 
 
-def _recorded(run: Run, slug: str) -> Recorded | None:
+def _recorded(run: Run, slug: str) -> Recording | None:
     """What a run has recorded, when it is that of ``slug`` and done."""
     if run.entry is None or run.recording is None or run.entry.slug != slug or not run.done:
         return None
-    return run.entry, run.recording
+    return run.recording
 
 
 def _summary(outcome: Outcome) -> str:

@@ -9,7 +9,6 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.algorithms.entry import Entry
 from workbench.document.model import (
     LINE_CLIPPERS,
     AnyFigure,
@@ -19,10 +18,9 @@ from workbench.document.model import (
     SeedFill,
     Sheet,
 )
-from workbench.engine.compiled import Stop, Stopped
+from workbench.engine.compiled import Stop
 from workbench.engine.counts import counts
-from workbench.engine.observation import Steps
-from workbench.engine.pending import Depths, calls_itself, keeps_stack
+from workbench.engine.pending import calls_itself, keeps_stack, largest
 from workbench.engine.recording import Recording
 from workbench.language import _
 from workbench.rendering.clipping import clipper_calls, clipper_of
@@ -33,8 +31,6 @@ from workbench.rendering.raster import emitted, figure_calls, pixels
 from workbench.widgets.canvas_overlay import compare_classes
 
 Cells = NDArray[np.int64]
-Recorded = tuple[Entry, Recording]
-_SLICE = 2000
 INTERSECTION = "Find the intersection"
 
 
@@ -64,7 +60,7 @@ class Job:
     clipping: bool
     first: str
     second: str = ""
-    recordings: tuple[Recorded | None, Recorded | None] = (None, None)
+    recordings: tuple[Recording | None, Recording | None] = (None, None)
 
 
 @dataclass(slots=True)
@@ -164,29 +160,24 @@ def work_of(side: Side, stop: Stop) -> Work:
     return work
 
 
-def deepest_of(recorded: Recorded | None, stop: Stop) -> str:
-    """The largest stack of a recorded run, or that so many calls nested; empty for texts without either."""
-    if recorded is None:
+def deepest_of(recording: Recording | None) -> str:
+    """The largest stack of a recorded run, or how many calls nested; empty for texts without either."""
+    if recording is None:
         return ""
-    entry, recording = recorded
     if not (keeps_stack(recording) or calls_itself(recording)):
         return ""
-    depths = Depths(Steps(entry, recording))
-    while depths.advance(_SLICE):
-        if stop.is_set:
-            raise Stopped
-    most = int(depths.values.max(initial=0))
+    most = largest(recording)
     return str(most) if recording.complete else _("at least {n}").format(n=most)
 
 
 def outcome_of(job: Job, stop: Stop) -> Outcome:
     """Do a job. Raises Stopped."""
     first = work_of(side_of(job, job.first), stop)
-    first.deepest = deepest_of(job.recordings[0], stop)
+    first.deepest = deepest_of(job.recordings[0])
     if not job.second:
         return Outcome(job, first, None)
     second = work_of(side_of(job, job.second), stop)
-    second.deepest = deepest_of(job.recordings[1], stop)
+    second.deepest = deepest_of(job.recordings[1])
     sets = [_painted(job, slug) for slug in (job.first, job.second)]
     first.cells, second.cells = sets
     tied = _ties(job)

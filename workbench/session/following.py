@@ -4,9 +4,10 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer
 
-from workbench.document.model import LINE_CLIPPERS, AnyFigure, SeedFill
+from workbench.document.model import LINE_CLIPPERS, AnyFigure, Polygon, SeedFill
 from workbench.rendering.clipping import clipper_calls, clipper_of
 from workbench.rendering.mapping import Call
+from workbench.rendering.outline_fill import outline_fill
 from workbench.rendering.raster import figure_calls
 from workbench.session.recorded_run import DEPTH_LIMIT
 from workbench.session.run import Run
@@ -52,6 +53,9 @@ class Following(QObject):
                 other = clipper_calls(session.sheet, figure, state.compare)
         elif figure is not None and state.compare in figure.algorithms and state.compare != figure.algorithm:
             other = figure_calls(session.sheet, figure, state.compare)
+        elif isinstance(figure, Polygon) and state.compare in SeedFill.algorithms:
+            filled = outline_fill(session.sheet, figure, state.compare).call
+            other = [] if filled is None else [filled]
         self._follow(self._follower, other, figure)
         self._lock()
 
