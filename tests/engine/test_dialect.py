@@ -41,6 +41,10 @@ def check(body: str) -> list[tuple[int, str]]:
         ("x = yield a", "line of its own"),
         ("try:\n    pass\nexcept ValueError:\n    pass", "before it happens"),
         ("print(a)", "yield"),
+        ("r = math.hypot(a, b)", "sqrt\\(x \\* x \\+ y \\* y\\)"),
+        ("r = hypot(a, b)", "last bit"),
+        ("r = np.hypot(a, b)", "last bit"),
+        ("r = math.dist(a, b)", "last bit"),
     ],
 )
 def test_refused(line: str, words: str) -> None:
@@ -55,6 +59,7 @@ def test_refused(line: str, words: str) -> None:
     [
         "x = a * a",
         "x = a ** 0.25",
+        "r = math.sqrt(a * a + b * b)",
         "x = 2 ** a",
         "k = []\nk.append(1)",
         "i = np.argsort(l, kind='mergesort')",

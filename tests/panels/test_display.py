@@ -1,6 +1,8 @@
 """The Display workspace as a person uses it: choose, slow down, pause, step, measure."""
 
 from collections.abc import Iterator
+from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
@@ -9,6 +11,8 @@ from pytestqt.qtbot import QtBot
 
 from workbench.display import RasterBeam
 from workbench.document.edits import remove_figures
+from workbench.document.files import read
+from workbench.document.state import SessionState
 from workbench.panels.display import DisplayPanel
 from workbench.panels.tube_dock import TubeDock
 from workbench.session.session import Session
@@ -134,3 +138,34 @@ def test_the_dock_follows_the_session_and_swaps_its_tube(qtbot: QtBot, session: 
     assert dock.vector.driver is not None
     assert dock.vector.driver.beam.energy_per_frame().any()
     assert not dock.raster.running
+
+
+def test_the_time_of_the_tube_is_saved_and_restored_and_never_undone(
+    qtbot: QtBot, panel: DisplayPanel, session: Session, tmp_path: Path
+) -> None:
+    session.update_state(tube=replace(session.state.tube, paused=True, slow_motion=2000.0))
+    session.flush()
+    panel.raster.step(Fraction(1, 8))
+    session.save_as(tmp_path / "house.gwb")
+    stored = session.state.tube.time_s
+    assert stored >= 0.125
+    assert not session.undo_stack.canUndo()
+    assert load_state(tmp_path / "house.gwb").tube.time_s == stored
+    other = Session()
+    shown = DisplayPanel(other)
+    qtbot.addWidget(shown)
+    with qtbot.waitExposed(shown):
+        shown.show()
+    other.open(tmp_path / "house.gwb")
+    other.flush()
+    for tube in (shown.raster, shown.vector):
+        assert abs(float(tube.seconds()) - stored) < 1e-3
+    before = float(shown.raster.seconds())
+    other.update_state(tube=replace(other.state.tube, refresh_hz=50.0))
+    other.flush()
+    assert float(shown.raster.seconds()) >= before
+    other.close()
+
+
+def load_state(path: Path) -> SessionState:
+    return read(path).session

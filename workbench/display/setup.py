@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.display.phosphor import Phosphor, linear_from_srgb, names
+from workbench.display.phosphor import Phosphor, names
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.timings import RasterTiming
 from workbench.display.tube import Tube
@@ -35,12 +35,16 @@ DeviceStroke = tuple[float, float, float, float, int]
 
 @dataclass(frozen=True, slots=True)
 class TubeSetup:
-    """What can be chosen: phosphor (or the colour tube), refresh rate, persistence factor, vector display."""
+    """What can be chosen: phosphor (or the colour tube), refresh rate, persistence factor, vector display.
+
+    ``gamma`` is the exponent of the gun: its current is the drive, 0 to 1, to this power.
+    """
 
     phosphor: str = "P31"
     refresh_hz: float = 60.0
     persistence: float = 1.0
     vector_display: str = "teaching"
+    gamma: float = 2.2
 
     def guns(self) -> tuple[Phosphor, ...]:
         """One gun, or red, green and blue of a colour tube. Raises LookupError for an unknown phosphor."""
@@ -78,21 +82,25 @@ def area_mm(picture_px: tuple[int, int]) -> tuple[float, float, float, float]:
     return width / 2 - half_x, height / 2 - half_y, width / 2 + half_x, height / 2 + half_y
 
 
-def currents_of_image(image: NDArray[np.uint32], guns: int) -> NDArray[np.float64]:
-    """Beam currents (guns, rows, columns), 0 to 1, of a picture 0xRRGGBB.
+def currents_of_image(image: NDArray[np.uint32], guns: int, gamma: float) -> NDArray[np.float64]:
+    """Beam currents (guns, rows, columns), 0 to 1, of a picture 0xRRGGBB, whose channels drive the grid.
 
-    The exponent of the gun undoes the encoding of the colours. A single gun follows the strongest channel,
-    so that every colour stays readable on one phosphor.
+    A single gun follows the strongest channel, so that every colour stays readable on one phosphor.
     """
-    levels = np.array([linear_from_srgb(v << 16)[0] for v in range(256)])
+    levels = np.array([_current(v, gamma) for v in range(256)])
     channels = np.stack([levels[(image >> shift) & 0xFF] for shift in (16, 8, 0)])
     return channels if guns == 3 else channels.max(axis=0, keepdims=True)
 
 
-def currents_of_colour(colour: int, guns: int) -> tuple[float, ...]:
+def currents_of_colour(colour: int, guns: int, gamma: float) -> tuple[float, ...]:
     """Beam currents of one colour 0xRRGGBB."""
-    linear = linear_from_srgb(colour)
-    return linear if guns == 3 else (max(linear),)
+    currents = tuple(_current((colour >> shift) & 0xFF, gamma) for shift in (16, 8, 0))
+    return currents if guns == 3 else (max(currents),)
+
+
+def _current(level: int, gamma: float) -> float:
+    """The law of the gun, cut off at level 0 (MonitorGamma of Psychtoolbox-3; television takes 2.2)."""
+    return float((level / 255.0) ** gamma)
 
 
 def raster_tube(
@@ -111,7 +119,7 @@ def raster_tube(
     beam = RasterBeam(
         tube,
         timing,
-        currents_of_image(image, len(tube.guns)),
+        currents_of_image(image, len(tube.guns), setup.gamma),
         (left, bottom, right, top),
         power=float(_WHITE * timing.clocks_per_frame * share),
     )
@@ -139,7 +147,7 @@ def vector_beam(
 
     timing = VectorTiming.named(setup.vector_display)
     drawn = [
-        MmStroke(place(x0, y0), place(x1, y1), currents_of_colour(colour, len(tube.guns)))
+        MmStroke(place(x0, y0), place(x1, y1), currents_of_colour(colour, len(tube.guns), setup.gamma))
         for x0, y0, x1, y1, colour in strokes
     ]
     shortest_ps = int(Fraction(10**12) / setup.refresh)

@@ -8,6 +8,8 @@ from workbench.document.check import MAX_SIDE_PX, refuse, shown
 from workbench.document.model import LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure, Document
 from workbench.language import _
 
+LONGEST_TIME_S = 1e9
+
 
 class TubeSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """How the tubes are driven; ``slow_motion`` times slower than life, ``time_s`` on the tube's clock.
@@ -73,7 +75,7 @@ def check_state(state: SessionState, document: Document) -> SessionState:
         ("refresh_hz", 0.1, 1000.0),
         ("slow_motion", 0.001, 1e9),
         ("persistence", 0.01, 100.0),
-        ("time_s", 0.0, 1e9),
+        ("time_s", 0.0, LONGEST_TIME_S),
     ):
         value = getattr(state.tube, name)
         if not low <= value <= high:

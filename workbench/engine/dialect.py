@@ -62,6 +62,7 @@ _CALLS = {
     "set": _("a set has no order that two readings share; use a list"),
     "dict": _("a dictionary cannot be compiled here; use a list"),
 }
+_ROOTS = {"hypot", "dist"}
 _NUMPY = {
     "dot", "matmul", "linalg", "random", "einsum", "vdot", "inner", "tensordot", "sum", "mean", "cross",
     "argpartition",
@@ -147,6 +148,9 @@ def _call(node: ast.Call) -> Iterator[Refusal]:
     match node.func:
         case ast.Name(id=name) if name in _CALLS:
             yield Refusal(node.lineno, _CALLS[name])
+        case ast.Name(id=name) | ast.Attribute(attr=name) if name in _ROOTS:
+            sentence = _("{name} differs in its last bit when compiled; write sqrt(x * x + y * y)")
+            yield Refusal(node.lineno, sentence.format(name=name))
         case ast.Name(id="sorted") | ast.Attribute(attr="sort") if "key" in keywords:
             yield Refusal(
                 node.lineno, _("sorting by key orders equals differently when compiled; sort whole tuples")

@@ -1,10 +1,13 @@
 """Keeps tubes showing what a session holds: its sheet, and the tube's settings."""
 
+from fractions import Fraction
+
+from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer
 
 from workbench.display.setup import TubeSetup
 from workbench.document.model import Sheet
-from workbench.document.state import TubeSettings
+from workbench.document.state import LONGEST_TIME_S, TubeSettings
 from workbench.rendering import display_list, frame_buffer
 from workbench.session.session import Session
 from workbench.widgets.tube_view import TubeView
@@ -25,19 +28,22 @@ def setup_of(settings: TubeSettings) -> TubeSetup:
 class TubeFeed(QObject):
     """Feeds ``views`` from ``session``; a view that is hidden is fed when it is shown.
 
-    A change is fed at once, those that follow on its heels, as under a drag, when they have come to rest.
+    The tube's time goes into the session's state when that is saved, and comes from it when it is opened. A
+    change is fed at once, those that follow on its heels, as under a drag, when they have come to rest.
     """
 
     def __init__(self, session: Session, views: list[TubeView], parent: QObject) -> None:
         super().__init__(parent)
         self._session, self._views = session, views
         self._fed: dict[TubeView, Sheet] = {}
+        self._times = dict.fromkeys(views, 0.0)
         self._resting = QTimer(self)
         self._resting.setSingleShot(True)
         self._resting.setInterval(_SETTLE_MS)
         self._resting.timeout.connect(self.feed)
         session.changed.connect(self._changed)
         session.state_changed.connect(self.feed)
+        session.storing.connect(self._keep_time)
         for view in views:
             view.shown.connect(self.feed)
 
@@ -45,6 +51,16 @@ class TubeFeed(QObject):
         if not self._resting.isActive():
             self.feed()
         self._resting.start()
+
+    def _keep_time(self) -> None:
+        """Put the time of the tube that is seen into the session's state."""
+        seen = next((view for view in self._views if view.isVisible()), None)
+        if seen is not None:
+            time_s = min(float(seen.seconds()), LONGEST_TIME_S)
+            for view in self._views:
+                if view.isVisible():
+                    self._times[view] = time_s
+            self._session.update_state(tube=replace(self._session.state.tube, time_s=time_s))
 
     def feed(self) -> None:
         """Bring every visible view up to date."""
@@ -54,6 +70,9 @@ class TubeFeed(QObject):
             if not view.isVisible():
                 continue
             view.set_setup(setup)
+            if settings.time_s != self._times[view]:
+                self._times[view] = settings.time_s
+                view.set_seconds(Fraction(settings.time_s))
             view.set_slow_motion(settings.slow_motion)
             view.set_paused(settings.paused)
             if self._fed.get(view) is sheet:

@@ -47,7 +47,7 @@ class Session(QObject):
     ``changed(old, new, addresses)`` and ``state_changed(old, new)`` come once per turn of the event loop, in
     this order, with everything that happened since the last time. ``revision`` counts every change at once:
     a worker answers with the revision it was given, and stale answers are dropped. ``saved(Saved)``: a save
-    in the background has ended, well or not.
+    in the background has ended, well or not. ``storing``: the session's state is about to be saved.
     """
 
     changed = Signal(object, object, object)
@@ -55,6 +55,7 @@ class Session(QObject):
     path_changed = Signal(object)
     dirty_changed = Signal(bool)
     saved = Signal(object)
+    storing = Signal()
     autosave_failed = Signal(str)
     _due = Signal()
 
@@ -188,12 +189,14 @@ class Session(QObject):
         """Save to ``path``, which is its file from now on; raises DocumentError."""
         self.finish_saving()
         self.end_merge()
+        self.storing.emit()
         write(self.stored, path)
         self._take_saved(Saved(self.stored, Path(path), stamp(Path(path))))
 
     def save_behind(self, path: Path) -> None:
         """As ``save_as``, but come back at once; ``saved`` tells how it ended."""
         self.end_merge()
+        self.storing.emit()
         self._saver.start(self.stored, path)
 
     @property

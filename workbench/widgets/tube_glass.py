@@ -12,6 +12,8 @@ from PySide6.QtGui import (
     QRadialGradient,
 )
 
+from workbench.display.setup import area_mm, face_mm
+
 # The cabinet is dark in both themes: light around a picture would grey the glass.
 _CABINET_TOP, _CABINET_BOTTOM = QColor("#2B2F34"), QColor("#16181B")
 _LIP, _GLASS = QColor("#050607"), QColor("#080B0A")
@@ -21,6 +23,17 @@ LETTERING = QColor("#98A1AB")
 CORNER = 0.06
 _BEZEL = 0.045
 _BULGE = 0.018
+
+
+def pixel_at(place: QPointF, glass: QRectF, picture: tuple[int, int]) -> tuple[int, int] | None:
+    """The pixel of a ``picture`` (width, height) that is shown at a place of the glass, if there is one."""
+    width, height = face_mm(picture)
+    left, bottom, right, top = area_mm(picture)
+    x_mm = (place.x() - glass.left()) / glass.width() * width
+    y_mm = (glass.bottom() - place.y()) / glass.height() * height
+    x = int((x_mm - left) / (right - left) * picture[0] // 1)
+    y = int((y_mm - bottom) / (top - bottom) * picture[1] // 1)
+    return (x, y) if 0 <= x < picture[0] and 0 <= y < picture[1] else None
 
 
 def fitted(width: float, height: float, aspect: float, plate: float) -> tuple[QRectF, QRectF]:

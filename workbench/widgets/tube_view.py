@@ -50,6 +50,7 @@ from workbench.widgets.tube_glass import (
     cabinet_pixmap,
     fitted,
     glass_path,
+    pixel_at,
     reflection_pixmap,
 )
 from workbench.widgets.tube_marks import paint_beam, paint_plate, paint_probe
@@ -121,7 +122,7 @@ class TubeView(QWidget):
         if self.kind != "raster":
             return
         if same_size and self.driver is not None and isinstance(self.driver.beam, RasterBeam):
-            drive = currents_of_image(image, len(self.driver.tube.guns))
+            drive = currents_of_image(image, len(self.driver.tube.guns), self._setup.gamma)
             self.driver.show(self.driver.beam.with_drive(drive))
             self._wake()
         else:
@@ -180,6 +181,13 @@ class TubeView(QWidget):
     def seconds(self) -> Fraction:
         """Tube time, exact."""
         return self._seconds if self.driver is None else self.driver.tube.seconds
+
+    def set_seconds(self, seconds: Fraction) -> None:
+        """Go to another tube time, as when a saved one is opened; the picture is that of long drawing."""
+        self._seconds = seconds
+        if self.driver is not None:
+            self.driver = None
+            self._rebuild()
 
     def step(self, seconds: Fraction) -> None:
         """Advance the tube's time by hand and show the beam where it then is, Calm or not."""
@@ -288,15 +296,6 @@ class TubeView(QWidget):
             self._glass.bottom() - y_mm / height * self._glass.height(),
         )
 
-    def _pixel_at(self, place: QPointF) -> tuple[int, int] | None:
-        width, height = face_mm(self._picture)
-        left, bottom, right, top = area_mm(self._picture)
-        x_mm = (place.x() - self._glass.left()) / self._glass.width() * width
-        y_mm = (self._glass.bottom() - place.y()) / self._glass.height() * height
-        x = int((x_mm - left) / (right - left) * self._picture[0] // 1)
-        y = int((y_mm - bottom) / (top - bottom) * self._picture[1] // 1)
-        return (x, y) if 0 <= x < self._picture[0] and 0 <= y < self._picture[1] else None
-
     @property
     def probe(self) -> tuple[int, int] | None:
         """The picture's pixel whose light is measured, in device coordinates."""
@@ -337,7 +336,7 @@ class TubeView(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Put the probe where the glass is clicked."""
-        pixel = self._pixel_at(event.position())
+        pixel = pixel_at(event.position(), self._glass, self._picture)
         if event.button() == Qt.MouseButton.LeftButton and pixel is not None:
             self.set_probe(pixel)
             self.probed.emit(*pixel)

@@ -1,0 +1,78 @@
+"""From a picture to a tube as it was set up: the law of the gun, the rate of the vector tube."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from workbench.display import vector_displays
+from workbench.display.setup import TubeSetup, currents_of_image, raster_tube, vector_beam, vector_tube
+from workbench.display.vector_timing import VectorTiming
+
+SIZE = (96, 72)
+PICTURE = (20, 15)
+places = st.tuples(st.integers(0, 19), st.integers(0, 14))
+stroke_lists = st.lists(st.tuples(places, places), max_size=12)
+
+
+def field(level: int) -> np.ndarray:
+    return np.full((15, 20), level * 0x010101, np.uint32)
+
+
+def energy(level: int, setup: TubeSetup) -> float:
+    _tube, beam = raster_tube(field(level), SIZE, setup, np.float64)
+    return float(beam.energy_per_frame(0).sum())
+
+
+@given(gamma=st.floats(1.0, 3.0))
+@settings(max_examples=10, deadline=None)
+def test_the_law_of_the_gun(gamma: float) -> None:
+    setup = TubeSetup(gamma=gamma)
+    half = 128
+    assert energy(255, setup) / energy(half, setup) == pytest.approx((255 / half) ** gamma, rel=1e-9)
+    assert energy(0, setup) == 0.0
+    assert energy(254, setup) / energy(127, setup) == pytest.approx(2.0**gamma, rel=1e-9)
+
+
+def test_the_colours_of_a_vector_list_follow_the_same_law() -> None:
+    setup = TubeSetup(gamma=2.0)
+    tube = vector_tube(PICTURE, SIZE, setup, np.float64)
+    bright, dim = (
+        float(vector_beam(tube, [(1, 1, 18, 9, colour)], PICTURE, setup).energy_per_frame(0).sum())
+        for colour in (0xFE0000, 0x7F0000)
+    )
+    assert bright / dim == pytest.approx(4.0, rel=1e-9)
+
+
+def test_a_colour_tube_has_a_current_for_each_channel() -> None:
+    image = np.array([[0xFF8000]], np.uint32)
+    assert currents_of_image(image, 3, 2.0)[:, 0, 0] == pytest.approx([1.0, (128 / 255) ** 2, 0.0])
+    assert currents_of_image(image, 1, 2.0)[:, 0, 0] == pytest.approx([1.0])
+
+
+@given(
+    stroke_lists,
+    places,
+    places,
+    st.floats(10.0, 500.0),
+    st.sampled_from(vector_displays()),
+)
+@settings(max_examples=60, deadline=None)
+def test_the_vector_tube_never_refreshes_above_its_cap(
+    pairs: list[tuple[tuple[int, int], tuple[int, int]]],
+    a: tuple[int, int],
+    b: tuple[int, int],
+    rate: float,
+    display: str,
+) -> None:
+    setup = TubeSetup(refresh_hz=rate, vector_display=display)
+    tube = vector_tube(PICTURE, SIZE, setup)
+    strokes = [(*start, *end, 0xFFFFFF) for start, end in pairs]
+    beam = vector_beam(tube, strokes, PICTURE, setup)
+    cap = VectorTiming.named(display).min_frame_ps
+    assert beam.frame_s >= Fraction(1) / setup.refresh - Fraction(1, 10**12)
+    assert beam.frame_ps >= cap
+    longer = vector_beam(tube, [*strokes, (*a, *b, 0xFFFFFF)], PICTURE, setup)
+    assert longer.frame_ps >= beam.frame_ps
