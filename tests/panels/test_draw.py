@@ -172,6 +172,25 @@ def test_a_selected_figure_is_moved_nudged_duplicated_and_deleted(qtbot, session
     assert len(session.sheet.figures) == 1
 
 
+def test_nudges_of_one_gesture_are_one_step_of_undo(qtbot, session, panel, line):
+    qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 25, 14))
+    settle()
+    start, before = points(line()), session.undo_stack.count()
+    for _times in range(5):
+        qtbot.keyClick(panel.canvas, Qt.Key.Key_Left)
+    assert session.undo_stack.count() == before + 1
+    panel._nudging.timeout.emit()
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Up)
+    assert session.undo_stack.count() == before + 2
+    session.undo_stack.undo()
+    assert points(line()) == [(x - 5, y) for x, y in start]
+    session.undo_stack.undo()
+    assert points(line()) == start
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Left)
+    drag(qtbot, panel, (24, 14), (25, 15), (26, 16))
+    assert session.undo_stack.count() == before + 2
+
+
 def test_shift_adds_to_the_selection_and_a_band_selects_what_it_holds(qtbot, session, panel, line):
     panel.choose_tool("circle")
     drag(qtbot, panel, (8, 8), (12, 8))

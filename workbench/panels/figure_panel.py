@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCursor, QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
@@ -22,6 +22,9 @@ from workbench.widgets.pixel_canvas import PixelCanvas
 from workbench.widgets.tokens import theme_changed
 
 REACH_PX = 6
+NUDGE = "nudge"
+# Arrow keys that follow one another within this time are one gesture, and one step of undo.
+NUDGING_MS = 600
 TOOL_BAR_PX = 44
 CARD_GAP_PX = 8
 
@@ -49,6 +52,10 @@ class FigurePanel(QWidget):
         self.tools = list(tools)
         self.tool = self.tools[0]
         self.handle_drag = HandleDrag(session)
+        self._nudging = QTimer(self)
+        self._nudging.setSingleShot(True)
+        self._nudging.setInterval(NUDGING_MS)
+        self._nudging.timeout.connect(self._end_nudging)
         self.canvas = PixelCanvas()
         self._actions: dict[str, QAction] = {}
 
@@ -264,10 +271,10 @@ class FigurePanel(QWidget):
 
     # Commands
 
-    def apply(self, edit: Edit, name: str) -> None:
+    def apply(self, edit: Edit, name: str, merge: str = "") -> None:
         """Do an edit; what is wrong with it is said in the status bar."""
         try:
-            self.session.apply(edit, name)
+            self.session.apply(edit, name, merge)
         except DocumentError as problem:
             self.hover_text.emit(str(problem))
 
@@ -318,11 +325,16 @@ class FigurePanel(QWidget):
             far = 10 if modifiers & Qt.KeyboardModifier.ShiftModifier else 1
             scale = device_map(self.session.sheet)
             ids = [figure.id for figure in chosen]
-            self.apply(move_figures(ids, dx * far / scale.sx, dy * far / scale.sy), _("Nudge"))
+            edit = move_figures(ids, dx * far / scale.sx, dy * far / scale.sy)
+            self.apply(edit, _("Nudge"), f"{NUDGE} {' '.join(ids)}")
+            self._nudging.start()
         elif dx > 0:
             self.session.run.forward()
         elif dx < 0:
             self.session.run.back()
+
+    def _end_nudging(self) -> None:
+        self.session.end_merge(f"{NUDGE} {' '.join(figure.id for figure in self.selected())}")
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Keys that the canvas left: Home, End and Space for the run, Enter for the tool, Delete."""

@@ -125,9 +125,12 @@ class Session(QObject):
         if merge:
             self._merging = (merge, change)
 
-    def end_merge(self) -> None:
-        """End a drag: the next edit is a step of its own. A drag back to its start leaves none."""
-        if self._merging is None:
+    def end_merge(self, merge: str = "") -> None:
+        """End a drag: the next edit is a step of its own. A drag back to its start leaves none.
+
+        With ``merge`` only edits that were merged under this token are ended.
+        """
+        if self._merging is None or (merge and self._merging[0] != merge):
             return
         change = self._merging[1]
         self._merging = None
