@@ -183,15 +183,17 @@ def test_triangles(benchmark: BenchmarkFixture, count: int, spread: float) -> No
     context.release()
 
 
+# numba loads SciPy, coverage and PyYAML where it finds them; a user has none of them, only the tests do.
 LOADING = """
 import sys, time
-start = time.perf_counter()
+sys.modules.update(scipy=None, coverage=None, yaml=None)
+start, work = time.perf_counter(), time.process_time()
 from workbench.algorithms import catalogue
 from workbench.engine.warm import compile_use
 for word in sys.argv[1:]:
     slug, use = word.split(":")
     compile_use(catalogue.get(slug), use)
-print(time.perf_counter() - start)
+print(time.perf_counter() - start, time.process_time() - work)
 """
 
 
@@ -202,11 +204,15 @@ def test_twenty_kernels_from_the_cache_in_a_fresh_process(benchmark: BenchmarkFi
     words = [f"{slug}:{use}" for slug, use in pairs]
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
 
-    def fresh() -> float:
+    seconds = []
+
+    def fresh() -> None:
         command = [sys.executable, "-c", LOADING, *words]
         answer = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-        return float(answer.stdout)
+        seconds.append(tuple(map(float, answer.stdout.split())))
 
-    seconds = benchmark.pedantic(fresh, rounds=1 if benchmark.disabled else 5)
+    benchmark.pedantic(fresh, rounds=1 if benchmark.disabled else 8)
     if not benchmark.disabled:
-        print(f"\n{len(words)} kernels ready in a fresh process, imports and one run each: {seconds:.2f} s")
+        wall, worked = map(min, zip(*seconds, strict=True))
+        print(f"\n{len(words)} kernels ready in a fresh process, imports and one run each:")
+        print(f"{wall:.2f} s, of which it worked {worked:.2f} s (best of {len(seconds)}); 1 s is wanted")
