@@ -96,6 +96,16 @@ def test_icons_follow_the_theme(window: MainWindow) -> None:
     assert button.icon().cacheKey() == before
 
 
+def test_an_icon_changed_again_and_again_follows_the_theme_as_the_last_one(window: MainWindow) -> None:
+    window.themes.choose("light")
+    button, other = QPushButton(), QPushButton()
+    for name in ("play", "pause", "play", "pause"):
+        set_icon(button, name)
+    set_icon(other, "pause")
+    window.themes.choose("dark")
+    assert button.icon().cacheKey() == other.icon().cacheKey()
+
+
 def test_an_unknown_icon_is_refused() -> None:
     with pytest.raises(LookupError, match="no icon named nonsense"):
         icon("nonsense")

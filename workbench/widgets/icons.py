@@ -6,7 +6,7 @@ The icon font is loaded with the first icon asked for, so ask after the first fr
 from functools import cache
 from typing import Any
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QIcon
 
 from workbench.widgets.tokens import theme, tokens
@@ -41,8 +41,13 @@ class _ThemedIcon(QObject):
 
     def __init__(self, owner: Any, name: str, role: str) -> None:
         super().__init__(owner)
-        self._owner, self._name, self._role = owner, name, role
+        self._owner = owner
+        self.show(name, role)
         theme.changed.connect(self.refresh)
+
+    def show(self, name: str, role: str) -> None:
+        """Set another icon."""
+        self._name, self._role = name, role
         self.refresh()
 
     def refresh(self) -> None:
@@ -52,7 +57,8 @@ class _ThemedIcon(QObject):
 
 def set_icon(owner: Any, name: str, role: str = "text") -> None:
     """Give a button or an action (anything with ``setIcon``) an icon that follows the theme."""
-    for earlier in owner.findChildren(_ThemedIcon):
-        theme.changed.disconnect(earlier.refresh)
-        earlier.deleteLater()
-    _ThemedIcon(owner, name, role)
+    themed = owner.findChild(_ThemedIcon, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    if themed is None:
+        _ThemedIcon(owner, name, role)
+    else:
+        themed.show(name, role)
