@@ -79,3 +79,22 @@ def test_opened_and_left_by_keyboard(environment: dict[str, str]) -> None:
     finally:
         program.kill()
     assert (program.returncode, said) == (0, "")
+
+
+def test_a_letter_takes_up_a_tool(environment: dict[str, str]) -> None:
+    script = Path(__file__).with_name("watch_tools.py")
+    command = [sys.executable, "-W", "error", script]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    program = subprocess.Popen(command, env=environment, **pipes)
+    try:
+        tools = [program.stdout.readline().strip()]
+        for letter in "lovep":
+            words = ["xdotool", "search", "--sync", "--onlyvisible", "--name", "Graphics"]
+            words += ["windowactivate", "--sync", "key", letter]
+            subprocess.run(words, env=environment, check=True, timeout=60)
+            tools.append(program.stdout.readline().strip())
+        said = program.communicate(timeout=60)[1]
+    finally:
+        program.kill()
+    assert (program.returncode, said) == (0, "")
+    assert tools == ["select", "line", "circle", "select", "ellipse", "polyline"]
