@@ -110,7 +110,7 @@ class ClipCard(ParameterCard):
         if there:
             self._fill_clippers(tool.kind if tool is not None and not figures else type(active))
         self._tell(active)
-        self.adjustSize()
+        self._fit()
 
     def _fill_clippers(self, kind: type) -> None:
         """The clippers of lines, or of polygons; points have but one."""
@@ -165,7 +165,7 @@ class ClipCard(ParameterCard):
         self.sides[side].field.setAccessibleDescription(sentence)
         if sentence:
             self.sides[side].field.setModified(True)
-        self.adjustSize()
+        self._fit()
 
     def _choose_clipper(self, index: int) -> None:
         slug = self.clipper.itemData(index)

@@ -51,7 +51,7 @@ from workbench.widgets.type_faces import code_font
 Index = QModelIndex | QPersistentModelIndex
 ROW_PX = 20
 _REST_MS = 150
-_TALL_PX, _LEAST_PX = 400, 56
+_TALL_PX, _LEAST_PX = 400, 48
 
 
 class CompareModel(QAbstractTableModel):
@@ -178,7 +178,7 @@ class CompareView(QWidget):
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self.difference = PixelCanvas()
         self.difference.setAccessibleName(_("Where the two differ"))
-        self.difference.setMinimumSize(110, 60)
+        self.difference.setMinimumSize(90, 60)
         self.difference.takes_handles = False
         self.note = QLabel()
         self.note.setWordWrap(True)
@@ -237,7 +237,8 @@ class CompareView(QWidget):
             return
         own = [slug for slug in others if self._clipping or slug in figure.algorithms]
         self._fill(self.first, sorted((now, *own), key=_order), now, "")
-        self._fill(self.second, list(others), second, "" if self._clipping else _("Compare with ..."))
+        none = _("Compare with ...") if others else _("No other algorithm")
+        self._fill(self.second, list(others), second, "" if self._clipping and others else none)
         self.second.setEnabled(bool(others))
         runs = (session.run, session.follower)
         done = tuple(run.recording if run.done else None for run in runs)

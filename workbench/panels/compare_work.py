@@ -232,7 +232,7 @@ def table_rows(outcome: Outcome) -> list[Row]:
         (_("Writes"), lambda work: work.writes),
         (what.get(emits, ""), lambda work: work.emitted if emits in what else None),
         (_("Pixels"), lambda work: None if clips or second is None else len(work.cells)),
-        (_("Outline pixels before"), lambda work: work.before),
+        (_("Outline first"), lambda work: work.before),
         (_("Runs"), lambda work: work.calls if work.calls > 1 else None),
     ]
     kept = {_("Tests"), _("Additions"), _("Multiplications"), _("Divisions")}

@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -27,7 +28,7 @@ from workbench.session.session import Session
 from workbench.widgets.icons import set_icon
 from workbench.widgets.number_field import NumberField
 
-WIDTH_PX = 248
+WIDTH_PX, NARROW_PX = 248, 560
 _MOST_POINTS = 4
 
 
@@ -79,6 +80,7 @@ class ParameterCard(QFrame):
         self.setObjectName("card")
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._session = session
+        self._narrow = False
         self._shown: tuple[object, ...] = ()
         self._fields: dict[str, NumberField] = {}
         self._size: tuple[NumberField, NumberField] | None = None
@@ -127,6 +129,7 @@ class ParameterCard(QFrame):
         whole.addLayout(head)
         whole.addWidget(self._body)
         self.setFixedWidth(WIDTH_PX)
+        parent.installEventFilter(self)
 
     def more_rows(self) -> list[QWidget]:
         """What a panel adds under the numbers."""
@@ -146,13 +149,14 @@ class ParameterCard(QFrame):
             height = layout.totalHeightForWidth(WIDTH_PX) if wraps else layout.totalSizeHint().height()
             self.resize(WIDTH_PX, height)
 
-    def _fit(self) -> None:
-        """As high as what it holds, whose words wrap at its width."""
-        layout = self.layout()
-        if layout is not None:
-            wraps = layout.hasHeightForWidth()
-            height = layout.totalHeightForWidth(WIDTH_PX) if wraps else layout.totalSizeHint().height()
-            self.resize(WIDTH_PX, height)
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Over a narrow picture it is folded, until somebody opens it, so that the picture is seen."""
+        if isinstance(event, QResizeEvent):
+            narrow = event.size().width() < NARROW_PX
+            if narrow != self._narrow:
+                self._narrow = narrow
+                self._set_open(not narrow)
+        return False
 
     def event(self, event: QEvent) -> bool:
         """As large as what it holds."""

@@ -146,6 +146,13 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("fill-overflow", lambda window: _fill(window, "overflow", 1500)),
         ("fill-why", _why),
         ("fill-empty", _fill_empty),
+        ("fill-compare", _fill_compared),
+        ("clip-lines", lambda window: _clip(window, "clip", 1, 0)),
+        ("clip-interval", lambda window: _clip(window, "clip", 3, 4, "liang_barsky")),
+        ("clip-fork", lambda window: _clip(window, "clip-fork", 14)),
+        ("clip-lab", lambda window: _clip(window, "clip-lab", 0)),
+        ("clip-asked", _clip_asked),
+        ("clip-empty", lambda window: (window.session.new(), window.go("clip"))),
         ("display", _display),
         ("palette", _palette),
         ("settings", lambda window: window.go("settings")),
@@ -210,6 +217,28 @@ def _empty(window: MainWindow) -> None:
 def _display(window: MainWindow) -> None:
     window.open_example("house")
     window.go("display")
+
+
+def _fill_compared(window: MainWindow) -> None:
+    _fill(window, "triangle", 4)
+    window.session.update_state(compare="boundary_fill_4")
+    docks = window.arrangements.docks("fill")
+    next(dock for dock in docks if dock.objectName().endswith(".compare")).raise_()
+
+
+def _clip(window: MainWindow, slug: str, step: int, number: int = -1, clipper: str = "") -> None:
+    from workbench.document.edits import set_clippers
+
+    window.open_example(slug)
+    session = window.session
+    if clipper:
+        session.apply(set_clippers(session.sheet.id, line=clipper), _("Choose the line clipper"))
+    session.update_state(active=session.sheet.figures[number].id, step=step, stepped="clipper")
+
+
+def _clip_asked(window: MainWindow) -> None:
+    _clip(window, "clip", 1, 0)
+    window.session.update_state(ask_first=True)
 
 
 def _palette(window: MainWindow) -> None:
