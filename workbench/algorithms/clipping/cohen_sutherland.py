@@ -1,5 +1,7 @@
 """Cohen and Sutherland's line clipping.
 
+x0, y0, x1, y1      both ends of what is left
+ax, ay, bx, by      both ends as they were given: cut from these, errors do not add up
 code_0, code_1      region codes of both ends: top, bottom, right, left from the highest bit
 edge                the edge that one end is cut off at, as the bit of its code
 k                   number of the step, from 0
@@ -15,7 +17,7 @@ from workbench.algorithms.clipping.cutting import (
     others,
     pixels,
 )
-from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP, intersection, region_code
+from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP, between, intersection, region_code
 from workbench.algorithms.clipping.window import LINE, WINDOW
 from workbench.algorithms.entry import Entry, View
 
@@ -29,6 +31,7 @@ def cohen_sutherland(
     given, or nothing. Source: Hearn and Baker, Computer Graphics, C Version, section 6-7.
     """
     # Code both ends
+    ax, ay, bx, by = x0, y0, x1, y1
     code_0 = region_code(x0, y0, xmin, ymin, xmax, ymax)
     code_1 = region_code(x1, y1, xmin, ymin, xmax, ymax)
 
@@ -41,12 +44,12 @@ def cohen_sutherland(
             return
         code = code_0 if code_0 != 0 else code_1
         edge = TOP if code & TOP else BOTTOM if code & BOTTOM else RIGHT if code & RIGHT else LEFT
+        x, y = intersection(ax, ay, bx, by, edge, xmin, ymin, xmax, ymax)
+        x, y = between(x, x0, x1), between(y, y0, y1)
         if code_0 != 0:
-            x0, y0 = intersection(x0, y0, x1, y1, edge, xmin, ymin, xmax, ymax)
-            code_0 = region_code(x0, y0, xmin, ymin, xmax, ymax)
+            x0, y0, code_0 = x, y, region_code(x, y, xmin, ymin, xmax, ymax)
         else:
-            x1, y1 = intersection(x1, y1, x0, y0, edge, xmin, ymin, xmax, ymax)
-            code_1 = region_code(x1, y1, xmin, ymin, xmax, ymax)
+            x1, y1, code_1 = x, y, region_code(x, y, xmin, ymin, xmax, ymax)
 
 
 _LOOK = "Accept, reject or cut off one end"
@@ -60,7 +63,7 @@ _CROSSED_BEFORE = (
     f"crossings((before.x0, before.y0, before.code_0), (before.x1, before.y1, before.code_1), {_WINDOW})"
 )
 _END = "((before.x0, before.y0) if before.code_0 else (before.x1, before.y1))"
-_CUT = "((x0, y0) if before.code_0 else (x1, y1))"
+_CUT = "(x, y)"
 _OPTIONS = "('accept', 'reject', 'clip top', 'clip bottom', 'clip right', 'clip left')"
 _BOTH = "Codes {bits(before.code_0)} and {bits(before.code_1)}"
 _ENDS = {"Ends": ("(('P0', x0, y0, bits(code_0)), ('P1', x1, y1, bits(code_1)))", ("end", "x", "y", "code"))}
@@ -132,10 +135,12 @@ ENTRY = Entry(
         "The ends keep their order; an end inside the window stays as it is.",
         "Four intersections are reckoned at most, and none for a line that is accepted or rejected at once.",
         "Clipped again, the line stays as it is.",
+        "Of lines and windows of whole numbers nothing visible is lost, not even the touch of a corner.",
         "Mirrored left to right or top to bottom, line and window give the mirrored line, to the last digit.",
     ),
     not_laws=(
-        "A line that only touches a corner of the window is always found: rounding may lose it.",
+        "A line that passes a corner of the window by less than a rounding is told rightly: it may be lost, "
+        "or found though it misses.",
         "Only intersections on the window are reckoned: some lie on an edge's extension and are cut again.",
     ),
     labs=("Clipping: Cohen-Sutherland",),

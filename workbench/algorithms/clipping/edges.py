@@ -24,6 +24,11 @@ def region_code(x: float, y: float, xmin: float, ymin: float, xmax: float, ymax:
     return code
 
 
+def between(value: float, end_0: float, end_1: float) -> float:
+    """``value``, or the end that rounding has carried it past."""
+    return min(max(value, min(end_0, end_1)), max(end_0, end_1))
+
+
 def intersection(
     x0: float,
     y0: float,
@@ -48,6 +53,4 @@ def intersection(
         y = y0 + (y1 - y0) * (x - x0) / (x1 - x0)
 
     # Let no rounding carry it past an end
-    x = min(max(x, min(x0, x1)), max(x0, x1))
-    y = min(max(y, min(y0, y1)), max(y0, y1))
-    return x, y
+    return between(x, x0, x1), between(y, y0, y1)

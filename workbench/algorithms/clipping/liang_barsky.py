@@ -10,6 +10,7 @@ k           number of the edge: 1 left, 2 right, 3 bottom, 4 top
 from collections.abc import Iterator
 
 from workbench.algorithms.clipping.cutting import edge_symbol, pixels
+from workbench.algorithms.clipping.edges import between
 from workbench.algorithms.clipping.window import LINE, WINDOW
 from workbench.algorithms.entry import Entry, View
 
@@ -43,34 +44,34 @@ def liang_barsky(
 
     if u2 < 1.0:
         # Find the intersection on leaving
-        x1 = min(max(x0 + u2 * dx, xmin), xmax)
-        y1 = min(max(y0 + u2 * dy, ymin), ymax)
+        x1 = x0 + u2 * dx
+        y1 = y0 + u2 * dy
 
     if u1 > 0.0:
         # Find the intersection on entering
-        x0 = min(max(x0 + u1 * dx, xmin), xmax)
-        y0 = min(max(y0 + u1 * dy, ymin), ymax)
+        x0 += u1 * dx
+        y0 += u1 * dy
 
-    # Emit what is left
+    # Emit what is left, and let no rounding carry it out of the window
+    x0, y0 = between(x0, xmin, xmax), between(y0, ymin, ymax)
+    x1, y1 = between(x1, xmin, xmax), between(y1, ymin, ymax)
     yield x0, y0, x1, y1
 
 
-_NARROW = "Narrow u1 to u2 by this edge"
 _CROSSING = "pixels(((x0 + q / p * dx, y0 + q / p * dy),) if p != 0.0 else ())"
-_OPTIONS = "('u1 grows', 'u2 shrinks', 'nothing changes', 'reject')"
 
 
 def _edge_view(when: str, answer: str, sentence: str) -> View:
     """The view of an edge that has this effect."""
     moves = answer in ("u1 grows", "u2 shrinks")
     return View(
-        block=_NARROW,
+        block="Narrow u1 to u2 by this edge",
         when=when,
         candidates=_CROSSING,
         chosen=_CROSSING if moves else "()",
         rejected="()" if moves else _CROSSING,
         row="(k, p, q, r if p != 0.0 else '', u1, u2)",
-        options=_OPTIONS,
+        options="('u1 grows', 'u2 shrinks', 'nothing changes', 'reject')",
         answer=repr(answer),
         sentence=f"{{edge_symbol(1 << (k - 1))}}: {sentence}",
     )
@@ -127,7 +128,7 @@ ENTRY = Entry(
             "p = {p} > 0, the line leaves, at r = {q}/{p} = {r}, no sooner than u2 = {u2}: nothing changes.",
         ),
         View(
-            block="Emit what is left",
+            block="Emit what is left, and let no rounding carry it out of the window",
             sentence="From u1 = {u1} to u2 = {u2}: {(x0, y0)} to {(x1, y1)} is visible.",
         ),
     ),
@@ -135,11 +136,13 @@ ENTRY = Entry(
         "What is emitted lies in the window, to the last digit, and on the line, to a relative 1e-9.",
         "The ends keep their order; an end inside the window stays as it is.",
         "Four divisions at most, and two intersections, both of them ends of what is visible.",
-        "Clipped again, the line stays as it is.",
+        "Clipped again, the line stays as it is; mirrored or with x and y changed over, so is what is left.",
+        "Of lines and windows of whole numbers nothing visible is lost, not even the touch of a corner.",
         "It finds what Cohen-Sutherland finds, to a relative 1e-9.",
     ),
     not_laws=(
-        "A line that only touches a corner of the window is always found: rounding may lose it.",
+        "A line that passes a corner of the window by less than a rounding is told rightly: it may be lost, "
+        "or found though it misses.",
         "An end that was cut off lies on the window's edge to the last digit.",
     ),
     labs=("Clipping: Liang-Barsky",),

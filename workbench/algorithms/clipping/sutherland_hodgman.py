@@ -104,26 +104,12 @@ ENTRY = Entry(
             block="Take the whole polygon",
             sentence="The polygon has {len(polygon)} vertices; it is clipped left, right, bottom and top.",
         ),
+        _side_view("from_inside and to_inside", "in → in", "stays inside: hand on its end."),
+        _side_view("from_inside", "in → out", "goes out: hand on the intersection, {clipped[-1]}."),
         _side_view(
-            "from_inside and to_inside",
-            "in → in",
-            "stays inside: hand on its end.",
+            "to_inside", "out → in", "comes in: hand on the intersection, {clipped[-2]}, and its end."
         ),
-        _side_view(
-            "from_inside",
-            "in → out",
-            "goes out: hand on the intersection, {clipped[-1]}.",
-        ),
-        _side_view(
-            "to_inside",
-            "out → in",
-            "comes in: hand on the intersection, {clipped[-2]}, and its end.",
-        ),
-        _side_view(
-            "True",
-            "out → out",
-            "stays outside: hand on nothing.",
-        ),
+        _side_view("True", "out → out", "stays outside: hand on nothing."),
         *INTERSECTION_VIEWS,
         View(
             block="Hand the list on to the next edge",
@@ -142,7 +128,7 @@ ENTRY = Entry(
     laws=(
         "Every vertex lies in the window, to the last digit.",
         "Of a convex polygon exactly what lies in the window is left.",
-        "The area that lies in the window is left, of any polygon that does not cross itself.",
+        "The polygon goes round each point in the window as often as before, so its area there is left.",
         "Vertices inside the window stay, in order; clipped again, the polygon stays as it is.",
     ),
     not_laws=(
