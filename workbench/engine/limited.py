@@ -31,12 +31,41 @@ class Limited:
     overflowed: bool
 
 
+class _Frames:
+    """Lets Python nest calls deeper while any run needs it, and takes that back behind the last one."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._needed: list[int] = []
+        self._before = 0
+
+    @contextmanager
+    def for_depth(self, depth: int) -> Iterator[None]:
+        needed = _FRAMES_PER_CALL * depth + _SPARE_FRAMES
+        with self._lock:
+            if not self._needed:
+                self._before = sys.getrecursionlimit()
+            self._needed.append(needed)
+            self._set()
+        try:
+            yield
+        finally:
+            with self._lock:
+                self._needed.remove(needed)
+                self._set()
+
+    def _set(self) -> None:
+        limit = max([self._before, *self._needed])
+        if limit != sys.getrecursionlimit():
+            sys.setrecursionlimit(limit)
+
+
+frames = _Frames()
+
+
 @contextmanager
-def room_for(depth: int) -> Iterator[None]:
-    """Threads that are started meanwhile have a stack for ``depth`` nested calls, and Python allows them."""
-    needed = _FRAMES_PER_CALL * depth + _SPARE_FRAMES
-    if needed > sys.getrecursionlimit():
-        sys.setrecursionlimit(needed)
+def large_stacks() -> Iterator[None]:
+    """Threads that are started meanwhile have a stack for calls that nest deep."""
     before = threading.stack_size(_STACK_BYTES)
     try:
         yield
@@ -78,8 +107,9 @@ def collect_limited(function: Function, limit: int, *args: Any) -> Limited:
         except RecursionError:
             overflowed = True
 
-    with room_for(limit):
-        thread = threading.Thread(target=run, name=f"run {lowered.name}", daemon=True)
-        thread.start()
-    thread.join()
+    with frames.for_depth(limit):
+        with large_stacks():
+            thread = threading.Thread(target=run, name=f"run {lowered.name}", daemon=True)
+            thread.start()
+        thread.join()
     return Limited(rows, deepest, overflowed)

@@ -22,7 +22,7 @@ from workbench.engine import background
 from workbench.engine.columns import MISSING, Column
 from workbench.engine.containers import Containers, Log, is_fixed
 from workbench.engine.effects import Effects, texts_of
-from workbench.engine.limited import room_for
+from workbench.engine.limited import frames, large_stacks
 from workbench.engine.passing import YIELD, Known, Passing, Skip
 from workbench.engine.recording import Failure, Recording
 from workbench.engine.turns import short_turns
@@ -68,7 +68,7 @@ class _Tracer:
             text.code: Known(recording, number) for number, text in enumerate(recording.texts)
         }
         self._limit = limit
-        self._depth_limit = depth_limit
+        self.depth_limit = depth_limit
         self._pause = pause
         self._next_check = min(limit, _SLICE) if pause else limit
         self._calls: dict[FrameType, _Call] = {}
@@ -108,9 +108,9 @@ class _Tracer:
 
     def refuse_depth(self, depth: int) -> None:
         """Raise RecursionError for a call that nests too deep."""
-        if self._depth_limit is not None and depth > self._depth_limit:
+        if self.depth_limit is not None and depth > self.depth_limit:
             self.overflow = True
-            raise RecursionError(f"the calls are more than {self._depth_limit} deep")
+            raise RecursionError(f"the calls are more than {self.depth_limit} deep")
 
     def _open(self, frame: FrameType, known: Known, under_way: bool = False) -> _Call:
         recording = self.recording
@@ -249,7 +249,7 @@ class _Tracer:
             if known is not None:
                 line, function = walk.tb_lineno, recording.texts[known.number].name
                 depth += 1
-            if known is None or not self.overflow or depth < (self._depth_limit or 0):
+            if known is None or not self.overflow or depth < (self.depth_limit or 0):
                 walk = walk.tb_next
             else:
                 break
@@ -289,7 +289,7 @@ def _run(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[An
 
 
 def _run_beside(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]]) -> None:
-    with short_turns:
+    with short_turns, frames.for_depth(tracer.depth_limit or 0):
         _run(tracer, function, calls)
 
 
@@ -334,7 +334,6 @@ class Recorder:
         self._may_run = threading.Event()
         self._may_run.set()
         self._stopped = False
-        self._depth_limit = depth_limit
         tracer = _Tracer(self.recording, limit, depth_limit, self._pause, skip)
         self._thread = background.thread(
             partial(_run_beside, tracer, function, (args, *then)), f"record {function.__name__}", self.stop
@@ -349,7 +348,7 @@ class Recorder:
 
     def start(self) -> None:
         """Begin."""
-        with room_for(self._depth_limit or 0):
+        with large_stacks():
             self._thread.start()
 
     def hold(self) -> None:

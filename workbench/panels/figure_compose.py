@@ -65,7 +65,8 @@ def painted(run: Run, count: int) -> Cells:
     """The pixels (n, 2) of the first ``count`` rows that the run emitted, spans spread out."""
     if run.recording is None or run.entry is None or count == 0 or run.entry.emits in ("points", "segments"):
         return np.empty((0, 2), np.int64)
-    return pixels(run.entry, run.recording.emitted.array(0, count))
+    width, height = run.image_size
+    return pixels(run.entry, run.recording.emitted.array(0, count), (0, width - 1, 0, height - 1))
 
 
 def compose(

@@ -33,8 +33,12 @@ class Comparison(NamedTuple):
 
 
 def figure_pixels(sheet: Sheet, figure: AnyFigure, algorithm: str | None = None) -> Cells:
-    """The pixels (n, 2) of a figure in the order in which its algorithm, or another, paints them."""
-    parts = [pixels(call.entry, emitted(call)) for call in figure_calls(sheet, figure, algorithm)]
+    """The pixels (n, 2) of a figure in the order in which its algorithm, or another, paints them.
+
+    Of spans what lies in the picture.
+    """
+    whole = 0, sheet.width_px - 1, 0, sheet.height_px - 1
+    parts = [pixels(call.entry, emitted(call), whole) for call in figure_calls(sheet, figure, algorithm)]
     return np.concatenate(parts) if parts else np.empty((0, 2), np.int64)
 
 

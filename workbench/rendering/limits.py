@@ -9,6 +9,9 @@ from numpy.typing import NDArray
 
 REACH_PX = 1 << 14
 
+# The corners of a polygon are not rounded, so that it may be cut nearer; each row of it is walked.
+POLYGON_REACH_PX = 1 << 8
+
 
 def clip_segment(
     x0: float, y0: float, x1: float, y1: float, xmin: float, ymin: float, xmax: float, ymax: float
@@ -44,7 +47,7 @@ def clip_ring(ring: NDArray[np.float64], width: int, height: int) -> NDArray[np.
     What lies beyond is folded onto the edge of the reach, so that insides stay as they were within it.
     """
     for axis, size in ((0, width), (1, height)):
-        for sign, bound in ((-1.0, REACH_PX), (1.0, size + REACH_PX)):
+        for sign, bound in ((-1.0, POLYGON_REACH_PX), (1.0, size + POLYGON_REACH_PX)):
             beyond = sign * ring[:, axis] > bound
             if beyond.any():
                 ring = _cut(ring, beyond, axis, sign * bound)

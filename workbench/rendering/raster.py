@@ -25,6 +25,9 @@ from workbench.rendering.pipeline import calls, colour_of, fills
 Emitted = NDArray[np.float64] | NDArray[np.int64]
 Function = Callable[..., Iterator[tuple[Any, ...]]]
 
+Bounds = tuple[int, int, int, int]
+"""First and last column, first and last row."""
+
 _LONG_RUN = 4096
 """Emitted pixels from which a compiled kernel is worth its call and the look whether it is ready."""
 
@@ -107,18 +110,25 @@ def emitted(call: Call) -> Emitted:
     return _remembered(function, compilable, call.arguments)
 
 
-def pixels(entry: Entry, rows: Emitted) -> NDArray[np.int64]:
-    """The pixels (n, 2) as (x, y) in the order in which they were emitted, spans spread out."""
-    if entry.emits == "spans":
-        y, left, right = (rows[:, j].astype(np.int64) for j in range(3))
-        lengths = np.maximum(right - left + 1, 0)
-        starts = np.cumsum(lengths) - lengths
-        offsets = np.arange(int(lengths.sum())) - np.repeat(starts, lengths)
-        return np.column_stack([np.repeat(left, lengths) + offsets, np.repeat(y, lengths)])
-    return rows[:, :2].astype(np.int64)
+def pixels(entry: Entry, rows: Emitted, bounds: Bounds | None = None) -> NDArray[np.int64]:
+    """The pixels (n, 2) as (x, y) in the order in which they were emitted, spans spread out.
+
+    With ``bounds`` spans are cut there first, since those of a large area are long; all else stays whole.
+    """
+    if entry.emits != "spans":
+        return rows[:, :2].astype(np.int64)
+    y, left, right = (rows[:, j].astype(np.int64) for j in range(3))
+    if bounds is not None:
+        x_first, x_last, y_first, y_last = bounds
+        seen = (y >= y_first) & (y <= y_last)
+        y, left, right = y[seen], np.maximum(left[seen], x_first), np.minimum(right[seen], x_last)
+    lengths = np.maximum(right - left + 1, 0)
+    starts = np.cumsum(lengths) - lengths
+    offsets = np.arange(int(lengths.sum())) - np.repeat(starts, lengths)
+    return np.column_stack([np.repeat(left, lengths) + offsets, np.repeat(y, lengths)])
 
 
-def viewport_bounds(sheet: Sheet) -> tuple[int, int, int, int]:
+def viewport_bounds(sheet: Sheet) -> Bounds:
     """First and last column, first and last row of the pixels whose centres lie in the viewport."""
     view = sheet.viewport_device
     x_first, y_first = round_half_up(view.xmin), round_half_up(view.ymin)
@@ -131,7 +141,7 @@ def viewport_bounds(sheet: Sheet) -> tuple[int, int, int, int]:
     )
 
 
-def seen_bounds(sheet: Sheet, figure: AnyFigure) -> tuple[int, int, int, int]:
+def seen_bounds(sheet: Sheet, figure: AnyFigure) -> Bounds:
     """As ``viewport_bounds``; and for a figure that no algorithm clips, within the clip window."""
     bounds, clip = viewport_bounds(sheet), clip_box(sheet)
     if clip is None or clipper_of(sheet, figure):
@@ -159,10 +169,10 @@ def _blend(image: NDArray[np.uint32], x: Any, y: Any, coverage: NDArray[Any], co
 def _paint(sheet: Sheet, index: int, figure: AnyFigure, onto: Composite) -> None:
     below = onto.image if fills(figure) else None
     colour = colour_of(sheet, figure)
-    x_first, x_last, y_first, y_last = seen_bounds(sheet, figure)
+    bounds = x_first, x_last, y_first, y_last = seen_bounds(sheet, figure)
     for call in calls(sheet, figure, below=below):
         rows = emitted(call)
-        xy = pixels(call.entry, rows)
+        xy = pixels(call.entry, rows, bounds)
         x, y = xy[:, 0], xy[:, 1]
         inside = (x >= x_first) & (x <= x_last) & (y >= y_first) & (y <= y_last)
         if not inside.all():

@@ -18,7 +18,7 @@ from workbench.engine.recorder import LIMIT, Recorder, record
 from workbench.engine.touches import StepTouch, touches
 from workbench.language import _, ngettext
 from workbench.rendering.mapping import Call
-from workbench.rendering.raster import emitted, figure_calls, painter_of, pixels, seen_bounds
+from workbench.rendering.raster import emitted, figure_calls, painter_of, seen_bounds
 
 Verb = Literal["wrote", "tested", "refused"]
 MOST = 200
@@ -92,7 +92,10 @@ def _near(call: Call, x: int, y: int) -> bool:
     rows = emitted(call)
     if not len(rows):
         return True
-    cells = pixels(call.entry, rows)
+    if call.entry.emits == "spans":
+        cells = np.concatenate([rows[:, [1, 0]], rows[:, [2, 0]]])
+    else:
+        cells = rows[:, :2]
     low, high = cells.min(axis=0) - 2, cells.max(axis=0) + 2
     return bool(low[0] <= x <= high[0] and low[1] <= y <= high[1])
 

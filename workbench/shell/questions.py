@@ -30,7 +30,12 @@ def questions() -> tuple[Question, ...]:
             _("Surfaces"),
         ),
         Question(
-            3, _("How is a polygon filled row by row, and how does a fill grow from a seed?"), _("Filling")
+            3,
+            _("How is a polygon filled row by row, and how does a fill grow from a seed?"),
+            _("Filling"),
+            "fill",
+            "triangle",
+            4,
         ),
         Question(4, _("How does a window onto the world land in a viewport on the screen?"), _("Viewing")),
         Question(5, _("What does perspective give up that parallel projection keeps?"), _("Projection")),

@@ -1,0 +1,105 @@
+"""Why this pixel: what stands is what is seen, for pictures made at random, and what is said is true."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from msgspec.structs import replace
+
+from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, Rectangle, SeedFill, Sheet
+from workbench.document.sample_figures import document_of, points_at
+from workbench.document.samples import example
+from workbench.rendering import painter_of, why
+from workbench.rendering.why_steps import Abandoned, nothing_happened, why_steps
+
+SIDE = 12
+places = st.tuples(st.integers(-2, SIDE + 1), st.integers(-2, SIDE + 1))
+
+
+@st.composite
+def sheets(draw: st.DrawFn) -> Sheet:
+    """A small picture of a few figures of all kinds, clipped or not."""
+    figures: list[AnyFigure] = []
+    for _number in range(draw(st.integers(1, 3))):
+        colour = draw(st.integers(1, 3))
+        kind = draw(st.sampled_from([Line, Circle, Ellipse, Polygon, SeedFill]))
+        slug = draw(st.sampled_from([s for s in kind.algorithms if s != "wu_line"]))
+        if kind is Line:
+            figures.append(Line("", points_at(draw(places), draw(places)), slug, colour))
+        elif kind is Circle:
+            radius = float(draw(st.integers(0, 7)))
+            figures.append(Circle("", points_at(draw(places)), slug, colour, radius_world=radius))
+        elif kind is Ellipse:
+            rx, ry = float(draw(st.integers(0, 7))), float(draw(st.integers(0, 7)))
+            made = Ellipse("", points_at(draw(places)), slug, colour, radius_x_world=rx, radius_y_world=ry)
+            figures.append(made)
+        elif kind is Polygon:
+            corners = points_at(*draw(st.lists(places, min_size=3, max_size=5)))
+            figures.append(Polygon("", corners, slug, colour, closed_interior=draw(st.booleans())))
+        else:
+            seed = points_at(draw(places))
+            limit = draw(st.sampled_from([10, 1000]))
+            fill = SeedFill("", seed, slug, colour, boundary=draw(st.integers(1, 3)), recursion_limit=limit)
+            figures.append(fill)
+    clip = Rectangle(1.5, 2.0, 9.0, 9.5) if draw(st.booleans()) else None
+    return document_of("", SIDE, SIDE, figures, clip).sheets[0]
+
+
+@settings(max_examples=25, deadline=None)
+@given(sheets(), st.integers(0, SIDE - 1), st.integers(0, SIDE - 1))
+def test_the_last_that_was_accepted_is_what_is_seen(sheet: Sheet, x: int, y: int) -> None:
+    painter = int(painter_of(sheet)[y, x])
+    answers = why_steps(sheet, x, y)
+    wrote = [answer for answer in answers if answer.verb == "wrote"]
+    assert [answer for answer in answers if answer.stands] == wrote[-1:]
+    if painter < 0:
+        assert wrote == []
+    else:
+        assert wrote[-1].figure == painter
+        assert wrote[-1].figure_id == sheet.figures[painter].id
+    touched = {touch.figure for touch in why(sheet, x, y)}
+    assert {answer.figure for answer in wrote} == touched
+    if not answers:
+        assert nothing_happened(sheet, x, y)
+
+
+def test_a_filled_pixel_names_who_tested_it_and_who_refused_it() -> None:
+    sheet = example("pond").document.sheets[0]
+    answers = why_steps(sheet, 20, 20)
+    assert [answer.verb for answer in answers].count("wrote") == 1
+    assert [answer.verb for answer in answers].count("refused") == 3
+    assert all("(20, 20)" in answer.sentence for answer in answers)
+    steps = [answer.step for answer in answers]
+    assert steps == sorted(steps)
+
+
+def test_a_candidate_that_lost_is_an_answer() -> None:
+    sheet = example("line").document.sheets[0]
+    (answer,) = why_steps(sheet, 24, 12)
+    assert (answer.verb, answer.stands, answer.step) == ("refused", False, 4)
+
+
+def test_what_nothing_touched_is_answered_in_words() -> None:
+    line = example("line").document.sheets[0]
+    assert why_steps(line, 2, 2) == []
+    assert "passes 18 pixels away" in nothing_happened(line, 2, 2)
+    triangle = example("triangle").document.sheets[0]
+    assert "outside by even_odd" in nothing_happened(triangle, 0, 8)
+    assert "No figure" in nothing_happened(replace(line, figures=()), 2, 2)
+
+
+def test_a_question_is_given_up_when_nobody_waits() -> None:
+    with pytest.raises(Abandoned):
+        why_steps(example("pond").document.sheets[0], 20, 20, lambda: True)
+
+
+def test_steps_count_over_all_segments_of_a_polyline() -> None:
+    sheet = example("house").document.sheets[0]
+    walls = sheet.figures[1]
+    painter = painter_of(sheet)
+    _rows, columns = np.nonzero(painter == 1)
+    right = int(columns.max())
+    answers = why_steps(sheet, right, 10)
+    mine = [answer for answer in answers if answer.figure_id == walls.id]
+    # Up the left wall (18 pixels), along the top (28), and down the right wall.
+    assert mine[-1].step > 18 + 28
