@@ -1,13 +1,8 @@
 """The Compare dock: two algorithms on the same input, their counts side by side, and where they differ."""
 
-from typing import Any
-
 import numpy as np
 from PySide6.QtCore import (
-    QAbstractTableModel,
     QMimeData,
-    QModelIndex,
-    QPersistentModelIndex,
     Qt,
     QTimer,
     Signal,
@@ -30,10 +25,10 @@ from workbench.document.edits import set_algorithm, set_clippers
 from workbench.engine.recording import Recording
 from workbench.exchange.tables import Table, to_html, to_tsv
 from workbench.language import _
+from workbench.panels.compare_table import CompareModel
 from workbench.panels.compare_work import (
     Job,
     Outcome,
-    Row,
     choices,
     figures_compared,
     table_rows,
@@ -45,73 +40,11 @@ from workbench.session.session import Session
 from workbench.widgets.canvas_overlay import Overlay
 from workbench.widgets.empty_state import EmptyState
 from workbench.widgets.pixel_canvas import PixelCanvas
-from workbench.widgets.tokens import colour, theme_changed, tokens
-from workbench.widgets.type_faces import code_font
+from workbench.widgets.tokens import theme_changed, tokens
 
-Index = QModelIndex | QPersistentModelIndex
 ROW_PX = 20
 _REST_MS = 150
 _TALL_PX, _LEAST_PX = 400, 48
-
-
-class CompareModel(QAbstractTableModel):
-    """Label, first and second; ``stale`` greys them while others are awaited."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.titles: tuple[str, str] = ("", "")
-        self.rows: list[Row] = []
-        self.stale = False
-
-    def take(self, titles: tuple[str, str], rows: list[Row]) -> None:
-        """Show other rows."""
-        self.beginResetModel()
-        self.titles, self.rows, self.stale = titles, rows, False
-        self.endResetModel()
-
-    def grey(self) -> None:
-        """What is shown waits for something newer."""
-        if not self.stale and self.rows:
-            self.stale = True
-            self.dataChanged.emit(self.index(0, 0), self.index(len(self.rows) - 1, self.columnCount() - 1))
-
-    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """One for each number compared."""
-        return 0 if parent.isValid() else len(self.rows)
-
-    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """The label, and one or two algorithms."""
-        return 0 if parent.isValid() else 3 if self.titles[1] else 2
-
-    def headerData(
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        """The titles of the algorithms."""
-        if orientation != Qt.Orientation.Horizontal:
-            return None
-        if role == Qt.ItemDataRole.DisplayRole:
-            return ("", _("◪ First"), _("⬔ Second"))[section]
-        if role == Qt.ItemDataRole.ToolTipRole and section:
-            return self.titles[section - 1]
-        if role == Qt.ItemDataRole.ForegroundRole and section:
-            return colour(tokens().data[section - 1])
-        return None
-
-    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """One cell."""
-        value = self.rows[index.row()][index.column()]
-        if role == Qt.ItemDataRole.DisplayRole:
-            if isinstance(value, int):
-                return f"{value:,}".replace(",", "\N{NARROW NO-BREAK SPACE}")
-            return "" if value is None else value
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            side = Qt.AlignmentFlag.AlignRight if index.column() else Qt.AlignmentFlag.AlignLeft
-            return side | Qt.AlignmentFlag.AlignVCenter
-        if role == Qt.ItemDataRole.FontRole and index.column():
-            return code_font(12)
-        if role == Qt.ItemDataRole.ForegroundRole:
-            return colour(tokens().muted if self.stale or not index.column() else tokens().text)
-        return None
 
 
 class CompareView(QWidget):
