@@ -123,7 +123,7 @@ class FillView(FigureView):
             return
         known = len(self._depths.values), len(self._tested)
         more = self.plot.isVisible() and self._depths.advance(_STEPS)
-        heat = self.fill_card.heat.isVisible() and self.fill_card.heat.isChecked()
+        heat = self.fill_card.heat.isChecked() and not self.fill_card.heat.isHidden()
         more = (heat and self._tested.advance(_VISITS)) or more
         if more:
             self._slices.start()

@@ -142,7 +142,8 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("fill-letters", lambda window: _fill(window, "letters", 9)),
         ("fill-interiors", _inside),
         ("fill-pond", lambda window: _fill(window, "pond", 700)),
-        ("fill-heat", lambda window: _fill(window, "leak", 900, heat=True)),
+        ("fill-heat", lambda window: _fill(window, "missed", 150, heat=True)),
+        ("fill-leak", lambda window: _fill(window, "leak", 900)),
         ("fill-overflow", lambda window: _fill(window, "overflow", 1500)),
         ("fill-why", _why),
         ("fill-empty", _fill_empty),
@@ -187,8 +188,8 @@ def _inside(window: MainWindow) -> None:
 
 
 def _why(window: MainWindow) -> None:
-    _fill(window, "pond", 700)
-    window.session.update_state(pixel=(20, 20))
+    _fill(window, "missed", 60)
+    window.session.update_state(pixel=(8, 6))
 
 
 def _fill_empty(window: MainWindow) -> None:
