@@ -172,6 +172,22 @@ def test_a_selected_figure_is_moved_nudged_duplicated_and_deleted(qtbot, session
     assert len(session.sheet.figures) == 1
 
 
+@pytest.mark.parametrize("end", ["Enter", "another tool"])
+def test_the_run_follows_a_polyline_however_it_is_ended(qtbot, session, panel, end):
+    panel.choose_tool("polyline")
+    for place in ((5, 30), (15, 40), (25, 30)):
+        qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, *place))
+    if end == "Enter":
+        qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
+    else:
+        panel.choose_tool("select")
+    settle()
+    assert not session.run._held
+    if end == "Enter":
+        recorded(qtbot, session)
+        assert session.run.figure_id == session.sheet.figures[0].id
+
+
 def test_nudges_of_one_gesture_are_one_step_of_undo(qtbot, session, panel, line):
     qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 25, 14))
     settle()

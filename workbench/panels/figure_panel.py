@@ -164,6 +164,7 @@ class FigurePanel(QWidget):
     def choose_tool(self, name: str) -> None:
         """Take up the tool of this name."""
         self.tool.cancel()
+        self._hold(False)
         self.tool = next(tool for tool in self.tools if tool.name == name)
         for tool in self.tools:
             self._actions[tool.name].setChecked(tool is self.tool)
@@ -347,6 +348,7 @@ class FigurePanel(QWidget):
             self.session.run.toggle_play()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.tool.finish()
+            self._hold(self.gesturing)
             self._after_gesture()
         elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
             self.delete_selected()
