@@ -68,7 +68,7 @@ def fill_examples() -> list[Example]:
             _("A region that is missed"),
             _("Two rooms that touch only at a corner: 4-connected the second one stays empty."),
             "fill",
-            document_of(_("A region that is missed"), 27, 19, _missed("boundary_fill_4")),
+            document_of(_("A region that is missed"), 21, 20, _missed("boundary_fill_4")),
         ),
         Example(
             "overflow",
@@ -130,7 +130,7 @@ def _leak(algorithm: str) -> list[AnyFigure]:
 
 
 def _missed(algorithm: str) -> list[AnyFigure]:
-    walls = [(3, 3), (13, 3), (13, 9), (23, 9), (23, 16), (12, 16), (12, 10), (3, 10)]
+    walls = [(2, 2), (10, 2), (10, 9), (18, 9), (18, 17), (9, 17), (9, 10), (2, 10)]
     return [
         polyline(walls, 1, _("Two rooms"), True),
         seed_fill((6, 6), 2, 1, _("Fill"), algorithm),

@@ -53,6 +53,7 @@ class Swatches(QWidget):
         button.setToolTip(text)
         button.setAccessibleName(text)
         button.setAutoRaise(True)
+        button.setStyleSheet("padding: 0; border: none;")
         button.clicked.connect(lambda: self.chosen.emit(index))
         self._row.addWidget(button)
         return button
