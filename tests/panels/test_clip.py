@@ -15,6 +15,7 @@ from workbench.document.samples import blank_sheet, example
 from workbench.panels.clip import ClipPanel
 from workbench.panels.clip_run import clip_moment, edge_points
 from workbench.panels.clip_scene import outcomes, tally
+from workbench.rendering import frame_buffer
 from workbench.session.session import Session
 from workbench.widgets.canvas_drawing import Stroke, Word
 from workbench.widgets.option_buttons import OptionButtons
@@ -206,7 +207,7 @@ def strokes(panel, ink, width):
 
 
 def test_each_step_marks_its_edge_and_shows_what_is_left(qtbot, session, panel):
-    session.update_state(active="f1")
+    session.update_state(active="f6")
     recorded(qtbot, session)
     assert session.run.entry.slug == "cohen_sutherland"
     session.run.go(1)
@@ -221,7 +222,7 @@ def test_each_step_marks_its_edge_and_shows_what_is_left(qtbot, session, panel):
 
 
 def test_liang_barsky_shows_its_interval_shrinking(qtbot, session, panel):
-    session.update_state(active="f5")
+    session.update_state(active="f4")
     box = panel.card.clipper
     box.setCurrentIndex(box.findData("liang_barsky"))
     box.activated.emit(box.currentIndex())
@@ -276,7 +277,7 @@ def test_a_point_is_put_and_its_four_comparisons_are_stepped(qtbot, session, pan
 def test_asked_first_a_person_accepts_rejects_or_says_which_side(qtbot, session, panel):
     buttons = OptionButtons(session.run)
     qtbot.addWidget(buttons)
-    session.update_state(active="f1")
+    session.update_state(active="f6")
     recorded(qtbot, session)
     assert buttons.buttons == []
     session.update_state(ask_first=True)
@@ -301,8 +302,29 @@ def test_what_is_stepped_follows_the_panel_that_is_seen(qtbot, session, panel):
 
 
 def test_one_step_on_paper_has_the_construction_and_no_grips(qtbot, session, panel):
-    session.update_state(active="f1")
+    session.update_state(active="f6")
     recorded(qtbot, session)
     made = panel.view.on_paper(2)
     assert made.overlay.handles == ()
     assert any(isinstance(each, Stroke) and each.ink == "accent" for each in made.overlay.drawn)
+
+
+def test_the_hand_table_is_saved_with_every_digit(qtbot, session, panel, tmp_path):
+    session.update_state(active="f6")
+    recorded(qtbot, session)
+    target = tmp_path / "table.csv"
+    panel.exporter.write_table(target)
+    lines = target.read_text(encoding="utf-8").splitlines()
+    assert len(lines) == 1 + len(session.run.steps)
+    assert len(lines[0].split(",")) >= len(session.run.entry.columns)
+
+
+def test_a_point_outside_the_window_is_not_in_the_picture(qtbot, session, panel):
+    session.new(example("clip-lab").document)
+    painted = frame_buffer(session.sheet) != session.sheet.palette[0]
+    rows, columns = np.nonzero(painted)
+    assert painted.any()
+    assert columns.min() >= 8
+    assert columns.max() <= 38
+    assert rows.min() >= 10
+    assert rows.max() <= 30

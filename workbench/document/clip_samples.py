@@ -35,14 +35,14 @@ def clip_examples() -> list[Example]:
 
 
 def _lines() -> list[AnyFigure]:
-    """The first one is the course's, (10, 30) to (40, 0) at (0, 0) to (30, 20), moved by (8, 10)."""
+    """The front one is the course's, (10, 30) to (40, 0) at (0, 0) to (30, 20), moved by (8, 10)."""
     return [
-        line((18, 40), (48, 10), 1, name=_("Across a corner")),
         line((12, 16), (27, 13), 3, name=_("Inside")),
         line((41, 32), (48, 40), 4, name=_("Beyond one corner")),
         line((1, 26), (10, 36), 4, name=_("Past a corner")),
         line((3, 3), (48, 34), 2, name=_("From corner to corner")),
         line((13, 21), (13, 4), 5, name=_("Upright")),
+        line((18, 40), (48, 10), 1, name=_("Across a corner")),
     ]
 
 

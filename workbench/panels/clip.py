@@ -47,7 +47,7 @@ class ClipPanel(SteppedPanel):
     def show_example(self) -> None:
         """Open the lines at a window."""
         self.session.open_example(EXAMPLE)
-        self.session.update_state(active=self.session.sheet.figures[0].id)
+        self.session.update_state(active=self.session.sheet.figures[-1].id)
 
     def showEvent(self, event: QShowEvent) -> None:
         """A sheet without a window asks for one."""

@@ -56,7 +56,7 @@ class CompareView(QWidget):
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self._asked: tuple[object, ...] = ()
+        self._asked: tuple[object, ...] | None = None
         self.outcome: Outcome | None = None
         self.worker = CompareWorker(self)
         self.worker.answered.connect(self._show)
@@ -168,6 +168,9 @@ class CompareView(QWidget):
         if figure is None or not now:
             self._asked = ()
             return
+        if self._asked is None and self._clipping:
+            self._asked = ()
+            self.whole.setChecked(True)
         own = [slug for slug in others if self._clipping or slug in figure.algorithms]
         self._fill(self.first, sorted((now, *own), key=_order), now, "")
         none = _("Compare with ...") if others else _("No other algorithm")

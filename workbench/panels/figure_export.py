@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QMarginsF, QObject, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QFont, QGuiApplication, QImage, QPageSize, QPainter, QPdfWriter
@@ -119,6 +120,10 @@ class Exporter(QObject):
         """Ask for a file and save the pixels of the active figure in the order of painting."""
         self._ask(_("Save pixels"), _("pixels"), "CSV (*.csv)", self.write_pixels)
 
+    def save_table(self) -> None:
+        """Ask for a file and save the hand table of the run."""
+        self._ask(_("Save hand table"), _("table"), "CSV (*.csv)", self.write_table)
+
     def _ask(self, title: str, name: str, kinds: str, write: Callable[[Path], None]) -> None:
         chosen, kind = QFileDialog.getSaveFileName(self._owner, title, name, kinds)
         if not chosen:
@@ -150,6 +155,16 @@ class Exporter(QObject):
         figure = session.active_figure
         rows = [] if figure is None else pixel_rows(session.sheet, figure)
         path.write_text(to_csv(Table(("k", "x", "y"), rows)), encoding="utf-8", newline="")
+
+    def write_table(self, path: Path) -> None:
+        """Write the hand table, as far as it is recorded, with every digit. Raises OSError."""
+        run = self._view.stepped_run()
+        rows: list[tuple[Any, ...]] = []
+        columns: tuple[str, ...] = ()
+        if run is not None and run.steps is not None and run.entry is not None:
+            columns = run.entry.columns
+            rows = [run.steps[number].row for number in range(1, len(run.steps) + 1)]
+        path.write_text(to_csv(Table(columns, rows)), encoding="utf-8", newline="")
 
     def _write(self, path: Path, pages: Iterator[Page]) -> None:
         font = self._owner.font()

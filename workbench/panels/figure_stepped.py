@@ -56,6 +56,7 @@ class SteppedPanel(FigurePanel):
                 ("copy_picture", _("Copy picture"), "clipboard", "Ctrl+Shift+C", exporter.copy_picture),
                 ("save_step", _("Save this step..."), "image-square", "", exporter.save_step),
                 ("save_run", _("Save this run..."), "files", "", exporter.save_run),
+                ("save_table", _("Save hand table as CSV..."), "table", "", exporter.save_table),
                 ("save_pixels", _("Save pixels as CSV..."), "table", "", exporter.save_pixels),
                 *commands,
             ],
@@ -75,7 +76,7 @@ class SteppedPanel(FigurePanel):
     def show_now(self) -> None:
         """Canvases and card as the session is now, and what the panel shows beside them."""
         self.view.refresh(self.tool, self.handle_drag)
-        for name in ("save_run", "save_pixels"):
+        for name in ("save_run", "save_table", "save_pixels"):
             self._actions[name].setEnabled(self.session.active_figure is not None)
 
     def describe(self, x: int, y: int) -> str:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry
-from workbench.document.model import AnyFigure, Sheet
+from workbench.document.model import AnyFigure, Circle, Sheet
 from workbench.engine.limited import collect_limited
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering.clipping import clip_box, clipper_of
@@ -142,9 +142,9 @@ def viewport_bounds(sheet: Sheet) -> Bounds:
 
 
 def seen_bounds(sheet: Sheet, figure: AnyFigure) -> Bounds:
-    """As ``viewport_bounds``; and for a figure that no algorithm clips, within the clip window."""
+    """As ``viewport_bounds``; and for a figure whose calls are not clipped, within the clip window."""
     bounds, clip = viewport_bounds(sheet), clip_box(sheet)
-    if clip is None or clipper_of(sheet, figure):
+    if clip is None or (clipper_of(sheet, figure) and not isinstance(figure, Circle)):
         return bounds
     low_x, low_y, high_x, high_y = clip
     return (

@@ -148,8 +148,8 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("fill-why", _why),
         ("fill-empty", _fill_empty),
         ("fill-compare", _fill_compared),
-        ("clip-lines", lambda window: _clip(window, "clip", 1, 0)),
-        ("clip-interval", lambda window: _clip(window, "clip", 3, 4, "liang_barsky")),
+        ("clip-lines", lambda window: _clip(window, "clip", 1)),
+        ("clip-interval", lambda window: _clip(window, "clip", 3, 3, "liang_barsky")),
         ("clip-fork", lambda window: _clip(window, "clip-fork", 14)),
         ("clip-lab", lambda window: _clip(window, "clip-lab", 0)),
         ("clip-asked", _clip_asked),
@@ -238,7 +238,7 @@ def _clip(window: MainWindow, slug: str, step: int, number: int = -1, clipper: s
 
 
 def _clip_asked(window: MainWindow) -> None:
-    _clip(window, "clip", 1, 0)
+    _clip(window, "clip", 1)
     window.session.update_state(ask_first=True)
 
 
