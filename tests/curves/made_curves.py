@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Curve = tuple[Array, Array, int]
 
 coordinate = st.one_of(st.integers(-6, 6).map(float), st.floats(-1e3, 1e3, allow_subnormal=False))
 part_of_one = st.one_of(st.sampled_from([0.0, 0.5, 1.0, 1e-9, 1 - 1e-9]), st.floats(0, 1))
@@ -22,12 +23,12 @@ def point_lists(least: int, most: int) -> st.SearchStrategy[Array]:
 def knot_vectors(draw: st.DrawFn, count: int, degree: int, repeated: int | None = None) -> Array:
     """Ascending knots for ``count`` points, none repeated more than ``repeated`` (degree + 1) times inside.
 
-    Steps between them are 0, whole or between 1/16 and 4; the ends are free or repeated.
+    Steps between them are 0, 1e-9, whole or between 1/16 and 4; the ends are free or repeated.
     """
     most = degree + 1 if repeated is None else repeated
     knots: list[float] = [float(draw(st.integers(-3, 3)))]
     while len(knots) < count + degree + 1:
-        step = draw(st.one_of(st.sampled_from([0.0, 1.0, 2.0]), st.floats(0.0625, 4)))
+        step = draw(st.one_of(st.sampled_from([0.0, 1e-9, 1.0, 2.0]), st.floats(0.0625, 4)))
         if step == 0.0 and len(knots) >= most and knots[-most] == knots[-1]:
             step = 1.0
         knots.append(knots[-1] + step)
@@ -41,9 +42,7 @@ def knot_vectors(draw: st.DrawFn, count: int, degree: int, repeated: int | None 
 
 
 @st.composite
-def b_splines(
-    draw: st.DrawFn, degrees: tuple[int, int] = (1, 7), repeated: int | None = None
-) -> tuple[Array, Array, int]:
+def b_splines(draw: st.DrawFn, degrees: tuple[int, int] = (1, 7), repeated: int | None = None) -> Curve:
     """Points, knots and degree that fit each other."""
     degree = draw(st.integers(*degrees))
     points = draw(point_lists(degree + 1, degree + 6))
@@ -56,7 +55,7 @@ def inside(knots: Array, degree: int, part: float) -> float:
     return min(max(first + part * (last - first), first), last)
 
 
-def _with_parameter(found: tuple[tuple[Array, Array, int], float]) -> tuple[Any, ...]:
+def _with_parameter(found: tuple[Curve, float]) -> tuple[Any, ...]:
     (points, knots, degree), part = found
     return points, knots, degree, inside(knots, degree, part)
 

@@ -1,5 +1,6 @@
 """Curves: Bézier, B-splines and NURBS, and splines that pass through their points."""
 
+from workbench.algorithms.curves.b_spline_curve import b_spline_curve
 from workbench.algorithms.curves.basis_functions import (
     b_spline_point,
     basis_functions,
@@ -7,15 +8,76 @@ from workbench.algorithms.curves.basis_functions import (
     knot_spans,
     nurbs_point,
 )
+from workbench.algorithms.curves.bernstein import (
+    bernstein,
+    bezier_point,
+    elevate_degree,
+    hodograph,
+    subdivide,
+)
+from workbench.algorithms.curves.blossom import b_spline_to_bezier, elevate_b_spline
+from workbench.algorithms.curves.cardinal import cardinal
+from workbench.algorithms.curves.catmull_rom import catmull_rom
+from workbench.algorithms.curves.continuity import Continuity, continuity, joints
+from workbench.algorithms.curves.cubic_spline import clamped_cubic, natural_cubic, periodic_cubic
 from workbench.algorithms.curves.de_boor import de_boor
 from workbench.algorithms.curves.de_casteljau import de_casteljau
+from workbench.algorithms.curves.flatten_bezier import flatten_bezier
+from workbench.algorithms.curves.hermite import hermite
+from workbench.algorithms.curves.knot_insertion import b_spline_derivative, insert_knot, split_b_spline
+from workbench.algorithms.curves.knots import (
+    Counting,
+    closed_b_spline,
+    counting,
+    multiplicity,
+    open_uniform_knots,
+    uniform_knots,
+)
+from workbench.algorithms.curves.kochanek_bartels import kochanek_bartels
+from workbench.algorithms.curves.pieces import Pieces, piece_derivative, piece_points
+from workbench.algorithms.curves.rational import Nurbs, circle, homogeneous, projected
 
 __all__ = [
+    "Continuity",
+    "Counting",
+    "Nurbs",
+    "Pieces",
+    "b_spline_curve",
+    "b_spline_derivative",
     "b_spline_point",
+    "b_spline_to_bezier",
     "basis_functions",
     "basis_table",
+    "bernstein",
+    "bezier_point",
+    "cardinal",
+    "catmull_rom",
+    "circle",
+    "clamped_cubic",
+    "closed_b_spline",
+    "continuity",
+    "counting",
     "de_boor",
     "de_casteljau",
+    "elevate_b_spline",
+    "elevate_degree",
+    "flatten_bezier",
+    "hermite",
+    "hodograph",
+    "homogeneous",
+    "insert_knot",
+    "joints",
     "knot_spans",
+    "kochanek_bartels",
+    "multiplicity",
+    "natural_cubic",
     "nurbs_point",
+    "open_uniform_knots",
+    "periodic_cubic",
+    "piece_derivative",
+    "piece_points",
+    "projected",
+    "split_b_spline",
+    "subdivide",
+    "uniform_knots",
 ]

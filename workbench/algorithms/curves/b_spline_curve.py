@@ -46,7 +46,6 @@ def b_spline_curve(
         # Go on to the next knot span
         left = float(knots[span])
         right = float(knots[span + 1])
-        middle = 0.5 * (left + right)
         until = right if right < last else math.inf
         per_length = 0.0
         if left < right and u < until and k < samples:
@@ -55,7 +54,7 @@ def b_spline_curve(
 
         while u < until and per_length > 0.0 and k < samples:
             # Emit the next sample
-            v = (u - middle) * per_length
+            v = (u - left) * per_length - 0.5
             x = powers[degree, 0]
             y = powers[degree, 1]
             for power in range(degree - 1, -1, -1):
