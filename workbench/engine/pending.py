@@ -116,7 +116,7 @@ class Depths:
         return self._known <= len(steps)
 
 
-class Tested:
+class PixelTests:
     """Which pixel each step tested, found in slices; spans are not among them."""
 
     def __init__(self, steps: Steps) -> None:

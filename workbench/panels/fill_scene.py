@@ -22,6 +22,11 @@ MOST_WORDS = 24
 _SCAN_LINE = "scan_line_fill"
 
 
+def columns_of(run: Run) -> tuple[str, ...]:
+    """The headings of the run's hand table."""
+    return () if run.entry is None else run.entry.columns
+
+
 def event_of(run: Run) -> int | None:
     """The line event whose state is drawn: in detail the present one, else where the step did its work."""
     step, recording = run.step, run.recording
@@ -36,14 +41,10 @@ def event_of(run: Run) -> int | None:
 
 def scan_line(run: Run, width_px: int) -> list[Drawn]:
     """The present row, where the active edges cross it, and the spans filled on it so far."""
-    event, recording = event_of(run), run.recording
-    if event is None or recording is None:
+    recording, crossed = run.recording, _crossed(run)
+    if recording is None or crossed is None:
         return []
-    found = read(recording, event, ("active", "y"))
-    if found is None:
-        return []
-    y = float(found["y"])
-    crossings = sorted(float(edge.x) for edge in found["active"])
+    y, crossings = crossed
     reach = np.array([(-0.5, y), (width_px - 0.5, y)], np.float64)
     drawn: list[Drawn] = [Stroke(reach, "accent", 1.5, "dash")]
     rows = recording.emitted.array(0, _emitted_to(run))
@@ -58,6 +59,22 @@ def scan_line(run: Run, width_px: int) -> list[Drawn]:
             close = any(0 < abs(other - x) < 1.5 for other in crossings[: number - 1])
             drawn.append(Word(f"{x:.4g}", x, y, "text", 0, -1 if close else 1, carded=True))
     return drawn
+
+
+def _crossed(run: Run) -> tuple[float, list[float]] | None:
+    """The present row and where it is crossed: by the step's own table, in detail by the variables."""
+    event, recording, step = event_of(run), run.recording, run.step
+    if event is None or recording is None or step is None:
+        return None
+    found = read(recording, event, ("active", "y"))
+    tables = [] if run.detail else [table for title, table in step.tables.items() if "ctive" in title]
+    for columns, rows in tables:
+        if "x" in columns and "y" in columns_of(run) and step.row:
+            at = columns.index("x")
+            return float(step.row[columns_of(run).index("y")]), sorted(float(row[at]) for row in rows)
+    if found is None:
+        return None
+    return float(found["y"]), sorted(float(edge.x) for edge in found["active"])
 
 
 def _emitted_to(run: Run) -> int:

@@ -9,7 +9,7 @@ from PySide6.QtCore import QTimer
 
 from workbench.document.model import AnyFigure
 from workbench.engine.observation import Steps
-from workbench.engine.pending import Depths, Tested, calls_itself
+from workbench.engine.pending import Depths, PixelTests, calls_itself
 from workbench.panels.figure_compose import Composition, Progress
 from workbench.panels.figure_view import FigureView
 from workbench.panels.fill_card import FillCard
@@ -48,7 +48,7 @@ class FillView(FigureView):
         self.verdict: Verdict | None = None
         self._steps: Steps | None = None
         self._depths: Depths | None = None
-        self._tested: Tested | None = None
+        self._tested: PixelTests | None = None
         self._slices = QTimer(canvas)
         self._slices.setSingleShot(True)
         self._slices.setInterval(_SLICE_MS)
@@ -113,7 +113,7 @@ class FillView(FigureView):
         if steps is not self._steps:
             self._steps = steps
             self._depths = None if steps is None else Depths(steps)
-            self._tested = None if steps is None else Tested(steps)
+            self._tested = None if steps is None else PixelTests(steps)
         if steps is not None and not self._slices.isActive():
             self._slices.start()
 

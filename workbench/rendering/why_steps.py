@@ -13,7 +13,7 @@ from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure, Polygon, Sheet
 from workbench.engine.compiled import Stop
 from workbench.engine.observation import Step, Steps
-from workbench.engine.pending import Tested
+from workbench.engine.pending import PixelTests
 from workbench.engine.recorder import LIMIT, Recorder, record
 from workbench.engine.touches import StepTouch, touches
 from workbench.language import _, ngettext
@@ -121,7 +121,7 @@ def _touches(call: Call, steps: Steps, x: int, y: int) -> list[StepTouch]:
             found = _lost(steps, (x, y))
         return found[-MOST:]
     found = []
-    tested = Tested(steps)
+    tested = PixelTests(steps)
     while tested.advance(1000):
         pass
     rows = emitted(call).reshape(-1, 2)
