@@ -302,3 +302,12 @@ def test_every_tool_has_a_key_of_its_own(qtbot, blank):
     assert blank.tool.name == "seed"
     qtbot.keyClick(blank.canvas, Qt.Key.Key_I)
     assert blank.tool.name == "inside"
+
+
+def test_a_panel_that_is_not_seen_takes_no_keys(qtbot, blank):
+    unseen = FillPanel(blank.session)
+    qtbot.addWidget(unseen)
+    assert not any(action.isEnabled() for action in unseen.actions())
+    assert any(action.isEnabled() for action in blank.actions())
+    blank.hide()
+    assert not any(action.isEnabled() for action in blank.actions())

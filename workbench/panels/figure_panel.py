@@ -88,6 +88,7 @@ class FigurePanel(QWidget):
             column.addWidget(self._button(self._actions[name]))
         self._connect_canvas()
         self.choose_tool("select" if self.session.sheet.figures else self.first_tool)
+        self._enable_actions(False)
 
     # What a panel says of itself
 
@@ -358,13 +359,16 @@ class FigurePanel(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """The keys of this panel work while it is seen."""
         super().showEvent(event)
-        for action in self._actions.values():
-            action.setEnabled(True)
+        self._enable_actions(True)
         self._take_tool_when_empty()
         self.refresh()
 
     def hideEvent(self, event: QHideEvent) -> None:
         """And only then."""
         super().hideEvent(event)
+        self._enable_actions(False)
+
+    def _enable_actions(self, on: bool) -> None:
+        """Several panels have a command on the same key; only the one that is seen may take it."""
         for action in self._actions.values():
-            action.setEnabled(False)
+            action.setEnabled(on)
