@@ -56,7 +56,8 @@ class CompareView(QWidget):
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self._asked: tuple[object, ...] | None = None
+        self._asked: tuple[object, ...] = ()
+        self._was_whole = False
         self.outcome: Outcome | None = None
         self.worker = CompareWorker(self)
         self.worker.answered.connect(self._show)
@@ -80,7 +81,7 @@ class CompareView(QWidget):
             box.setAccessibleName(name)
             box.setToolTip(tip)
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            box.setMinimumContentsLength(10)
+            box.setMinimumContentsLength(4)
             box.activated.connect(choose)
         self.whole = QCheckBox(_("Whole sheet"))
         self.whole.setToolTip(_("Count every figure of the sheet that the algorithm works on"))
@@ -140,6 +141,8 @@ class CompareView(QWidget):
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)
         outer.addWidget(self.state)
+        # Less than its parts would like: in a narrow window the canvas needs the room more.
+        self.setMinimumWidth(200)
         self.setFocusProxy(self.first)
 
     # What is compared
@@ -168,8 +171,8 @@ class CompareView(QWidget):
         if figure is None or not now:
             self._asked = ()
             return
-        if self._asked is None and self._clipping:
-            self._asked = ()
+        if self._clipping and not self._was_whole:
+            self._was_whole = True
             self.whole.setChecked(True)
         own = [slug for slug in others if self._clipping or slug in figure.algorithms]
         self._fill(self.first, sorted((now, *own), key=_order), now, "")

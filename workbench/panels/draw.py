@@ -36,7 +36,7 @@ class DrawPanel(SteppedPanel):
 
     def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
         """The plot of the distances."""
-        title = _("Distance from the ideal curve")
+        title = _("Distance")
         return [("distance", title, self.plot, Qt.DockWidgetArea.BottomDockWidgetArea)]
 
     def show_example(self) -> None:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 THEMES = ("light", "dark")
 _SETTLE_MS = 700
 _LIMIT_MS = 120_000
+_REGION_2 = 14
 _SCALES = (0.5, 4.0)
 _SIZES = ((320, 240), (7680, 4320))
 
@@ -101,6 +102,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
             application.exit(2)
             return
         print(path, flush=True)
+        patience.start()
         del steps[0]
         visit()
 
@@ -122,7 +124,11 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
 
     building.built.connect(visit)
     window.first_frame.connect(building.start)
-    QTimer.singleShot(_LIMIT_MS, give_up)
+    patience = QTimer()
+    patience.setSingleShot(True)
+    patience.setInterval(_LIMIT_MS)
+    patience.timeout.connect(give_up)
+    patience.start()
     window.show()
     status = application.exec()
     building.wait()
@@ -135,6 +141,11 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("home", lambda window: window.go("home")),
         ("draw", _draw),
         ("draw-stepped", lambda window: _draw(window, 5)),
+        ("draw-compared", _compared),
+        ("draw-side-by-side", lambda window: _compared(window, beside=True)),
+        ("draw-ellipse", _ellipse),
+        ("draw-drift", _drift),
+        ("draw-tube", lambda window: (_draw(window, 6), window.views.swap())),
         ("draw-hint", _hint),
         ("draw-question", _question),
         ("draw-empty", _empty),
@@ -145,6 +156,7 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("fill-heat", lambda window: _fill(window, "missed", 150, heat=True)),
         ("fill-leak", lambda window: _fill(window, "leak", 900)),
         ("fill-overflow", lambda window: _fill(window, "overflow", 1500)),
+        ("fill-depth", _depth),
         ("fill-why", _why),
         ("fill-empty", _fill_empty),
         ("fill-compare", _fill_compared),
@@ -155,6 +167,7 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("clip-asked", _clip_asked),
         ("clip-empty", lambda window: (window.session.new(), window.go("clip"))),
         ("display", _display),
+        ("display-beam", _beam),
         ("palette", _palette),
         ("settings", lambda window: window.go("settings")),
         ("keys", lambda window: window.go("keys")),
@@ -167,6 +180,66 @@ def _draw(window: MainWindow, step: int = 0) -> None:
     window.open_example("line")
     figures = window.session.sheet.figures
     window.session.update_state(active=figures[0].id, selection=(figures[0].id,), step=step)
+
+
+def _raise(window: MainWindow, name: str) -> None:
+    """Bring a dock of the workspace to the front."""
+    docks = window.arrangements.docks(window.place)
+    next(dock for dock in docks if dock.objectName().endswith(name)).raise_()
+
+
+def _compared(window: MainWindow, beside: bool = False) -> None:
+    """A line that passes half way between pixels, by two algorithms that fall to different sides."""
+    from workbench.document.edits import add_figure
+    from workbench.document.model import Line, WorldPoint
+    from workbench.document.samples import blank_sheet
+
+    session = window.session
+    session.new(blank_sheet(40, 28))
+    line = Line("f1", (WorldPoint("p1", 34, 24), WorldPoint("p2", 6, 3)), "bresenham_line", 1)
+    other = Line("f2", (WorldPoint("p3", 36, 20), WorldPoint("p4", 4, 4)), "bresenham_line", 2)
+    for figure in (line, other):
+        session.apply(add_figure(session.sheet.id, figure), _("Draw a line"))
+    session.undo_stack.setClean()
+    window.go("draw")
+    session.update_state(active="f2", selection=("f2",), compare="dda_line")
+    window.panels("draw")[0].card.side_by_side.setChecked(beside)
+
+
+def _ellipse(window: MainWindow) -> None:
+    """The step at which an ellipse goes over from one region to the other."""
+    window.open_example("circles")
+    session = window.session
+    ellipse = next(figure.id for figure in session.sheet.figures if figure.algorithm == "midpoint_ellipse")
+    session.update_state(active=ellipse, selection=(ellipse,), step=_REGION_2)
+    _raise(window, ".hand_table")
+
+
+def _drift(window: MainWindow) -> None:
+    """A long line in fixed point, and how far it drifts from the ideal one."""
+    from workbench.document.edits import add_figure
+    from workbench.document.model import Line, WorldPoint
+    from workbench.document.samples import blank_sheet
+
+    session = window.session
+    session.new(blank_sheet(220, 140))
+    line = Line("f1", (WorldPoint("p1", 6, 20), WorldPoint("p2", 213, 117)), "dda_line_fixed", 1)
+    session.apply(add_figure(session.sheet.id, line), _("Draw a line"))
+    session.undo_stack.setClean()
+    window.go("draw")
+    session.update_state(active="f1", selection=("f1",), compare="dda_line")
+    window.panels("draw")[0].card.side_by_side.setChecked(False)
+    _raise(window, ".distance")
+
+
+def _beam(window: MainWindow) -> None:
+    """So slow that the beam is caught in the middle of a line."""
+    from msgspec.structs import replace
+
+    window.open_example("house")
+    tube = replace(window.session.state.tube, slow_motion=20_000.0, phosphor="P7")
+    window.session.update_state(tube=tube)
+    window.go("display")
 
 
 def _fill(window: MainWindow, slug: str, step: int, heat: bool = False) -> None:
@@ -185,6 +258,15 @@ def _inside(window: MainWindow) -> None:
     panel.choose_tool("inside")
     panel.inside.point = (25.0, 20.0)
     panel.refresh()
+
+
+def _depth(window: MainWindow) -> None:
+    from PySide6.QtWidgets import QDockWidget
+
+    _fill(window, "missed", 100)
+    dock = window.findChild(QDockWidget, "fill.depth")
+    if isinstance(dock, QDockWidget):
+        dock.raise_()
 
 
 def _why(window: MainWindow) -> None:
