@@ -19,6 +19,7 @@ from workbench.rendering import frame_buffer
 from workbench.session.session import Session
 from workbench.widgets.canvas_drawing import Stroke, Word
 from workbench.widgets.option_buttons import OptionButtons
+from workbench.widgets.sentence_view import SentenceView
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -275,8 +276,9 @@ def test_a_point_is_put_and_its_four_comparisons_are_stepped(qtbot, session, pan
 
 
 def test_asked_first_a_person_accepts_rejects_or_says_which_side(qtbot, session, panel):
-    buttons = OptionButtons(session.run)
+    buttons, told = OptionButtons(session.run), SentenceView(session.run)
     qtbot.addWidget(buttons)
+    qtbot.addWidget(told)
     session.update_state(active="f6")
     recorded(qtbot, session)
     assert buttons.buttons == []
@@ -288,9 +290,11 @@ def test_asked_first_a_person_accepts_rejects_or_says_which_side(qtbot, session,
     settle()
     assert (session.run.right, session.run.wrong) == (1, 0)
     by_text = {button.text(): button for button in buttons.buttons}
+    assert told.plain.startswith("Right. ")
     qtbot.mouseClick(by_text["Reject"], LEFT)
     settle()
     assert (session.run.right, session.run.wrong) == (1, 1)
+    assert told.plain.startswith("Not so. ")
 
 
 def test_what_is_stepped_follows_the_panel_that_is_seen(qtbot, session, panel):

@@ -278,11 +278,12 @@ class CompareView(QWidget):
         self.said.emit(_("{rows:,} rows copied.").format(rows=len(rows)))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """The difference picture stands under the table where there is room, else beside it."""
+        """The difference picture stands under the table where there is room, else beside it, or not at all."""
         super().resizeEvent(event)
-        tall = self.height() >= _TALL_PX
+        tall, narrow = self.height() >= _TALL_PX, self.width() < _NARROW_PX
         direction = QBoxLayout.Direction
-        self._found.setDirection(direction.TopToBottom if tall else direction.LeftToRight)
+        self._found.setDirection(direction.TopToBottom if tall or narrow else direction.LeftToRight)
+        self.difference.setVisible(tall or not narrow)
 
     def showEvent(self, event: QShowEvent) -> None:
         """What was not followed unseen is made up for."""

@@ -41,6 +41,9 @@ class SentenceView(QLabel):
         self.setFixedHeight(2 * self.fontMetrics().lineSpacing() + 8)
         self.linkActivated.connect(self._activated)
         self.linkHovered.connect(self._hovered)
+        self._score = (run.right, run.wrong)
+        self._verdict: tuple[int, bool] | None = None
+        run.asked.connect(self._judge)
         for signal in (run.changed, run.moved, run.grown, run.asked):
             signal.connect(self.refresh)
         theme.changed.connect(self._write)
@@ -64,7 +67,25 @@ class SentenceView(QLabel):
         """The sentence as it is read aloud."""
         return self._plain
 
+    def _judge(self) -> None:
+        """An answer was counted, or asking begins or ends."""
+        before, self._score = self._score, (self._run.right, self._run.wrong)
+        if sum(self._score) > sum(before):
+            self._verdict = self._run.step_number, self._score[0] > before[0]
+        else:
+            self._verdict = None
+
     def _words(self) -> tuple[Part, ...]:
+        run = self._run
+        if self._verdict is not None and self._verdict[0] == run.step_number and run.entry is not None:
+            said = _("Right. ") if self._verdict[1] else _("Not so. ")
+            score = _(" {right} right, {wrong} wrong.").format(right=run.right, wrong=run.wrong)
+            rest = (Part(score, None),) if not run.waiting else ()
+            return (Part(said, None), *self._told(), *rest)
+        return self._told()
+
+    def _told(self) -> tuple[Part, ...]:
+        """What the run says, and what it asks."""
         run = self._run
         if run.entry is None:
             return (Part(_("Draw a figure to see how its algorithm makes it, step by step."), None),)
