@@ -44,7 +44,7 @@ from workbench.widgets.tokens import theme_changed, tokens
 
 ROW_PX = 20
 _REST_MS = 150
-_TALL_PX, _LEAST_PX = 400, 48
+_TALL_PX, _NARROW_PX, _LEAST_PX = 400, 330, 48
 
 
 class CompareView(QWidget):
@@ -238,8 +238,8 @@ class CompareView(QWidget):
 
     def _show_difference(self) -> None:
         outcome = self.outcome
-        there = outcome is not None and outcome.classes is not None
-        self.difference.setVisible(there)
+        room = self.height() >= _TALL_PX or self.width() >= _NARROW_PX
+        self.difference.setVisible(room and outcome is not None and outcome.classes is not None)
         if outcome is None or outcome.classes is None:
             return
         paper = packed(tokens().canvas)
@@ -278,12 +278,12 @@ class CompareView(QWidget):
         self.said.emit(_("{rows:,} rows copied.").format(rows=len(rows)))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """The difference picture stands under the table where there is room, else beside it, or not at all."""
+        """The difference picture stands where there is room: under the table, beside it, or not at all."""
         super().resizeEvent(event)
         tall, narrow = self.height() >= _TALL_PX, self.width() < _NARROW_PX
         direction = QBoxLayout.Direction
         self._found.setDirection(direction.TopToBottom if tall or narrow else direction.LeftToRight)
-        self.difference.setVisible(tall or not narrow)
+        self._show_difference()
 
     def showEvent(self, event: QShowEvent) -> None:
         """What was not followed unseen is made up for."""
