@@ -22,20 +22,13 @@ MOST_WORDS = 24
 _SCAN_LINE = "scan_line_fill"
 
 
-def columns_of(run: Run) -> tuple[str, ...]:
-    """The headings of the run's hand table."""
-    return () if run.entry is None else run.entry.columns
-
-
 def event_of(run: Run) -> int | None:
-    """The line event whose state is drawn: in detail the present one, else where the step did its work."""
+    """The line event whose state is drawn: in detail the present one, else the last of the step."""
     step, recording = run.step, run.recording
     if step is None or recording is None or not len(recording):
         return None
     if run.detail:
         return min(run.position, len(recording) - 1)
-    if step.emitted_to > step.emitted_from and run.entry is not None and run.entry.slug == _SCAN_LINE:
-        return recording.event_at(step.emitted_to - 1)
     return max(min(step.last, len(recording) - 1), 0)
 
 
@@ -62,16 +55,16 @@ def scan_line(run: Run, width_px: int) -> list[Drawn]:
 
 
 def _crossed(run: Run) -> tuple[float, list[float]] | None:
-    """The present row and where it is crossed: by the step's own table, in detail by the variables."""
-    event, recording, step = event_of(run), run.recording, run.step
-    if event is None or recording is None or step is None:
+    """The present row and where it is crossed, as it was before the first step of the row moved anything."""
+    step, steps, recording = run.step, run.steps, run.recording
+    if step is None or steps is None or recording is None or step.number == 0:
         return None
-    found = read(recording, event, ("active", "y"))
-    tables = [] if run.detail else [table for title, table in step.tables.items() if "ctive" in title]
-    for columns, rows in tables:
-        if "x" in columns and "y" in columns_of(run) and step.row:
-            at = columns.index("x")
-            return float(step.row[columns_of(run).index("y")]), sorted(float(row[at]) for row in rows)
+    found = read(recording, step.first, ("active", "y"))
+    for number in range(step.number - 1, max(step.number - MOST_WORDS, 0), -1):
+        before = read(recording, steps.span(number)[0], ("active", "y"))
+        if found is None or before is None or before["y"] != found["y"]:
+            break
+        found = before
     if found is None:
         return None
     return float(found["y"]), sorted(float(edge.x) for edge in found["active"])

@@ -261,12 +261,10 @@ def _inside(window: MainWindow) -> None:
 
 
 def _depth(window: MainWindow) -> None:
-    from PySide6.QtWidgets import QDockWidget
-
     _fill(window, "missed", 100)
-    dock = window.findChild(QDockWidget, "fill.depth")
-    if isinstance(dock, QDockWidget):
-        dock.raise_()
+    for dock in window.arrangements.docks("fill"):
+        if dock.objectName() == "fill.depth":
+            dock.raise_()
 
 
 def _why(window: MainWindow) -> None:
