@@ -317,3 +317,22 @@ def test_a_theme_taken_later_shows_everywhere(run: Run, bar: Steps, qtbot: QtBot
         ]
     finally:
         theme.use(LIGHT)
+
+
+def test_letters_below_a_letter_stand_below_it(run: Run, bar: Steps, qtbot: QtBot) -> None:
+    follow(qtbot, run, "midpoint_ellipse", 20, 14, 9, 6)
+    run.first()
+    assert "r_x" in bar.sentence.plain
+    assert "r<sub>x</sub>" in bar.sentence.text()
+    assert "r_x" not in bar.sentence.text()
+
+
+def test_a_hand_table_that_is_opened_late_shows_its_current_row(run: Run, qtbot: QtBot) -> None:
+    table = HandTable(run)
+    qtbot.addWidget(table)
+    run.last()
+    table.resize(300, 120)
+    table.show()
+    qtbot.waitExposed(table)
+    rectangle = table.view.visualRect(table.model.index(run.position - 1, 0))
+    assert table.view.viewport().rect().contains(rectangle)

@@ -28,7 +28,7 @@ from workbench.session.session import Session
 from workbench.widgets.icons import set_icon
 from workbench.widgets.number_field import NumberField
 
-WIDTH_PX, NARROW_PX = 248, 560
+WIDTH_PX, NARROW_PX = 248, 640
 _MOST_POINTS = 4
 
 

@@ -12,7 +12,7 @@ from PySide6.QtCore import (
     QTimer,
     Signal,
 )
-from PySide6.QtGui import QAction, QFont, QGuiApplication, QKeySequence
+from PySide6.QtGui import QAction, QFont, QGuiApplication, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
 from workbench.engine import background
@@ -194,9 +194,18 @@ class HandTable(QWidget):
         """Follow the run: new rows, the current one in sight."""
         before = self.model.current
         self.model.update()
+        if self.model.current != before:
+            self._show_current()
+
+    def _show_current(self) -> None:
         current = self.model.current
-        if current and current != before and current <= self.model.rowCount():
+        if current and current <= self.model.rowCount():
             self.view.scrollTo(self.model.index(current - 1, 0))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The current row stays in sight, also when the table first gets its place."""
+        super().resizeEvent(event)
+        self._show_current()
 
     def copy(self) -> None:
         """Put the whole table on the clipboard, as text with tabs and as HTML."""

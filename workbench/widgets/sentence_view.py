@@ -1,5 +1,6 @@
 """Two fixed lines that say what this step does; the numbers in them are links."""
 
+import re
 from html import escape
 
 from PySide6.QtCore import Qt, Signal
@@ -10,6 +11,9 @@ from workbench.engine.sentences import Part
 from workbench.language import _
 from workbench.session.run import Run
 from workbench.widgets.tokens import TITLE_PX, theme, tokens
+
+# One letter with one below it, as in r_x; two_dy is a name of the program.
+_SUBSCRIPT = re.compile(r"(?<![A-Za-z_])([A-Za-z])_([a-z0-9])(?![A-Za-z0-9_])")
 
 
 class SentenceView(QLabel):
@@ -108,7 +112,7 @@ class SentenceView(QLabel):
         accent = tokens().accent
         pieces = []
         for number, part in enumerate(self._parts):
-            text = escape(part.text)
+            text = _SUBSCRIPT.sub(r"\1<sub>\2</sub>", escape(part.text))
             if part.link is None:
                 pieces.append(text)
             else:
