@@ -1,6 +1,7 @@
 """Does jobs of comparison on a thread of its own; an answer to anything but the last question is dropped."""
 
 import threading
+from contextlib import suppress
 
 from PySide6.QtCore import QObject, Signal
 
@@ -41,12 +42,16 @@ class CompareWorker(QObject):
             self._stop = None
 
     def _work(self, token: int, job: Job, stop: Stop) -> None:
+        outcome, problem = None, ""
         try:
-            self._done.emit(token, outcome_of(job, stop), "")
+            outcome = outcome_of(job, stop)
         except Stopped:
             return
-        except Exception as problem:
-            self._done.emit(token, None, str(problem))
+        except Exception as error:
+            problem = str(error)
+        # Whoever asked may be gone by now.
+        with suppress(RuntimeError):
+            self._done.emit(token, outcome, problem)
 
     def _take(self, token: int, outcome: Outcome | None, problem: str) -> None:
         if token != self._token:
