@@ -334,5 +334,5 @@ def test_a_hand_table_that_is_opened_late_shows_its_current_row(run: Run, qtbot:
     table.resize(300, 120)
     table.show()
     qtbot.waitExposed(table)
-    rectangle = table.view.visualRect(table.model.index(run.position - 1, 0))
-    assert table.view.viewport().rect().contains(rectangle)
+    last = table.model.index(run.position - 1, 0)
+    qtbot.waitUntil(lambda: table.view.viewport().rect().contains(table.view.visualRect(last)), timeout=5_000)

@@ -174,6 +174,10 @@ class HandTable(QWidget):
         self._later.setSingleShot(True)
         self._later.setInterval(_GROW_MS)
         self._later.timeout.connect(self.refresh)
+        # The view has its own new size only once the layout has been done.
+        self._placed = QTimer(self)
+        self._placed.setSingleShot(True)
+        self._placed.timeout.connect(self._show_current)
         theme.changed.connect(self.view.viewport().update)
         self._take_run()
 
@@ -205,7 +209,7 @@ class HandTable(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """The current row stays in sight, also when the table first gets its place."""
         super().resizeEvent(event)
-        self._show_current()
+        self._placed.start()
 
     def copy(self) -> None:
         """Put the whole table on the clipboard, as text with tabs and as HTML."""
