@@ -24,6 +24,11 @@ def windows(draw: st.DrawFn, numbers: st.SearchStrategy[float] = coordinates) ->
     return xs[0], ys[0], xs[1] + width, ys[1] + height
 
 
+def next_digit(number: float, towards: float) -> float:
+    """The number beside this one; beside 0 as far off as beside 1: products of smaller ones would vanish."""
+    return math.nextafter(number, towards) if number else math.copysign(2.0**-52, towards)
+
+
 @st.composite
 def cases(draw: st.DrawFn) -> tuple[Line, Window]:
     """A line and a window: any; with ends on its edges or a digit beside them; near a corner."""
@@ -38,8 +43,8 @@ def cases(draw: st.DrawFn) -> tuple[Line, Window]:
             edge = st.sampled_from([low, high])
             return st.one_of(
                 edge,
-                edge.map(lambda number: math.nextafter(number, math.inf)),
-                edge.map(lambda number: math.nextafter(number, -math.inf)),
+                edge.map(lambda number: next_digit(number, math.inf)),
+                edge.map(lambda number: next_digit(number, -math.inf)),
                 st.just((low + high) / 2),
                 coordinates,
             )

@@ -42,6 +42,7 @@ def intersection(
 ) -> tuple[float, float]:
     """Where the line from (x0, y0) to (x1, y1) crosses ``edge``, which has one end on either side.
 
+    The product comes before the quotient: of whole numbers it is exact, and a touched corner is not missed.
     Source: Hearn and Baker, Computer Graphics, C Version, section 6-7.
     """
     # Find the intersection

@@ -138,7 +138,7 @@ ENTRY = Entry(
         "Four divisions at most, and two intersections, both of them ends of what is visible.",
         "Clipped again, the line stays as it is; mirrored or with x and y changed over, so is what is left.",
         "Of lines and windows of whole numbers nothing visible is lost, not even the touch of a corner.",
-        "It finds what Cohen-Sutherland finds, to a relative 1e-9.",
+        "It finds what Cohen-Sutherland finds, to a relative 1e-9, but along an edge a rounding away.",
     ),
     not_laws=(
         "A line that passes a corner of the window by less than a rounding is told rightly: it may be lost, "
