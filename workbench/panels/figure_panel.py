@@ -187,6 +187,7 @@ class FigurePanel(QWidget):
         self._waiting = False
         if self.isVisible():
             self.session.update_state(stepped=self.stepped)
+            self.zoom_text.emit(f"{self.canvas.zoom_percent:.0f} %")
         self.show_now()
         self.empty.setVisible(not self.session.sheet.figures and not self.gesturing)
         for name in ("delete", "duplicate", "forwards", "backwards"):
