@@ -119,3 +119,19 @@ def test_calls_under_way_are_the_path_to_the_pixel() -> None:
     assert len(path) == recording.depths.max() + 1
     assert path[0] == (0, 1)
     assert all(abs(a[0] - b[0]) + abs(a[1] - b[1]) == 1 for a, b in pairwise(path))
+
+
+def test_a_fill_by_spans_tests_where_its_runs_look() -> None:
+    picture = np.zeros((3, 5), np.int64)
+    entry = catalogue.get("boundary_fill_spans")
+    recording = record(entry.function, picture, 2, 0, 2, 1)
+    steps = Steps(entry, recording)
+    tests = PixelTests(steps)
+    while tests.advance(3):
+        pass
+    counts = tests.counts(len(steps), (5, 3))
+    # The seed's row is walked from the seed both ways, so that the seed is tested twice.
+    assert counts[0].tolist() == [1, 1, 2, 1, 1]
+    # Each further row is entered at its left end, by the look back and then by the run.
+    assert counts[1].tolist() == [2, 1, 1, 1, 1]
+    assert counts[2].tolist() == [2, 1, 1, 1, 1]

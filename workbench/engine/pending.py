@@ -116,8 +116,14 @@ class Depths:
         return self._known <= len(steps)
 
 
+_RUNS = ("run_left", "run_right")
+
+
 class PixelTests:
-    """Which pixel each step tested, found in slices; spans are not among them."""
+    """Which pixel each step tested, found in slices.
+
+    A text that fills by spans tests in the loops of its runs: every pass through their header is one test.
+    """
 
     def __init__(self, steps: Steps) -> None:
         self._steps = steps
@@ -131,11 +137,34 @@ class PixelTests:
 
     def advance(self, most: int) -> bool:
         """Look at up to ``most`` further visits; True while there are more."""
+        recording = self._steps.recording
+        if any(text.name in _RUNS for text in recording.texts):
+            return self._advance_runs(recording, 4 * most)
         found, self._looked, more = self._steps.considered(self._looked, most)
         for event, cell in found:
             self._step.append(self._steps.step_of(event))
             self._cells.append(cell)
         return more
+
+    def _advance_runs(self, recording: Recording, most: int) -> bool:
+        headers = {
+            number: text.function.__code__.co_firstlineno + 2
+            for number, text in enumerate(recording.texts)
+            if text.name in _RUNS
+        }
+        last = min(self._looked + most, len(recording))
+        for event in range(self._looked, last):
+            frame = recording.frame_column[event]
+            if recording.line_column[event] == headers.get(recording.frame_texts[frame]):
+                found = read(recording, event, ("x",))
+                parent = recording.frame_parents[frame]
+                above = recording.columns(recording.frame_depths[parent], recording.frame_texts[parent])
+                y = above["y"].read(recording.frame_starts[parent], 2 * event)
+                if found is not None and y is not MISSING:
+                    self._step.append(self._steps.step_of(event))
+                    self._cells.append((int(found["x"]), int(y)))
+        self._looked = last
+        return last < len(recording)
 
     def counts(self, number: int, size: tuple[int, int]) -> NDArray[np.int64]:
         """(height, width) how often each pixel was tested up to step ``number``."""

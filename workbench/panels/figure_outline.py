@@ -13,6 +13,7 @@ from workbench.rendering.mapping import device_radii
 from workbench.widgets.canvas_overlay import Handle
 
 Curve = NDArray[np.float64]
+_MOST_NAMED = 10
 _AREAS = ("scan_line_fill", "circle_fill", "ellipse_fill")
 
 
@@ -74,7 +75,7 @@ def handles(sheet: Sheet, figure: AnyFigure, held: str = "") -> list[Handle]:
     made: list[Handle] = []
 
     def add(address: str, name: str, x: float, y: float) -> None:
-        shown = "" if address == held else name
+        shown = "" if address == held or len(figure.points_world) > _MOST_NAMED else name
         made.append(Handle(address, shown, round(x, 6), round(y, 6), address == held))
 
     for number, point in enumerate(figure.points_world):
