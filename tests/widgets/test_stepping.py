@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QLineEdit, QSlider, QTableView, QWidget
 from pytestqt.qtbot import QtBot
@@ -15,7 +15,7 @@ from workbench.session.run import Run
 from workbench.widgets.hand_table import HandTable
 from workbench.widgets.source_view import SourceView
 from workbench.widgets.step_bar import Steps
-from workbench.widgets.structure_table import StructureTable
+from workbench.widgets.structure_table import StructureModel, StructureTable
 from workbench.widgets.tokens import DARK, LIGHT, theme
 from workbench.widgets.variable_table import VariableTable, value_text
 
@@ -188,6 +188,14 @@ def test_structures_follow_the_step(run: Run, qtbot: QtBot) -> None:
     stack = [tuple(map(str, item)) for item in run.step.tables[next(iter(table.parts))][1]]  # type: ignore[union-attr]
     assert list(zip(column(view, 0), column(view, 1), strict=True)) == stack
     assert not table.isHidden()
+
+
+def test_structures_of_another_algorithm_go_with_it(run: Run, qtbot: QtBot) -> None:
+    table = StructureTable(run)
+    for slug in ("boundary_fill_4", "bresenham_line", "boundary_fill_4"):
+        follow(qtbot, run, slug, *catalogue.get(slug).example)
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert len(table.findChildren(QTableView)) == len(table.findChildren(StructureModel)) == len(table.parts)
 
 
 @pytest.fixture

@@ -82,7 +82,7 @@ class StructureTable(QWidget):
         if titles != list(self.parts):
             for label, view, _model in self.parts.values():
                 label.deleteLater()
-                view.deleteLater()
+                view.deleteLater()  # and with it its model
             self.parts = {title: self._part(title) for title in titles}
         self.setVisible(bool(titles))
         self.refresh()
@@ -91,8 +91,8 @@ class StructureTable(QWidget):
         label = QLabel(_(title))
         label.setProperty("role", "caption")
         label.setContentsMargins(8, 6, 8, 2)
-        model = StructureModel(self)
         view = QTableView()
+        model = StructureModel(view)
         view.setModel(model)
         view.setAccessibleName(_(title))
         view.setToolTip(_("{title} at this step").format(title=_(title)))
