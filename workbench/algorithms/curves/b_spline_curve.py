@@ -55,11 +55,11 @@ def b_spline_curve(
         while u < until and per_length > 0.0 and k < samples:
             # Emit the next sample
             v = (u - left) * per_length - 0.5
-            x = powers[degree, 0]
-            y = powers[degree, 1]
+            x = float(powers[degree, 0])
+            y = float(powers[degree, 1])
             for power in range(degree - 1, -1, -1):
-                x = x * v + powers[power, 0]
-                y = y * v + powers[power, 1]
+                x = x * v + float(powers[power, 0])
+                y = y * v + float(powers[power, 1])
             yield x, y
             k += 1
             u = first + step * k
@@ -90,7 +90,7 @@ ENTRY = Entry(
             row="(k - 1, before.u, span, v, x, y)",
             tables={"Polynomial of the span": ("powers", ("x", "y"))},
             sentence="At u = {before.u}, which is v = {v} from the middle of span {span}, the polynomial is "
-            "{(float(x), float(y))}.",
+            "{(x, y)}.",
         ),
     ),
     laws=(

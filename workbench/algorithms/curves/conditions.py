@@ -19,11 +19,21 @@ class Fault(NamedTuple):
     sentence: str
 
 
+def not_finite(numbers: NDArray[Any]) -> int:
+    """How many of the numbers are infinite or none at all."""
+    return len([number for number in numbers.flat if not math.isfinite(number)])
+
+
+def decreases(knots: NDArray[Any]) -> int:
+    """How many knots are less than the one before."""
+    return len([i for i in range(len(knots) - 1) if knots[i + 1] < knots[i]])
+
+
 def refuse_bezier(points: NDArray[Any], u: float) -> None:
     """Raise ValueError unless there are two points or more, and every number is finite."""
     if len(points) < 2:
         raise ValueError("A Bezier curve needs two points or more; add points.")
-    if not (math.isfinite(np.max(np.abs(points))) and math.isfinite(u)):
+    if not_finite(points) > 0 or not math.isfinite(u):
         raise ValueError("A coordinate or the parameter is not a finite number; give it a value.")
 
 
@@ -35,9 +45,9 @@ def refuse_b_spline(points: NDArray[Any], knots: NDArray[Any], degree: int) -> N
         raise ValueError("There are fewer points than degree + 1; add points, or lower the degree.")
     if len(knots) != len(points) + degree + 1:
         raise ValueError("There must be degree + 1 more knots than points; add knots, or take some away.")
-    if not (math.isfinite(np.max(np.abs(points))) and math.isfinite(np.max(np.abs(knots)))):
+    if not_finite(points) > 0 or not_finite(knots) > 0:
         raise ValueError("A coordinate or a knot is not a finite number; give it a value.")
-    if min([knots[i + 1] - knots[i] for i in range(len(knots) - 1)]) < 0.0:
+    if decreases(knots) > 0:
         raise ValueError("The knots decrease; make each at least as large as the one before it.")
     if knots[degree] == knots[len(points)]:
         raise ValueError("The curve has no length in u: its first and its last knot are equal; part them.")

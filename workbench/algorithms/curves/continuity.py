@@ -61,7 +61,8 @@ def continuity(
     refuse(faults(before) + faults(after))
     one, other = np.asarray(before, float), np.asarray(after, float)
     size = float(np.ptp(np.vstack([one, other]), axis=0).max())
-    end, begin = _end_of(one[::-1], -length_before), _end_of(other, length_after)
+    end = _end_of(one[::-1], -length_before, tolerance * size)
+    begin = _end_of(other, length_after, tolerance * size)
     short = min(length_before, length_after)
     c0, c1, c2 = (float(np.linalg.norm(a - b)) for a, b in zip(end[:3], begin[:3], strict=True))
     joined = c0 <= tolerance * size
@@ -87,18 +88,22 @@ def joints(pieces: Pieces, closed: bool = False, tolerance: float = 1e-9) -> lis
     return [continuity(controls[j], controls[k], lengths[j], lengths[k], tolerance) for j, k in follow]
 
 
-def _end_of(points: Array, length: float) -> _Side:
-    """The curve at its first point; a curve that was turned round has a negative length."""
+def _end_of(points: Array, length: float, nothing: float) -> _Side:
+    """The curve at its first point; a curve that was turned round has a negative length.
+
+    Legs no longer than ``nothing`` are rounding errors and have no direction.
+    """
     first = hodograph(points)
     second = hodograph(first) if len(first) > 1 else np.zeros((1, points.shape[1]))
     legs = points - points[0]
-    apart = np.flatnonzero((legs != 0).any(axis=1))
+    apart = np.flatnonzero(np.abs(legs).max(axis=1) > nothing)
     direction = curvature = None
     if len(apart):
-        direction = legs[apart[0]] / np.linalg.norm(legs[apart[0]])
+        direction = legs[apart[0]] / np.abs(legs[apart[0]]).max()
+        direction /= np.linalg.norm(direction)
     speed = float(np.linalg.norm(first[0]))
-    if direction is not None and speed > 0:
-        curvature = (second[0] - (second[0] @ direction) * direction) / speed**2
+    if direction is not None and speed > nothing:
+        curvature = (second[0] - (second[0] @ direction) * direction) / speed / speed
     return _Side(points[0], first[0] / length, second[0] / length**2, direction, curvature)
 
 

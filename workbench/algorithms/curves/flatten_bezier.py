@@ -17,8 +17,8 @@ from workbench.algorithms.curves.parameters import BEZIER_POINTS
 from workbench.algorithms.curves.waiting_pieces import chord, waiting_rows
 from workbench.algorithms.entry import Entry, Parameter, View
 
-# A piece is 2^-32 of the curve then: no tolerance above the rounding errors asks for more
-DEEPEST = 32
+# A piece is 2^-20 of the curve then, and as near to its chord as rounding lets it be
+DEEPEST = 20
 
 
 def squared_distance(piece: NDArray[Any]) -> float:
@@ -72,9 +72,11 @@ def flatten_bezier(points: NDArray[Any], tolerance: float) -> Iterator[tuple[flo
         raise ValueError("The tolerance must be above 0; give a larger one.")
     stack = np.zeros((DEEPEST + 1, len(points), 2))
     depth = np.zeros(DEEPEST + 1, np.int64)
-    stack[0] = points
+    for i in range(len(points)):
+        stack[0, i, 0] = points[i, 0]
+        stack[0, i, 1] = points[i, 1]
     top = 0
-    yield points[0, 0], points[0, 1]
+    yield float(points[0, 0]), float(points[0, 1])
 
     while top >= 0:
         # Is the piece on top flat?

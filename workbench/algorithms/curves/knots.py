@@ -63,8 +63,8 @@ def closed_b_spline(points: ArrayLike, degree: int) -> tuple[Array, Array]:
     Raises: ValueError for fewer than three points.
     """
     controls = np.asarray(points, float)
-    refuse(faults(controls, degree=degree, least=3))
-    around = np.vstack([controls, controls[:degree]])
+    refuse(faults(controls, least=3))
+    around = controls[np.arange(len(controls) + degree) % len(controls)]
     return around, uniform_knots(len(around), degree)
 
 
