@@ -33,6 +33,12 @@ def test_pixels_are_all_that_is_emitted(entry: Entry) -> None:
     assert made.rows == [tuple(emitted) for emitted in entry.function(*copy.deepcopy(entry.example))]
 
 
+def test_a_line_of_a_function_in_another_file_is_read_from_that_file() -> None:
+    entry = catalogue.get("cohen_sutherland")
+    made = traces.lines(entry, traces.run(entry, entry.example))
+    assert [row[2] for row in made.rows[2:5]] == ["code = 0", "if y > ymax:", "code = TOP"]
+
+
 def test_a_run_that_is_too_long_is_said() -> None:
     with pytest.raises(WorkError, match="not done after"):
         traces.run(catalogue.get("bresenham_line"), (0, 0, 10**9, 1))

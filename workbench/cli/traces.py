@@ -55,14 +55,14 @@ def pixels(entry: Entry, recording: Recording) -> Table:
 
 def lines(entry: Entry, recording: Recording) -> Table:
     """Every line that ran, with the variables as they were before it; empty where a name is not bound."""
-    file = entry.function.__code__.co_filename
+    files = {text.name: text.code.co_filename for text in recording.texts}
     moments = [recording[number] for number in range(len(recording))]
     names = list(dict.fromkeys(name for moment in moments for name in moment.variables))
 
     def rows() -> Iterator[tuple[Any, ...]]:
         for number, moment in enumerate(moments, 1):
             values = (moment.variables.get(name) for name in names)
-            yield number, moment.line, linecache.getline(file, moment.line).strip(), *values
+            yield number, moment.line, linecache.getline(files[moment.function], moment.line).strip(), *values
 
     return Table(("number", "line", "text", *names), list(rows()), formulas=False)
 

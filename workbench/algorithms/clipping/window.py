@@ -1,8 +1,9 @@
 """The window that is clipped to, and the line of the course's example, as the clipping texts take them.
 
 A point on the window's edge is inside. A window without area, a polygon of fewer than three points and
-numbers that are not finite are refused before a text runs: by the document's check and its edits, and by the
-command line. The texts come to an end on such windows and polygons too, and on a line of no length.
+numbers that are not finite are refused before they come here, by the document's check; the command line
+refuses the numbers alone. The texts come to an end on such windows and polygons too, and on a line of no
+length.
 """
 
 from workbench.algorithms.entry import Parameter
