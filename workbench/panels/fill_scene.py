@@ -11,6 +11,7 @@ from workbench.document.model import Polygon, Sheet
 from workbench.engine.observation import Steps
 from workbench.engine.pending import keeps_stack, pending, read
 from workbench.engine.recorder import record
+from workbench.engine.recording import Recording
 from workbench.panels.figure_picture import Pixels, packed
 from workbench.rendering import figure_calls
 from workbench.session.run import Run
@@ -20,6 +21,7 @@ from workbench.widgets.tokens import Tokens
 MOST_SPOTS = 600
 MOST_WORDS = 24
 _SCAN_LINE = "scan_line_fill"
+_ROWS = ("row", "y")
 
 
 def event_of(run: Run) -> int | None:
@@ -59,15 +61,22 @@ def _crossed(run: Run) -> tuple[float, list[float]] | None:
     step, steps, recording = run.step, run.steps, run.recording
     if step is None or steps is None or recording is None or step.number == 0:
         return None
-    found = read(recording, step.first, ("active", "y"))
+    found = _row_at(recording, step.first)
     for number in range(step.number - 1, max(step.number - MOST_WORDS, 0), -1):
-        before = read(recording, steps.span(number)[0], ("active", "y"))
-        if found is None or before is None or before["y"] != found["y"]:
+        before = _row_at(recording, steps.span(number)[0])
+        if found is None or before is None or before[0] != found[0]:
             break
         found = before
-    if found is None:
-        return None
-    return float(found["y"]), sorted(float(edge.x) for edge in found["active"])
+    return found
+
+
+def _row_at(recording: Recording, event: int) -> tuple[float, list[float]] | None:
+    """The row that the text is on at an event, and where its active edges cross it."""
+    for name in _ROWS:
+        found = read(recording, event, ("active", name))
+        if found is not None:
+            return float(found[name]), sorted(float(edge.x) for edge in found["active"])
+    return None
 
 
 def _emitted_to(run: Run) -> int:
