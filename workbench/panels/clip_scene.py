@@ -2,10 +2,10 @@
 polygon with what is kept of it and what is cut off.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from workbench.algorithms.clipping.degenerate_edges import degenerate_edges
 from workbench.algorithms.clipping.edges import region_code
 from workbench.document.model import AnyFigure, Circle, Line, Polygon, Polyline, Sheet
-from workbench.rendering.clipping import Segment, clip_box, clipper_calls
-from workbench.rendering.mapping import Box, Call
+from workbench.rendering.clipping import Segment, clip_box, clipped_segment, clipper_calls
+from workbench.rendering.mapping import Box, device_segments
 from workbench.rendering.raster import emitted
 from workbench.widgets.canvas_drawing import Drawn, Pattern, Region, Spot, Stroke, Word
 
@@ -28,11 +28,11 @@ MOST_CODED = 12
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What became of one line, ring or point; ``kept`` is the visible part of a line, if there is one."""
+    """What became of one line, ring or point; ``kept`` is the visible part of a line, or a ring's corners."""
 
-    call: Call
+    given: tuple[Any, ...]
     fate: Fate
-    kept: Segment | None = None
+    kept: tuple[tuple[float, ...], ...] = ()
 
 
 def code_text(code: int) -> str:
@@ -42,20 +42,25 @@ def code_text(code: int) -> str:
 
 def outcomes(sheet: Sheet, figure: AnyFigure) -> list[Outcome]:
     """What the sheet's clippers make of each line, ring or point of a figure."""
+    window = clip_box(sheet)
+    if window is None:
+        return []
+    if isinstance(figure, Line | Polyline):
+        return [_line_outcome(sheet, segment, window) for segment in device_segments(sheet, figure)]
     found = []
     for call in clipper_calls(sheet, figure):
         rows = emitted(call).tolist()
-        if isinstance(figure, Line | Polyline):
-            given = tuple(float(value) for value in call.arguments[:4])
-            kept = tuple(float(value) for value in rows[0]) if rows else None
-            whole: Fate = "accepted" if kept == given else "clipped"
-            segment = None if kept is None else (kept[0], kept[1], kept[2], kept[3])
-            found.append(Outcome(call, whole if rows else "rejected", segment))
-        else:
-            given_rows = call.arguments[0].tolist() if isinstance(figure, Polygon) else rows
-            same = _same_ring(rows, given_rows)
-            found.append(Outcome(call, ("accepted" if same else "clipped") if rows else "rejected"))
+        given = call.arguments[0].tolist() if isinstance(figure, Polygon) else rows
+        whole: Fate = "accepted" if _same_ring(rows, given) else "clipped"
+        found.append(Outcome(call.arguments, whole if rows else "rejected", tuple(map(tuple, rows))))
     return found
+
+
+def _line_outcome(sheet: Sheet, segment: Segment, window: Box) -> Outcome:
+    kept = clipped_segment(sheet.line_clipper, segment, window)
+    if not kept:
+        return Outcome(segment, "rejected")
+    return Outcome(segment, "accepted" if kept[0] == segment else "clipped", kept)
 
 
 def _same_ring(first: list[list[float]], second: list[list[float]]) -> bool:
@@ -120,8 +125,7 @@ def _regions(sheet: Sheet, window: Box) -> Iterator[Drawn]:
 def end_codes(sheet: Sheet, figure: Line | Polyline, window: Box, carded: bool) -> Iterator[Drawn]:
     """The code of each end point, beside it."""
     seen: set[tuple[float, float]] = set()
-    for call in clipper_calls(sheet, figure):
-        x0, y0, x1, y1 = call.arguments[:4]
+    for x0, y0, x1, y1 in device_segments(sheet, figure)[:MOST_CODED]:
         for x, y, other_x in ((x0, y0, x1), (x1, y1, x0)):
             if (x, y) not in seen:
                 seen.add((x, y))
@@ -136,19 +140,20 @@ def _figure(sheet: Sheet, figure: AnyFigure, window: Box) -> Iterator[Drawn]:
         elif isinstance(figure, Polygon):
             yield from _ring_marks(outcome, window)
         elif isinstance(figure, Circle):
-            x, y = outcome.call.arguments[:2]
+            x, y = outcome.given[:2]
             shape: Literal["dot", "cross"] = "cross" if outcome.fate == "rejected" else "dot"
             yield Spot(x, y, INKS[outcome.fate], shape)
 
 
 def line_marks(outcome: Outcome) -> Iterator[Drawn]:
     """A line: what is kept solid, what is cut off broken, intersections ringed."""
-    x0, y0, x1, y1 = (float(value) for value in outcome.call.arguments[:4])
+    x0, y0, x1, y1 = outcome.given[:4]
     ink = INKS[outcome.fate]
-    if outcome.kept is None:
+    if not outcome.kept:
         yield Stroke(np.array([(x0, y0), (x1, y1)]), ink, 2.0, "dot")
         return
-    a, b = outcome.kept[:2], outcome.kept[2:]
+    ax, ay, bx, by = outcome.kept[0]
+    a, b = (ax, ay), (bx, by)
     for end, cut in (((x0, y0), a), ((x1, y1), b)):
         if end != cut:
             yield Stroke(np.array([end, cut]), ink, 1.5, "dash")
@@ -160,16 +165,15 @@ def line_marks(outcome: Outcome) -> Iterator[Drawn]:
 
 def _ring_marks(outcome: Outcome, window: Box) -> Iterator[Drawn]:
     """A polygon: its outline broken, what is kept solid, edges without area between them in a warning."""
-    ring = np.asarray(outcome.call.arguments[0], np.float64)
+    ring = np.asarray(outcome.given[0], np.float64)
     ink = INKS[outcome.fate]
     yield Stroke(closed(ring), ink, 1.5, PATTERNS[outcome.fate])
-    kept = emitted(outcome.call)
-    if len(kept) > 1 and outcome.fate == "clipped":
-        yield Stroke(closed(np.asarray(kept, np.float64)), ink, 2.5, haloed=True)
-        yield from degenerate_marks(kept.tolist(), window)
+    if len(outcome.kept) > 1 and outcome.fate == "clipped":
+        yield Stroke(closed(np.array(outcome.kept, np.float64)), ink, 2.5, haloed=True)
+        yield from degenerate_marks(outcome.kept, window)
 
 
-def degenerate_marks(polygon: list[list[float]] | list[tuple[float, float]], window: Box) -> Iterator[Drawn]:
+def degenerate_marks(polygon: Sequence[Sequence[float]], window: Box) -> Iterator[Drawn]:
     """What Sutherland-Hodgman leaves of a concave polygon along the window: edges that enclose nothing."""
     for start, end in degenerate_edges(polygon, window):
         yield Stroke(np.array([start, end]), "error", 4.0, "dot", haloed=True)

@@ -58,8 +58,9 @@ def clipper_calls(sheet: Sheet, figure: AnyFigure, clipper: str | None = None) -
     return [Call(entry, (*scale.point(point.x, point.y), *window)) for point in figure.points_world]
 
 
-@lru_cache(maxsize=4096)
-def _clipped_segment(slug: str, segment: Segment, window: Box) -> tuple[Segment, ...]:
+@lru_cache(maxsize=16_384)
+def clipped_segment(slug: str, segment: Segment, window: Box) -> tuple[Segment, ...]:
+    """What a line clipper keeps of a segment: one segment or none; remembered."""
     return tuple(
         (float(x0), float(y0), float(x1), float(y1))
         for x0, y0, x1, y1 in catalogue.get(slug).function(*segment, *window)
@@ -73,7 +74,7 @@ def visible_segments(sheet: Sheet, figure: Line | Polyline) -> Iterable[Segment]
         if window is None:
             yield segment
         else:
-            yield from _clipped_segment(sheet.line_clipper, segment, window)
+            yield from clipped_segment(sheet.line_clipper, segment, window)
 
 
 def visible_rings(sheet: Sheet, figure: Polygon) -> list[Ring]:
