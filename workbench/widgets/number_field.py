@@ -93,7 +93,7 @@ class NumberField(QWidget):
         )
         self.field.setFixedWidth(60)
         self.label.setBuddy(self.field)
-        self.unit = QLabel(unit)
+        self.unit = QLabel(unit, self)
         self.unit.setProperty("role", "muted")
         self.unit.setVisible(bool(unit))
         self.complaint = QLabel()
