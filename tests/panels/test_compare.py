@@ -244,6 +244,7 @@ def test_the_largest_stack_of_two_fills(qtbot):
         depths = [len(run.recording[k].variables.get("stack", ())) for k in range(len(run.recording))]
         most.append(max(depths))
     assert [int(cell(view, "Largest stack", k)) for k in (1, 2)] == most
+    assert cell(view, "Writes", 1) == cell(view, "Writes", 2) == len(session.run.recording.emitted)
     session.close()
 
 

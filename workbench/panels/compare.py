@@ -253,7 +253,8 @@ class CompareView(QWidget):
             return
         said = [work.stopped for work in (outcome.first, outcome.second) if work is not None and work.stopped]
         if outcome.second is None:
-            said.append(_("Choose a second algorithm to see both side by side."))
+            others = bool(self._slugs()[2])
+            said += [_("Choose a second algorithm to see both side by side.")] if others else []
         else:
             said.append(_summary(outcome))
         here = [_position(run) for run in (session.run, session.follower) if run.entry is not None]

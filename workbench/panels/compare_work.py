@@ -138,7 +138,7 @@ def side_of(job: Job, slug: str) -> Side:
 
 
 def work_of(side: Side, stop: Stop) -> Work:
-    """Count what a side does. Raises Stopped."""
+    """Count what a side does; a span written at a stroke counts all its pixels. Raises Stopped."""
     work = Work(side.title, before=None if side.before is None else len(side.before))
     for call in side.calls:
         try:
@@ -156,7 +156,9 @@ def work_of(side: Side, stop: Stop) -> Work:
             times for title, times in counted.block_visits.items() if title.startswith(INTERSECTION)
         )
         if call.entry.writes:
-            work.writes = (work.writes or 0) + counted.writes
+            spans = call.entry.emits == "spans"
+            written = len(pixels(call.entry, emitted(call))) if spans else counted.writes
+            work.writes = (work.writes or 0) + written
     return work
 
 
