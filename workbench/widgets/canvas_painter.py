@@ -15,6 +15,7 @@ from workbench.widgets.tokens import Tokens, colour
 
 GRID_FROM, GAP_FROM = 6, 8
 CAPTION = 11
+FEW_SIDES = 40
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,7 +233,8 @@ def _paint_polyline(painter: QPainter, points: NDArray[np.float64], scene: Scene
         & (np.maximum(y[:-1], y[1:]) >= area.top)
         & (np.minimum(y[:-1], y[1:]) <= area.bottom)
     )
-    if near.all():
+    # A polyline of long sides that cross takes the painter sixty times as long as its sides one by one.
+    if near.all() and len(points) > FEW_SIDES:
         painter.drawPolyline(QPolygonF([QPointF(*p) for p in zip(x.tolist(), y.tolist(), strict=True)]))
         return
     lines = [QLineF(x[i], y[i], x[i + 1], y[i + 1]) for i in np.flatnonzero(near).tolist()]
