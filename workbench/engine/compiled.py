@@ -303,7 +303,7 @@ def collect_many(
     one = kernel(function, flavour=flavour)
     table, flag = arguments.table(function, rows), (stop or Stop()).flag
     ends = np.zeros(len(table), np.int64)
-    room = max(4096, len(table))
+    room = max(4096, len(table) * (48 if one.emits == "points" else 1))  # points of a row are a chain
     return _collected(one, "_collect_many", lambda: (ends, flag, table), room, compiling), ends
 
 

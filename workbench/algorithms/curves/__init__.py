@@ -23,6 +23,7 @@ from workbench.algorithms.curves.cubic_spline import clamped_cubic, natural_cubi
 from workbench.algorithms.curves.de_boor import de_boor
 from workbench.algorithms.curves.de_casteljau import de_casteljau
 from workbench.algorithms.curves.flatten_bezier import flatten_bezier
+from workbench.algorithms.curves.flatten_cubic import flatten_cubic
 from workbench.algorithms.curves.hermite import hermite
 from workbench.algorithms.curves.knot_insertion import b_spline_derivative, insert_knot, split_b_spline
 from workbench.algorithms.curves.knots import (
@@ -62,6 +63,7 @@ __all__ = [
     "elevate_b_spline",
     "elevate_degree",
     "flatten_bezier",
+    "flatten_cubic",
     "hermite",
     "hodograph",
     "homogeneous",

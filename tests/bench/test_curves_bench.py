@@ -1,0 +1,125 @@
+"""Curves beside their peers, measured by turns in one run in processor time; each test prints its ratio.
+
+Run with ``pytest tests/bench/test_curves_bench.py --benchmark-enable -s``. Without that switch nothing is
+timed, and only the results are compared. The peers bezier and geomdl are used where they are installed.
+"""
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from pytest_benchmark.fixture import BenchmarkFixture
+from scipy.interpolate import BSpline
+
+from workbench.algorithms.curves import (
+    b_spline_curve,
+    b_spline_to_bezier,
+    bezier_point,
+    flatten_cubic,
+    natural_cubic,
+    open_uniform_knots,
+)
+from workbench.engine import compiled
+
+ROUNDS = 7
+
+
+def by_turns(
+    benchmark: BenchmarkFixture, title: str, ours: Callable[[], Any], **peers: Callable[[], Any]
+) -> None:
+    """Time ours and the peers by turns, print milliseconds (best of all turns) and peer / ours."""
+    runs = {"ours": ours, **peers}
+    best = dict.fromkeys(runs, float("inf"))
+    benchmark.pedantic(ours, rounds=1)
+    for _turn in range(0 if benchmark.disabled else ROUNDS):
+        for name, run in runs.items():
+            start = time.process_time()
+            run()
+            best[name] = min(best[name], time.process_time() - start)
+    if not benchmark.disabled:
+        ratios = "".join(
+            f"; {name} {best[name] * 1e3:.1f} ms, ratio {best[name] / best['ours']:.1f}" for name in peers
+        )
+        print(f"\n{title}: ours {best['ours'] * 1e3:.1f} ms{ratios}")
+        benchmark.extra_info.update({name: best[name] / best["ours"] for name in peers})
+
+
+def test_a_million_points_of_a_cubic_b_spline(benchmark: BenchmarkFixture) -> None:
+    count = 1_000_000 if not benchmark.disabled else 10_000
+    points = np.random.default_rng(1).uniform(0, 1000, (1000, 2))
+    knots = open_uniform_knots(1000, 3)
+    u = np.linspace(0, 997, count)
+
+    def ours() -> NDArray[Any]:
+        return compiled.collect(b_spline_curve, points, knots, 3, count)
+
+    def scipy() -> NDArray[Any]:
+        return np.asarray(BSpline(knots, points, 3)(u))
+
+    by_turns(benchmark, f"{count:,} points of a cubic B-spline, 1,000 control points", ours, scipy=scipy)
+    assert np.abs(ours() - scipy()).max() <= 1e-9
+
+
+def curves_to_flatten(count: int) -> NDArray[np.float64]:
+    """Cubic curves in a picture of 1000 x 1000, each within 200 pixels."""
+    rng = np.random.default_rng(2)
+    return np.asarray(rng.uniform(0, 800, (count, 1, 2)) + rng.uniform(0, 200, (count, 4, 2)))
+
+
+@pytest.mark.parametrize(("peer", "count"), [("bezier", 10_000), ("geomdl", 1_000)])
+def test_flattening_cubics(benchmark: BenchmarkFixture, peer: str, count: int) -> None:
+    count = count if not benchmark.disabled else 100
+    curves = curves_to_flatten(count)
+    rows = np.column_stack([curves.reshape(count, 8), np.full(count, 0.1)])
+    chains, ends = compiled.collect_many(flatten_cubic, rows)
+    corners = round(len(chains) / count)
+    package = pytest.importorskip({"bezier": "bezier", "geomdl": "geomdl.BSpline"}[peer])
+
+    def bezier() -> None:
+        parts = np.linspace(0, 1, corners)
+        for points in curves:
+            package.Curve(np.asfortranarray(points.T), degree=3).evaluate_multi(parts)
+
+    def geomdl() -> None:
+        for points in curves:
+            curve = package.Curve()
+            curve.degree, curve.ctrlpts, curve.knotvector = 3, points.tolist(), [0, 0, 0, 0, 1, 1, 1, 1]
+            curve.sample_size = corners
+            assert len(curve.evalpts) == corners
+
+    title = f"flattening {count:,} cubics to {corners} corners each (the peer without a tolerance, evenly)"
+    ours = {"bezier": bezier, "geomdl": geomdl}
+    by_turns(benchmark, title, lambda: compiled.collect_many(flatten_cubic, rows), **{peer: ours[peer]})
+    assert ends[-1] == len(chains)
+
+
+def test_chains_are_within_the_tolerance() -> None:
+    curves = curves_to_flatten(50)
+    chains, ends = compiled.collect_many(flatten_cubic, [[*curve.ravel(), 0.1] for curve in curves])
+    for curve, chain in zip(curves, np.split(chains, ends[:-1]), strict=True):
+        places = bezier_point(curve, np.linspace(0, 1, 200))
+        leg = np.diff(chain, axis=0)
+        offset = places[:, None] - chain[:-1]
+        along = np.clip((offset * leg).sum(axis=2) / (leg * leg).sum(axis=1), 0, 1)
+        away = offset - along[..., None] * leg
+        assert np.sqrt((away * away).sum(axis=2)).min(axis=1).max() <= 0.1 + 1e-9
+
+
+def test_what_a_drag_of_one_of_a_thousand_points_asks_for(benchmark: BenchmarkFixture) -> None:
+    points = np.random.default_rng(3).uniform(0, 1000, (1000, 2))
+    knots = open_uniform_knots(1000, 3)
+
+    def flattened() -> NDArray[Any]:
+        pieces = b_spline_to_bezier(points, knots, 3).controls
+        rows = np.column_stack([pieces.reshape(-1, 8), np.full(len(pieces), 0.25)])
+        return compiled.collect_many(flatten_cubic, rows)[0]
+
+    by_turns(benchmark, "a B-spline of 1,000 points as Bézier pieces, flattened", flattened)
+    if not benchmark.disabled:
+        start = time.process_time()
+        natural_cubic(points)
+        print(f"natural spline through 1,000 points: {(time.process_time() - start) * 1e3:.1f} ms")
+    assert len(flattened()) > 1000
