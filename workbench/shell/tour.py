@@ -112,6 +112,8 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
             return
         theme, _name, act = steps[0]
         window.messages.dismiss()
+        if window.views.swapped:
+            window.views.swap()
         window.go("home")
         window.themes.choose(theme)
         window.resize(*size)

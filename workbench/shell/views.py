@@ -19,11 +19,17 @@ class Views(QObject):
         super().__init__(window)
         self._window = window
         self._before: tuple[QByteArray, list[QWidget], bool] | None = None
+        self._swapped: set[str] = set()
 
     @property
     def alone(self) -> bool:
         """Whether one view is shown alone."""
         return self._before is not None
+
+    @property
+    def swapped(self) -> bool:
+        """Whether the tube fills the middle of the workspace that is shown."""
+        return self._window.place in self._swapped
 
     def swap(self) -> None:
         """Exchange what fills the middle with what the tube dock holds."""
@@ -40,13 +46,13 @@ class Views(QObject):
         beside = dock.widget()
         if layout is None or middle is None or beside is None:
             return
+        self._swapped ^= {window.place}
         layout.replaceWidget(middle, beside)
         dock.setWidget(middle)
         for widget in (middle, beside):
             widget.show()
         host.setFocusProxy(beside)
-        panel = window.panels(window.place)[0]
-        dock.setWindowTitle(_("Canvas") if middle is panel.center else _("Tube"))
+        dock.setWindowTitle(_("Canvas") if self.swapped else _("Tube"))
         dock.show()
         dock.raise_()
 
