@@ -35,7 +35,7 @@ def cohen_sutherland(
     code_0 = region_code(x0, y0, xmin, ymin, xmax, ymax)
     code_1 = region_code(x1, y1, xmin, ymin, xmax, ymax)
 
-    for k in range(5):
+    for k in range(5):  # one cut for each edge at most, then a last look
         # Accept, reject or cut off one end
         if code_0 | code_1 == 0:
             yield x0, y0, x1, y1
