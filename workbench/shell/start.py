@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import threading
 from contextlib import suppress
@@ -22,6 +23,10 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from workbench.shell.workspaces import Workspace
+
+# NumPy reads this when it is loaded, later. The tubes multiply small matrices many times a second: waiting
+# for a second thread costs three times what it saves, and keeps a core busy.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 _SLOW_IMPORTS = ("numpy", "workbench.session.session", "workbench.shell.home_examples", "qtawesome")
 QUIT_AFTER_FIRST_FRAME = "--quit-after-first-frame"

@@ -226,8 +226,7 @@ class TubeView(QWidget):
             return
         packed = self._screen.picture(self.driver.lights)
         rows, columns = packed.shape
-        image = QImage(packed.tobytes(), columns, rows, 4 * columns, QImage.Format.Format_RGB32)
-        self._shown = image.copy()
+        self._shown = QImage(packed.tobytes(), columns, rows, 4 * columns, QImage.Format.Format_RGB32).copy()
         self.update(self._glass.toAlignedRect())
         self.advanced.emit()
 
@@ -273,15 +272,17 @@ class TubeView(QWidget):
         super().resizeEvent(event)
         self._layout()
         self._cabinet = self._reflection = None
-        if self.driver is None:
-            self._rebuild()
-        else:
+        if self.driver is not None:
             self._resized.start()
+        elif self.isVisible():
+            self._rebuild()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Run again."""
+        """Run again; the first time with what was given meanwhile."""
         super().showEvent(event)
         self.shown.emit()
+        if self.driver is None:
+            self._rebuild()
         self._wake()
 
     def hideEvent(self, event: QHideEvent) -> None:
