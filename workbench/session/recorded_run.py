@@ -204,6 +204,9 @@ class RecordedRun(QObject):
             self._look.stop()
             return
         done = recorder.done
+        if not done and self.passed and not recorder.recording.count:
+            self._look.setInterval(_LONG_LOOK_MS)  # what comes before the stretch: nothing to be shown yet
+            return
         if not self._held:
             recorder.hold()
             QTimer.singleShot(0, lambda: self._release(recorder))
