@@ -66,6 +66,8 @@ class Building(QObject):
         for module in (*_SLOW_IMPORTS, *self._window.panel_modules(), "pyqtgraph"):
             with suppress(Exception):  # the same failure is said where the module is needed
                 import_module(module)
+        with suppress(Exception):
+            import_module("workbench.display.setup").TubeSetup().check()  # reads the tables of phosphors
         self._imported.emit()
 
     def _begin(self) -> None:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QPen, QShowEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
@@ -80,27 +80,33 @@ class DepthPlot(QWidget):
         self.caption.setText(text.format(now=f"{now:,}", deepest=f"{deepest:,}", first=f"{first:,}"))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Load the plot when it is seen for the first time."""
+        """Load the plot when it is seen for the first time, in a turn of its own."""
         super().showEvent(event)
         if self._plot is None:
-            import pyqtgraph
-
-            self._plot = pyqtgraph.PlotWidget()
-            self._plot.setMenuEnabled(False)
-            for side in ("left", "bottom"):
-                self._plot.getAxis(side).enableAutoSIPrefix(False)
-            self._plot.hideButtons()
-            self._plot.setMouseEnabled(x=False, y=False)
-            self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-            self._plot.scene().sigMouseClicked.connect(self._clicked)
-            self._curve = self._plot.plot([], [], antialias=True)
-            self._line = pyqtgraph.InfiniteLine(angle=90)
-            self._limit_line = pyqtgraph.InfiniteLine(angle=0)
-            self._plot.addItem(self._line)
-            self._plot.addItem(self._limit_line, ignoreBounds=True)
-            self._column.addWidget(self._plot, 1)
-            self._restyle()
+            QTimer.singleShot(0, self._make)
         self.shown.emit()
+
+    def _make(self) -> None:
+        """The plot, unless another dock has come before it meanwhile."""
+        if self._plot is not None or not self.isVisible():
+            return
+        import pyqtgraph
+
+        self._plot = pyqtgraph.PlotWidget()
+        self._plot.setMenuEnabled(False)
+        for side in ("left", "bottom"):
+            self._plot.getAxis(side).enableAutoSIPrefix(False)
+        self._plot.hideButtons()
+        self._plot.setMouseEnabled(x=False, y=False)
+        self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._plot.scene().sigMouseClicked.connect(self._clicked)
+        self._curve = self._plot.plot([], [], antialias=True)
+        self._line = pyqtgraph.InfiniteLine(angle=90)
+        self._limit_line = pyqtgraph.InfiniteLine(angle=0)
+        self._plot.addItem(self._line)
+        self._plot.addItem(self._limit_line, ignoreBounds=True)
+        self._column.addWidget(self._plot, 1)
+        self._restyle()
 
     def _restyle(self) -> None:
         if self._plot is None:

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QPen, QShowEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
@@ -58,22 +58,28 @@ class DistancePlot(QWidget):
             self._place_cursor()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Load the plot when it is seen for the first time."""
+        """Load the plot when it is seen for the first time, in a turn of its own."""
         super().showEvent(event)
         if self._plot is None:
-            import pyqtgraph
-
-            self._plot = pyqtgraph.PlotWidget()
-            self._plot.setMenuEnabled(False)
-            for side in ("left", "bottom"):
-                self._plot.getAxis(side).enableAutoSIPrefix(False)
-            self._plot.hideButtons()
-            self._plot.setMouseEnabled(x=False, y=False)
-            self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-            self._plot.scene().sigMouseClicked.connect(self._clicked)
-            self._column.addWidget(self._plot, 1)
-            self._draw()
+            QTimer.singleShot(0, self._make)
         self.shown.emit()
+
+    def _make(self) -> None:
+        """The plot, unless another dock has come before it meanwhile."""
+        if self._plot is not None or not self.isVisible():
+            return
+        import pyqtgraph
+
+        self._plot = pyqtgraph.PlotWidget()
+        self._plot.setMenuEnabled(False)
+        for side in ("left", "bottom"):
+            self._plot.getAxis(side).enableAutoSIPrefix(False)
+        self._plot.hideButtons()
+        self._plot.setMouseEnabled(x=False, y=False)
+        self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._plot.scene().sigMouseClicked.connect(self._clicked)
+        self._column.addWidget(self._plot, 1)
+        self._draw()
 
     def _draw(self) -> None:
         if self._plot is None:
