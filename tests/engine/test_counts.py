@@ -20,7 +20,8 @@ LINE = catalogue.get("bresenham_line").function
 @pytest.mark.parametrize("entry", ENTRIES)
 def test_lines_and_steps_are_those_that_the_tracer_sees(entry: catalogue.Entry) -> None:
     recording = record(entry.function, *entry.example)
-    traced = Counter((recording[k].function, recording[k].line) for k in range(len(recording)))
+    names = [text.name for text in recording.texts]
+    traced = Counter((names[code], line) for code, line in zip(recording.codes, recording.lines, strict=True))
     found = counts(entry.function, *entry.example)
     for place, runs in found.line_runs.items():
         assert runs == traced[place], place
