@@ -178,6 +178,7 @@ class HandTable(QWidget):
         self._placed = QTimer(self)
         self._placed.setSingleShot(True)
         self._placed.timeout.connect(self._show_current)
+        self.view.horizontalScrollBar().rangeChanged.connect(self._placed.start)
         theme.changed.connect(self.view.viewport().update)
         self._take_run()
 
