@@ -157,8 +157,7 @@ def main() -> None:
             application.quit()
             return
         turns.doing, do = acts.pop(0)
-        QTimer.singleShot(0, do)
-        QTimer.singleShot(SETTLE_MS, act)
+        QTimer.singleShot(0, lambda: (do(), QTimer.singleShot(SETTLE_MS, act)))
 
     building.built.connect(begin)
     window.first_frame.connect(building.start)
