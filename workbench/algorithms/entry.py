@@ -50,8 +50,8 @@ class View:
     template: each ``{expression}`` is replaced by its value and becomes a link, to the variable it names
     or, for a pair, to the pixel. ``considers`` is the pixel that this block tests without always drawing
     it, for *Why this pixel?*. ``options`` are the texts that a person who is asked first may choose from, as
-    they stand on entering, and ``answer`` is the right one: where a choice is no pixel. ``when`` tells several views of one block apart: the first that holds is
-    shown; where it changes, a decision changed.
+    they stand on entering, and ``answer`` is the right one: where a choice is no pixel. ``when`` tells
+    several views of one block apart: the first that holds is shown; where it changes, a decision changed.
     """
 
     block: str

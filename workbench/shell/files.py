@@ -160,10 +160,7 @@ class Files(QObject):
     def _save(self, path: Path, then: Callable[[], object] | None) -> None:
         session = self._session
         session.finish_saving()
-        session.saved.connect(
-            partial(self._saved, then),
-            Qt.ConnectionType.SingleShotConnection,  # type: ignore[call-overload]
-        )
+        session.saved.connect(partial(self._saved, then), Qt.ConnectionType.SingleShotConnection)
         self._window.say_status(_("Saving {name} ...").format(name=path.name))
         session.save_behind(path)
 

@@ -147,7 +147,7 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("draw-side-by-side", lambda window: _compared(window, beside=True)),
         ("draw-ellipse", _ellipse),
         ("draw-drift", _drift),
-        ("draw-tube", lambda window: (_draw(window, 6), window.views.swap())),
+        ("draw-tube", _swapped),
         ("draw-hint", _hint),
         ("draw-question", _question),
         ("draw-empty", _empty),
@@ -167,7 +167,7 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("clip-fork", lambda window: _clip(window, "clip-fork", 14)),
         ("clip-lab", lambda window: _clip(window, "clip-lab", 0)),
         ("clip-asked", _clip_asked),
-        ("clip-empty", lambda window: (window.session.new(), window.go("clip"))),
+        ("clip-empty", _clip_empty),
         ("display", _display),
         ("display-beam", _beam),
         ("palette", _palette),
@@ -182,6 +182,11 @@ def _draw(window: MainWindow, step: int = 0) -> None:
     window.open_example("line")
     figures = window.session.sheet.figures
     window.session.update_state(active=figures[0].id, selection=(figures[0].id,), step=step)
+
+
+def _swapped(window: MainWindow) -> None:
+    _draw(window, 6)
+    window.views.swap()
 
 
 def _raise(window: MainWindow, name: str) -> None:
@@ -277,6 +282,11 @@ def _why(window: MainWindow) -> None:
 def _fill_empty(window: MainWindow) -> None:
     window.session.new()
     window.go("fill")
+
+
+def _clip_empty(window: MainWindow) -> None:
+    window.session.new()
+    window.go("clip")
 
 
 def _hint(window: MainWindow) -> None:
