@@ -10,7 +10,9 @@ Array = NDArray[np.float64]
 Curve = tuple[Array, Array, int]
 
 coordinate = st.one_of(st.integers(-6, 6).map(float), st.floats(-1e3, 1e3, allow_subnormal=False))
-part_of_one = st.one_of(st.sampled_from([0.0, 0.5, 1.0, 1e-9, 1 - 1e-9]), st.floats(0, 1))
+part_of_one = st.one_of(
+    st.sampled_from([0.0, 0.5, 1.0, 1e-9, 1 - 1e-9]), st.floats(0, 1, allow_subnormal=False)
+)
 weight = st.one_of(st.sampled_from([1e-9, 1.0, 1e9]), st.floats(1e-9, 1e9))
 
 

@@ -166,6 +166,17 @@ def test_a_curve_of_one_place_only_is_that_place() -> None:
     assert np.abs(piece_points(natural_cubic(np.ones((5, 2))), [0, 0.3, 4]) - 1).max() <= 1e-15
 
 
+@pytest.mark.parametrize(("t", "c", "b"), [(0.2, 0.5, -0.3), (-0.4, -1, 0.7), (0, 0, 1)])
+def test_kochanek_bartels_has_the_tangents_of_the_book(t: float, c: float, b: float) -> None:
+    points = np.array([[0, 0], [2, 3], [5, 3], [7, 0]], float)
+    legs = np.diff(points, axis=0)
+    begin, first, second, end = kochanek_bartels(points, t, c, b).controls[0]
+    leaving = (1 - t) / 2 * ((1 + b) * (1 - c) * legs[0] + (1 - b) * (1 + c) * legs[1])
+    arriving = (1 - t) / 2 * ((1 + b) * (1 + c) * legs[1] + (1 - b) * (1 - c) * legs[2])
+    assert 3 * (first - begin) == pytest.approx(leaving, abs=1e-13)
+    assert 3 * (end - second) == pytest.approx(arriving, abs=1e-13)
+
+
 def test_tension_continuity_and_bias_do_what_their_names_say() -> None:
     points = np.array([[0, 0], [2, 3], [5, 3], [7, 0], [9, 4]], float)
     straight = kochanek_bartels(points, tension=1).controls

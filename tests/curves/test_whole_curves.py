@@ -74,6 +74,14 @@ def test_a_curve_that_turns_back_is_followed_to_its_turn() -> None:
     assert max(x for x, _y in chain) == pytest.approx(6, abs=0.01)
 
 
+@pytest.mark.parametrize("beyond", [5, 7, 30])
+def test_a_curve_that_overshoots_its_end_is_followed(beyond: float) -> None:
+    points = np.array([[0, 0], [beyond, 0], [beyond, 0], [4, 0]])
+    farthest = bezier_point(points, np.linspace(0, 1, 1001))[:, 0].max()
+    chain = list(flatten_bezier(points, 0.001))
+    assert max(x for x, _y in chain) == pytest.approx(farthest, abs=0.002)
+
+
 def test_points_in_one_place_are_one_line_and_an_end_is_found_without_mercy() -> None:
     assert list(flatten_bezier(np.ones((4, 2)), 1e-300)) == [(1, 1), (1, 1)]
 
