@@ -310,9 +310,18 @@ def _module(texts: list[Text], functions: list[ast.FunctionDef], inlined: bool) 
     if any(" = numpy.array(" in line for line in literals):
         imports.insert(0, "import numpy")
     head = "\n".join(["from workbench.engine.sinks import emit, probe, tick", *imports, *literals])
-    marks = ["@part\n" if inlined else "@reading\n"] * (len(functions) - 1) + ["@reading\n"]
+    marks = ["@part\n" if inlined and _worth_inlining(text) else "@reading\n" for text in texts[:-1]]
+    marks.append("@reading\n")
     written = [mark + ast.unparse(function) for mark, function in zip(marks, functions, strict=True)]
     return "\n\n".join([head, *written]) + "\n"
+
+
+def _worth_inlining(text: Text) -> bool:
+    """Whether a function goes into the one that calls it: when it emits, or calls none of the texts itself.
+
+    Anything more would take registers from the caller's loops, and be compiled again with each driver.
+    """
+    return text.generator or not text.callees
 
 
 def _literal(value: Any) -> ast.expr:

@@ -53,7 +53,8 @@ def _added_exactly(x0: float, y0: float, x1: float, y1: float, x: float, y: floa
                 rest = total
             while len(parts) > kept:
                 parts.pop()
-            parts.append(rest)
+            if rest != 0.0 or kept == 0:
+                parts.append(rest)
     return parts[-1]
 
 

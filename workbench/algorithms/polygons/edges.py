@@ -1,13 +1,4 @@
-"""The edge table, and what the scan-line fill does with one edge of it.
-
-y_start, y_end      first and last row that the edge is crossed on
-x                   where it crosses the row
-slope               1/m, the change of x from row to row
-left                first pixel that is not left of the crossing: a span beginning here begins with it
-right               last pixel of a span ending here
-winding             1 for an edge that goes up round its ring, -1 down, 0 where it is not counted
-low, high           numbers of its two vertices
-"""
+"""The edge table of the scan-line fill."""
 
 import math
 from typing import Any, NamedTuple
@@ -17,90 +8,103 @@ from numpy.typing import NDArray
 
 from workbench.geometry.orientation import side_of
 
-# Adding 1/m row by row is wrong by less than this, while coordinates stay below 2^20.
+# Adding 1/m row by row is wrong by less than SLACK between whole vertices up to WHOLE, which cross a row on a
+# pixel's centre or at least 2 SLACK beside it; and by less than NEAR between any others up to 2^20.
+SLACK = 2.0**-17
+WHOLE = 2.0**14
 NEAR = 2.0**-10
+NUDGE = 2.0**-30
+STEEPEST = 1.0e300  # an infinite 1/m is that of an edge along a row
 
 
 class Edge(NamedTuple):
-    """An edge as it crosses one row: in the edge table the first one, in the active list the current one."""
+    """A row of the edge table: the rows it is on, where it crosses the first one, 1/m, and its two vertices.
+
+    From row ``y_top`` on it is no longer crossed; ``y_end`` is its last row, under closed perhaps ``y_top``.
+    ``winding`` is 1 for an edge that goes up round its ring, -1 down, 0 where it is on a row but not crossed.
+    """
 
     y_start: int
+    y_top: int
     y_end: int
     x: float
     slope: float
-    left: int
-    right: int
     winding: int
     low: int
     high: int
 
 
-def crossing(vertices: NDArray[Any], closed: bool, edge: Edge, y: int, x: float) -> Edge:
-    """The edge on row y, where it crosses at x, but for the rounding errors that 1/m adds up.
+def crossing_at(vertices: NDArray[Any], low: int, high: int, x: float, y: int) -> float:
+    """Where an edge crosses row y: at x, put right where a rounding error could decide a pixel.
 
-    They must not decide a pixel: where x is that near to one, its side of the edge is reckoned exactly.
+    Near a pixel's centre its side is reckoned exactly: x becomes that centre, or is on its true side of it.
     """
-    left = math.ceil(x - NEAR)
-    right = left - 1
-    if left - x < NEAR:
-        x_low, y_low = float(vertices[edge.low, 0]), float(vertices[edge.low, 1])
-        x_high, y_high = float(vertices[edge.high, 0]), float(vertices[edge.high, 1])
-        side = side_of(x_low, y_low, x_high, y_high, float(left), float(y))
-        if side < 0.0:
-            left += 1
-        if side < 0.0 or (side == 0.0 and closed):
-            right += 1
-    winding = edge.winding
-    if closed and y == edge.y_end and y == vertices[edge.high, 1]:
-        winding = 0  # the vertex rule: an upper end is counted with the edge that goes on, if one does
-    return Edge(edge.y_start, edge.y_end, x, edge.slope, left, right, winding, edge.low, edge.high)
+    centre = float(math.floor(x + 0.5))
+    if abs(x - centre) >= NEAR:
+        return x
+    x_low, y_low = float(vertices[low, 0]), float(vertices[low, 1])
+    x_high, y_high = float(vertices[high, 0]), float(vertices[high, 1])
+    side = side_of(x_low, y_low, x_high, y_high, centre, float(y))
+    if side == 0.0:
+        return centre
+    return min(x, centre - NUDGE) if side > 0.0 else max(x, centre + NUDGE)
 
 
-def table_edge(vertices: NDArray[Any], closed: bool, start: int, end: int) -> Edge:
-    """The edge from vertex ``start`` to vertex ``end``, on its first row; an empty one ends before it begins.
+def edge_of(vertices: NDArray[Any], closed: bool, start: int, end: int) -> Edge:
+    """The edge from vertex ``start`` to vertex ``end``; one that is on no row ends before it begins.
 
-    half_open has the rows y_low <= y < y_high, closed also y = y_high, and edges along a row.
+    It is crossed where y_low <= y < y_high. Under closed it is also on the row y = y_high, uncounted.
     """
     low, high, winding = start, end, 1
     if vertices[end, 1] < vertices[start, 1]:
         low, high, winding = end, start, -1
     x_low, y_low = float(vertices[low, 0]), float(vertices[low, 1])
     x_high, y_high = float(vertices[high, 0]), float(vertices[high, 1])
-    y_start = math.ceil(y_low)
-    y_end = math.floor(y_high) if closed else math.ceil(y_high) - 1
+    y_start, y_top = math.ceil(y_low), math.ceil(y_high)
+    y_end = math.floor(y_high) if closed else y_top - 1
+    if y_start == y_top:
+        winding, y_top = 0, y_start + 1
     if y_low == y_high:
-        left, right = math.ceil(min(x_low, x_high)), math.floor(max(x_low, x_high))
-        return Edge(y_start, y_end, x_low, 0.0, left, right, 0, low, high)
+        return Edge(y_start, y_top, y_end, min(x_low, x_high), math.inf, winding, low, high)
     dx, dy = x_high - x_low, y_high - y_low
-    edge = Edge(y_start, y_end, x_low, dx / dy, 0, 0, winding, low, high)
-    return crossing(vertices, closed, edge, y_start, x_low + (y_start - y_low) / dy * dx)
+    x = crossing_at(vertices, low, high, x_low + (y_start - y_low) / dy * dx, y_start)
+    slope = min(max(dx / dy, -STEEPEST), STEEPEST)
+    return Edge(y_start, y_top, y_end, x, slope, winding, low, high)
 
 
 def edge_table(vertices: NDArray[Any], ring_ends: NDArray[Any], closed: bool) -> list[Edge]:
-    """All edges that cross a row, sorted by their first one: each row's are a bucket of the book's table."""
-    edges = [Edge(0, 0, 0.0, 0.0, 0, 0, 0, 0, 0)]
+    """All edges that are on a row, sorted by their first one, as in the buckets of the book's table."""
+    edges = [Edge(0, 0, 0, 0.0, 0.0, 0, 0, 0)]
     edges.pop()
     start = 0
     for ring_end in ring_ends:
         end = min(int(ring_end), len(vertices))
         for k in range(start, end):
-            edge = table_edge(vertices, closed, k, k + 1 if k + 1 < end else start)
+            edge = edge_of(vertices, closed, k, k + 1 if k + 1 < end else start)
             if edge.y_start <= edge.y_end:
                 edges.append(edge)
-        start = end
+        start = max(start, end)
     if len(edges) == 0:
         return edges
 
     # Count the edges of each bucket, and place them
     first_row = min([edge.y_start for edge in edges])
-    last_row = max([edge.y_start for edge in edges])
-    place = np.zeros(last_row - first_row + 2, np.int64)
+    place = np.zeros(max([edge.y_start for edge in edges]) - first_row + 2, np.int64)
     for edge in edges:
         place[edge.y_start - first_row + 1] += 1
-    for row in range(1, len(place)):
-        place[row] += place[row - 1]
+    for bucket in range(1, len(place)):
+        place[bucket] += place[bucket - 1]
     table = edges[:]
     for edge in edges:
         table[place[edge.y_start - first_row]] = edge
         place[edge.y_start - first_row] += 1
     return table
+
+
+def all_whole(vertices: NDArray[Any]) -> bool:
+    """Whether all vertices are whole and so near that adding 1/m cannot decide a pixel wrongly."""
+    for k in range(len(vertices)):
+        x, y = float(vertices[k, 0]), float(vertices[k, 1])
+        if x != math.floor(x) or y != math.floor(y) or max(abs(x), abs(y)) > WHOLE:
+            return False
+    return True

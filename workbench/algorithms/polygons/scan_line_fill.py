@@ -1,50 +1,35 @@
 """The scan-line polygon fill.
 
-edges       the edge table: every edge with the row it begins on, lowest first
-active      the active edge table: the edges that cross row y, from left to right
-waiting     number of the first edge that has not become active yet
-winding     how the edges crossed so far on a row go round the point; 0 is outside
-covered     last pixel of the row that has been filled or passed
+edges       the edge table: every edge with the row that it begins on, lowest first
+active      the active edge table: the edges on the row and where they cross it, from left to right
+waiting     number of the first edge that has not begun
+until       the next row on which an edge begins or ends
+winding     how the edges crossed so far on the row go round the point; 0 is outside
+left        first pixel of the span that is open
+covered     last pixel of the row up to the last crossing, that one's own under closed
+slack       how wrong a crossing between whole vertices may be; 0 where each row's crossings are put right
 """
 
+import math
 from collections.abc import Iterator
 from typing import Any
 
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry
-from workbench.algorithms.polygons.edges import Edge, crossing, edge_table
+from workbench.algorithms.polygons.active_edges import (
+    Crossing,
+    change_over,
+    end_of_level,
+    next_change,
+    put_in_order,
+    settle,
+)
+from workbench.algorithms.polygons.edges import SLACK, all_whole, edge_table
 from workbench.algorithms.polygons.parameters import CLOSED, NONZERO, POLYGON
+from workbench.algorithms.polygons.scan_line_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
 
-
-def put_in_order(active: list[Edge], place: int, edge: Edge) -> None:
-    """Put an edge among the first ``place`` ones of the active list, moving up those that are right of it."""
-    while place > 0 and (active[place - 1].left, active[place - 1].right) > (edge.left, edge.right):
-        active[place] = active[place - 1]
-        place -= 1
-    active[place] = edge
-
-
-def fill_row(y: int, active: list[Edge], nonzero: bool) -> Iterator[tuple[int, int, int]]:
-    """Fill one row between the crossings that enter the interior and those that leave it."""
-    winding = 0
-    left = 0
-    covered = active[0].left - 1 if len(active) > 0 else 0
-    for edge in active:
-        # Note where a span can begin
-        if winding == 0:
-            left = max(edge.left, covered + 1)
-        covered = max(covered, edge.right)
-
-        # Count the crossing
-        if nonzero or winding == 0:
-            winding += edge.winding
-        elif edge.winding != 0:
-            winding = 0
-
-        # Fill the span that ends here
-        if winding == 0 and left <= covered:
-            yield y, left, covered
+FAR_LEFT = -(1 << 40)
 
 
 def scan_line_fill(
@@ -62,29 +47,51 @@ def scan_line_fill(
     """
     # Make the edge table
     edges = edge_table(vertices, ring_ends, closed)
-    active = edges[:0]
-    waiting = 0
-    y = edges[0].y_start if len(edges) > 0 else 0
+    active = [Crossing(0.0, 0.0, 0, 0, 0) for _edge in edges[:0]]
+    slack = SLACK if all_whole(vertices) else 0.0
+    waiting = until = 0
 
     while waiting < len(edges) or len(active) > 0:
-        # Let in the edges that begin on this row
-        while waiting < len(edges) and edges[waiting].y_start == y:
-            active.append(edges[waiting])
-            put_in_order(active, len(active) - 1, edges[waiting])
-            waiting += 1
+        # Drop the edges that have ended and let in those that begin
+        y = until if len(active) > 0 else edges[waiting].y_start
+        waiting = change_over(active, edges, waiting, y)
+        until = next_change(active, edges, waiting, y)
 
-        # Fill between the crossings
-        yield from fill_row(y, active, nonzero)
+        for row in range(y, until):
+            # Fill between the crossings
+            winding = left = 0
+            covered = FAR_LEFT
+            for k in range(len(active)):
+                crossing = active[k]
+                first = math.ceil(crossing.x - slack)
+                if winding == 0:
+                    left = max(first, covered + 1)
+                if not closed:
+                    covered = first - 1
+                elif crossing.slope < math.inf:
+                    covered = max(covered, math.floor(crossing.x + slack))
+                else:
+                    covered = max(covered, end_of_level(vertices, edges[crossing.edge]))
+                if nonzero or winding == 0:
+                    winding += crossing.winding
+                elif crossing.winding != 0:
+                    winding = 0
+                if winding == 0 and left <= covered:
+                    yield row, left, covered
 
-        # Go up a row: the edges that ended leave, the others step by 1/m
-        y += 1
-        kept = 0
-        for edge in active:
-            if edge.y_end >= y:
-                put_in_order(active, kept, crossing(vertices, closed, edge, y, edge.x + edge.slope))
-                kept += 1
-        while len(active) > kept:
-            active.pop()
+            # Move each crossing by 1/m to the next row
+            farthest = -math.inf
+            for k in range(len(active)):
+                crossing = active[k]
+                x = crossing.x + crossing.slope
+                moved = Crossing(x, crossing.slope, crossing.winding, crossing.y_top, crossing.edge)
+                if x < farthest:
+                    put_in_order(active, k, moved)
+                else:
+                    active[k] = moved
+                    farthest = x
+            if slack == 0.0:
+                settle(active, edges, vertices, row + 1)
 
 
 ENTRY = Entry(
@@ -95,6 +102,22 @@ ENTRY = Entry(
     parameters=(*POLYGON, CLOSED, NONZERO),
     emits="spans",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
+    columns=COLUMNS,
+    views=VIEWS,
+    view_functions=VIEW_FUNCTIONS,
+    laws=(
+        "Under closed it fills each pixel whose centre is inside or on an edge; under half_open each one "
+        "that is inside, or would be if it lay a trifle further right and, by less still, further up.",
+        "Polygons side by side fill each pixel once under half_open, with no gap.",
+        "Each pixel once, bottom to top and left to right.",
+        "Shifted by whole pixels it is the same; mirrored it is the same under closed.",
+        "The pixels are those of exact crossings, for any vertices within 2^20: 1/m's error never decides.",
+    ),
+    not_laws=(
+        "Mirrored it is the same under half_open: left and lower edges are in, right and upper ones out.",
+        "The crossings are exact: x, added up by 1/m, is rounded, and put right only where it decides.",
+    ),
     questions=(3,),
     labs=("Polygon fill",),
+    next_rung="circle_fill",
 )
