@@ -19,7 +19,7 @@ def test_samples_are_exact_to_rounding(curve: Curve, samples: int) -> None:
     assert len(found) == samples
     first, last = knots[degree], knots[len(points)]
     for k in {0, 1, samples // 2, samples - 1}:
-        u = min(float(first + (last - first) / (samples - 1) * k), float(last))
+        u = float(first + (last - first) / (samples - 1) * k if k < samples - 1 else last)
         exact.close(found[k], exact.b_spline(points, knots, degree, u), exact.size_of(points))
 
 
@@ -30,6 +30,12 @@ def test_a_long_curve_is_scipys(degree: int) -> None:
     found = list(b_spline_curve(points, knots, degree, 2001))
     u = np.linspace(0, 300 - degree, 2001)
     assert np.abs(np.array(found) - BSpline(knots, points, degree)(u)).max() <= 1e-12
+
+
+def test_the_last_sample_is_the_end_even_of_a_tiny_span() -> None:
+    points = np.array([[0, 0], [0, 0], [0, 0], [0, 1]], float)
+    knots = np.array([-1, -1, 0, 0.5, 0.5 + 1e-9, 0.5 + 1e-9])
+    assert list(b_spline_curve(points, knots, 1, 2)) == [(0, 0), (0, 1)]
 
 
 def test_where_a_knot_parts_the_curve_the_right_part_is_taken() -> None:

@@ -62,7 +62,7 @@ def b_spline_curve(
                 y = y * v + float(powers[power, 1])
             yield x, y
             k += 1
-            u = first + step * k
+            u = first + step * k if k < samples - 1 else last
 
 
 ENTRY = Entry(
