@@ -17,6 +17,8 @@ from workbench.algorithms.entry import Entry
 from workbench.algorithms.visibility.scene import SCENE
 from workbench.algorithms.visibility.views import VIEWS
 
+Array = NDArray[Any]
+
 
 def crossing(x0: float, y0: float, x1: float, y1: float, y: int) -> float:
     """Where the edge from (x0, y0) up to (x1, y1) crosses row y.
@@ -27,8 +29,8 @@ def crossing(x0: float, y0: float, x1: float, y1: float, y: int) -> float:
 
 
 def depth_row(
-    image_here: NDArray[Any],
-    depth_here: NDArray[Any],
+    image_here: Array,
+    depth_here: Array,
     y: int,
     left: int,
     z: float,
@@ -55,13 +57,7 @@ def depth_row(
 
 
 def depth_buffer(
-    image: NDArray[Any],
-    depth: NDArray[Any],
-    vertices: NDArray[Any],
-    faces: NDArray[Any],
-    colours: NDArray[Any],
-    low_row: int,
-    high_row: int,
+    image: Array, depth: Array, vertices: Array, faces: Array, colours: Array, low_row: int, high_row: int
 ) -> Iterator[tuple[int, int, float, int]]:
     """Draw triangles in any order; at each pixel the nearest one wins, and on equal depths the first.
 
@@ -104,8 +100,7 @@ def depth_buffer(
         C = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
         if C == 0.0:
             continue
-        dz_dx = -A / C
-        dz_dy = -B / C
+        dz_dx, dz_dy = -A / C, -B / C
 
         for y in range(first_row, row_end):
             # Find where the row enters and leaves the triangle
