@@ -11,6 +11,8 @@ from functools import lru_cache
 from types import CodeType, FunctionType
 from typing import Any, NamedTuple
 
+from workbench.engine.parsing import parse_module
+
 _PURE = frozenset(vars(builtins)) - {"delattr", "eval", "exec", "next", "setattr"}
 _PURE_MODULES = frozenset(("math", "np", "numpy"))
 _NESTED = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.Lambda)
@@ -179,7 +181,7 @@ def text_of(function: FunctionType) -> Text:
     parameters = code.co_varnames[:count]
     try:
         source, first = inspect.getsourcelines(function)
-        tree = ast.parse(textwrap.dedent("".join(source)))
+        tree = parse_module(textwrap.dedent("".join(source)))
     except (OSError, SyntaxError):
         names = tuple(code.co_varnames)
         everything = Effects(names, (), names)

@@ -22,6 +22,7 @@ from typing import Any, Literal
 import numpy as np
 
 from workbench.engine.blocks import blocks
+from workbench.engine.parsing import parse_expression
 from workbench.engine.texts import SINK, VISIT, Text, arity, gather, parameters, parse, recursive
 from workbench.language import _
 
@@ -325,7 +326,7 @@ def _worth_inlining(text: Text) -> bool:
 
 
 def _literal(value: Any) -> ast.expr:
-    return ast.parse(repr(value), mode="eval").body
+    return parse_expression(repr(value))
 
 
 def _binding(text: Text, name: str, value: Any) -> str:

@@ -11,6 +11,7 @@ from typing import Any
 
 from workbench.engine.blocks import blocks
 from workbench.engine.dialect import DialectError, refusals
+from workbench.engine.parsing import parse_expression, parse_module
 from workbench.language import _
 
 # Names that the rewritten text brings with it.
@@ -91,7 +92,7 @@ def _read(function: FunctionType, considers: Mapping[str, tuple[str, ...]]) -> T
     for refusal in refusals(tree):
         raise DialectError(function.__name__, refusal.line, refusal.sentence)
     probed = {
-        block.title: tuple(ast.parse(expression, mode="eval").body for expression in considers[block.title])
+        block.title: tuple(parse_expression(expression) for expression in considers[block.title])
         for block in (blocks(function) if considers else ())
         if block.title in considers
     }
@@ -103,7 +104,7 @@ def _read(function: FunctionType, considers: Mapping[str, tuple[str, ...]]) -> T
 def parse(source: str, first: int) -> ast.stmt:
     """The tree of a function's source, new each time, at the line numbers of its file."""
     behind = "\n" * (max(first, 1) - 1)
-    return ast.parse(behind + textwrap.dedent(source)).body[0]
+    return parse_module(behind + textwrap.dedent(source)).body[0]
 
 
 def _globals(

@@ -5,6 +5,7 @@ import math
 import operator
 from collections.abc import Callable
 
+from workbench.engine.parsing import parse_expression
 from workbench.language import _
 
 _BINARY: dict[type[ast.operator], Callable[[float, float], float]] = {
@@ -24,7 +25,7 @@ def evaluate(text: str) -> float:
     if len(plain) > LONGEST:
         raise ValueError(_("This is too long; type at most {count} characters.").format(count=LONGEST))
     try:
-        value = _value(ast.parse(plain, mode="eval").body)
+        value = _value(parse_expression(plain))
     except ZeroDivisionError:
         raise ValueError(_("This divides by zero; type another divisor.")) from None
     except (SyntaxError, TypeError, RecursionError, MemoryError):
