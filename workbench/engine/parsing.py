@@ -1,7 +1,7 @@
 """Source text to syntax tree, one thread at a time.
 
-CPython 3.11 counts the depth of the tree it builds in one place for all threads: two that parse at once may be
-told "AST constructor recursion depth mismatch" (python/cpython#106905).
+CPython 3.11 counts the depth of the tree it builds in one place for all threads: two that parse at once may
+be told "AST constructor recursion depth mismatch" (python/cpython#106905).
 """
 
 import ast
