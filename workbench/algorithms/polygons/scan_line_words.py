@@ -1,0 +1,125 @@
+"""What the views of the scan-line fill say in words, pixels and tables."""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.polygons.active_edges import Crossing, end_of_level
+from workbench.algorithms.polygons.edges import Edge
+
+Fill = Callable[..., Iterator[tuple[int, int, int]]]
+Point = tuple[float, float]
+Pixels = tuple[tuple[int, int], ...]
+
+_LISTED = 12
+_KINDS = ("bottom", "through", "top")
+
+
+def listed(values: Sequence[float | str]) -> str:
+    """Numbers as a sentence has them: six digits, a true minus sign; a long list is cut."""
+    texts = [value if isinstance(value, str) else f"{value + 0.0:.6g}".replace("-", "−") for value in values]
+    return ", ".join([*texts[:_LISTED], "…"] if len(texts) > _LISTED else texts)
+
+
+@lru_cache(maxsize=8)
+def _all_rows(
+    fill: Fill, vertices: bytes, ring_ends: bytes, closed: bool, nonzero: bool
+) -> dict[int, tuple[tuple[int, int], ...]]:
+    rows: dict[int, tuple[tuple[int, int], ...]] = {}
+    points = np.frombuffer(vertices).reshape(-1, 2)
+    for y, left, right in fill(points, np.frombuffer(ring_ends, np.int64), closed, nonzero):
+        rows[y] = (*rows.get(y, ()), (left, right))
+    return rows
+
+
+def row_spans(
+    fill: Fill, vertices: NDArray[Any], ring_ends: NDArray[Any], closed: bool, nonzero: bool, y: int
+) -> tuple[tuple[int, int], ...]:
+    """The spans of row y, from a run of the text itself."""
+    points, ends = np.ascontiguousarray(vertices, np.float64), np.ascontiguousarray(ring_ends, np.int64)
+    return _all_rows(fill, points.tobytes(), ends.tobytes(), closed, nonzero).get(y, ())
+
+
+def spans_text(spans: Sequence[tuple[int, int]]) -> str:
+    """Spans as the course writes them: 4 to 6; a single pixel by itself."""
+    return listed([f"{a} to {b}".replace("-", "−") if a < b else f"{a}".replace("-", "−") for a, b in spans])
+
+
+def span_pixels(spans: Sequence[tuple[int, int]], y: int) -> Pixels:
+    """The pixels of the spans of row y."""
+    return tuple((x, y) for left, right in spans for x in range(left, right + 1))
+
+
+def reached(active: Sequence[Crossing], edges: Sequence[Edge], vertices: NDArray[Any], y: int) -> Pixels:
+    """The pixels of row y from the first crossing to the last, and the one outside at either end."""
+    ends = [math.floor(c.x) if c.slope < math.inf else end_of_level(vertices, edges[c.edge]) for c in active]
+    left = min([math.ceil(crossing.x) for crossing in active], default=0)
+    return span_pixels(((left - 1, max(ends, default=0) + 1),), y)
+
+
+def crossings(active: Sequence[Crossing]) -> list[float]:
+    """Where edges cross the row; those along it do not."""
+    return [crossing.x for crossing in active if crossing.slope < math.inf]
+
+
+def not_among(pixels: Pixels, others: Pixels) -> Pixels:
+    """Those of the first that are not among the second."""
+    found = set(others)
+    return tuple(pixel for pixel in pixels if pixel not in found)
+
+
+def active_rows(
+    active: Sequence[Crossing], edges: Sequence[Edge], vertices: NDArray[Any]
+) -> list[tuple[Any, ...]]:
+    """The active edge table: both ends of each edge, its last row, x, 1/m and the way it goes."""
+    return [(*_ends(edges[c.edge], vertices), edges[c.edge].y_end, c.x, c.slope, c.winding) for c in active]
+
+
+def edge_rows(edges: Sequence[Edge], vertices: NDArray[Any]) -> list[tuple[Any, ...]]:
+    """The edge table: first and last row, x on the first one, 1/m and both ends of each edge."""
+    return [(e.y_start, e.y_end, e.x, e.slope, *_ends(e, vertices)) for e in edges]
+
+
+def _ends(edge: Edge, vertices: NDArray[Any]) -> tuple[Point, Point]:
+    (x0, y0), (x1, y1) = vertices[edge.low, :2].tolist(), vertices[edge.high, :2].tolist()
+    return (x0, y0), (x1, y1)
+
+
+def moves(active: Sequence[Crossing]) -> str:
+    """How each crossing goes to the next row: 3.5 + 0.5 = 4."""
+    crossed = [c for c in active if c.winding != 0]
+    return listed(
+        [
+            f"{listed([c.x])} {'−' if c.slope < 0 else '+'} {listed([abs(c.slope)])} = "
+            f"{listed([c.x + c.slope])}"
+            for c in crossed
+        ]
+    )
+
+
+def vertices_on(vertices: NDArray[Any], ring_ends: NDArray[Any], y: int, kind: str) -> str:
+    """The vertices on row y at which the polygon turns back (``top``, ``bottom``) or goes on (``through``).
+
+    Vertices side by side on the row are one, and named by the first.
+    """
+    found: list[str] = []
+    start = 0
+    for end in ring_ends.tolist():
+        ring = vertices[start:end, :2].tolist()
+        start = end
+        outside = next((k for k, (_x, level) in enumerate(ring) if level != y), None)
+        if outside is None:
+            continue
+        turned = [*ring[outside:], *ring[: outside + 1]]
+        before = first = turned[0]
+        for point, after in pairwise(turned):
+            if point[1] != y:
+                before, first = point, after
+            elif after[1] != y and kind == _KINDS[(before[1] < y) + (after[1] < y)]:
+                found.append(f"({listed(first)})")
+    return listed(found)
