@@ -18,6 +18,14 @@ from workbench.language import _
 
 _MOST_EXPECTED = 2**24
 _ANNOTATIONS: dict[Any, Kind] = {int: "int", float: "float", bool: "bool"}
+_LARGEST = 2**62
+_PLAIN: dict[Kind | None, type] = {"bool": bool, "float": float, "int": int, "colour": int}
+_ITEMS: dict[Kind | None, np.dtype[Any]] = {
+    "points": np.dtype(np.float64),
+    "depth": np.dtype(np.float64),
+    "floats": np.dtype(np.float64),
+    "ints": np.dtype(np.int64),
+}
 
 
 @functools.cache
@@ -79,9 +87,36 @@ def bind(function: Callable[..., Any], arguments: tuple[Any, ...], copied: bool)
         TypeError: too many or too few arguments.
         ValueError: one cannot be brought into its form; the sentence names it.
     """
-    bound = inspect.signature(function).bind(*arguments)
-    bound.apply_defaults()
-    return tuple(_formed(name, kind, bound.arguments[name], copied) for name, kind in kinds(function))
+    parameters = kinds(function)
+    if len(arguments) != len(parameters):
+        bound = inspect.signature(function).bind(*arguments)
+        bound.apply_defaults()
+        arguments = tuple(bound.arguments[name] for name, _kind in parameters)
+    if not copied and formed(function, arguments):
+        return arguments
+    pairs = zip(parameters, arguments, strict=True)
+    return tuple(_formed(name, kind, value, copied) for (name, kind), value in pairs)
+
+
+@functools.cache
+def _forms(function: Callable[..., Any]) -> tuple[tuple[type | None, np.dtype[Any] | None], ...]:
+    """The type of each parameter that is a number, the items of each that is an array; None for both else."""
+    return tuple((_PLAIN.get(kind), _ITEMS.get(kind)) for _name, kind in kinds(function))
+
+
+def formed(function: Callable[..., Any], arguments: tuple[Any, ...]) -> bool:
+    """Whether all arguments have their one form: a quick look, since forming takes as long as a short run."""
+    forms = _forms(function)
+    if len(forms) != len(arguments):
+        return False
+    for (plain, items), value in zip(forms, arguments, strict=True):
+        kind = type(value)
+        if items is None:
+            if kind is not plain or not -_LARGEST <= value < _LARGEST:
+                return False
+        elif kind is not np.ndarray or value.dtype is not items or not value.flags.carray:
+            return False
+    return True
 
 
 def _formed(name: str, kind: Kind | None, value: Any, copied: bool) -> Any:
@@ -124,7 +159,7 @@ def _whole(value: Any) -> int:
     whole = int(value)
     if whole != value:
         raise ValueError(_("it must be a whole number"))
-    if not -(2**62) <= whole < 2**62:
+    if not -_LARGEST <= whole < _LARGEST:
         raise ValueError(_("it is too large"))
     return whole
 

@@ -129,12 +129,17 @@ class Kernel:
     refusal: str
     folder: Path
     modules: dict[bool, ModuleType] = field(default_factory=dict)
-    used: set[str] = field(default_factory=set)
+    used: dict[str, Function] = field(default_factory=dict)
+    painters: dict[np.dtype[Any], Function] = field(default_factory=dict)
     lock: threading.RLock = field(default_factory=threading.RLock)
 
     def call(self, driver: str, values: tuple[Any, ...], compiling: bool) -> None:
         """Run a driver, compiled where that can be."""
-        use = use_of(driver, values)
+        use = _use(driver, tuple([v.dtype for v in values if type(v) is np.ndarray]))
+        known = self.used.get(use)
+        if known is not None:
+            known(*values)
+            return
         compiling = (compiling or self.ready(use)) and self.flavour != "interpreted"
         if self.refusal or not compiling or not available():
             getattr(self._module(False), driver)(*values)
@@ -155,9 +160,8 @@ class Kernel:
                 kernel_files.discard(self.folder)
                 self.modules.pop(True, None)
             getattr(self._module(True), driver)(*values)
-        if use not in self.used:
-            self.used.add(use)
-            kernel_files.mark(self.folder, use)
+        self.used[use] = getattr(self._module(True), driver)
+        kernel_files.mark(self.folder, use)
 
     def ready(self, use: str) -> bool:
         """Whether this use was compiled before."""
@@ -165,7 +169,7 @@ class Kernel:
 
     def known(self) -> set[str]:
         """All uses that were compiled before."""
-        return self.used | kernel_files.marks(self.folder)
+        return self.used.keys() | kernel_files.marks(self.folder)
 
     def _module(self, compiled: bool) -> ModuleType:
         with self.lock:
@@ -197,9 +201,10 @@ def _unchanged(function: Function) -> Function:
     return function
 
 
-def use_of(driver: str, values: tuple[Any, ...]) -> str:
+@functools.lru_cache(maxsize=1024)
+def _use(driver: str, dtypes: tuple[np.dtype[Any], ...]) -> str:
     """Name of one use of a kernel: the driver and the kinds of the arrays it is given."""
-    return "-".join([driver.lstrip("_"), *(v.dtype.str[1:] for v in values if isinstance(v, np.ndarray))])
+    return "-".join([driver.lstrip("_"), *(dtype.str[1:] for dtype in dtypes)])
 
 
 def kernel(
@@ -341,8 +346,12 @@ def paint(
         ValueError: what is emitted cannot be painted, or ``image`` is not an array of integers with two axes.
     """
     one = kernel(function, emits, flavour)
+    painter = one.painters.get(image.dtype) if type(image) is np.ndarray else None
+    if painter and image.ndim == 2 and image.flags.carray and arguments.formed(function, args):
+        painter(image, image.dtype.type(value), *args)
+        return
     values = arguments.bind(function, args, False)
-    if one.writes or any(isinstance(item, np.ndarray) and np.may_share_memory(item, image) for item in args):
+    if one.writes or (arguments.entry_of(function) is None and _among(image, args)):
         one.call("_run", ((stop or Stop()).flag, *values), compiling)
         for given, formed in zip(args, values, strict=False):
             if isinstance(given, np.ndarray) and given is not formed and given.flags.writeable:
@@ -351,8 +360,16 @@ def paint(
     _paintable(one)
     picture = _picture(image)
     one.call("_paint", (picture, picture.dtype.type(value), *values), compiling)
+    use = _use("_paint", tuple([v.dtype for v in (picture, *values) if type(v) is np.ndarray]))
+    if use in one.used and arguments.entry_of(function) is not None:
+        one.painters[picture.dtype] = one.used[use]
     if picture is not image:
         image[...] = picture
+
+
+def _among(image: NDArray[Any], args: tuple[Any, ...]) -> bool:
+    """Whether the picture to be painted is also given to the text, which then paints it itself."""
+    return any(isinstance(item, np.ndarray) and np.may_share_memory(item, image) for item in args)
 
 
 def paint_many(

@@ -60,5 +60,4 @@ ENTRY = Entry(
     questions=(3,),
     labs=("Polygon fill",),
     next_rung="ellipse_fill",
-    extent=OUTLINE.extent,
 )

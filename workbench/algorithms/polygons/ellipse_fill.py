@@ -66,5 +66,4 @@ ENTRY = Entry(
     not_laws=("Every pixel's centre is within the ellipse: the outline takes some that are just outside.",),
     questions=(3,),
     labs=("Polygon fill",),
-    extent=OUTLINE.extent,
 )
