@@ -23,7 +23,8 @@ from workbench.algorithms.entry import Emits, Entry
 from workbench.engine import arguments, kernel_files, sinks
 from workbench.engine.drivers import PAINTING, drivers, ticking_drivers
 from workbench.engine.lowering import Lowered, Variant, lower
-from workbench.engine.sinks import Stopped
+from workbench.engine.processor import mask_short_loops
+from workbench.engine.sinks import Stop, Stopped
 from workbench.language import _
 
 __all__ = [
@@ -46,22 +47,6 @@ class NotCompilable(ValueError):  # noqa: N818 - says what the text is, as Diale
     """The compiler refuses a text; the message has its words."""
 
 
-class Stop:
-    """Ends a long run from another thread: the run raises ``Stopped`` at its next emission."""
-
-    def __init__(self) -> None:
-        self.flag: NDArray[np.uint8] = np.zeros(1, np.uint8)
-
-    def set(self) -> None:
-        """Stop every run that was given this."""
-        self.flag[0] = 1
-
-    @property
-    def is_set(self) -> bool:
-        """Whether it was set."""
-        return bool(self.flag[0])
-
-
 @functools.cache
 def _numba() -> ModuleType | None:
     """numba with our ``emit`` made known to it; None when it cannot be imported."""
@@ -70,7 +55,7 @@ def _numba() -> ModuleType | None:
         from numba.extending import overload, register_jitable
     except ImportError:
         return None
-    _mask_short_loops()
+    mask_short_loops()
 
     for shared in sinks.SHARED:
         register_jitable(shared)
@@ -86,27 +71,6 @@ def _numba() -> ModuleType | None:
     register_jitable(sinks.probe)
 
     return numba
-
-
-@functools.cache
-def _mask_short_loops() -> None:
-    """Let the vector code of a loop mask its last turn, where the processor can mask every store.
-
-    Otherwise the items left over, up to 31 of them, are done one by one, and rows of a few pixels consist of
-    nothing else: triangles of 8 pixels then take 1.6 times as long, short spans 2.7 times. LLVM takes an
-    option once only, and leaves the process at one that it does not know: hence the bound on its version.
-    """
-    from llvmlite import binding
-
-    try:
-        features = binding.get_host_cpu_features()
-    except RuntimeError:
-        return
-    if binding.llvm_version_info[0] <= 22 and all(
-        features.get(name) for name in ("avx512bw", "avx512dq", "avx512vl")
-    ):
-        option = "-prefer-predicate-over-epilogue=predicate-else-scalar-epilogue"
-        binding.set_option("graphics-workbench", option)
 
 
 def available() -> bool:
