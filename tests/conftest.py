@@ -42,6 +42,15 @@ def profile(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 
 @pytest.fixture(autouse=True)
+def _threads() -> Iterator[None]:
+    """Nothing that a test began runs on behind it: a recorder holds settings of the whole process."""
+    yield
+    background = sys.modules.get("workbench.engine.background")
+    if background is not None:
+        assert background.end_all()
+
+
+@pytest.fixture(autouse=True)
 def _garbage() -> Iterator[None]:
     """Collect what an application collects from its event loop, which no longer turns after a test."""
     yield

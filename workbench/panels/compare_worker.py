@@ -1,10 +1,11 @@
 """Does jobs of comparison on a thread of its own; an answer to anything but the last question is dropped."""
 
-import threading
 from contextlib import suppress
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
+from workbench.engine import background
 from workbench.engine.compiled import Stop, Stopped
 from workbench.panels.compare_work import Job, Outcome, outcome_of
 
@@ -32,7 +33,7 @@ class CompareWorker(QObject):
         self.cancel()
         token, stop = self._token, Stop()
         self._stop = stop
-        threading.Thread(target=self._work, args=(token, job, stop), name="compare", daemon=True).start()
+        background.thread(partial(self._work, token, job, stop), "compare", stop.set).start()
 
     def cancel(self) -> None:
         """The last question is not of interest any more."""

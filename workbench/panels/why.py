@@ -1,6 +1,6 @@
 """Why this pixel? Every step that wrote, tested or refused it, with its numbers; a click goes there."""
 
-import threading
+from contextlib import suppress
 
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QShowEvent
@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QDockWidget, QLabel, QListWidget, QListWidgetItem,
 
 from workbench.algorithms import catalogue
 from workbench.document.model import Sheet
+from workbench.engine import background
 from workbench.language import _, ngettext
 from workbench.panels.figure_card import kind_title
 from workbench.rendering.why_steps import MOST, Abandoned, Answer, nothing_happened, why_steps
@@ -111,9 +112,13 @@ class WhyList(QWidget):
                 said = "" if answers else nothing_happened(sheet, *pixel)
             except Abandoned:
                 return
-            self.found.emit(question, answers, said)
+            with suppress(RuntimeError):  # this panel is gone
+                self.found.emit(question, answers, said)
 
-        threading.Thread(target=work, name="why this pixel", daemon=True).start()
+        background.thread(work, "why this pixel", self._give_up).start()
+
+    def _give_up(self) -> None:
+        self._question += 1
 
     def _take(self, question: int, answers: list[Answer], said: str) -> None:
         if question != self._question or self._asked is None:
