@@ -48,12 +48,23 @@ def change_over(active: list[Crossing], edges: list[Edge], waiting: int, y: int)
             kept += 1
     while len(active) > kept:
         active.pop()
+    first_new = waiting
     while waiting < len(edges) and edges[waiting].y_start == y:
         edge = edges[waiting]
-        crossing = Crossing(edge.x, edge.slope, edge.winding, edge.y_top, waiting)
-        active.append(crossing)
-        put_in_order(active, len(active) - 1, crossing)
+        active.append(Crossing(edge.x, edge.slope, edge.winding, edge.y_top, waiting))
         waiting += 1
+
+    # Merge both from the right, since each is in order already
+    old, new, place = kept - 1, waiting - 1, len(active) - 1
+    while new >= first_new:
+        edge = edges[new]
+        if old >= 0 and active[old].x > edge.x:
+            active[place] = active[old]
+            old -= 1
+        else:
+            active[place] = Crossing(edge.x, edge.slope, edge.winding, edge.y_top, new)
+            new -= 1
+        place -= 1
     return waiting
 
 

@@ -3,7 +3,6 @@
 import math
 from typing import Any, NamedTuple
 
-import numpy as np
 from numpy.typing import NDArray
 
 from workbench.geometry.orientation import side_of
@@ -73,7 +72,7 @@ def edge_of(vertices: NDArray[Any], closed: bool, start: int, end: int) -> Edge:
 
 
 def edge_table(vertices: NDArray[Any], ring_ends: NDArray[Any], closed: bool) -> list[Edge]:
-    """All edges that are on a row, sorted by their first one, as in the buckets of the book's table."""
+    """All edges that are on a row, those of the lowest first: the book's buckets, one after another."""
     edges = [Edge(0, 0, 0, 0.0, 0.0, 0, 0, 0)]
     edges.pop()
     start = 0
@@ -84,21 +83,33 @@ def edge_table(vertices: NDArray[Any], ring_ends: NDArray[Any], closed: bool) ->
             if edge.y_start <= edge.y_end:
                 edges.append(edge)
         start = max(start, end)
-    if len(edges) == 0:
-        return edges
+    return sorted_edges(edges)
 
-    # Count the edges of each bucket, and place them
-    first_row = min([edge.y_start for edge in edges])
-    place = np.zeros(max([edge.y_start for edge in edges]) - first_row + 2, np.int64)
-    for edge in edges:
-        place[edge.y_start - first_row + 1] += 1
-    for bucket in range(1, len(place)):
-        place[bucket] += place[bucket - 1]
-    table = edges[:]
-    for edge in edges:
-        table[place[edge.y_start - first_row]] = edge
-        place[edge.y_start - first_row] += 1
-    return table
+
+def sorted_edges(edges: list[Edge]) -> list[Edge]:
+    """The edges by their first row, on one row from left to right: merged in runs of 1, 2, 4 ... edges."""
+    run = 1
+    while run < len(edges):
+        merged = edges[:]
+        for start in range(0, len(edges), 2 * run):
+            middle = min(start + run, len(edges))
+            end = min(middle + run, len(edges))
+            first, second = start, middle
+            for k in range(start, end):
+                if second >= end or (first < middle and not comes_before(edges[second], edges[first])):
+                    merged[k] = edges[first]
+                    first += 1
+                else:
+                    merged[k] = edges[second]
+                    second += 1
+        edges = merged
+        run *= 2
+    return edges
+
+
+def comes_before(edge: Edge, other: Edge) -> bool:
+    """Whether an edge begins on a lower row than another, or on the same one further left."""
+    return edge.y_start < other.y_start or (edge.y_start == other.y_start and edge.x < other.x)
 
 
 def all_whole(vertices: NDArray[Any]) -> bool:

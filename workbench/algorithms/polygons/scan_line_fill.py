@@ -7,7 +7,9 @@ until       the next row on which an edge begins or ends
 winding     how the edges crossed so far on the row go round the point; 0 is outside
 left        first pixel of the span that is open
 covered     last pixel of the row up to the last crossing, that one's own under closed
-slack       how wrong a crossing between whole vertices may be; 0 where each row's crossings are put right
+whole       whether 1/m can be added up as it is, since crossings are on a pixel or well beside it
+slack       how far from a pixel's centre a crossing is still on it
+reach       slack, or less it: a span ends with the pixel that its last crossing is on, or before it
 """
 
 import math
@@ -25,7 +27,7 @@ from workbench.algorithms.polygons.active_edges import (
     put_in_order,
     settle,
 )
-from workbench.algorithms.polygons.edges import SLACK, all_whole, edge_table
+from workbench.algorithms.polygons.edges import NUDGE, SLACK, all_whole, edge_table
 from workbench.algorithms.polygons.parameters import CLOSED, NONZERO, POLYGON
 from workbench.algorithms.polygons.scan_line_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
 
@@ -48,7 +50,9 @@ def scan_line_fill(
     # Make the edge table
     edges = edge_table(vertices, ring_ends, closed)
     active = [Crossing(0.0, 0.0, 0, 0, 0) for _edge in edges[:0]]
-    slack = SLACK if all_whole(vertices) else 0.0
+    whole = all_whole(vertices)
+    slack = SLACK if whole else NUDGE / 2
+    reach = slack if closed else -slack
     waiting = until = 0
 
     while waiting < len(edges) or len(active) > 0:
@@ -66,12 +70,10 @@ def scan_line_fill(
                 first = math.ceil(crossing.x - slack)
                 if winding == 0:
                     left = max(first, covered + 1)
-                if not closed:
-                    covered = first - 1
-                elif crossing.slope < math.inf:
-                    covered = max(covered, math.floor(crossing.x + slack))
-                else:
+                if crossing.slope == math.inf:
                     covered = max(covered, end_of_level(vertices, edges[crossing.edge]))
+                else:
+                    covered = max(covered, math.floor(crossing.x + reach))
                 if nonzero or winding == 0:
                     winding += crossing.winding
                 elif crossing.winding != 0:
@@ -90,7 +92,7 @@ def scan_line_fill(
                 else:
                     active[k] = moved
                     farthest = x
-            if slack == 0.0:
+            if not whole:
                 settle(active, edges, vertices, row + 1)
 
 
