@@ -94,6 +94,7 @@ class Kernel:
     folder: Path
     modules: dict[bool, ModuleType] = field(default_factory=dict)
     used: dict[str, Function] = field(default_factory=dict)
+    painters: dict[np.dtype[Any], Function] = field(default_factory=dict)
     lock: threading.RLock = field(default_factory=threading.RLock)
 
     def call(self, driver: str, values: tuple[Any, ...], compiling: bool) -> None:
@@ -308,12 +309,11 @@ def paint(
     Raises:
         ValueError: what is emitted cannot be painted, or ``image`` is not an array of integers with two axes.
     """
-    known = _painters.get(function)
-    if known is not None and not flavour and type(image) is np.ndarray and known.form.fits((image, *args)):
-        plain = type(value) is int and 0 <= value <= known.most
-        known.run(image, value if plain else image.dtype.type(value), *args)
-        return
     one = kernel(function, emits, flavour)
+    painter = one.painters.get(image.dtype) if type(image) is np.ndarray else None
+    if painter and image.ndim == 2 and image.flags.carray and arguments.formed(function, args):
+        painter(image, image.dtype.type(value), *args)
+        return
     values = arguments.bind(function, args, False)
     if one.writes or (arguments.entry_of(function) is None and _among(image, args)):
         one.call("_run", ((stop or Stop()).flag, *values), compiling)
@@ -324,34 +324,11 @@ def paint(
     _paintable(one)
     picture = _picture(image)
     one.call("_paint", (picture, picture.dtype.type(value), *values), compiling)
-    if not flavour and arguments.entry_of(function) is not None:
-        _remember_painter(one, picture, values)
+    use = _use("_paint", tuple([v.dtype for v in (picture, *values) if type(v) is np.ndarray]))
+    if use in one.used and arguments.entry_of(function) is not None:
+        one.painters[picture.dtype] = one.used[use]
     if picture is not image:
         image[...] = picture
-
-
-@dataclass(frozen=True, slots=True)
-class _Painter:
-    """What has painted before, compiled: a way past all that prepares a run. ``most`` is the largest colour."""
-
-    run: Function
-    form: arguments.Form
-    most: int
-
-
-# The last painter of each text.
-_painters: dict[Function, _Painter] = {}
-
-
-def _remember_painter(one: Kernel, picture: NDArray[Any], values: tuple[Any, ...]) -> None:
-    """Keep the compiled painter that has just run, if it was one, for the next call with such arguments."""
-    use = _use("_paint", tuple([v.dtype for v in (picture, *values) if type(v) is np.ndarray]))
-    numba = _numba() if use in one.used else None
-    if numba is not None:
-        signature = tuple(map(numba.typeof, (picture, picture.dtype.type(0), *values)))
-        run = one.used[use].get_overload(signature)  # type: ignore[attr-defined]
-        form, most = arguments.Form.of((picture, *values)), int(np.iinfo(picture.dtype).max)
-        _painters[one.function] = _Painter(run, form, most)
 
 
 def _among(image: NDArray[Any], args: tuple[Any, ...]) -> bool:
