@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given
+from hypothesis import given, reject
 from hypothesis import strategies as st
 
 from tests.polygons.exact import covered
@@ -15,7 +15,9 @@ from workbench.engine.recorder import record
 whole = st.integers(-6, 9).map(float)
 quarters = st.integers(-24, 36).map(lambda number: number / 4)
 beside = st.tuples(st.integers(-6, 9), st.sampled_from([1e-12, -1e-12, 1e-9, -3e-16, 2.0**-11])).map(sum)
-coordinates = st.one_of(whole, quarters, beside, st.floats(-6, 9, allow_subnormal=False))
+# Nearer to 0 than this, products of two coordinates leave the range of floats
+any_float = st.floats(-6, 9).filter(lambda number: number == 0 or abs(number) > 1e-60)
+coordinates = st.one_of(whole, quarters, beside, any_float)
 Rings = tuple[list[tuple[float, float]], list[int]]
 
 
@@ -56,7 +58,10 @@ def test_pixels_come_bottom_to_top_and_left_to_right(polygon, closed):
     st.lists(st.tuples(coordinates, coordinates), min_size=3, max_size=8), st.randoms(use_true_random=False)
 )
 def test_triangles_side_by_side_fill_each_pixel_once(points, chance):
-    delaunay = shapely.delaunay_triangles(shapely.MultiPoint(points))
+    try:
+        delaunay = shapely.delaunay_triangles(shapely.MultiPoint(points))
+    except shapely.errors.GEOSException:  # it gives up on points that nearly coincide
+        reject()
     triangles = [list(part.exterior.coords)[:3] for part in delaunay.geoms]
     for triangle in triangles:
         chance.shuffle(triangle)

@@ -64,7 +64,9 @@ def edge_of(vertices: NDArray[Any], closed: bool, start: int, end: int) -> Edge:
     if y_start == y_top:
         winding, y_top = 0, y_start + 1
     if y_low == y_high:
-        return Edge(y_start, y_top, y_end, min(x_low, x_high), math.inf, winding, low, high)
+        x = min(x_low, x_high)
+        x = max(x, math.ceil(x) - 1 + NUDGE)
+        return Edge(y_start, y_top, y_end, x, math.inf, winding, low, high)
     dx, dy = x_high - x_low, y_high - y_low
     x = crossing_at(vertices, low, high, x_low + (y_start - y_low) / dy * dx, y_start)
     slope = min(max(dx / dy, -STEEPEST), STEEPEST)

@@ -42,8 +42,8 @@ def scan_line_fill(
     A pixel belongs to it by its centre: half_open has y_low <= y < y_high and x_left <= x < x_right, so that
     polygons side by side neither overlap nor leave a gap; closed has all that is inside or on an edge.
 
-    Args: vertices (n, 2), finite, in pixels, within 2^20; ring_ends (m,): one past each ring's last vertex;
-    closed or half_open; interior where the winding number is not zero, or where it is odd (even_odd).
+    Args: vertices (n, 2) in pixels, within 2^20 (and 0, or not below 1e-60); ring_ends (m,): one past each
+    ring's last vertex; closed or half_open; inside where the winding number is not zero or is odd (even_odd).
     Emits: (y, x_left, x_right), both ends included, bottom to top, left to right, each pixel once.
     Source: Hearn and Baker, Computer Graphics, C Version, section 3-11.
     """
