@@ -7,6 +7,7 @@ int64, pictures of integers as they are. Another form would be another signature
 import functools
 import inspect
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,13 +20,6 @@ from workbench.language import _
 _MOST_EXPECTED = 2**24
 _ANNOTATIONS: dict[Any, Kind] = {int: "int", float: "float", bool: "bool"}
 _LARGEST = 2**62
-_PLAIN: dict[Kind | None, type] = {"bool": bool, "float": float, "int": int, "colour": int}
-_ITEMS: dict[Kind | None, np.dtype[Any]] = {
-    "points": np.dtype(np.float64),
-    "depth": np.dtype(np.float64),
-    "floats": np.dtype(np.float64),
-    "ints": np.dtype(np.int64),
-}
 
 
 @functools.cache
@@ -92,31 +86,54 @@ def bind(function: Callable[..., Any], arguments: tuple[Any, ...], copied: bool)
         bound = inspect.signature(function).bind(*arguments)
         bound.apply_defaults()
         arguments = tuple(bound.arguments[name] for name, _kind in parameters)
-    if not copied and formed(function, arguments):
-        return arguments
     pairs = zip(parameters, arguments, strict=True)
     return tuple(_formed(name, kind, value, copied) for (name, kind), value in pairs)
 
 
-@functools.cache
-def _forms(function: Callable[..., Any]) -> tuple[tuple[type | None, np.dtype[Any] | None], ...]:
-    """The type of each parameter that is a number, the items of each that is an array; None for both else."""
-    return tuple((_PLAIN.get(kind), _ITEMS.get(kind)) for _name, kind in kinds(function))
+@dataclass(frozen=True, slots=True)
+class Form:
+    """The exact types of some arguments, for a quick look: forming them takes as long as a short run.
 
+    ``arrays`` are place, items and number of axes of each array, ``integers`` the places of whole numbers.
+    """
 
-def formed(function: Callable[..., Any], arguments: tuple[Any, ...]) -> bool:
-    """Whether all arguments have their one form: a quick look, since forming takes as long as a short run."""
-    forms = _forms(function)
-    if len(forms) != len(arguments):
-        return False
-    for (plain, items), value in zip(forms, arguments, strict=True):
-        kind = type(value)
-        if items is None:
-            if kind is not plain or not -_LARGEST <= value < _LARGEST:
-                return False
-        elif kind is not np.ndarray or value.dtype is not items or not value.flags.carray:
+    types: tuple[type, ...]
+    arrays: tuple[tuple[int, np.dtype[Any], int], ...]
+    integers: tuple[int, ...]
+
+    @staticmethod
+    def of(values: tuple[Any, ...]) -> "Form":
+        """That of arguments that ``bind`` has formed."""
+        arrays = [(k, a.dtype, a.ndim) for k, a in enumerate(values) if isinstance(a, np.ndarray)]
+        integers = [k for k, value in enumerate(values) if type(value) is int]
+        return Form(tuple(map(type, values)), tuple(arrays), tuple(integers))
+
+    def fits(self, values: tuple[Any, ...]) -> bool:
+        """Whether ``values`` can be given, as they are, to what was compiled for this form."""
+        if tuple(map(type, values)) != self.types:
             return False
-    return True
+        for k, items, axes in self.arrays:
+            array = values[k]
+            if array.dtype is not items or array.ndim != axes or not array.flags.carray:
+                return False
+        return not self.integers or all(-_LARGEST <= values[k] < _LARGEST for k in self.integers)
+
+
+@dataclass(frozen=True, slots=True)
+class Painter:
+    """What has painted before, and the form of all it was given; ``most`` is the largest colour."""
+
+    run: Callable[..., None]
+    form: Form
+    most: int
+
+    def paints(self, image: Any, value: Any, values: tuple[Any, ...]) -> bool:
+        """Paint, if the arguments have the form; whether they have."""
+        if not self.form.fits((image, *values)):
+            return False
+        plain = type(value) is int and 0 <= value <= self.most
+        self.run(image, value if plain else image.dtype.type(value), *values)
+        return True
 
 
 def _formed(name: str, kind: Kind | None, value: Any, copied: bool) -> Any:
@@ -179,3 +196,8 @@ def _own(array: NDArray[Any], value: Any, copied: bool) -> NDArray[Any]:
     """``array``, or a copy where the caller's must stay as it is or must not be written."""
     shared = isinstance(value, np.ndarray) and np.may_share_memory(array, value)
     return array.copy() if (copied and shared) or not array.flags.writeable else array
+
+
+def among(image: NDArray[Any], values: tuple[Any, ...]) -> bool:
+    """Whether a picture that is to be painted is also given to the text, which then paints it itself."""
+    return any(isinstance(item, np.ndarray) and np.may_share_memory(item, image) for item in values)

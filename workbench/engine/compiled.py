@@ -9,7 +9,6 @@ import functools
 import importlib.util
 import inspect
 import threading
-import traceback
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -94,7 +93,6 @@ class Kernel:
     folder: Path
     modules: dict[bool, ModuleType] = field(default_factory=dict)
     used: dict[str, Function] = field(default_factory=dict)
-    painters: dict[np.dtype[Any], Function] = field(default_factory=dict)
     lock: threading.RLock = field(default_factory=threading.RLock)
 
     def call(self, driver: str, values: tuple[Any, ...], compiling: bool) -> None:
@@ -118,7 +116,7 @@ class Kernel:
             sentence = str(error).strip().splitlines()[0]
             raise NotCompilable(f"{self.lowered.name}: {sentence}") from error
         except Exception as error:
-            if not _came_from_cache(error):
+            if not kernel_files.came_from_cache(error):
                 raise
             with self.lock:
                 kernel_files.discard(self.folder)
@@ -153,12 +151,6 @@ class Kernel:
         vars(module).update(reading=_unchanged, part=_unchanged)
         exec(compile(self.text, f"<{self.lowered.name}>", "exec"), vars(module))
         return module
-
-
-def _came_from_cache(error: BaseException) -> bool:
-    """Whether reading a kept kernel raised this, so that nothing has run yet."""
-    frames = traceback.extract_tb(error.__traceback__)
-    return any(Path(frame.filename).name == "caching.py" for frame in frames)
 
 
 def _unchanged(function: Function) -> Function:
@@ -309,13 +301,12 @@ def paint(
     Raises:
         ValueError: what is emitted cannot be painted, or ``image`` is not an array of integers with two axes.
     """
-    one = kernel(function, emits, flavour)
-    painter = one.painters.get(image.dtype) if type(image) is np.ndarray else None
-    if painter and image.ndim == 2 and image.flags.carray and arguments.formed(function, args):
-        painter(image, image.dtype.type(value), *args)
+    known = _painters.get(function)
+    if known is not None and not flavour and known.paints(image, value, args):
         return
+    one = kernel(function, emits, flavour)
     values = arguments.bind(function, args, False)
-    if one.writes or (arguments.entry_of(function) is None and _among(image, args)):
+    if one.writes or (arguments.entry_of(function) is None and arguments.among(image, args)):
         one.call("_run", ((stop or Stop()).flag, *values), compiling)
         for given, formed in zip(args, values, strict=False):
             if isinstance(given, np.ndarray) and given is not formed and given.flags.writeable:
@@ -324,16 +315,25 @@ def paint(
     _paintable(one)
     picture = _picture(image)
     one.call("_paint", (picture, picture.dtype.type(value), *values), compiling)
-    use = _use("_paint", tuple([v.dtype for v in (picture, *values) if type(v) is np.ndarray]))
-    if use in one.used and arguments.entry_of(function) is not None:
-        one.painters[picture.dtype] = one.used[use]
+    if not flavour and arguments.entry_of(function) is not None:
+        _remember_painter(one, picture, values)
     if picture is not image:
         image[...] = picture
 
 
-def _among(image: NDArray[Any], args: tuple[Any, ...]) -> bool:
-    """Whether the picture to be painted is also given to the text, which then paints it itself."""
-    return any(isinstance(item, np.ndarray) and np.may_share_memory(item, image) for item in args)
+# The last painter of each text: a way past all that prepares a run.
+_painters: dict[Function, arguments.Painter] = {}
+
+
+def _remember_painter(one: Kernel, picture: NDArray[Any], values: tuple[Any, ...]) -> None:
+    """Keep the compiled painter that has just run, if it was one, for the next call with such arguments."""
+    use = _use("_paint", tuple([v.dtype for v in (picture, *values) if type(v) is np.ndarray]))
+    numba = _numba() if use in one.used else None
+    if numba is not None:
+        signature = tuple(map(numba.typeof, (picture, picture.dtype.type(0), *values)))
+        run = one.used[use].get_overload(signature)  # type: ignore[attr-defined]
+        form, most = arguments.Form.of((picture, *values)), int(np.iinfo(picture.dtype).max)
+        _painters[one.function] = arguments.Painter(run, form, most)
 
 
 def paint_many(

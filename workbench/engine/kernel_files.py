@@ -13,6 +13,7 @@ import platform
 import shutil
 import sys
 import tempfile
+import traceback
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -128,3 +129,9 @@ def marks(place: Path) -> set[str]:
 def discard(place: Path) -> None:
     """Throw a folder away that holds rubbish, as far as that can be."""
     shutil.rmtree(place, ignore_errors=True)
+
+
+def came_from_cache(error: BaseException) -> bool:
+    """Whether reading a kept kernel raised this, so that nothing has run yet."""
+    frames = traceback.extract_tb(error.__traceback__)
+    return any(Path(frame.filename).name == "caching.py" for frame in frames)
