@@ -13,7 +13,7 @@ import msgspec
 
 from workbench.document.check import ids
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Document, Rectangle, Sheet, WorldPoint
+from workbench.document.model import AnyFigure, Curve, Document, Knot, Rectangle, Sheet, WorldPoint
 from workbench.language import _
 
 WHOLE = "*"
@@ -91,7 +91,14 @@ def point_with(figure: AnyFigure, point: str) -> WorldPoint:
     )
 
 
-def owner(document: Document, address: Address) -> Document | Sheet | AnyFigure | WorldPoint:
+def part_with(figure: AnyFigure, part: str) -> WorldPoint | Knot:
+    """The control point or knot of ``figure`` with this id; raises DocumentError."""
+    knots = figure.knots if isinstance(figure, Curve) else ()
+    found = next((knot for knot in knots if knot.id == part), None)
+    return point_with(figure, part) if found is None else found
+
+
+def owner(document: Document, address: Address) -> Document | Sheet | AnyFigure | WorldPoint | Knot:
     """What the attribute of ``address`` belongs to; raises DocumentError."""
     if not address.sheet:
         return document
@@ -100,7 +107,7 @@ def owner(document: Document, address: Address) -> Document | Sheet | AnyFigure 
         return sheet
     for figure in sheet.figures:
         if figure.id == address.figure:
-            return point_with(figure, address.point) if address.point else figure
+            return part_with(figure, address.point) if address.point else figure
     raise DocumentError(
         str(address),
         _("{address}: there is no such figure; it may have been removed.").format(address=address),
@@ -134,7 +141,12 @@ def changed(old: Document, new: Document) -> frozenset[Address]:
     return frozenset(found)
 
 
-_INNER = {"sheets": ("figures", "figure"), "figures": ("points_world", "point"), "points_world": ("", "")}
+_INNER: dict[str, dict[str, str]] = {
+    "sheets": {"figures": "figure"},
+    "figures": {"points_world": "point", "knots": "point"},
+    "points_world": {},
+    "knots": {},
+}
 
 
 def _lists(
@@ -157,13 +169,13 @@ def _lists(
         if a is None or b is None or type(a) is not type(b):
             found.add(at)
             continue
-        inner, inner_level = _INNER[attribute]
+        inner = _INNER[attribute]
         for name in a.__struct_fields__:
             x, y = getattr(a, name), getattr(b, name)
             if x is y or name == "id":
                 continue
-            if name == inner:
-                _lists(found, x, y, at, inner, inner_level)
+            if name in inner:
+                _lists(found, x, y, at, name, inner[name])
             elif x != y:
                 found.update(msgspec.structs.replace(at, attribute=text) for text in _parts(name, x, y))
 

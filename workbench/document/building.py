@@ -9,13 +9,29 @@ from msgspec.structs import replace
 from workbench.document.addresses import Address, figure_with, highest, new_ids
 from workbench.document.check import shown
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Document, Polygon, Polyline, Rectangle, Sheet, WorldPoint
+from workbench.document.model import (
+    AnyFigure,
+    Curve,
+    Document,
+    Knot,
+    Polygon,
+    Polyline,
+    Rectangle,
+    Sheet,
+    WorldPoint,
+)
 from workbench.language import _
 
 
 def ids_on(sheet: Sheet) -> list[str]:
     """Every id on ``sheet``, its own first."""
-    return [sheet.id, *(i for f in sheet.figures for i in (f.id, *(p.id for p in f.points_world)))]
+    return [sheet.id, *(i for f in sheet.figures for i in ids_of(f))]
+
+
+def ids_of(figure: AnyFigure) -> list[str]:
+    """The figure's own id, those of its points and of its knots."""
+    knots = figure.knots if isinstance(figure, Curve) else ()
+    return [figure.id, *(p.id for p in figure.points_world), *(knot.id for knot in knots)]
 
 
 def with_sheet(document: Document, sheet: Sheet) -> Document:
@@ -42,6 +58,9 @@ def with_owner(document: Document, where: Address, changed: Any) -> Document:
     """``document`` with ``changed`` in place of the sheet, figure or point that ``where`` is on."""
     if where.point:
         figure = figure_with(document, where.figure)[1]
+        if isinstance(changed, Knot) and isinstance(figure, Curve):
+            knots = tuple(changed if old.id == where.point else old for old in figure.knots)
+            return with_changed(document, [replace(figure, knots=knots)])
         points = tuple(changed if old.id == where.point else old for old in figure.points_world)
         return with_changed(document, [replace(figure, points_world=points)])
     if where.figure:
@@ -66,15 +85,22 @@ def remembering(before: Document, after: Document) -> Document:
 
 def numbered(document: Document, figure: AnyFigure) -> AnyFigure:
     """``figure`` with new ids where its own are empty."""
-    fresh = iter(new_ids(document, "", 1 + len(figure.points_world)))
+    fresh = iter(new_ids(document, "", len(ids_of(figure))))
     identity = figure.id or f"f{next(fresh)}"
     points = tuple(p if p.id else replace(p, id=f"p{next(fresh)}") for p in figure.points_world)
-    return replace(figure, id=identity, points_world=points)
+    made = replace(figure, id=identity, points_world=points)
+    if isinstance(made, Curve):
+        knots = tuple(k if k.id else replace(k, id=f"k{next(fresh)}") for k in made.knots)
+        made = replace(made, knots=knots)
+    return made
 
 
 def without_ids(figure: AnyFigure) -> AnyFigure:
     """``figure`` with empty ids, to be numbered anew."""
-    return replace(figure, id="", points_world=tuple(replace(p, id="") for p in figure.points_world))
+    bare = replace(figure, id="", points_world=tuple(replace(p, id="") for p in figure.points_world))
+    if isinstance(bare, Curve):
+        bare = replace(bare, knots=tuple(replace(knot, id="") for knot in bare.knots))
+    return bare
 
 
 def moved_by(figure: AnyFigure, dx: float, dy: float) -> AnyFigure:
@@ -125,7 +151,7 @@ def position(index: int, most: int, field: str) -> int:
 
 def plain(figure: AnyFigure) -> AnyFigure:
     """``figure`` with Python's own numbers, whatever number type it was made with."""
-    points = tuple(WorldPoint(p.id, number(p.x), number(p.y)) for p in figure.points_world)
+    points = tuple(replace(p, x=number(p.x), y=number(p.y)) for p in figure.points_world)
     radii = {
         name: number(getattr(figure, name)) for name in figure.__struct_fields__ if name.startswith("radius")
     }

@@ -7,10 +7,15 @@ from typing import Any
 
 from workbench.document.errors import DocumentError
 from workbench.document.model import (
+    ENDS,
+    JOINTS,
+    KNOT_RULES,
     LINE_CLIPPERS,
     POLYGON_CLIPPERS,
+    SPLINES,
     AnyFigure,
     Circle,
+    Curve,
     Document,
     Ellipse,
     Polygon,
@@ -28,6 +33,8 @@ MAX_FIGURES = 100_000
 MAX_PALETTE = 256
 MAX_NAME = 200
 RECURSION_LIMITS = (10, 4_000)
+MAX_DEGREE = 7
+WEIGHTS = (1e-9, 1e9)
 RING_LEAST = 3
 
 _ID = re.compile(r"(?!.*[0-9]{16}$)[A-Za-z][A-Za-z0-9_-]{0,31}")
@@ -138,6 +145,52 @@ def _figure(at: str, figure: AnyFigure, sheet: Sheet) -> None:
         _rings(f"{at}.ring_ends", figure)
         _truth(f"{at}.closed_interior", figure.closed_interior)
         _truth(f"{at}.nonzero", figure.nonzero)
+    elif isinstance(figure, Curve):
+        _curve(at, figure)
+
+
+def _curve(at: str, curve: Curve) -> None:
+    _choice(f"{at}.spline", curve.spline, SPLINES)
+    for index, spline in enumerate(curve.beside):
+        _choice(f"{at}.beside[{index}]", spline, SPLINES)
+    _integer(f"{at}.degree", curve.degree, 1, MAX_DEGREE)
+    _choice(f"{at}.knot_rule", curve.knot_rule, KNOT_RULES)
+    _choice(f"{at}.ends", curve.ends, ENDS)
+    for name, low, high in (
+        ("tension", -10.0, 10.0),
+        ("continuity", -10.0, 10.0),
+        ("bias", -10.0, 10.0),
+        ("alpha", 0.0, 1.0),
+        ("tolerance_px", 1e-4, 100.0),
+    ):
+        _between(f"{at}.{name}", getattr(curve, name), low, high)
+    for index, point in enumerate(curve.points_world):
+        if point.weight != 1.0:
+            _between(f"{at}.points_world[{index}].weight", point.weight, *WEIGHTS)
+        if point.tangent_x != 0.0 or point.tangent_y != 0.0:
+            _coordinate(f"{at}.points_world[{index}].tangent_x", point.tangent_x)
+            _coordinate(f"{at}.points_world[{index}].tangent_y", point.tangent_y)
+        if point.joint != JOINTS[0]:
+            _choice(f"{at}.points_world[{index}].joint", point.joint, JOINTS)
+    _knots(f"{at}.knots", curve)
+
+
+def _knots(field: str, curve: Curve) -> None:
+    if curve.knot_rule != "free":
+        _count(field, curve.knots, 0, 0, _("knot"))
+        return
+    needed = len(curve.points_world) + curve.degree + 1
+    _count(field, curve.knots, needed, needed, _("knot"))
+    for index, knot in enumerate(curve.knots):
+        _coordinate(f"{field}[{index}].u", knot.u)
+        if index and knot.u < curve.knots[index - 1].u:
+            problem = _(
+                "is {value}, less than the knot before it, {before}; knots may not decrease: raise it"
+            )
+            raise refuse(
+                f"{field}[{index}].u",
+                problem.format(value=shown(knot.u), before=shown(curve.knots[index - 1].u)),
+            )
 
 
 def _rings(field: str, polygon: Polygon) -> None:
@@ -163,6 +216,9 @@ def ids(document: Document) -> Iterator[tuple[str, str]]:
             yield f"sheets[{s}].figures[{f}].id", figure.id
             for p, point in enumerate(figure.points_world):
                 yield f"sheets[{s}].figures[{f}].points_world[{p}].id", point.id
+            if isinstance(figure, Curve):
+                for k, knot in enumerate(figure.knots):
+                    yield f"sheets[{s}].figures[{f}].knots[{k}].id", knot.id
 
 
 def _ids_unique(document: Document) -> None:
@@ -210,6 +266,13 @@ def _radius(field: str, value: Any) -> None:
     if not 0 <= value <= MAX_COORDINATE:
         problem = _("is {value}; give a number between 0 and {most:,.0f}")
         raise refuse(field, problem.format(value=shown(value), most=MAX_COORDINATE))
+
+
+def _between(field: str, value: Any, low: float, high: float) -> None:
+    _number(field, value)
+    if not low <= value <= high:
+        problem = _("is {value}; give a number between {low:g} and {high:g}")
+        raise refuse(field, problem.format(value=shown(value), low=low, high=high))
 
 
 def _rectangle(field: str, rectangle: Rectangle) -> None:

@@ -23,6 +23,7 @@ from workbench.document.addresses import (
     sheet_with,
 )
 from workbench.document.building import (
+    ids_of,
     ids_on,
     like,
     moved_by,
@@ -154,7 +155,10 @@ def move_points(points: Mapping[Address | str, tuple[float, float]]) -> Edit:
             places = wanted[figure.id]
             for point in places:
                 point_with(figure, point)
-            at = (WorldPoint(p.id, *places.get(p.id, (p.x, p.y))) for p in figure.points_world)
+            at = (
+                replace(p, x=places[p.id][0], y=places[p.id][1]) if p.id in places else p
+                for p in figure.points_world
+            )
             moved.append(replace(figure, points_world=tuple(at)))
         return with_changed(document, moved)
 
@@ -287,10 +291,10 @@ def add_sheet(sheet: Sheet, index: int | None = None) -> Edit:
         figures: list[AnyFigure] = []
         for figure in sheet.figures:
             figure = plain(figure)
-            mine = [figure.id, *(point.id for point in figure.points_world)]
+            mine = ids_of(figure)
             if taken.intersection(mine) or not all(mine):
                 figure = numbered(with_figures(document, added, tuple(figures)), without_ids(figure))
-            taken.update((figure.id, *(point.id for point in figure.points_world)))
+            taken.update(ids_of(figure))
             figures.append(figure)
         return with_figures(document, added, tuple(figures))
 

@@ -142,7 +142,76 @@ class SeedFill(Figure, frozen=True, tag="seed_fill", kw_only=True):
     recursion_limit: int = 1000
 
 
-AnyFigure = Line | Polyline | Polygon | Circle | Ellipse | SeedFill
+SPLINES = (
+    "bezier",
+    "bezier_path",
+    "b_spline",
+    "nurbs",
+    "hermite",
+    "natural_cubic",
+    "clamped_cubic",
+    "periodic_cubic",
+    "cardinal",
+    "catmull_rom",
+    "kochanek_bartels",
+)
+JOINTS = ("corner", "smooth", "symmetric")
+KNOT_RULES = ("open_uniform", "uniform", "free")
+ENDS = ("through", "inner")
+
+
+class CurvePoint(WorldPoint, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """A control point of a curve.
+
+    ``weight`` is what a NURBS gives it, above 0; (``tangent_x``, ``tangent_y``) the derivative there by u, in
+    world units, for Hermite's curve and the ends of a clamped one; ``joint`` how the handles of a point on a
+    path of Bézier pieces hang together: not at all, in one direction, or in one direction equally long.
+    """
+
+    weight: float = 1.0
+    tangent_x: float = 0.0
+    tangent_y: float = 0.0
+    joint: str = JOINTS[0]
+
+
+class Knot(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One knot of a B-spline, at the parameter ``u``."""
+
+    id: str
+    u: float
+
+
+class Curve(Figure, frozen=True, tag="curve", omit_defaults=True):
+    """A curve of the kind ``spline`` over its points; ``beside`` are kinds shown over the same points.
+
+    ``algorithm`` draws the lines that it is flattened into, nowhere farther from it than ``tolerance_px``.
+    The points of a path are point, handle, handle, point and so on; what is left over waits for more.
+    ``knots`` are there only under the rule "free", as many as points and degree ask for. ``tension``,
+    ``continuity`` and ``bias`` shape cardinal and Kochanek-Bartels splines, ``alpha`` Catmull-Rom's; with
+    ``ends`` "inner" the outer points of these three only steer, as in the course.
+    """
+
+    topic: ClassVar[str] = "curves"
+    algorithms: ClassVar[tuple[str, ...]] = Line.algorithms
+    least_points: ClassVar[int] = 1
+    most_points: ClassVar[int] = 10_000
+
+    points_world: tuple[CurvePoint, ...]
+    spline: str = SPLINES[0]
+    beside: tuple[str, ...] = ()
+    degree: int = 3
+    closed: bool = False
+    knot_rule: str = KNOT_RULES[0]
+    knots: tuple[Knot, ...] = ()
+    tension: float = 0.0
+    continuity: float = 0.0
+    bias: float = 0.0
+    alpha: float = 0.5
+    ends: str = ENDS[0]
+    tolerance_px: float = 0.1
+
+
+AnyFigure = Line | Polyline | Polygon | Circle | Ellipse | SeedFill | Curve
 
 LINE_CLIPPERS = ("cohen_sutherland", "liang_barsky")
 POLYGON_CLIPPERS = ("sutherland_hodgman",)

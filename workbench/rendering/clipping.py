@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.document.model import AnyFigure, Circle, Line, Polygon, Polyline, Sheet
+from workbench.document.model import AnyFigure, Circle, Curve, Line, Polygon, Polyline, Sheet
+from workbench.rendering.curves import polyline_of
 from workbench.rendering.limits import clip_ring, within_reach
 from workbench.rendering.mapping import Box, Call, device_map, device_rings, device_segments
 
@@ -33,7 +34,7 @@ def clip_box(sheet: Sheet) -> Box | None:
 
 def clipper_of(sheet: Sheet, figure: AnyFigure) -> str:
     """The slug of the algorithm that clips this figure, a circle of radius 0 as a point; empty for none."""
-    if isinstance(figure, Line | Polyline):
+    if isinstance(figure, Line | Polyline | Curve):
         return sheet.line_clipper
     if isinstance(figure, Circle) and figure.radius_world == 0:
         return "clip_point"
@@ -50,12 +51,20 @@ def clipper_calls(sheet: Sheet, figure: AnyFigure, clipper: str | None = None) -
     if window is None or not slug:
         return []
     entry = catalogue.get(slug)
-    if isinstance(figure, Line | Polyline):
-        return [Call(entry, (*segment, *window)) for segment in device_segments(sheet, figure)]
+    if isinstance(figure, Line | Polyline | Curve):
+        return [Call(entry, (*segment, *window)) for segment in segments_of(sheet, figure)]
     if isinstance(figure, Polygon):
         return [Call(entry, (ring, *window)) for ring in device_rings(sheet, figure)]
     scale = device_map(sheet)
     return [Call(entry, (*scale.point(point.x, point.y), *window)) for point in figure.points_world]
+
+
+def segments_of(sheet: Sheet, figure: Line | Polyline | Curve) -> list[Segment]:
+    """The segments (x0, y0, x1, y1) that a figure is made of, device coordinates."""
+    if isinstance(figure, Curve):
+        corners = polyline_of(sheet, figure).tolist()
+        return [(*a, *b) for a, b in pairwise(corners)]
+    return device_segments(sheet, figure)
 
 
 @lru_cache(maxsize=16_384)
@@ -67,10 +76,10 @@ def clipped_segment(slug: str, segment: Segment, window: Box) -> tuple[Segment, 
     )
 
 
-def visible_segments(sheet: Sheet, figure: Line | Polyline) -> Iterable[Segment]:
+def visible_segments(sheet: Sheet, figure: Line | Polyline | Curve) -> Iterable[Segment]:
     """What of each segment is left to be drawn, device coordinates."""
     window = clip_box(sheet)
-    for segment in device_segments(sheet, figure):
+    for segment in segments_of(sheet, figure):
         if window is None:
             yield segment
         else:
@@ -104,7 +113,7 @@ def polygon_values(sheet: Sheet, figure: Polygon) -> dict[str, Any] | None:
     }
 
 
-def line_values(sheet: Sheet, figure: Line | Polyline) -> Iterable[Segment]:
+def line_values(sheet: Sheet, figure: Line | Polyline | Curve) -> Iterable[Segment]:
     """The ends, not rounded, of each segment that a line's algorithm is to draw."""
     for segment in visible_segments(sheet, figure):
         near = within_reach(*segment, sheet.width_px, sheet.height_px)

@@ -8,7 +8,17 @@ import itertools
 import math
 from typing import NamedTuple
 
-from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, Polyline, SeedFill, Sheet
+from workbench.document.model import (
+    AnyFigure,
+    Circle,
+    Curve,
+    Ellipse,
+    Line,
+    Polygon,
+    Polyline,
+    SeedFill,
+    Sheet,
+)
 from workbench.language import _
 from workbench.rendering.clipping import clip_box, ring_strokes, visible_rings, visible_segments
 from workbench.rendering.limits import clip_segment
@@ -46,7 +56,7 @@ def _ellipse_chords(
 
 
 def _segments(sheet: Sheet, figure: AnyFigure, flatness: float) -> list[tuple[float, float, float, float]]:
-    if isinstance(figure, Line | Polyline):
+    if isinstance(figure, Line | Polyline | Curve):
         return list(visible_segments(sheet, figure))
     if isinstance(figure, Polygon):
         return [stroke for ring in visible_rings(sheet, figure) for stroke in ring_strokes(ring)]

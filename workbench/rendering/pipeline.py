@@ -11,7 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, Polyline, SeedFill, Sheet
+from workbench.document.model import (
+    AnyFigure,
+    Circle,
+    Curve,
+    Ellipse,
+    Line,
+    Polygon,
+    Polyline,
+    SeedFill,
+    Sheet,
+)
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering.clipping import line_values, polygon_values
 from workbench.rendering.limits import REACH_PX
@@ -20,7 +30,7 @@ from workbench.rendering.mapping import Call, device_map, device_radii
 
 def _named(sheet: Sheet, figure: AnyFigure, below: NDArray[np.uint32] | None) -> list[dict[str, Any]]:
     """For each call the values its parameters may ask for, by the names that the catalogue uses."""
-    if isinstance(figure, Line | Polyline):
+    if isinstance(figure, Line | Polyline | Curve):
         names = ("x0", "y0", "x1", "y1")
         return [
             dict(zip(names, map(round_half_up, ends), strict=True)) for ends in line_values(sheet, figure)

@@ -36,6 +36,7 @@ from workbench.algorithms.curves.knots import (
 )
 from workbench.algorithms.curves.kochanek_bartels import kochanek_bartels
 from workbench.algorithms.curves.pieces import Pieces, piece_derivative, piece_points
+from workbench.algorithms.curves.polyline import chord_counts, polyline
 from workbench.algorithms.curves.rational import Nurbs, circle, homogeneous, projected
 
 __all__ = [
@@ -53,6 +54,7 @@ __all__ = [
     "bezier_point",
     "cardinal",
     "catmull_rom",
+    "chord_counts",
     "circle",
     "clamped_cubic",
     "closed_b_spline",
@@ -78,6 +80,7 @@ __all__ = [
     "periodic_cubic",
     "piece_derivative",
     "piece_points",
+    "polyline",
     "projected",
     "split_b_spline",
     "subdivide",
