@@ -1,13 +1,14 @@
 """What edits are made of: a document with something replaced, figures with ids, plain numbers."""
 
 import operator
-from collections.abc import Iterable
-from typing import Any, SupportsFloat, SupportsIndex
+from collections.abc import Callable, Iterable
+from functools import wraps
+from typing import Any, ParamSpec, SupportsFloat, SupportsIndex
 
 from msgspec.structs import replace
 
 from workbench.document.addresses import Address, figure_with, highest, new_ids
-from workbench.document.check import shown
+from workbench.document.check import check, shown
 from workbench.document.errors import DocumentError
 from workbench.document.model import (
     AnyFigure,
@@ -21,6 +22,31 @@ from workbench.document.model import (
     WorldPoint,
 )
 from workbench.language import _
+
+Edit = Callable[[Document], Document]
+Arguments = ParamSpec("Arguments")
+
+
+def checked(change: Callable[Arguments, Edit]) -> Callable[Arguments, Edit]:
+    """``change``, whose edits are checked before anybody sees their result."""
+
+    @wraps(change)
+    def make(*args: Arguments.args, **kwargs: Arguments.kwargs) -> Edit:
+        unchecked = change(*args, **kwargs)
+        return lambda document: check(unchecked(document), document)
+
+    return make
+
+
+def both(*edits: Edit) -> Edit:
+    """One edit that does ``edits`` one after the other, or none of them."""
+
+    def edit(document: Document) -> Document:
+        for each in edits:
+            document = each(document)
+        return document
+
+    return edit
 
 
 def ids_on(sheet: Sheet) -> list[str]:

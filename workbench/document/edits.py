@@ -4,9 +4,8 @@ An edit refuses what would not be sound with DocumentError, in one sentence, and
 it is given. What an edit adds may carry empty ids: it is given new ones.
 """
 
-from collections.abc import Callable, Iterable, Mapping
-from functools import wraps
-from typing import Any, ParamSpec
+from collections.abc import Iterable, Mapping
+from typing import Any
 
 from msgspec.structs import replace
 
@@ -23,67 +22,72 @@ from workbench.document.addresses import (
     sheet_with,
 )
 from workbench.document.building import (
-    ids_of,
-    ids_on,
+    Edit,
+    both,
+    checked,
     like,
     moved_by,
     number,
     numbered,
     of_many_points,
     plain,
-    plain_rectangle,
     polyline_with,
     position,
     remembering,
     replaced,
-    whole_number,
     with_changed,
     with_figures,
     with_owner,
     with_points,
-    with_sheet,
     without_ids,
 )
-from workbench.document.check import MAX_SIDE_PX, check
 from workbench.document.errors import DocumentError
-from workbench.document.model import (
-    AnyFigure,
-    Document,
-    Polygon,
-    Rectangle,
-    Sheet,
-    WorldPoint,
-    whole_sheet,
+from workbench.document.model import AnyFigure, Document, Polygon, WorldPoint
+from workbench.document.sheet_edits import (
+    add_sheet,
+    remove_sheet,
+    rename_sheet,
+    reorder_sheet,
+    set_clip,
+    set_clippers,
+    set_palette,
+    set_sheet_size,
+    set_viewport,
+    set_window,
 )
 from workbench.language import _
 
-Edit = Callable[[Document], Document]
-Arguments = ParamSpec("Arguments")
+__all__ = [
+    "Edit",
+    "add_figure",
+    "add_ring",
+    "add_sheet",
+    "both",
+    "duplicate_figures",
+    "insert_point",
+    "move_figures",
+    "move_points",
+    "remove_figures",
+    "remove_point",
+    "remove_sheet",
+    "rename_figure",
+    "rename_sheet",
+    "reorder",
+    "reorder_sheet",
+    "set_algorithm",
+    "set_attribute",
+    "set_attributes",
+    "set_clip",
+    "set_clippers",
+    "set_closed",
+    "set_palette",
+    "set_sheet_size",
+    "set_viewport",
+    "set_window",
+]
 
 
-def _edit(change: Callable[Arguments, Edit]) -> Callable[Arguments, Edit]:
-    """``change``, whose edits are checked before anybody sees their result."""
-
-    @wraps(change)
-    def make(*args: Arguments.args, **kwargs: Arguments.kwargs) -> Edit:
-        unchecked = change(*args, **kwargs)
-        return lambda document: check(unchecked(document), document)
-
-    return make
-
-
-def both(*edits: Edit) -> Edit:
-    """One edit that does ``edits`` one after the other, or none of them."""
-
-    def edit(document: Document) -> Document:
-        for each in edits:
-            document = each(document)
-        return document
-
-    return edit
-
-
-@_edit
+@checked
 def add_figure(sheet: str, figure: AnyFigure, index: int | None = None) -> Edit:
     """Put ``figure`` on ``sheet``, at ``index`` from the back, by default in front of all others."""
 
@@ -96,7 +100,7 @@ def add_figure(sheet: str, figure: AnyFigure, index: int | None = None) -> Edit:
     return edit
 
 
-@_edit
+@checked
 def remove_figures(figures: Iterable[str]) -> Edit:
     """Remove the figures with these ids."""
     gone = frozenset(figures)
@@ -112,7 +116,7 @@ def remove_figures(figures: Iterable[str]) -> Edit:
     return edit
 
 
-@_edit
+@checked
 def duplicate_figures(figures: Iterable[str], dx_world: float = 1.0, dy_world: float = -1.0) -> Edit:
     """Put a copy of each figure right in front of it, moved by (dx, dy); the copies get ids of their own."""
     wanted = tuple(dict.fromkeys(figures))
@@ -128,7 +132,7 @@ def duplicate_figures(figures: Iterable[str], dx_world: float = 1.0, dy_world: f
     return edit
 
 
-@_edit
+@checked
 def reorder(figure: str, index: int) -> Edit:
     """Move ``figure`` to ``index`` on its sheet: 0 is behind all others, the last index in front of them."""
 
@@ -141,7 +145,7 @@ def reorder(figure: str, index: int) -> Edit:
     return edit
 
 
-@_edit
+@checked
 def move_points(points: Mapping[Address | str, tuple[float, float]]) -> Edit:
     """Put control points to world coordinates; an address names its point, whatever its attribute."""
     wanted: dict[str, dict[str, tuple[float, float]]] = {}
@@ -165,7 +169,7 @@ def move_points(points: Mapping[Address | str, tuple[float, float]]) -> Edit:
     return edit
 
 
-@_edit
+@checked
 def move_figures(figures: Iterable[str], dx_world: float, dy_world: float) -> Edit:
     """Move every control point of these figures by (dx, dy)."""
     wanted = tuple(dict.fromkeys(figures))
@@ -177,7 +181,7 @@ def move_figures(figures: Iterable[str], dx_world: float, dy_world: float) -> Ed
     return edit
 
 
-@_edit
+@checked
 def set_attribute(address: Address | str, value: Any) -> Edit:
     """Set one attribute: a number, a name, a truth, an algorithm; never an id, a list or a whole thing."""
     where = parse(address)
@@ -199,7 +203,7 @@ def set_attributes(values: Mapping[Address | str, Any]) -> Edit:
     return both(*(set_attribute(address, value) for address, value in values.items()))
 
 
-@_edit
+@checked
 def set_algorithm(figures: str | Iterable[str], slug: str) -> Edit:
     """Let these figures be drawn by the algorithm ``slug``."""
     wanted = (figures,) if isinstance(figures, str) else tuple(figures)
@@ -211,7 +215,7 @@ def set_algorithm(figures: str | Iterable[str], slug: str) -> Edit:
     return edit
 
 
-@_edit
+@checked
 def insert_point(figure: str, index: int, x_world: float, y_world: float) -> Edit:
     """Insert a control point into a polyline or polygon, before the one that is now at ``index``.
 
@@ -228,7 +232,7 @@ def insert_point(figure: str, index: int, x_world: float, y_world: float) -> Edi
     return edit
 
 
-@_edit
+@checked
 def remove_point(address: Address | str) -> Edit:
     """Remove the control point that ``address`` names from its polyline or polygon."""
     where = parse(address)
@@ -243,7 +247,7 @@ def remove_point(address: Address | str) -> Edit:
     return edit
 
 
-@_edit
+@checked
 def add_ring(polygon: str, corners_world: Iterable[tuple[float, float]]) -> Edit:
     """Add a ring, of three corners or more, to a polygon."""
     corners = [(number(x), number(y)) for x, y in corners_world]
@@ -264,140 +268,13 @@ def add_ring(polygon: str, corners_world: Iterable[tuple[float, float]]) -> Edit
     return edit
 
 
-@_edit
+@checked
 def set_closed(figure: str, closed: bool) -> Edit:
     """Close a polyline, or open it."""
     return lambda document: with_changed(document, [replace(polyline_with(document, figure), closed=closed)])
 
 
-@_edit
+@checked
 def rename_figure(figure: str, name: str) -> Edit:
     """Give a figure a name, or none."""
     return lambda document: with_changed(document, [replace(figure_with(document, figure)[1], name=name)])
-
-
-@_edit
-def add_sheet(sheet: Sheet, index: int | None = None) -> Edit:
-    """Add ``sheet``, by default after the others; every id in it that is empty or taken is replaced."""
-
-    def edit(document: Document) -> Document:
-        at = position(len(document.sheets) if index is None else index, len(document.sheets), "sheets")
-        identity = sheet.id
-        if not identity or any(identity == other.id for other in document.sheets):
-            identity = new_ids(document, "s", 1)[0]
-        added = replace(sheet, id=identity, figures=())
-        document = replace(document, sheets=(*document.sheets[:at], added, *document.sheets[at:]))
-        taken = {known for other in document.sheets for known in ids_on(other)}
-        figures: list[AnyFigure] = []
-        for figure in sheet.figures:
-            figure = plain(figure)
-            mine = ids_of(figure)
-            if taken.intersection(mine) or not all(mine):
-                figure = numbered(with_figures(document, added, tuple(figures)), without_ids(figure))
-            taken.update(ids_of(figure))
-            figures.append(figure)
-        return with_figures(document, added, tuple(figures))
-
-    return edit
-
-
-@_edit
-def remove_sheet(sheet: str) -> Edit:
-    """Remove a sheet; the last one stays."""
-
-    def edit(document: Document) -> Document:
-        gone = sheet_with(document, sheet)
-        return remembering(
-            document, replace(document, sheets=tuple(s for s in document.sheets if s is not gone))
-        )
-
-    return edit
-
-
-@_edit
-def rename_sheet(sheet: str, name: str) -> Edit:
-    """Give a sheet a name."""
-    return lambda document: with_sheet(document, replace(sheet_with(document, sheet), name=name))
-
-
-@_edit
-def reorder_sheet(sheet: str, index: int) -> Edit:
-    """Move a sheet to ``index`` among the others."""
-
-    def edit(document: Document) -> Document:
-        moved = sheet_with(document, sheet)
-        others = [other for other in document.sheets if other is not moved]
-        others.insert(position(index, len(others), "sheets"), moved)
-        return replace(document, sheets=tuple(others))
-
-    return edit
-
-
-@_edit
-def set_sheet_size(sheet: str, width_px: int, height_px: int) -> Edit:
-    """Set a sheet's size. A viewport over the whole sheet follows, and the window at its scale."""
-
-    def edit(document: Document) -> Document:
-        old = sheet_with(document, sheet)
-        new = replace(old, width_px=width_px, height_px=height_px)
-        sizes = (old.width_px, old.height_px, width_px, height_px)
-        if old.viewport_device == whole_sheet(*sizes[:2]) and all(
-            type(size) is int and 0 < size <= MAX_SIDE_PX for size in sizes
-        ):
-            window = old.window_world
-            wide = (window.xmax - window.xmin) * (width_px / old.width_px)
-            high = (window.ymax - window.ymin) * (height_px / old.height_px)
-            grown = replace(window, xmax=window.xmin + wide, ymax=window.ymin + high)
-            new = replace(new, viewport_device=whole_sheet(width_px, height_px), window_world=grown)
-        return with_sheet(document, new)
-
-    return edit
-
-
-@_edit
-def set_window(sheet: str, window_world: Rectangle) -> Edit:
-    """Set the window, in world coordinates."""
-    window = plain_rectangle(window_world)
-    return lambda document: with_sheet(document, replace(sheet_with(document, sheet), window_world=window))
-
-
-@_edit
-def set_clip(sheet: str, clip_world: Rectangle | None) -> Edit:
-    """Set the window that figures are clipped to, in world coordinates; None clips nothing."""
-    clip = None if clip_world is None else plain_rectangle(clip_world)
-    return lambda document: with_sheet(document, replace(sheet_with(document, sheet), clip_world=clip))
-
-
-@_edit
-def set_clippers(sheet: str, line: str | None = None, polygon: str | None = None) -> Edit:
-    """Choose the algorithms that clip lines and polygons; None keeps the one that is chosen."""
-
-    def edit(document: Document) -> Document:
-        old = sheet_with(document, sheet)
-        changed = replace(
-            old, line_clipper=line or old.line_clipper, polygon_clipper=polygon or old.polygon_clipper
-        )
-        return with_sheet(document, changed)
-
-    return edit
-
-
-@_edit
-def set_viewport(sheet: str, viewport_device: Rectangle) -> Edit:
-    """Set the viewport, in device coordinates."""
-    viewport = plain_rectangle(viewport_device)
-    return lambda document: with_sheet(
-        document, replace(sheet_with(document, sheet), viewport_device=viewport)
-    )
-
-
-@_edit
-def set_palette(sheet: str, palette: Iterable[int]) -> Edit:
-    """Set the palette (0xRRGGBB); it must hold every colour that the sheet uses."""
-    colours = tuple(whole_number(colour) for colour in palette)
-
-    def edit(document: Document) -> Document:
-        # The figures are looked at again, since a shorter palette may lack a colour of theirs.
-        return with_sheet(document, replace(sheet_with(document, sheet), palette=colours))
-
-    return edit

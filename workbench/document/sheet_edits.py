@@ -1,0 +1,151 @@
+"""Edits of whole sheets: their size, their window and viewport, what clips on them, their palette."""
+
+from collections.abc import Iterable
+
+from msgspec.structs import replace
+
+from workbench.document.addresses import new_ids, sheet_with
+from workbench.document.building import (
+    Edit,
+    checked,
+    ids_of,
+    ids_on,
+    numbered,
+    plain,
+    plain_rectangle,
+    position,
+    remembering,
+    whole_number,
+    with_figures,
+    with_sheet,
+    without_ids,
+)
+from workbench.document.check import MAX_SIDE_PX
+from workbench.document.model import AnyFigure, Document, Rectangle, Sheet, whole_sheet
+
+
+@checked
+def add_sheet(sheet: Sheet, index: int | None = None) -> Edit:
+    """Add ``sheet``, by default after the others; every id in it that is empty or taken is replaced."""
+
+    def edit(document: Document) -> Document:
+        at = position(len(document.sheets) if index is None else index, len(document.sheets), "sheets")
+        identity = sheet.id
+        if not identity or any(identity == other.id for other in document.sheets):
+            identity = new_ids(document, "s", 1)[0]
+        added = replace(sheet, id=identity, figures=())
+        document = replace(document, sheets=(*document.sheets[:at], added, *document.sheets[at:]))
+        taken = {known for other in document.sheets for known in ids_on(other)}
+        figures: list[AnyFigure] = []
+        for figure in sheet.figures:
+            figure = plain(figure)
+            mine = ids_of(figure)
+            if taken.intersection(mine) or not all(mine):
+                figure = numbered(with_figures(document, added, tuple(figures)), without_ids(figure))
+            taken.update(ids_of(figure))
+            figures.append(figure)
+        return with_figures(document, added, tuple(figures))
+
+    return edit
+
+
+@checked
+def remove_sheet(sheet: str) -> Edit:
+    """Remove a sheet; the last one stays."""
+
+    def edit(document: Document) -> Document:
+        gone = sheet_with(document, sheet)
+        return remembering(
+            document, replace(document, sheets=tuple(s for s in document.sheets if s is not gone))
+        )
+
+    return edit
+
+
+@checked
+def rename_sheet(sheet: str, name: str) -> Edit:
+    """Give a sheet a name."""
+    return lambda document: with_sheet(document, replace(sheet_with(document, sheet), name=name))
+
+
+@checked
+def reorder_sheet(sheet: str, index: int) -> Edit:
+    """Move a sheet to ``index`` among the others."""
+
+    def edit(document: Document) -> Document:
+        moved = sheet_with(document, sheet)
+        others = [other for other in document.sheets if other is not moved]
+        others.insert(position(index, len(others), "sheets"), moved)
+        return replace(document, sheets=tuple(others))
+
+    return edit
+
+
+@checked
+def set_sheet_size(sheet: str, width_px: int, height_px: int) -> Edit:
+    """Set a sheet's size. A viewport over the whole sheet follows, and the window at its scale."""
+
+    def edit(document: Document) -> Document:
+        old = sheet_with(document, sheet)
+        new = replace(old, width_px=width_px, height_px=height_px)
+        sizes = (old.width_px, old.height_px, width_px, height_px)
+        if old.viewport_device == whole_sheet(*sizes[:2]) and all(
+            type(size) is int and 0 < size <= MAX_SIDE_PX for size in sizes
+        ):
+            window = old.window_world
+            wide = (window.xmax - window.xmin) * (width_px / old.width_px)
+            high = (window.ymax - window.ymin) * (height_px / old.height_px)
+            grown = replace(window, xmax=window.xmin + wide, ymax=window.ymin + high)
+            new = replace(new, viewport_device=whole_sheet(width_px, height_px), window_world=grown)
+        return with_sheet(document, new)
+
+    return edit
+
+
+@checked
+def set_window(sheet: str, window_world: Rectangle) -> Edit:
+    """Set the window, in world coordinates."""
+    window = plain_rectangle(window_world)
+    return lambda document: with_sheet(document, replace(sheet_with(document, sheet), window_world=window))
+
+
+@checked
+def set_clip(sheet: str, clip_world: Rectangle | None) -> Edit:
+    """Set the window that figures are clipped to, in world coordinates; None clips nothing."""
+    clip = None if clip_world is None else plain_rectangle(clip_world)
+    return lambda document: with_sheet(document, replace(sheet_with(document, sheet), clip_world=clip))
+
+
+@checked
+def set_clippers(sheet: str, line: str | None = None, polygon: str | None = None) -> Edit:
+    """Choose the algorithms that clip lines and polygons; None keeps the one that is chosen."""
+
+    def edit(document: Document) -> Document:
+        old = sheet_with(document, sheet)
+        changed = replace(
+            old, line_clipper=line or old.line_clipper, polygon_clipper=polygon or old.polygon_clipper
+        )
+        return with_sheet(document, changed)
+
+    return edit
+
+
+@checked
+def set_viewport(sheet: str, viewport_device: Rectangle) -> Edit:
+    """Set the viewport, in device coordinates."""
+    viewport = plain_rectangle(viewport_device)
+    return lambda document: with_sheet(
+        document, replace(sheet_with(document, sheet), viewport_device=viewport)
+    )
+
+
+@checked
+def set_palette(sheet: str, palette: Iterable[int]) -> Edit:
+    """Set the palette (0xRRGGBB); it must hold every colour that the sheet uses."""
+    colours = tuple(whole_number(colour) for colour in palette)
+
+    def edit(document: Document) -> Document:
+        # The figures are looked at again, since a shorter palette may lack a colour of theirs.
+        return with_sheet(document, replace(sheet_with(document, sheet), palette=colours))
+
+    return edit
