@@ -16,12 +16,14 @@ from workbench.document.model import (
     AnyFigure,
     Circle,
     Curve,
+    CurvePoint,
     Document,
     Ellipse,
     Polygon,
     Rectangle,
     SeedFill,
     Sheet,
+    WorldPoint,
 )
 from workbench.language import _, ngettext
 
@@ -113,13 +115,14 @@ def _sheet(at: str, sheet: Sheet, before: Sheet | None) -> None:
     _palette_index(f"{at}.background", sheet.background, sheet)
     _count(f"{at}.figures", sheet.figures, 0, MAX_FIGURES, _("figure"))
     same_palette = before is not None and len(before.palette) <= len(sheet.palette)
-    seen = {id(figure) for figure in before.figures} if before is not None and same_palette else set()
+    known = {figure.id: figure for figure in before.figures} if before is not None else {}
     for index, figure in enumerate(sheet.figures):
-        if id(figure) not in seen:
-            _figure(f"{at}.figures[{index}]", figure, sheet)
+        old = known.get(figure.id)
+        if old is not figure or not same_palette:
+            _figure(f"{at}.figures[{index}]", figure, sheet, old)
 
 
-def _figure(at: str, figure: AnyFigure, sheet: Sheet) -> None:
+def _figure(at: str, figure: AnyFigure, sheet: Sheet, before: AnyFigure | None) -> None:
     _name(f"{at}.name", figure.name)
     _truth(f"{at}.visible", figure.visible)
     if hasattr(figure, "closed"):
@@ -130,9 +133,10 @@ def _figure(at: str, figure: AnyFigure, sheet: Sheet) -> None:
         raise refuse(f"{at}.algorithm", problem.format(value=shown(figure.algorithm), choices=choices))
     _palette_index(f"{at}.colour", figure.colour, sheet)
     _count(f"{at}.points_world", figure.points_world, figure.least_points, figure.most_points, _("point"))
+    seen = set(map(id, before.points_world)) if type(before) is type(figure) else set()
     for index, point in enumerate(figure.points_world):
-        _coordinate(f"{at}.points_world[{index}].x", point.x)
-        _coordinate(f"{at}.points_world[{index}].y", point.y)
+        if id(point) not in seen:
+            _point(f"{at}.points_world[{index}]", point)
     if isinstance(figure, Circle):
         _radius(f"{at}.radius_world", figure.radius_world)
     elif isinstance(figure, Ellipse):
@@ -147,6 +151,16 @@ def _figure(at: str, figure: AnyFigure, sheet: Sheet) -> None:
         _truth(f"{at}.nonzero", figure.nonzero)
     elif isinstance(figure, Curve):
         _curve(at, figure)
+
+
+def _point(at: str, point: WorldPoint) -> None:
+    _coordinate(f"{at}.x", point.x)
+    _coordinate(f"{at}.y", point.y)
+    if isinstance(point, CurvePoint):
+        _between(f"{at}.weight", point.weight, *WEIGHTS)
+        _coordinate(f"{at}.tangent_x", point.tangent_x)
+        _coordinate(f"{at}.tangent_y", point.tangent_y)
+        _choice(f"{at}.joint", point.joint, JOINTS)
 
 
 def _curve(at: str, curve: Curve) -> None:
@@ -164,22 +178,19 @@ def _curve(at: str, curve: Curve) -> None:
         ("tolerance_px", 1e-4, 100.0),
     ):
         _between(f"{at}.{name}", getattr(curve, name), low, high)
-    for index, point in enumerate(curve.points_world):
-        if point.weight != 1.0:
-            _between(f"{at}.points_world[{index}].weight", point.weight, *WEIGHTS)
-        if point.tangent_x != 0.0 or point.tangent_y != 0.0:
-            _coordinate(f"{at}.points_world[{index}].tangent_x", point.tangent_x)
-            _coordinate(f"{at}.points_world[{index}].tangent_y", point.tangent_y)
-        if point.joint != JOINTS[0]:
-            _choice(f"{at}.points_world[{index}].joint", point.joint, JOINTS)
     _knots(f"{at}.knots", curve)
+
+
+def needed_knots(curve: Curve) -> int:
+    """How many knots points and degree ask for; of a closed curve those of one turn, both ends counted."""
+    return len(curve.points_world) + (1 if curve.closed else curve.degree + 1)
 
 
 def _knots(field: str, curve: Curve) -> None:
     if curve.knot_rule != "free":
         _count(field, curve.knots, 0, 0, _("knot"))
         return
-    needed = len(curve.points_world) + curve.degree + 1
+    needed = needed_knots(curve)
     _count(field, curve.knots, needed, needed, _("knot"))
     for index, knot in enumerate(curve.knots):
         _coordinate(f"{field}[{index}].u", knot.u)
@@ -246,12 +257,15 @@ def _same_ids(before: Document, after: Document) -> bool:
         if old.id != new.id or len(old.figures) != len(new.figures):
             return False
         for a, b in zip(old.figures, new.figures, strict=True):
-            if a is not b and (a.id, [p.id for p in a.points_world]) != (
-                b.id,
-                [p.id for p in b.points_world],
-            ):
+            if a is not b and [a.id, *_part_ids(a)] != [b.id, *_part_ids(b)]:
                 return False
     return True
+
+
+def _part_ids(figure: AnyFigure) -> Iterator[str]:
+    yield from (point.id for point in figure.points_world)
+    if isinstance(figure, Curve):
+        yield from (knot.id for knot in figure.knots)
 
 
 def _coordinate(field: str, value: Any) -> None:

@@ -186,9 +186,10 @@ class Curve(Figure, frozen=True, tag="curve", omit_defaults=True):
 
     ``algorithm`` draws the lines that it is flattened into, nowhere farther from it than ``tolerance_px``.
     The points of a path are point, handle, handle, point and so on; what is left over waits for more.
-    ``knots`` are there only under the rule "free", as many as points and degree ask for. ``tension``,
-    ``continuity`` and ``bias`` shape cardinal and Kochanek-Bartels splines, ``alpha`` Catmull-Rom's; with
-    ``ends`` "inner" the outer points of these three only steer, as in the course.
+    ``knots`` are there only under the rule "free": degree + 1 more than points, or for one turn of a closed
+    curve 1 more. ``tension``, ``continuity`` and ``bias`` shape cardinal and Kochanek-Bartels splines,
+    ``alpha`` Catmull-Rom's; with ``ends`` "inner" the outer points of these three only steer, as in the
+    course.
     """
 
     topic: ClassVar[str] = "curves"

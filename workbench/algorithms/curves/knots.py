@@ -57,15 +57,23 @@ def open_uniform_knots(count: int, degree: int) -> Array:
     return np.pad(inner, degree, mode="edge")
 
 
-def closed_b_spline(points: ArrayLike, degree: int) -> tuple[Array, Array]:
-    """Points and uniform knots of the closed curve: the first ``degree`` points come once more at the end.
+def closed_b_spline(points: ArrayLike, degree: int, knots: ArrayLike | None = None) -> tuple[Array, Array]:
+    """Points and knots of the closed curve: the first ``degree`` points come once more at the end.
 
-    Raises: ValueError for fewer than three points.
+    Args: knots (n+1,) of one turn, ascending; if none are given, all knots are 0, 1, 2 and so on.
+    Raises: ValueError for fewer than three points, or knots of another number.
     """
     controls = np.asarray(points, float)
     refuse(faults(controls, least=3))
-    around = controls[np.arange(len(controls) + degree) % len(controls)]
-    return around, uniform_knots(len(around), degree)
+    count = len(controls)
+    turn = np.arange(degree, count + degree + 1.0) if knots is None else np.asarray(knots, float)
+    if turn.shape != (count + 1,):
+        raise ValueError(f"There are {turn.size} knots, and {count} closed points need {count + 1}.")
+    around = controls[np.arange(count + degree) % count]
+    at = np.arange(-degree, count + degree + 1)
+    repeated = turn[at % count] + (turn[-1] - turn[0]) * (at // count)
+    repeated[degree : degree + count + 1] = turn
+    return around, repeated
 
 
 def multiplicity(knots: ArrayLike, u: float) -> int:

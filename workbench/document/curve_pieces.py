@@ -1,0 +1,142 @@
+"""Curves of the document as numbers: their points, knots and weights, and their Bézier pieces, world."""
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms import curves
+from workbench.algorithms.curves import Pieces
+from workbench.algorithms.curves.sections import Ends
+from workbench.document.model import Curve
+
+Array = NDArray[np.float64]
+
+
+@lru_cache(maxsize=64)
+def _table(curve: Curve) -> Array:
+    """x, y, weight and tangent of each point (n, 5); read-only."""
+    rows = [(p.x, p.y, p.weight, p.tangent_x, p.tangent_y) for p in curve.points_world]
+    table = np.array(rows, np.float64).reshape(-1, 5)
+    table.setflags(write=False)
+    return table
+
+
+def points_of(curve: Curve) -> Array:
+    """The control points (n, 2), world."""
+    return _table(curve)[:, :2]
+
+
+def weights_of(curve: Curve) -> Array:
+    """The weight of each control point (n,)."""
+    return _table(curve)[:, 2]
+
+
+def tangents_of(curve: Curve) -> Array:
+    """The derivative by u at each point (n, 2), world."""
+    return _table(curve)[:, 3:]
+
+
+def knots_of(curve: Curve) -> Array:
+    """The knots of a B-spline as its rule makes them: n + degree + 1, of a closed one n + 1 for one turn.
+
+    Raises: ValueError for too few points.
+    """
+    if curve.knot_rule == "free":
+        return np.array([knot.u for knot in curve.knots], np.float64)
+    count = len(curve.points_world)
+    if curve.closed:
+        return np.arange(count + 1.0)
+    made = curves.uniform_knots if curve.knot_rule == "uniform" else curves.open_uniform_knots
+    return made(count, curve.degree)
+
+
+def b_spline_of(curve: Curve) -> tuple[Array, Array, Array]:
+    """Points (n, 2), knots and weights (n,) of the B-spline; a closed one has its first points once more.
+
+    Raises: ValueError for too few points.
+    """
+    points, weights = points_of(curve), weights_of(curve)
+    if not curve.closed:
+        return points, knots_of(curve), weights
+    around, knots = curves.closed_b_spline(np.column_stack([points, weights]), curve.degree, knots_of(curve))
+    return around[:, :2], knots, around[:, 2]
+
+
+@lru_cache(maxsize=256)
+def pieces_of(curve: Curve, spline: str = "") -> Pieces:
+    """The Bézier pieces, world, of a curve as it is or as one of another kind over the same points.
+
+    Raises: ValueError with the sentence that says what is missing, as for too few points.
+    """
+    points = points_of(curve)
+    ends: Ends = "closed" if curve.closed else "inner" if curve.ends == "inner" else "through"
+    match spline or curve.spline:
+        case "bezier":
+            around = np.vstack([points, points[:1]]) if curve.closed else points
+            return _bezier(around[None], np.array([0.0, 1.0]))
+        case "bezier_path":
+            return _path(points, curve.closed)
+        case "b_spline":
+            controls, knots, _weights = b_spline_of(curve)
+            return curves.b_spline_to_bezier(controls, knots, curve.degree)
+        case "nurbs":
+            controls, knots, weights = b_spline_of(curve)
+            whole = curves.b_spline_to_bezier(curves.homogeneous(controls, weights), knots, curve.degree)
+            flat, pulls = curves.projected(whole.controls)
+            return Pieces(whole.knots, flat, pulls)
+        case "hermite":
+            tangents = tangents_of(curve)
+            if curve.closed:
+                points, tangents = np.vstack([points, points[:1]]), np.vstack([tangents, tangents[:1]])
+            return curves.hermite(points, tangents)
+        case "natural_cubic":
+            return curves.natural_cubic(points)
+        case "clamped_cubic":
+            tangents = tangents_of(curve)
+            return curves.clamped_cubic(points, tangents[0], tangents[-1])
+        case "periodic_cubic":
+            return curves.periodic_cubic(points)
+        case "cardinal":
+            return curves.cardinal(points, curve.tension, ends)
+        case "catmull_rom":
+            return curves.catmull_rom(points, curve.alpha, ends)
+        case _:
+            return curves.kochanek_bartels(points, curve.tension, curve.continuity, curve.bias, ends)
+
+
+def _bezier(controls: Array, knots: Array) -> Pieces:
+    if controls.shape[1] < 2:
+        raise ValueError("There is 1 point, and 2 are needed; add 1.")
+    return Pieces(knots, controls)
+
+
+def _path(points: Array, closed: bool) -> Pieces:
+    """Cubic pieces over point, handle, handle, point; of a closed path the last ends at the first point."""
+    count = len(points) // 3 if closed else (len(points) - 1) // 3
+    if count < 1:
+        missing = (3 if closed else 4) - len(points)
+        raise ValueError(f"There are {len(points)} points, and a piece needs {missing} more; add {missing}.")
+    at = 3 * np.arange(count)[:, None] + np.arange(4)
+    return Pieces(np.arange(count + 1.0), points[at % (3 * count) if closed else at])
+
+
+def fault_of(curve: Curve, spline: str = "") -> str:
+    """The sentence that says why there is no such curve yet; empty when there is one."""
+    try:
+        pieces_of(curve, spline)
+    except ValueError as problem:
+        return str(problem)
+    return ""
+
+
+def parameter_at(curve: Curve, share: float) -> float:
+    """The parameter u at a share, 0 to 1, of the range of u. Raises: ValueError where there is no curve."""
+    knots = pieces_of(curve).knots
+    return float(knots[0] + min(max(share, 0.0), 1.0) * (knots[-1] - knots[0]))
+
+
+def share_at(curve: Curve, u: float) -> float:
+    """How far u is in the range of u, 0 to 1. Raises: ValueError where there is no curve."""
+    knots = pieces_of(curve).knots
+    return float(min(max((u - knots[0]) / (knots[-1] - knots[0]), 0.0), 1.0))
