@@ -19,9 +19,12 @@ from workbench.algorithms.curves.blossom import b_spline_to_bezier, elevate_b_sp
 from workbench.algorithms.curves.cardinal import cardinal
 from workbench.algorithms.curves.catmull_rom import catmull_rom
 from workbench.algorithms.curves.continuity import Continuity, continuity, joints
+from workbench.algorithms.curves.cubic_pieces import to_cubic_pieces
 from workbench.algorithms.curves.cubic_spline import clamped_cubic, natural_cubic, periodic_cubic
 from workbench.algorithms.curves.de_boor import de_boor
 from workbench.algorithms.curves.de_casteljau import de_casteljau
+from workbench.algorithms.curves.degree_lowering import lower_b_spline, lower_degree
+from workbench.algorithms.curves.fitting import fit_pieces
 from workbench.algorithms.curves.flatten_bezier import flatten_bezier
 from workbench.algorithms.curves.flatten_cubic import flatten_cubic
 from workbench.algorithms.curves.hermite import hermite
@@ -38,6 +41,7 @@ from workbench.algorithms.curves.kochanek_bartels import kochanek_bartels
 from workbench.algorithms.curves.pieces import Pieces, piece_derivative, piece_points
 from workbench.algorithms.curves.polyline import chord_counts, polyline
 from workbench.algorithms.curves.rational import Nurbs, circle, homogeneous, projected
+from workbench.algorithms.curves.rational_polyline import nurbs_to_polyline
 
 __all__ = [
     "Continuity",
@@ -64,6 +68,7 @@ __all__ = [
     "de_casteljau",
     "elevate_b_spline",
     "elevate_degree",
+    "fit_pieces",
     "flatten_bezier",
     "flatten_cubic",
     "hermite",
@@ -73,9 +78,12 @@ __all__ = [
     "joints",
     "knot_spans",
     "kochanek_bartels",
+    "lower_b_spline",
+    "lower_degree",
     "multiplicity",
     "natural_cubic",
     "nurbs_point",
+    "nurbs_to_polyline",
     "open_uniform_knots",
     "periodic_cubic",
     "piece_derivative",
@@ -84,5 +92,6 @@ __all__ = [
     "projected",
     "split_b_spline",
     "subdivide",
+    "to_cubic_pieces",
     "uniform_knots",
 ]

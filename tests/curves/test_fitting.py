@@ -1,0 +1,116 @@
+"""Curves fitted to points: within the tolerance, with few pieces, smooth where the points are."""
+
+import math
+
+import numpy as np
+import pytest
+import shapely
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.curves.made_curves import Array, point_lists
+from workbench.algorithms.curves import Pieces, bezier_point, fit_pieces
+
+
+def chain(pieces: Pieces, steps: int = 200) -> Array:
+    return np.concatenate([bezier_point(piece, np.linspace(0, 1, steps)) for piece in pieces.controls])
+
+
+def farthest(pieces: Pieces, points: Array) -> float:
+    line = shapely.LineString(chain(pieces))
+    return float(shapely.distance(line, shapely.points(points)).max())
+
+
+def angles(pieces: Pieces) -> Array:
+    """The turn at each joint, radians."""
+    legs = np.diff(pieces.controls, axis=1)
+    one, other = legs[:-1, -1], legs[1:, 0]
+    return np.abs(np.arctan2(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0], (one * other).sum(axis=1)))
+
+
+@settings(max_examples=60)
+@given(point_lists(2, 25), st.sampled_from([10.0, 0.5, 1e-3]))
+def test_every_point_is_passed_within_the_error(points: Array, tolerance: float) -> None:
+    if len(np.unique(points, axis=0)) == 1:
+        with pytest.raises(ValueError, match="in one place"):
+            fit_pieces(points, tolerance)
+        return
+    pieces, error = fit_pieces(points, tolerance)
+    assert 0.0 <= error <= tolerance
+    assert np.isfinite(pieces.controls).all()
+    assert (np.diff(pieces.knots) > 0).all()
+    assert np.array_equal(pieces.controls[0, 0], points[0])
+    assert np.array_equal(pieces.controls[-1, -1], points[-1])
+    assert np.array_equal(pieces.controls[1:, 0], pieces.controls[:-1, -1])
+    size = float(np.abs(points).max())
+    assert farthest(pieces, points) <= error + 1e-2 * size
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_points_of_one_cubic_give_it_back(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    cubic = np.array([[0, 0], [30, 40], [70, 40], [100, 0]]) + rng.uniform(-9, 9, (4, 2))
+    pieces, error = fit_pieces(bezier_point(cubic, np.linspace(0, 1, 200)), 0.05)
+    assert len(pieces.controls) <= 2
+    assert farthest(pieces, bezier_point(cubic, np.linspace(0, 1, 999))) <= error + 0.01
+
+
+@pytest.mark.parametrize(("tolerance", "most"), [(1.0, 3), (0.1, 6), (0.01, 10), (0.001, 16)])
+def test_a_circle_takes_few_pieces_and_closes_smoothly(tolerance: float, most: int) -> None:
+    turn = np.linspace(0, 2 * math.pi, 241)
+    points = 50 * np.column_stack([np.cos(turn), np.sin(turn)])
+    points[-1] = points[0]
+    pieces, error = fit_pieces(points, tolerance)
+    assert error <= tolerance
+    assert len(pieces.controls) <= most
+    off = np.abs(np.hypot(*chain(pieces).T) - 50)
+    assert off.max() <= error + 0.01 * tolerance + 0.005
+    around = Pieces(np.arange(len(pieces.controls) + 2.0), np.vstack([pieces.controls, pieces.controls[:1]]))
+    assert angles(around).max() <= 1e-9
+
+
+def test_corners_stay_sharp() -> None:
+    side = np.linspace(0, 10, 30)[:-1]
+    zero = np.zeros(29)
+    square = np.concatenate(
+        [
+            np.column_stack(pair)
+            for pair in ((side, zero), (zero + 10, side), (10 - side, zero + 10), (zero, 10 - side))
+        ]
+    )
+    pieces, error = fit_pieces(np.vstack([square, square[:1]]), 0.05)
+    assert len(pieces.controls) == 4
+    assert error <= 1e-12
+    assert np.allclose(angles(pieces), math.pi / 2)
+    assert {tuple(p) for p in pieces.controls[:, 0].round(9)} == {(0, 0), (10, 0), (10, 10), (0, 10)}
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_what_a_mouse_draws_becomes_a_smooth_curve(seed: int) -> None:
+    turn = np.linspace(0, 3, 150)
+    ideal = np.column_stack([60 * turn, 40 * np.sin(1.7 * turn)])
+    drawn = np.floor(ideal + np.random.default_rng(seed).uniform(-0.3, 0.3, ideal.shape) + 0.5)
+    pieces, error = fit_pieces(drawn, 1.5)
+    assert error <= 1.5
+    assert len(pieces.controls) <= 8
+    assert angles(pieces).max(initial=0.0) <= 1e-9
+    assert farthest(pieces, ideal) <= 3.0
+
+
+def test_pieces_do_not_move_with_the_frame() -> None:
+    turn = np.linspace(0, 4, 90)
+    points = np.column_stack([9 * turn, 5 * np.sin(3 * turn)])
+    pieces, error = fit_pieces(points, 0.05)
+    turned = np.array([[0.6, -0.8], [0.8, 0.6]])
+    again, same = fit_pieces(3 * points @ turned.T + [40, -7], 0.15)
+    assert np.allclose(again.controls, 3 * pieces.controls @ turned.T + [40, -7], atol=1e-6)
+    assert same == pytest.approx(3 * error, rel=1e-6)
+
+
+def test_what_cannot_be_fitted_is_said() -> None:
+    with pytest.raises(ValueError, match="2 are needed"):
+        fit_pieces([[1, 1]], 1.0)
+    with pytest.raises(ValueError, match="Point 1 is not finite"):
+        fit_pieces([[1, 1], [math.nan, 2]], 1.0)
+    with pytest.raises(ValueError, match="The tolerance is 0"):
+        fit_pieces([[1, 1], [2, 2]], 0.0)

@@ -1,0 +1,88 @@
+"""Any curve as cubic Bézier pieces: exactly where it is one already, else within a tolerance.
+
+A piece of another kind gets the cubic with the same ends and end derivatives, and is halved until that is
+near enough. The error is proved, not sampled: curve and cubic differ by a rational curve whose control
+points can be written down, and no point of a curve is farther out than its farthest control point.
+Source: Farin, Curves and Surfaces for CAGD, sections 6.5 (the hull) and 13.7 (rational derivatives).
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.curves.halving import balanced, halves, lengths, lifted, product
+from workbench.algorithms.curves.pieces import Pieces
+
+Array = NDArray[np.float64]
+
+MOST_HALVINGS = 24
+NEAREST = 1e-13  # of the size of the curve: nearer than this rounding errors are all that is left
+
+
+def to_cubic_pieces(pieces: Pieces, tolerance: float) -> tuple[Pieces, float]:
+    """Cubic pieces nowhere farther than ``tolerance`` from the curve, and how far they are at most.
+
+    Plain curves up to degree 3 are the same curve, error 0, at every u. Of others the knots stay, the
+    points at and the derivatives' directions; between two knots the way in u may differ. The error exceeds
+    the tolerance only where that is below 1e-13 of the curve's size. Raises: ValueError for a tolerance that
+    is not above 0, or points that are not finite.
+    """
+    refuse_tolerance(tolerance)
+    if not np.isfinite(pieces.controls).all():
+        raise ValueError("A control point is not finite; give it numbers.")
+    if pieces.weights is None and pieces.degree <= 3:
+        return Pieces(pieces.knots, raised_to_cubic(pieces.controls)), 0.0
+    waiting = lifted(pieces)
+    begins, ends = pieces.knots[:-1], pieces.knots[1:]
+    least = max(tolerance, NEAREST * float(np.abs(pieces.controls).max()))
+    found: list[tuple[Array, Array, Array]] = []
+    for halving in range(MOST_HALVINGS + 1):
+        waiting = balanced(waiting)
+        cubics = _hermite_cubics(waiting)
+        off = _bounds(waiting, cubics)
+        done = (off <= least) | (halving == MOST_HALVINGS)
+        found.append((begins[done], cubics[done], off[done]))
+        waiting, begins, ends = halves(waiting[~done]), begins[~done], ends[~done]
+        if not len(waiting):
+            break
+        middles = 0.5 * (begins + ends)
+        begins, ends = (np.stack(pair, axis=1).ravel() for pair in ((begins, middles), (middles, ends)))
+    starts, controls, errors = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    order = np.argsort(starts, kind="stable")
+    return Pieces(np.append(starts[order], pieces.knots[-1]), controls[order]), float(errors.max())
+
+
+def raised_to_cubic(controls: Array) -> Array:
+    """Plain pieces (m, degree + 1, k), degree at most 3, as cubic ones (m, 4, k)."""
+    while controls.shape[1] < 4:
+        controls = product(controls, np.ones((len(controls), 2, 1)))
+    return controls
+
+
+def refuse_tolerance(tolerance: float) -> None:
+    """Raise ValueError unless the tolerance is a finite number above 0."""
+    if not (math.isfinite(tolerance) and tolerance > 0):
+        raise ValueError(f"The tolerance is {tolerance:g}; choose a finite one above 0.")
+
+
+def _hermite_cubics(whole: Array) -> Array:
+    """The cubics (m, 4, k) with the ends and end derivatives of balanced pieces (m, n+1, k+1)."""
+    points, weights = whole[..., :-1] / whole[..., -1:], whole[..., -1:]
+    third = (whole.shape[1] - 1) / 3.0
+    first, last = points[:, 0], points[:, -1]
+    leaving = third * weights[:, 1] / weights[:, 0] * (points[:, 1] - first)
+    arriving = third * weights[:, -2] / weights[:, -1] * (last - points[:, -2])
+    return np.stack([first, first + leaving, last - arriving, last], axis=1)
+
+
+def _bounds(whole: Array, cubics: Array) -> Array:
+    """How far at most (m,) each cubic is from its piece.
+
+    N / W - C = (N - C W) / W: with both in Bernstein form of one degree, a mean of their quotients.
+    """
+    points, weights = whole[..., :-1], whole[..., -1:]
+    flat = np.ones((len(whole), 4, 1))
+    apart = product(points, flat) - product(cubics, weights)
+    found: Array = lengths(apart / product(weights, flat)).max(axis=1)
+    return found

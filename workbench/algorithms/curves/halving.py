@@ -1,0 +1,62 @@
+"""Many Bézier pieces at once, rational or not, in homogeneous points: cut in halves, balanced, multiplied.
+
+Pieces are (m, n+1, k+1): rows of control points (w x, w y, ..., w); the weight of a plain curve is 1.
+Source: Farin, Curves and Surfaces for CAGD, sections 12.5 and 13.7.
+"""
+
+from math import comb
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.curves.pieces import Pieces
+
+Array = NDArray[np.float64]
+
+
+def lifted(pieces: Pieces) -> Array:
+    """The homogeneous points of every piece."""
+    if pieces.weights is None:
+        return np.concatenate([pieces.controls, np.ones((*pieces.controls.shape[:2], 1))], axis=-1)
+    pulls = pieces.weights[..., None]
+    return np.concatenate([pieces.controls * pulls, pulls], axis=-1)
+
+
+def balanced(whole: Array) -> Array:
+    """The same curves with weights 1 at both ends: u is replaced by a fraction of linear functions of u.
+
+    Between ends of very unequal weights a curve runs through nearly everything near one of them; balanced,
+    half of u is about half of the curve.
+    """
+    degree = whole.shape[1] - 1
+    first, last = whole[:, :1, -1:], whole[:, -1:, -1:]
+    share = np.arange(degree + 1)[:, None] / max(degree, 1)
+    found: Array = whole * ((first / last) ** share / first)
+    return found
+
+
+def halves(whole: Array) -> Array:
+    """Both halves of each piece, (2 m, n+1, k+1), one after the other."""
+    level, firsts, seconds = whole, [whole[:, 0]], [whole[:, -1]]
+    while level.shape[1] > 1:
+        level = 0.5 * (level[:, :-1] + level[:, 1:])
+        firsts.append(level[:, 0])
+        seconds.append(level[:, -1])
+    both = np.stack([np.stack(firsts, axis=1), np.stack(seconds[::-1], axis=1)], axis=1)
+    return both.reshape(-1, *whole.shape[1:])
+
+
+def product(one: Array, other: Array) -> Array:
+    """Control points (m, p+q+1, k) of the products of polynomials (m, p+1, k) and (m, q+1, k or 1)."""
+    p, q = one.shape[1] - 1, other.shape[1] - 1
+    total = np.zeros((len(one), p + q + 1, max(one.shape[2], other.shape[2])))
+    for j in range(q + 1):
+        share = np.array([comb(p, i) * comb(q, j) / comb(p + q, i + j) for i in range(p + 1)])[:, None]
+        total[:, j : j + p + 1] += share * one * other[:, j : j + 1]
+    return total
+
+
+def lengths(rows: Array) -> Array:
+    """The Euclidean length of each row, (..., k) -> (...,)."""
+    found: Array = np.sqrt((rows * rows).sum(axis=-1))
+    return found
