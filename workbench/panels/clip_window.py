@@ -53,7 +53,7 @@ def window_handles(sheet: Sheet, held: str = "") -> list[Handle]:
         return []
     x0, y0, x1, y1 = window
     return [
-        Handle(PREFIX + name, "", x0 + u * (x1 - x0), y0 + v * (y1 - y0), PREFIX + name == held, square=True)
+        Handle(PREFIX + name, "", x0 + u * (x1 - x0), y0 + v * (y1 - y0), PREFIX + name == held, "square")
         for name, (u, v) in _PLACES.items()
     ]
 

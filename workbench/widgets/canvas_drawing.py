@@ -23,7 +23,7 @@ Points = NDArray[np.float64]
 Pattern = Literal["solid", "dash", "dot"]
 Shape = Literal["dot", "ring", "square", "cross"]
 
-_PATTERNS = {
+PATTERNS = {
     "solid": Qt.PenStyle.SolidLine,
     "dash": Qt.PenStyle.DashLine,
     "dot": Qt.PenStyle.DotLine,
@@ -121,7 +121,7 @@ def _stroke(painter: QPainter, scene: Scene, stroke: Stroke) -> None:
     if stroke.haloed:
         painter.setPen(QPen(QColor(scene.tokens.canvas), (stroke.width + 2.5) * scene.unit))
         painter.drawPolyline(line)
-    pen = QPen(QColor(ink_of(scene.tokens, stroke.ink)), stroke.width * scene.unit, _PATTERNS[stroke.pattern])
+    pen = QPen(QColor(ink_of(scene.tokens, stroke.ink)), stroke.width * scene.unit, PATTERNS[stroke.pattern])
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     painter.setPen(pen)
     painter.drawPolyline(line)

@@ -128,7 +128,7 @@ def _paint_handles(painter: QPainter, scene: Scene) -> None:
         painter.setPen(QPen(surface if handle.selected else accent, 1.5 * unit))
         painter.setBrush(accent if handle.selected else surface)
         grip = QRectF(x - side / 2, y - side / 2, side, side)
-        if handle.square:
+        if handle.shape == "square":
             painter.drawRect(grip.adjusted(unit, unit, -unit, -unit))
         else:
             painter.drawEllipse(grip)

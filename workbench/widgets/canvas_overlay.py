@@ -1,6 +1,7 @@
 """What a pixel canvas shows over its picture. Everything is in device coordinates, as values."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,6 +9,7 @@ from numpy.typing import NDArray
 from workbench.widgets.canvas_drawing import Drawn
 
 Cell = tuple[int, int]
+GripShape = Literal["round", "square", "diamond"]
 
 ONLY_FIRST, ONLY_SECOND, BOTH, TIE_FIRST, TIE_SECOND = 1, 2, 3, 4, 5
 
@@ -16,7 +18,8 @@ ONLY_FIRST, ONLY_SECOND, BOTH, TIE_FIRST, TIE_SECOND = 1, 2, 3, 4, 5
 class Handle:
     """A point that can be grabbed. ``id`` comes back with the signals, ``name`` is written beside it.
 
-    ``square`` tells the grips of a frame from those of a figure.
+    It may lie outside the picture. ``shape`` tells kinds of grips apart, such as those of a frame from those
+    of a figure, or an inner control point from a point of the curve; ``ink`` names a colour of the theme.
     """
 
     id: str
@@ -24,7 +27,8 @@ class Handle:
     x: float
     y: float
     selected: bool = False
-    square: bool = False
+    shape: GripShape = "round"
+    ink: str = "accent"
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -1,0 +1,242 @@
+"""Kinds of curves over the same points, beside each other in numbers."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from PySide6.QtCore import QAbstractTableModel, QMimeData, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtGui import QAction, QFont, QGuiApplication, QKeySequence, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
+
+from workbench.exchange.tables import Table, to_html, to_tsv
+from workbench.language import _, ngettext
+from workbench.widgets.canvas_drawing import ink_of
+from workbench.widgets.empty_state import EmptyState
+from workbench.widgets.parameter_plot import number_text
+from workbench.widgets.table_columns import FittedColumns
+from workbench.widgets.tokens import colour, theme, tokens
+from workbench.widgets.type_faces import code_font
+
+Index = QModelIndex | QPersistentModelIndex
+Value = float | bool | str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """What is measured: a heading, its unit, what it means, and which of two numbers is the better one."""
+
+    name: str
+    unit: str = ""
+    meaning: str = ""
+    best: Literal["", "least", "greatest"] = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """One kind of curve: its name, the ink it is drawn in ("" when it is not), a value for each measure.
+
+    A truth is shown as a sign, None as a dash.
+    """
+
+    name: str
+    ink: str
+    values: tuple[Value, ...]
+
+
+def value_text(value: Value) -> str:
+    """A value as it is read."""
+    if value is None:
+        return "\N{EN DASH}"
+    if isinstance(value, bool):
+        return f"\N{CHECK MARK} {_('yes')}" if value else f"\N{MULTIPLICATION SIGN} {_('no')}"
+    return value if isinstance(value, str) else number_text(value)
+
+
+class MeasureModel(QAbstractTableModel):
+    """Kinds as rows and measures as columns, or, in a narrow place, the other way round."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.measures: tuple[Measure, ...] = ()
+        self.kinds: tuple[Measured, ...] = ()
+        self.upright = False
+
+    def take(self, measures: tuple[Measure, ...], kinds: tuple[Measured, ...]) -> None:
+        """Show other values."""
+        if (measures, kinds) == (self.measures, self.kinds):
+            return
+        before = self.rowCount(), self.columnCount(), self.measures, [kind.name for kind in self.kinds]
+        after = measures, [kind.name for kind in kinds]
+        if before[2:] == after:
+            self.kinds = kinds
+            self.dataChanged.emit(self.index(0, 0), self.index(before[0] - 1, before[1] - 1))
+        else:
+            self.beginResetModel()
+            self.measures, self.kinds = measures, kinds
+            self.endResetModel()
+
+    def turn(self, upright: bool) -> None:
+        """Kinds as columns (``upright``) or as rows."""
+        if upright != self.upright:
+            self.beginResetModel()
+            self.upright = upright
+            self.endResetModel()
+
+    def _where(self, row: int, column: int) -> tuple[int, int]:
+        """The number of the kind and of the measure; -1 is a heading."""
+        return (column - 1, row) if self.upright else (row, column - 1)
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """Kinds, or measures."""
+        return 0 if parent.isValid() else len(self.measures if self.upright else self.kinds)
+
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """A column of names, and one for each measure, or kind."""
+        return 0 if parent.isValid() else 1 + len(self.kinds if self.upright else self.measures)
+
+    def _measure_text(self, number: int) -> str:
+        measure = self.measures[number]
+        return f"{measure.name} ({measure.unit})" if measure.unit else measure.name
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        """The names across."""
+        if orientation != Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            side = Qt.AlignmentFlag.AlignRight if section else Qt.AlignmentFlag.AlignLeft
+            return side | Qt.AlignmentFlag.AlignVCenter
+        if not section:
+            heading = _("measured") if self.upright else _("curve")
+            return heading if role == Qt.ItemDataRole.DisplayRole else None
+        if self.upright:
+            return self._kind(section - 1, role)
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self._measure_text(section - 1)
+        return self.measures[section - 1].meaning if role == Qt.ItemDataRole.ToolTipRole else None
+
+    def _kind(self, number: int, role: int) -> Any:
+        kind = self.kinds[number]
+        if role == Qt.ItemDataRole.DisplayRole:
+            return kind.name
+        if role == Qt.ItemDataRole.ForegroundRole:
+            return colour(ink_of(tokens(), kind.ink)) if kind.ink else colour(tokens().muted)
+        return None
+
+    def best(self, measure: int) -> set[int]:
+        """The kinds with the best number of a measure; none when all are alike."""
+        asked = self.measures[measure].best
+        numbers = {
+            k: kind.values[measure]
+            for k, kind in enumerate(self.kinds)
+            if isinstance(kind.values[measure], float) and kind.values[measure] == kind.values[measure]
+        }
+        if not asked or len(set(numbers.values())) < 2:
+            return set()
+        wanted = (min if asked == "least" else max)(numbers.values())  # type: ignore[type-var]
+        return {k for k, value in numbers.items() if value == wanted}
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """A name, or a value; the best number of a measure is bold."""
+        kind, measure = self._where(index.row(), index.column())
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            side = Qt.AlignmentFlag.AlignRight if index.column() else Qt.AlignmentFlag.AlignLeft
+            return side | Qt.AlignmentFlag.AlignVCenter
+        if measure < 0:
+            return self._kind(kind, role)
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self.measures[measure].meaning or None
+        if kind < 0:
+            return self._measure_text(measure) if role == Qt.ItemDataRole.DisplayRole else None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return value_text(self.kinds[kind].values[measure])
+        if role == Qt.ItemDataRole.FontRole:
+            font = code_font(12)
+            font.setWeight(QFont.Weight.Bold if kind in self.best(measure) else QFont.Weight.Normal)
+            return font
+        return None
+
+
+class MeasureTable(QWidget):
+    """``kind_activated`` sends the number of a kind double-clicked or entered, ``kind_pointed`` that of the
+    one under the pointer or the cursor, or -1; ``copied`` a sentence; ``example_wanted`` the empty button.
+    """
+
+    kind_activated = Signal(int)
+    kind_pointed = Signal(int)
+    copied = Signal(str)
+    example_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.model = MeasureModel(self)
+        self.view = QTableView()
+        self.view.setModel(self.model)
+        self.view.setAccessibleName(_("Curves compared"))
+        self.view.setToolTip(_("The same points under each kind of curve; the best number of each is bold"))
+        self.view.setShowGrid(False)
+        self.view.setSelectionMode(QTableView.SelectionMode.SingleSelection)
+        self.view.setEditTriggers(QTableView.EditTrigger.NoEditTriggers)
+        self.view.setTabKeyNavigation(False)
+        self.view.setMouseTracking(True)
+        self.view.verticalHeader().hide()
+        self.view.verticalHeader().setDefaultSectionSize(22)
+        FittedColumns(self.view)
+        self.copy_action = QAction(_("Copy table"), self)
+        self.copy_action.setToolTip(_("Copy the comparison; it pastes as a table"))
+        self.copy_action.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
+        self.copy_action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        self.copy_action.triggered.connect(self.copy)
+        self.view.addAction(self.copy_action)
+        self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        self.state = EmptyState(self.view, _("Select a curve to measure it beside other kinds."))
+        self.state.wanted.connect(self.example_wanted)
+        self.state.set_empty(True)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.state)
+        self.setFocusProxy(self.view)
+        self.view.entered.connect(self._point)
+        self.view.selectionModel().currentChanged.connect(self._point)
+        self.view.activated.connect(lambda index: self.kind_activated.emit(self._kind_of(index)))
+        theme.changed.connect(self.view.viewport().update)
+
+    def set_rows(self, measures: Sequence[Measure], kinds: Sequence[Measured]) -> None:
+        """Show these kinds, each with a value for every measure."""
+        self.model.take(tuple(measures), tuple(kinds))
+        self.state.set_empty(not self.model.kinds)
+        self._turn()
+
+    def _kind_of(self, index: Index) -> int:
+        if not index.isValid():
+            return -1
+        return index.column() - 1 if self.model.upright else index.row()
+
+    def _point(self, index: QModelIndex) -> None:
+        self.kind_pointed.emit(self._kind_of(index))
+
+    def _turn(self) -> None:
+        """The way round that fits the place."""
+        self.model.turn(len(self.model.kinds) < len(self.model.measures) and self.width() < self.height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the place."""
+        super().resizeEvent(event)
+        self._turn()
+
+    def copy(self) -> None:
+        """Put the table on the clipboard, as text with tabs and as HTML."""
+        model = self.model
+        headings = (_("curve"), *(model._measure_text(k) for k in range(len(model.measures))))
+        rows = [(kind.name, *map(value_text, kind.values)) for kind in model.kinds]
+        data = QMimeData()
+        table = Table(headings, rows, formulas=False)
+        data.setText(to_tsv(table))
+        data.setHtml(to_html(table))
+        QGuiApplication.clipboard().setMimeData(data)
+        self.copied.emit(ngettext("{n} row copied.", "{n} rows copied.", len(rows)).format(n=len(rows)))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """The ground of a panel."""
+        QPainter(self).fillRect(event.rect(), colour(tokens().surface))

@@ -1,0 +1,30 @@
+"""Arrays of places as what Qt paints, without a Python object for each."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import shiboken6
+from numpy.typing import NDArray
+from PySide6.QtGui import QPolygonF
+
+_POINT_BYTES = 16
+_pointer: Any = shiboken6.VoidPtr  # its stub leaves out the size
+
+
+def polygon(x: NDArray[np.float64], y: NDArray[np.float64]) -> QPolygonF:
+    """The points (x, y), both (n,), as a polygon."""
+    made = QPolygonF()
+    if len(x):
+        made.resize(len(x))
+        room = np.frombuffer(_pointer(made.data(), _POINT_BYTES * len(x), True)).reshape(-1, 2)
+        room[:, 0], room[:, 1] = x, y
+    return made
+
+
+def unbroken(x: NDArray[np.float64], y: NDArray[np.float64]) -> Iterator[QPolygonF]:
+    """The stretches of the polyline (x, y), both (n,), between places that are not finite."""
+    there = np.isfinite(x) & np.isfinite(y)
+    ends = np.flatnonzero(np.diff(there, prepend=False, append=False)).tolist()
+    for start, end in zip(ends[::2], ends[1::2], strict=True):
+        yield polygon(x[start:end], y[start:end])
