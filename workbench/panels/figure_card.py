@@ -20,7 +20,17 @@ from workbench.algorithms import catalogue
 from workbench.document.addresses import resolve
 from workbench.document.edits import set_algorithm, set_attribute, set_sheet_size
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, Polyline, SeedFill, Sheet
+from workbench.document.model import (
+    AnyFigure,
+    Circle,
+    Curve,
+    Ellipse,
+    Line,
+    Polygon,
+    Polyline,
+    SeedFill,
+    Sheet,
+)
 from workbench.language import _, ngettext
 from workbench.panels.figure_tools import FigureTool
 from workbench.rendering import REACH_PX, reach_of
@@ -40,6 +50,7 @@ def kind_title(figure: AnyFigure) -> str:
         Polygon: _("Polygon"),
         Circle: _("Circle"),
         Ellipse: _("Ellipse"),
+        Curve: _("Curve"),
     }
     return titles.get(type(figure), _("Fill"))
 
@@ -135,6 +146,10 @@ class ParameterCard(QFrame):
         """What a panel adds under the numbers."""
         return []
 
+    def numbers(self, sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
+        """Address, label and meaning of each number of the one figure that is selected."""
+        return parameters(sheet, figure)
+
     def _set_open(self, open_: bool) -> None:
         set_icon(self._fold, "caret-up" if open_ else "caret-down", "muted")
         self._body.setVisible(open_)
@@ -172,8 +187,8 @@ class ParameterCard(QFrame):
         kinds = {type(figure) for figure in figures}
         one = figures[0] if len(figures) == 1 else None
         new_kind = tool.kind if tool is not None and not figures else None
-        points = tuple(p.id for p in one.points_world) if one else ()
-        shape = (sheet.id, tuple(f.id for f in figures), points, new_kind, state.compare, bool(summary))
+        numbers = tuple(self.numbers(sheet, one)) if one else ()
+        shape = (sheet.id, tuple(f.id for f in figures), numbers, new_kind, state.compare, bool(summary))
         if shape != self._shown:
             self._shown = shape
             self._rebuild(sheet, figures, one)
@@ -240,8 +255,9 @@ class ParameterCard(QFrame):
         self._fields, self._size = {}, None
         pixels = sheet.window_world == sheet.viewport_device
         if one is not None:
-            for k, (address, label, meaning) in enumerate(parameters(sheet, one)):
-                field = NumberField(label, "px" if pixels else "", meaning=meaning)
+            for k, (address, label, meaning) in enumerate(self.numbers(sheet, one)):
+                unit = "px" if pixels and not address.endswith("/weight") else ""
+                field = NumberField(label, unit, meaning=meaning)
                 field.edited.connect(lambda value, a=address: self._set(a, value))
                 field.scrubbed.connect(lambda value, a=address: self._set(a, value, "scrub"))
                 field.scrub_ended.connect(self._session.end_merge)

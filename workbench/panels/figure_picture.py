@@ -13,6 +13,7 @@ from workbench.widgets.tokens import LIGHT, Tokens
 Cells = NDArray[np.int64]
 Pixels = NDArray[np.uint32]
 _FAINT = 0.22
+_PALE = 0.4
 
 
 def packed(name: str) -> int:
@@ -31,6 +32,20 @@ def themed(sheet: Sheet, now: Tokens) -> Sheet:
 def picture(sheet: Sheet, now: Tokens) -> Pixels:
     """The whole picture (h, w), 0xRRGGBB, in the colours of the theme."""
     return frame_buffer(themed(sheet, now))
+
+
+def pale_picture(sheet: Sheet, now: Tokens) -> Pixels:
+    """The whole picture in pale colours, for what is drawn over it."""
+    shown = themed(sheet, now)
+    paper = packed(now.canvas)
+    palette = tuple(
+        sum(
+            round(((paper >> shift) & 0xFF) * (1 - _PALE) + ((colour >> shift) & 0xFF) * _PALE) << shift
+            for shift in (16, 8, 0)
+        )
+        for colour in shown.palette
+    )
+    return frame_buffer(replace(shown, palette=palette))
 
 
 def with_faint(

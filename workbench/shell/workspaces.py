@@ -79,6 +79,16 @@ def workspaces() -> tuple[Workspace, ...]:
             lower=("compare", "tube"),
         ),
         Workspace(
+            "curves",
+            _("Curves"),
+            _("Bézier curves, B-splines and splines through points, with their constructions"),
+            "line-segments",
+            ("workbench.panels.curves:CurvesPanel", inspector, compare, why, tube),
+            steps=True,
+            topics=("curves", "lines"),
+            lower=("tube",),
+        ),
+        Workspace(
             "display",
             _("Display"),
             _("The picture on a cathode-ray tube"),

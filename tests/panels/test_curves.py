@@ -1,0 +1,267 @@
+"""The Curves panel as a person uses it: pen, points, handles, tangents, bands, the parameter, bad input."""
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication
+
+from workbench.document.edits import add_figure
+from workbench.document.model import Curve, CurvePoint
+from workbench.document.samples import blank_sheet
+from workbench.panels.curves import CurvesPanel
+from workbench.session.session import Session
+
+LEFT, NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
+PLAIN = Qt.KeyboardModifier.NoModifier
+SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
+ZIGZAG = ((26.0, 10.0), (32.0, 34.0), (40.0, 40.0), (46.0, 12.0), (58.0, 30.0))
+
+
+def settle():
+    for _turn in range(4):
+        QApplication.processEvents()
+
+
+def opened(qtbot, *curves):
+    session = Session(document=blank_sheet(64, 48))
+    for curve in curves:
+        session.apply(add_figure(session.sheet.id, curve), "Draw")
+    session.undo_stack.clear()
+    panel = CurvesPanel(session)
+    qtbot.addWidget(panel)
+    panel.resize(1000, 640)
+    panel.show()
+    qtbot.waitExposed(panel)
+    figures = session.sheet.figures
+    if figures:
+        session.update_state(active=figures[-1].id, selection=(figures[-1].id,))
+    settle()
+    return panel
+
+
+def curve_through(*places, spline="b_spline", **attributes):
+    points = tuple(CurvePoint("", x, y) for x, y in places)
+    return Curve("", points, "bresenham_line", 1, spline=spline, **attributes)
+
+
+def send(panel, kind, x, y, modifiers=PLAIN):
+    """A mouse event at a device point with modifiers, which qtbot.mouseMove cannot send."""
+    place = panel.canvas.widget_position(x, y)
+    button = NONE if kind == QEvent.Type.MouseMove else LEFT
+    buttons = NONE if kind == QEvent.Type.MouseButtonRelease else LEFT
+    where = panel.canvas.mapToGlobal(place)
+    QApplication.sendEvent(panel.canvas, QMouseEvent(kind, place, where, button, buttons, modifiers))
+    settle()
+
+
+def drag(panel, start, *ways, modifiers=PLAIN):
+    send(panel, QEvent.Type.MouseButtonPress, *start, modifiers)
+    for way in ways:
+        send(panel, QEvent.Type.MouseMove, *way, modifiers)
+    send(panel, QEvent.Type.MouseButtonRelease, *ways[-1], modifiers)
+
+
+def click(panel, x, y, modifiers=PLAIN):
+    send(panel, QEvent.Type.MouseButtonPress, x, y, modifiers)
+    send(panel, QEvent.Type.MouseButtonRelease, x, y, modifiers)
+
+
+def the_curve(panel):
+    (figure,) = panel.session.sheet.figures
+    assert isinstance(figure, Curve)
+    return figure
+
+
+def places(panel):
+    return [(p.x, p.y) for p in the_curve(panel).points_world]
+
+
+@pytest.fixture
+def zigzag(qtbot):
+    return opened(qtbot, curve_through(*ZIGZAG))
+
+
+def test_clicks_with_the_pen_draw_a_curve_and_enter_ends_it(qtbot):
+    panel = opened(qtbot)
+    assert panel.tool.name == "pen"
+    for place in ZIGZAG:
+        click(panel, *place)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
+    settle()
+    assert places(panel) == list(ZIGZAG)
+    assert the_curve(panel).spline == "b_spline"
+    assert not the_curve(panel).closed
+    panel.session.undo_stack.undo()
+    assert panel.session.sheet.figures == ()
+
+
+def test_a_click_on_the_first_point_closes_the_curve(qtbot):
+    panel = opened(qtbot)
+    for place in (*ZIGZAG, ZIGZAG[0]):
+        click(panel, *place)
+    assert places(panel) == list(ZIGZAG)
+    assert the_curve(panel).closed
+    assert not panel.gesturing
+
+
+def test_backspace_takes_the_last_point_back_and_escape_all(qtbot):
+    panel = opened(qtbot)
+    for place in ZIGZAG[:3]:
+        click(panel, *place)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Backspace)
+    settle()
+    assert places(panel) == list(ZIGZAG[:2])
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Escape)
+    settle()
+    assert panel.session.sheet.figures == ()
+
+
+def test_one_click_is_no_curve_and_that_is_said(qtbot):
+    panel = opened(qtbot)
+    said = []
+    panel.hover_text.connect(said.append)
+    click(panel, 30, 20)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
+    assert any("two" in text for text in said)
+    assert panel.session.sheet.figures == ()
+
+
+def test_the_pen_pulls_symmetric_handles_out_of_the_points_of_a_path(qtbot):
+    panel = opened(qtbot)
+    panel.pen.model = replace(panel.pen.model, spline="bezier_path")
+    drag(panel, (28, 10), (32, 14), (34, 16))
+    drag(panel, (44, 30), (44, 34))
+    click(panel, 58, 12)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
+    settle()
+    found = the_curve(panel)
+    assert places(panel)[:5] == [(28, 10), (34, 16), (44, 26), (44, 30), (44, 34)]
+    assert [found.points_world[k].joint for k in (0, 3, 6)] == ["symmetric", "symmetric", "corner"]
+
+
+def test_a_pulled_tangent_of_a_hermite_spline_is_the_derivative(qtbot):
+    panel = opened(qtbot)
+    panel.pen.model = replace(panel.pen.model, spline="hermite")
+    drag(panel, (28, 10), (32, 14))
+    click(panel, 50, 30)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
+    settle()
+    point = the_curve(panel).points_world[0]
+    assert (point.tangent_x, point.tangent_y) == (12, 12)
+
+
+def test_a_dragged_point_moves_alone_and_is_one_step_of_undo(zigzag):
+    drag(zigzag, ZIGZAG[1], (34, 30), (36, 28))
+    assert places(zigzag) == [ZIGZAG[0], (36, 28), *ZIGZAG[2:]]
+    assert zigzag.session.undo_stack.count() == 1
+    zigzag.session.undo_stack.undo()
+    assert places(zigzag) == list(ZIGZAG)
+
+
+def test_control_keeps_a_drag_to_eight_directions(zigzag):
+    drag(zigzag, ZIGZAG[1], (36, 35), modifiers=CTRL)
+    assert places(zigzag)[1] == (36, 34)
+    drag(zigzag, (36, 34), (41, 40), modifiers=CTRL)
+    x, y = places(zigzag)[1]
+    assert x - 36 == pytest.approx(y - 34)
+
+
+def test_shift_chooses_several_and_all_of_them_move(zigzag):
+    click(zigzag, *ZIGZAG[1])
+    click(zigzag, *ZIGZAG[3], SHIFT)
+    assert zigzag.focus.numbers(the_curve(zigzag)) == [1, 3]
+    drag(zigzag, ZIGZAG[3], (48, 13))
+    assert places(zigzag) == [ZIGZAG[0], (34, 35), ZIGZAG[2], (48, 13), ZIGZAG[4]]
+
+
+def test_a_band_chooses_the_points_inside(zigzag):
+    drag(zigzag, (28, 30), (38, 42), (44, 44))
+    assert zigzag.focus.numbers(the_curve(zigzag)) == [1, 2]
+    assert zigzag.session.state.selection == (the_curve(zigzag).id,)
+
+
+def test_a_click_on_one_of_several_leaves_that_one(zigzag):
+    drag(zigzag, (28, 30), (44, 44))
+    click(zigzag, *ZIGZAG[2])
+    assert zigzag.focus.numbers(the_curve(zigzag)) == [2]
+
+
+def test_escape_lets_go_of_points_then_of_the_curve(qtbot, zigzag):
+    click(zigzag, *ZIGZAG[2])
+    qtbot.keyClick(zigzag.canvas, Qt.Key.Key_Escape)
+    assert not zigzag.focus.points
+    assert zigzag.session.state.selection
+    qtbot.keyClick(zigzag.canvas, Qt.Key.Key_Escape)
+    assert zigzag.session.state.selection == ()
+
+
+def test_escape_while_dragging_brings_the_point_back(qtbot, zigzag):
+    send(zigzag, QEvent.Type.MouseButtonPress, *ZIGZAG[1])
+    send(zigzag, QEvent.Type.MouseMove, 50, 20)
+    assert places(zigzag)[1] == (50, 20)
+    qtbot.keyClick(zigzag.canvas, Qt.Key.Key_Escape)
+    settle()
+    assert places(zigzag) == list(ZIGZAG)
+    assert zigzag.focus.moving == ()
+
+
+def test_the_tangent_of_a_hermite_spline_is_dragged(qtbot):
+    curve = curve_through((28, 20), (52, 20), spline="hermite")
+    points = tuple(replace(p, tangent_x=12.0, tangent_y=18.0) for p in curve.points_world)
+    panel = opened(qtbot, replace(curve, points_world=points))
+    drag(panel, (32, 26), (34, 23))
+    assert (the_curve(panel).points_world[0].tangent_x, the_curve(panel).points_world[0].tangent_y) == (18, 9)
+
+
+def test_u_is_dragged_along_the_curve(zigzag):
+    zigzag.focus.switch("construction", True)
+    settle()
+    from workbench.panels.curve_scene import point_at
+
+    start = point_at(zigzag.session.sheet, the_curve(zigzag), zigzag.focus.u)
+    end = point_at(zigzag.session.sheet, the_curve(zigzag), 0.8)
+    drag(zigzag, start, end)
+    assert zigzag.focus.u == pytest.approx(0.8, abs=5e-3)
+    assert places(zigzag) == list(ZIGZAG)
+
+
+def test_what_is_missing_is_said_on_the_card(qtbot):
+    panel = opened(qtbot, curve_through((30, 10), (40, 20)))
+    assert panel.card.fault.isVisible()
+    assert "2 more" in panel.card.fault.text() or "add 2" in panel.card.fault.text()
+
+
+def test_both_countings_stand_on_the_card(zigzag):
+    said = zigzag.card.count.text()
+    assert "n + 1 = 5" in said
+    assert "d = 4" in said
+    assert "degree 3" in said
+
+
+def test_other_kinds_are_shown_beside_and_named(zigzag):
+    zigzag.card._kinds["catmull_rom"].trigger()
+    settle()
+    assert the_curve(zigzag).beside == ("catmull_rom",)
+    assert "Catmull-Rom" in zigzag.card.legend.text()
+
+
+def test_typed_coordinates_move_the_chosen_point(qtbot, zigzag):
+    click(zigzag, *ZIGZAG[1])
+    sheet, curve = zigzag.session.sheet, the_curve(zigzag)
+    field = zigzag.card._fields[f"{sheet.id}/{curve.id}/{curve.points_world[1].id}/x"].field
+    field.selectAll()
+    qtbot.keyClicks(field, "60/2")
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert places(zigzag)[1] == (30, 34)
+
+
+def test_what_a_point_moves_is_local_for_a_b_spline_and_everything_for_a_natural_spline():
+    from workbench.panels.curve_scene import influence
+
+    many = [(float(k), float(k % 3)) for k in range(12)]
+    local = influence(curve_through(*many), (6,))
+    assert np.flatnonzero(local).tolist() == [3, 4, 5, 6]
+    everywhere = influence(curve_through(*many, spline="natural_cubic"), (6,))
+    assert (everywhere > 0).sum() >= 10

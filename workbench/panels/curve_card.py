@@ -1,0 +1,291 @@
+"""The card of the Curves panel: kind, degree, knots and shape of a curve, kinds beside it, chosen points."""
+
+from collections.abc import Callable, Sequence
+from html import escape
+from typing import Any
+
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
+
+from workbench.algorithms.curves import counting
+from workbench.document.building import with_changed
+from workbench.document.check import MAX_DEGREE, check
+from workbench.document.edits import Edit, set_attributes
+from workbench.document.errors import DocumentError
+from workbench.document.model import ENDS, JOINTS, KNOT_RULES, SPLINES, AnyFigure, Curve, Sheet
+from workbench.language import _
+from workbench.panels.curve_focus import CurveFocus
+from workbench.panels.curve_names import (
+    WITH_DEGREE,
+    WITH_ENDS,
+    is_handle,
+    look_of,
+    mark_of,
+    point_name,
+    spline_title,
+)
+from workbench.panels.curve_pen import PenTool
+from workbench.panels.curve_shape import has_tangent
+from workbench.panels.figure_card import ParameterCard
+from workbench.panels.figure_tools import FigureTool
+from workbench.rendering.curves import fault_of
+from workbench.widgets.canvas_drawing import ink_of
+from workbench.widgets.icons import set_icon
+from workbench.widgets.number_field import NumberField
+from workbench.widgets.tokens import tokens
+
+_MOST_CHOSEN = 2
+
+
+class CurveCard(ParameterCard):
+    """Shows and edits the selected curve, or with none selected what the pen draws next."""
+
+    def __init__(self, focus: CurveFocus, parent: QWidget) -> None:
+        self.focus = focus
+        self._pen: PenTool | None = None
+        super().__init__(focus.session, parent)
+        body = self._body.layout()
+        assert body is not None
+        body.removeWidget(self.algorithm)
+        body.addWidget(self.algorithm)
+        self.algorithm.setToolTip(_("The line algorithm that draws the chords of the curve"))
+
+    def more_rows(self) -> list[QWidget]:
+        """Kind, degree and closed, knots, ends, shape, joint; kinds beside; countings; what is missing."""
+        self.spline = self._choice(_("Kind of curve"), [(name, spline_title(name)) for name in SPLINES])
+        self.spline.activated.connect(lambda: self._put("spline", self.spline.currentData()))
+        self.degree = NumberField(
+            _("degree"), "", low=1, high=MAX_DEGREE, integer=True, meaning=_("Degree of the B-spline")
+        )
+        self.degree.edited.connect(lambda value: self._put("degree", int(value)))
+        self.degree.scrubbed.connect(lambda value: self._put("degree", int(value), "scrub"))
+        self.degree.scrub_ended.connect(self._session.end_merge)
+        self.closed = QCheckBox(_("Closed"))
+        self.closed.setToolTip(_("The curve comes back to where it begins"))
+        self.closed.clicked.connect(lambda on: self._put("closed", bool(on)))
+        rules = zip(KNOT_RULES, (_("Knots open uniform"), _("Knots uniform"), _("Knots free")), strict=True)
+        self.rule = self._choice(_("Knots"), list(rules))
+        self.rule.setToolTip(_("Open uniform reaches the end points; free knots are dragged on their bar"))
+        self.rule.activated.connect(lambda: self._put("knot_rule", self.rule.currentData()))
+        ends = zip(ENDS, (_("Through the end points"), _("End points only steer")), strict=True)
+        self.ends = self._choice(_("Ends"), list(ends))
+        self.ends.activated.connect(lambda: self._put("ends", self.ends.currentData()))
+        self.shape = {name: self._shape_field(name, title) for name, title in self._shapes()}
+        joints = zip(JOINTS, (_("Corner"), _("Smooth"), _("Symmetric")), strict=True)
+        self.joint = self._choice(_("Joint at the point"), list(joints))
+        self.joint.setToolTip(_("How the handles of the chosen points hang together"))
+        self.joint.activated.connect(lambda: self.joint_chosen(self.joint.currentData()))
+        self.joint_chosen: Callable[[str], object] = lambda _joint: None
+        self.beside = QToolButton()
+        self.beside.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.beside.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.beside.setToolTip(_("Other kinds of curve over the same points"))
+        self.beside.setMenu(self._beside_menu())
+        self.legend = self._words("")
+        self.count = self._words("muted")
+        self.fault = self._words("warn")
+        first = QWidget()
+        row = QHBoxLayout(first)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(12)
+        row.addWidget(self.degree)
+        row.addWidget(self.closed)
+        row.addStretch(1)
+        kinds: list[QWidget] = [self.spline, first, self.rule, self.ends, *self.shape.values(), self.joint]
+        return [*kinds, self.beside, self.legend, self.count, self.fault]
+
+    def _choice(self, name: str, choices: Sequence[tuple[str, str]]) -> QComboBox:
+        box = QComboBox()
+        box.setAccessibleName(name)
+        box.setToolTip(name)
+        for value, title in choices:
+            box.addItem(title, value)
+        return box
+
+    def _words(self, role: str) -> QLabel:
+        label = QLabel()
+        label.setWordWrap(True)
+        label.setTextFormat(Qt.TextFormat.RichText)
+        if role:
+            label.setProperty("role", role)
+        return label
+
+    def _shapes(self) -> list[tuple[str, str]]:
+        return [
+            ("tension", _("tension")),
+            ("continuity", _("continuity")),
+            ("bias", _("bias")),
+            ("alpha", _("alpha")),
+        ]
+
+    def _shape_field(self, name: str, title: str) -> NumberField:
+        low, high = (0.0, 1.0) if name == "alpha" else (-10.0, 10.0)
+        meaning = {"alpha": _("Alpha: 0 uniform, 0.5 centripetal, 1 chordal")}.get(name, title.capitalize())
+        field = NumberField(title, "", low=low, high=high, step=0.05, meaning=meaning)
+        field.edited.connect(lambda value: self._put(name, value))
+        field.scrubbed.connect(lambda value: self._put(name, value, "scrub"))
+        field.scrub_ended.connect(self._session.end_merge)
+        return field
+
+    def _beside_menu(self) -> QMenu:
+        menu = QMenu(self)
+        self._kinds: dict[str, QAction] = {}
+        for name in SPLINES:
+            action = menu.addAction(f"{mark_of(name)}  {spline_title(name)}")
+            action.setCheckable(True)
+            action.triggered.connect(self._put_beside)
+            self._kinds[name] = action
+        return menu
+
+    def _put_beside(self) -> None:
+        self._put("beside", tuple(name for name, action in self._kinds.items() if action.isChecked()))
+
+    # What is shown
+
+    def numbers(self, sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
+        """Coordinates, weights and tangents of the chosen points; of no other figure more than usual."""
+        if not isinstance(figure, Curve):
+            return super().numbers(sheet, figure)
+        listed = []
+        for k in self.focus.numbers(figure)[:_MOST_CHOSEN]:
+            place, name = f"{sheet.id}/{figure.id}/{figure.points_world[k].id}", point_name(figure, k)
+            mark = name[1:]
+            listed.append((f"{place}/x", f"x_{mark}", _("x of the {who}").format(who=name)))
+            listed.append((f"{place}/y", f"y_{mark}", _("y of the {who}").format(who=name)))
+            if figure.spline == "nurbs":
+                listed.append((f"{place}/weight", f"w_{mark}", _("Weight of {who}").format(who=name)))
+            if has_tangent(figure, k):
+                listed.append((f"{place}/tangent_x", f"x'_{mark}", _("Tangent of {who}, x").format(who=name)))
+                listed.append((f"{place}/tangent_y", f"y'_{mark}", _("Tangent of {who}, y").format(who=name)))
+        return listed
+
+    def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
+        """Show the one curve that is selected, or what the pen draws next."""
+        self._pen = tool if isinstance(tool, PenTool) else None
+        one = figures[0] if len(figures) == 1 else None
+        curve = one if isinstance(one, Curve) else None
+        model = curve or (self._pen.model if self._pen is not None and not figures else None)
+        first: tuple[QWidget, ...] = (
+            self.spline,
+            self.degree,
+            self.closed,
+            self.rule,
+            self.ends,
+            self.beside,
+        )
+        for widget in first:
+            widget.setVisible(model is not None)
+        for widget in (*self.shape.values(), self.joint, self.legend, self.count, self.fault):
+            widget.setVisible(False)
+        if model is not None:
+            self._show_model(model)
+        if curve is not None:
+            self._show_curve(curve)
+        super().refresh(tool, figures, "")
+        self.compare.hide()
+        if curve is not None and not curve.name:
+            self.title.setText(spline_title(curve.spline))
+
+    def _show_model(self, model: Curve) -> None:
+        self.spline.setCurrentIndex(self.spline.findData(model.spline))
+        with_degree = model.spline in WITH_DEGREE
+        self.degree.setVisible(with_degree)
+        self.degree.set_value(model.degree)
+        self.closed.setChecked(model.closed or model.spline == "periodic_cubic")
+        self.closed.setEnabled(model.spline != "periodic_cubic")
+        self.rule.setVisible(with_degree)
+        self.rule.setCurrentIndex(self.rule.findData(model.knot_rule))
+        self.ends.setVisible(model.spline in WITH_ENDS and not model.closed)
+        self.ends.setCurrentIndex(self.ends.findData(model.ends))
+        wanted = {
+            "cardinal": ("tension",),
+            "catmull_rom": ("alpha",),
+            "kochanek_bartels": ("tension", "continuity", "bias"),
+        }.get(model.spline, ())
+        for name, field in self.shape.items():
+            field.setVisible(name in wanted)
+            field.set_value(getattr(model, name))
+        for name, action in self._kinds.items():
+            action.setChecked(name in model.beside)
+            action.setVisible(name != model.spline)
+        number = sum(name != model.spline for name in model.beside)
+        text = _("Beside it: {n} kinds").format(n=number) if number else _("Other kinds beside it")
+        self.beside.setText(text)
+        set_icon(self.beside, "stack")
+
+    def _show_curve(self, curve: Curve) -> None:
+        kinds = [name for name in curve.beside if name != curve.spline]
+        now = tokens()
+        lines = []
+        for name in kinds:
+            ink = ink_of(now, look_of(name)[0])
+            fault = fault_of(curve, name)
+            said = f": {escape(fault)}" if fault else ""
+            lines.append(f'<span style="color:{ink}">{mark_of(name)}</span> {spline_title(name)}{said}')
+        self.legend.setText("<br>".join(lines))
+        self.legend.setVisible(bool(lines))
+        self.count.setText(countings(curve))
+        self.count.setVisible(True)
+        fault = fault_of(curve)
+        self.fault.setText(f"\N{WARNING SIGN} {escape(fault)}")
+        self.fault.setVisible(bool(fault))
+        chosen = [k for k in self.focus.numbers(curve) if not is_handle(curve, k)]
+        if curve.spline == "bezier_path" and chosen:
+            self.joint.setVisible(True)
+            self.joint.setCurrentIndex(self.joint.findData(curve.points_world[chosen[0]].joint))
+
+    # What is set
+
+    def _put(self, attribute: str, value: Any, merge: str = "") -> None:
+        """Set an attribute of the selected curves, or of what is drawn next."""
+        sheet, chosen = self._session.sheet, set(self._session.state.selection)
+        curves = [f for f in sheet.figures if f.id in chosen and isinstance(f, Curve)]
+        if not curves:
+            if self._pen is not None:
+                self._pen.model = replace(self._pen.model, **{attribute: value})
+                self.algorithm_chosen.emit(self._pen.algorithm)
+            return
+        edit = edit_of(sheet, curves, attribute, value)
+        try:
+            self._session.apply(edit, _("Change curve"), merge and f"{merge} {attribute}")
+        except DocumentError as problem:
+            self.fault.setText(f"\N{WARNING SIGN} {escape(problem.short)}")
+            self.fault.setVisible(True)
+
+
+def edit_of(sheet: Sheet, curves: Sequence[Curve], attribute: str, value: Any) -> Edit:
+    """The edit that sets an attribute of several curves."""
+    if attribute == "beside":
+        changed = [replace(curve, beside=value) for curve in curves]
+        return lambda document: check(with_changed(document, changed), document)
+    return set_attributes({f"{sheet.id}/{curve.id}/{attribute}": value for curve in curves})
+
+
+def countings(curve: Curve) -> str:
+    """Points, degree, order and knots as the course counts them, and as most books do."""
+    points = len(curve.points_world)
+    if curve.spline in WITH_DEGREE:
+        around = points + curve.degree if curve.closed and curve.knot_rule != "free" else points
+        try:
+            found = counting(around, curve.degree)
+        except ValueError:
+            return ""
+        course = _("n + 1 = {points}, order d = {d}, n + d + 1 = {knots} knots")
+        usual = _("usually: {points} points, degree {degree}, {spans} pieces")
+        return (
+            course.format(points=found.points, d=found.d, knots=found.knots)
+            + "<br>"
+            + usual.format(points=found.points, degree=found.degree, spans=found.spans)
+        )
+    if curve.spline == "bezier":
+        degree = points if curve.closed else points - 1
+        return _("n + 1 = {points} points, degree n = {degree}").format(points=points, degree=degree)
+    if curve.spline == "bezier_path":
+        pieces = points // 3 if curve.closed else (points - 1) // 3
+        return _("{points} points and handles, {pieces} cubic pieces").format(points=points, pieces=pieces)
+    pieces = points if curve.closed or curve.spline == "periodic_cubic" else points - 1
+    if curve.ends == "inner" and curve.spline in WITH_ENDS and not curve.closed:
+        pieces = max(points - 3, 0)
+    return _("n + 1 = {points} points, {pieces} cubic pieces").format(points=points, pieces=pieces)

@@ -1,0 +1,96 @@
+"""What of the active curve is looked at: the points chosen, the parameter u, what is hovered and switched on.
+
+This is state of the view: it is neither saved nor undone.
+"""
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import QObject, Signal
+
+from workbench.document.model import Curve
+from workbench.geometry.conventions import round_half_up
+from workbench.rendering import device_map
+from workbench.session.session import Session
+
+# Below this size of a cell, in logical pixels, points are put to halves, from it on to tenths of a cell.
+FINE_PX = 8
+
+
+class CurveFocus(QObject):
+    """``changed`` comes when anything here did. ``points`` are ids, ``moving`` those that are being dragged.
+
+    ``hovered`` is the number of the point whose basis function is pointed at, -1 for none; ``snaps`` puts
+    points to the centres of pixels; ``shown`` has the names of what is switched on.
+    """
+
+    changed = Signal()
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self.session = session
+        self.points: frozenset[str] = frozenset()
+        self.moving: tuple[str, ...] = ()
+        self.hovered = -1
+        self._u = 0.5
+        self.snaps = False
+        self.cell_px = 16.0
+        self.probed: tuple[float, float] | None = None
+        self.shown: frozenset[str] = frozenset({"polygon", "names"})
+
+    @property
+    def curve(self) -> Curve | None:
+        """The active figure, when it is a curve."""
+        active = self.session.active_figure
+        return active if isinstance(active, Curve) else None
+
+    @property
+    def selected(self) -> Curve | None:
+        """The active curve, when it is the one that is selected."""
+        curve = self.curve
+        return curve if curve is not None and self.session.state.selection == (curve.id,) else None
+
+    @property
+    def u(self) -> float:
+        """The share, 0 to 1, of the way through the curve's parameter."""
+        return self._u
+
+    def set_u(self, share: float) -> None:
+        """Go to another share of the way."""
+        self._u = min(1.0, max(0.0, share))
+        self.changed.emit()
+
+    def choose(self, points: Iterable[str]) -> None:
+        """Select these points of the active curve."""
+        chosen = frozenset(points)
+        if chosen != self.points:
+            self.points = chosen
+            self.changed.emit()
+
+    def numbers(self, curve: Curve) -> list[int]:
+        """The numbers of the chosen points in the order of the curve."""
+        return [k for k, point in enumerate(curve.points_world) if point.id in self.points]
+
+    def hover(self, number: int) -> None:
+        """Point at a control point, or, with -1, at none."""
+        if number != self.hovered:
+            self.hovered = number
+            self.changed.emit()
+
+    def switch(self, name: str, on: bool) -> None:
+        """Show something, or show it no longer."""
+        shown = self.shown | {name} if on else self.shown - {name}
+        if shown != self.shown:
+            self.shown = shown
+            self.changed.emit()
+
+    def placed(self, x: float, y: float) -> tuple[float, float]:
+        """Where a device point is put: to a pixel's centre, or to a handy fraction of a cell."""
+        if self.snaps:
+            return float(round_half_up(x)), float(round_half_up(y))
+        step = 10 if self.cell_px >= FINE_PX else 2
+        return round(x * step) / step, round(y * step) / step
+
+    def world(self, x: float, y: float) -> tuple[float, float]:
+        """World coordinates of a device point."""
+        scale = device_map(self.session.sheet)
+        return round((x - scale.tx) / scale.sx, 9), round((y - scale.ty) / scale.sy, 9)

@@ -1,0 +1,231 @@
+"""What the canvas shows of curves: the smooth curve, its polygon, other kinds, constructions, influence."""
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+from msgspec.structs import replace
+from numpy.typing import NDArray
+
+from workbench.algorithms.curves import Pieces, piece_points, polyline
+from workbench.document.model import Curve, Sheet
+from workbench.panels.curve_names import look_of, point_name, spline_title
+from workbench.panels.curve_shape import (
+    SMOOTH_PX,
+    device_pieces,
+    device_points,
+    parameter,
+    smooth_line,
+    tangent_ends,
+)
+from workbench.rendering.curves import pieces_of
+from workbench.widgets.canvas_drawing import Drawn, Spot, Stroke, Word
+
+Array = NDArray[np.float64]
+
+CURVE_INK = "accent"
+MOST_NAMED = 24
+MOST_HANDLES = 60
+_LEVELS = ("data 2", "data 3", "data 4", "data 5", "data 6", "data 1")
+
+
+def others(sheet: Sheet, active: Curve | None) -> list[Drawn]:
+    """The curves that are not worked on, thin."""
+    lines = [
+        smooth_line(sheet, figure)
+        for figure in sheet.figures
+        if isinstance(figure, Curve) and figure.visible and figure is not active
+    ]
+    return [Stroke(line, "muted", 1.25) for line in lines if len(line)]
+
+
+def beside(sheet: Sheet, curve: Curve) -> list[Drawn]:
+    """The other kinds over the same points, each in its colour and pattern."""
+    drawn: list[Drawn] = []
+    for spline in curve.beside:
+        line = smooth_line(sheet, curve, spline) if spline != curve.spline else ()
+        if len(line):
+            ink, pattern = look_of(spline)
+            drawn.append(Stroke(np.asarray(line), ink, 1.75, pattern))
+    return drawn
+
+
+def curve_line(sheet: Sheet, curve: Curve) -> list[Drawn]:
+    """The curve itself."""
+    line = smooth_line(sheet, curve)
+    return [Stroke(line, CURVE_INK, 2.25, haloed=True)] if len(line) else []
+
+
+def control_polygon(sheet: Sheet, curve: Curve, numbers: Sequence[int] = ()) -> list[Drawn]:
+    """The legs between the control points, or of a path the handles of the points that are shown.
+
+    ``numbers`` are the chosen points: of a long path only their handles are drawn.
+    """
+    points = device_points(sheet, curve)
+    drawn: list[Drawn] = []
+    if curve.spline == "bezier_path":
+        shown = handles_shown(curve, numbers)
+        for k in np.flatnonzero(shown).tolist():
+            anchor = anchor_of(curve, k)
+            if k % 3 and anchor is not None:
+                drawn.append(Stroke(points[[anchor, k]], "muted", 1.0))
+        return drawn
+    if len(points) > 1:
+        legs = np.vstack([points, points[:1]]) if curve.closed else points
+        drawn.append(Stroke(legs, "muted", 1.0, "dash"))
+    for k, end in tangent_ends(sheet, curve).items():
+        drawn.append(Stroke(np.array([points[k], end]), "data 5", 1.25))
+    return drawn
+
+
+def anchor_of(curve: Curve, index: int) -> int | None:
+    """The point of a path that a handle belongs to; None when it is not there yet."""
+    count = len(curve.points_world)
+    near = index if index % 3 == 0 else index - 1 if index % 3 == 1 else index + 1
+    if near >= count:
+        return 0 if curve.closed and count % 3 == 0 else None
+    return near
+
+
+def handles_shown(curve: Curve, numbers: Sequence[int]) -> NDArray[np.bool_]:
+    """Which control points can be seen: of a long path only the handles beside the chosen points."""
+    count = len(curve.points_world)
+    shown = np.ones(count, bool)
+    if curve.spline == "bezier_path" and count > MOST_HANDLES:
+        shown = np.arange(count) % 3 == 0
+        for k in numbers:
+            near = np.arange(k - 4, k + 5)
+            shown[near % count if curve.closed else near[(near >= 0) & (near < count)]] = True
+    return shown
+
+
+def names(sheet: Sheet, curve: Curve) -> list[Drawn]:
+    """What the points are called, each on the side away from the others; none where there are too many."""
+    points = device_points(sheet, curve)
+    if len(points) > MOST_NAMED:
+        return []
+    middle = points.mean(axis=0)
+    drawn: list[Drawn] = []
+    for k, (x, y) in enumerate(points.tolist()):
+        right, up = (1 if x >= middle[0] else -1), (1 if y >= middle[1] else -1)
+        if k % 3 == 0 or curve.spline != "bezier_path":
+            drawn.append(Word(point_name(curve, k), x, y, "muted", right, up))
+    return drawn
+
+
+# Constructions at the parameter u
+
+
+def levels(curve: Curve, pieces: Pieces, share: float, controls: Array) -> list[Array]:
+    """The points of each level of the construction at u, control points first, the curve's point last.
+
+    A Bézier curve is de Casteljau's triangle over all its points, a B-spline de Boor's over those of the
+    span; every other curve has that of the piece that u lies in. ``controls`` are the curve's own points.
+    """
+    if curve.spline == "b_spline":
+        return _de_boor_levels(curve, controls, share)
+    u = parameter(pieces, share)
+    number = int(np.clip(np.searchsorted(pieces.knots, u, side="right") - 1, 0, len(pieces.controls) - 1))
+    first, last = pieces.knots[number : number + 2]
+    v = (u - first) / (last - first) if last > first else 0.0
+    level = pieces.controls[number]
+    if pieces.weights is not None:
+        pulls = pieces.weights[number][:, None]
+        whole = np.hstack([level * pulls, pulls])
+        return [one[:, :2] / one[:, 2:] for one in _halving(whole, v)]
+    return _halving(level, v)
+
+
+def _halving(level: Array, v: float) -> list[Array]:
+    made = [level]
+    while len(made[-1]) > 1:
+        made.append((1.0 - v) * made[-1][:-1] + v * made[-1][1:])
+    return made
+
+
+def _de_boor_levels(curve: Curve, controls: Array, share: float) -> list[Array]:
+    from workbench.algorithms.curves import knot_spans
+    from workbench.rendering.curves import b_spline_of
+
+    around, knots, _weights = b_spline_of(curve)
+    points = controls[np.arange(len(around)) % len(controls)]
+    degree = curve.degree
+    u = knots[degree] + share * (knots[-degree - 1] - knots[degree])
+    span = int(knot_spans(knots, degree, u))
+    made = [points[span - degree : span + 1]]
+    for r in range(1, degree + 1):
+        i = np.arange(span - degree + r, span + 1)
+        alpha = ((u - knots[i]) / (knots[i + degree + 1 - r] - knots[i]))[:, None]
+        made.append((1.0 - alpha) * made[-1][:-1] + alpha * made[-1][1:])
+    return made
+
+
+def construction(sheet: Sheet, curve: Curve, share: float) -> list[Drawn]:
+    """The legs of every level in a colour of its own, and the point that they lead to."""
+    pieces = device_pieces(sheet, curve)
+    if pieces is None:
+        return []
+    made = levels(curve, pieces, share, device_points(sheet, curve))
+    drawn: list[Drawn] = []
+    for r, level in enumerate(made[:-1]):
+        if r == 0:
+            if curve.spline != "bezier":
+                drawn.append(Stroke(level, "text", 1.25, "dot"))
+            continue
+        ink = _LEVELS[(r - 1) % len(_LEVELS)]
+        drawn.append(Stroke(level, ink, 1.75, haloed=True))
+        drawn += [Spot(x, y, ink, "dot", 6) for x, y in level.tolist()]
+    x, y = made[-1][0].tolist()
+    drawn.append(Spot(x, y, "text", "ring", 13))
+    drawn.append(Word(f"C({parameter(pieces, share):.4g})", x, y, "text", 1, 1, carded=True, strong=True))
+    return drawn
+
+
+def point_at(sheet: Sheet, curve: Curve, share: float) -> tuple[float, float] | None:
+    """The point of the curve at a share of its parameter, device coordinates."""
+    pieces = device_pieces(sheet, curve)
+    if pieces is None:
+        return None
+    x, y = piece_points(pieces, parameter(pieces, share)).tolist()
+    return x, y
+
+
+# What a point moves
+
+
+@lru_cache(maxsize=8)
+def influence(curve: Curve, numbers: tuple[int, ...]) -> Array:
+    """How far each piece (m,) of a curve follows these points, as a share of their way: 0 not at all.
+
+    The curve itself is asked, with the points moved a little, so it holds for every kind.
+    """
+    moved = list(curve.points_world)
+    for k in numbers:
+        moved[k] = replace(moved[k], x=moved[k].x + 1e-3)
+    try:
+        one, other = pieces_of(curve), pieces_of(replace(curve, points_world=tuple(moved)))
+    except ValueError:
+        return np.zeros(0)
+    if one.controls.shape != other.controls.shape:
+        return np.ones(len(other.controls))
+    way: Array = np.sqrt(((other.controls - one.controls) ** 2).sum(axis=-1)).max(axis=1) / 1e-3
+    return np.where(way < 1e-6, 0.0, np.minimum(way, 1.0))
+
+
+def region(sheet: Sheet, curve: Curve, strength: Array) -> list[Drawn]:
+    """The pieces that follow what is moved, the wider the more they follow."""
+    pieces = device_pieces(sheet, curve)
+    if pieces is None or len(strength) != len(pieces.controls):
+        return []
+    drawn: list[Drawn] = []
+    for k in np.flatnonzero(strength > 0.002).tolist():
+        weights = None if pieces.weights is None else pieces.weights[k : k + 1]
+        one = Pieces(pieces.knots[k : k + 2], pieces.controls[k : k + 1], weights)
+        if one.knots[1] > one.knots[0]:
+            drawn.append(Stroke(polyline(one, SMOOTH_PX), "data 5", 7.0 + 8.0 * float(strength[k])))
+    return drawn
+
+
+def legend(curve: Curve) -> str:
+    """What is drawn in which colour, for a reader of the picture."""
+    return ", ".join(spline_title(spline) for spline in (curve.spline, *curve.beside))

@@ -1,0 +1,120 @@
+"""Keeps the canvas and the card of the Curves panel in step with the session and what is looked at."""
+
+import time
+from dataclasses import replace
+
+from workbench.document.model import Curve
+from workbench.panels.curve_card import CurveCard
+from workbench.panels.curve_focus import CurveFocus
+from workbench.panels.curve_scene import (
+    beside,
+    construction,
+    control_polygon,
+    curve_line,
+    handles_shown,
+    influence,
+    names,
+    others,
+    region,
+)
+from workbench.panels.curve_shape import device_points, tangent_ends
+from workbench.panels.curve_tools import CurveSelectTool
+from workbench.panels.figure_compose import Composition, with_asked, with_band
+from workbench.panels.figure_gesture import HandleDrag, Tool
+from workbench.panels.figure_outline import outline
+from workbench.panels.figure_picture import packed, pale_picture, picture
+from workbench.panels.figure_tools import FigureTool
+from workbench.panels.figure_view import FigureView
+from workbench.widgets.canvas_drawing import Drawn
+from workbench.widgets.canvas_overlay import Handle, Overlay
+from workbench.widgets.pixel_canvas import PixelCanvas
+from workbench.widgets.tokens import LIGHT, tokens
+
+# While something is dragged the pixels may take this long; else they follow when it is let go.
+PIXELS_MS = 4.0
+
+
+class CurveView(FigureView):
+    """Shows the smooth curves over their pixels, with what is switched on."""
+
+    card: CurveCard
+
+    def __init__(self, focus: CurveFocus, canvas: PixelCanvas, second: PixelCanvas, card: CurveCard) -> None:
+        super().__init__(focus.session, canvas, second, card)
+        self.focus = focus
+        self._pixels_ms = 0.0
+
+    def refresh(self, tool: Tool, drag: HandleDrag) -> None:
+        """Everything anew, from the session alone."""
+        session, sheet = self.session, self.session.sheet
+        self.focus.cell_px = self.canvas.view.cell / self.canvas.devicePixelRatioF()
+        busy = tool.busy
+        if not busy or self._pixels_ms < PIXELS_MS:
+            before = time.perf_counter()
+            now = tokens()
+            shown = picture if "pixels" in self.focus.shown else pale_picture
+            self.canvas.set_picture(shown(sheet, now), packed(now.canvas))
+            self._pixels_ms = (time.perf_counter() - before) * 1e3
+        chosen = set(session.state.selection)
+        selected = [figure for figure in sheet.figures if figure.id in chosen]
+        overlay = Overlay(
+            ideal=tuple(
+                line
+                for figure in sheet.figures
+                if figure.visible and not isinstance(figure, Curve)
+                for line in outline(sheet, figure)
+            ),
+            outlined=tuple(line for f in selected if not isinstance(f, Curve) for line in outline(sheet, f)),
+            handles=tuple(self._grips(tool, len(selected) == 1)),
+            drawn=tuple(self.drawn()),
+        )
+        overlay = with_asked(with_band(overlay, tool.band), session.state.pixel)
+        self.canvas.set_overlay(replace(overlay, right=self._right, wrong=self._wrong))
+        if not busy or not isinstance(tool, CurveSelectTool):
+            self.card.refresh(tool if isinstance(tool, FigureTool) else None, selected, "")
+        if not busy:
+            self.show_beside(session.active_figure, "", None)
+
+    def drawn(self) -> list[Drawn]:
+        """The curves and what is shown of the one that is worked on, from back to front."""
+        sheet, curve, shown = self.session.sheet, self.focus.curve, self.focus.shown
+        drawn = others(sheet, curve)
+        if curve is None or not curve.visible:
+            return drawn
+        chosen = self.focus.numbers(curve)
+        if self.focus.moving:
+            moving = tuple(k for k, p in enumerate(curve.points_world) if p.id in set(self.focus.moving))
+            drawn += region(sheet, curve, influence(curve, moving))
+        drawn += beside(sheet, curve)
+        if "polygon" in shown:
+            drawn += control_polygon(sheet, curve, chosen)
+        drawn += curve_line(sheet, curve)
+        if "names" in shown and self.focus.selected is not None:
+            drawn += names(sheet, curve)
+        if "construction" in shown:
+            drawn += construction(sheet, curve, self.focus.u)
+        return drawn
+
+    def _grips(self, tool: Tool, alone: bool) -> list[Handle]:
+        """The points, handles and tangents that can be dragged; of other figures their outline is enough."""
+        curve = self.focus.selected
+        if curve is None or not alone:
+            return []
+        sheet, place = self.session.sheet, f"{self.session.sheet.id}/{curve.id}"
+        points = device_points(sheet, curve)
+        shown = handles_shown(curve, self.focus.numbers(curve))
+        grips = [
+            Handle(f"{place}/{point.id}/x", "", x, y, point.id in self.focus.points)
+            for point, (x, y), seen in zip(curve.points_world, points.tolist(), shown.tolist(), strict=True)
+            if seen
+        ]
+        for k, (x, y) in tangent_ends(sheet, curve).items():
+            grips.append(Handle(f"{place}/{curve.points_world[k].id}/tangent_x", "", x, y))
+        return grips
+
+    def on_paper(self, number: int | None = None) -> Composition:
+        """What is shown, in the light theme and without handles."""
+        shown = picture if "pixels" in self.focus.shown else pale_picture
+        return Composition(
+            shown(self.session.sheet, LIGHT), packed(LIGHT.canvas), Overlay(drawn=tuple(self.drawn()))
+        )

@@ -1,0 +1,94 @@
+"""The Curves panel: curves of every kind drawn, shaped by hand, looked into and compared."""
+
+from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QCursor, QKeyEvent
+from PySide6.QtWidgets import QWidget
+
+from workbench.document.model import Curve
+from workbench.language import _
+from workbench.panels.curve_card import CurveCard
+from workbench.panels.curve_focus import CurveFocus
+from workbench.panels.curve_pen import PenTool
+from workbench.panels.curve_tools import CurveSelectTool
+from workbench.panels.curve_view import CurveView
+from workbench.panels.figure_stepped import SteppedPanel
+from workbench.session.session import Session
+
+EXAMPLE = "curve-letter"
+
+
+class CurvesPanel(SteppedPanel):
+    """Canvas, tools and card over one session; what is looked at is held by ``focus``."""
+
+    slug = "curves"
+    first_tool = "pen"
+    card: CurveCard
+    view: CurveView
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        self.focus = CurveFocus(session)
+        self.select = CurveSelectTool(self.focus)
+        self.pen = PenTool(self.focus)
+        super().__init__(session, [self.select, self.pen], parent)
+        self.title = _("Curves")
+        self.canvas.takes_handles = False
+        self.card = CurveCard(self.focus, self.canvas)
+        self.view = CurveView(self.focus, self.canvas, self.second, self.card)
+        self.focus.changed.connect(self.refresh_soon)
+        self.start(_("Click on the canvas, point after point; Enter ends the curve."))
+
+    def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
+        """None yet."""
+        return []
+
+    def show_example(self) -> None:
+        """Open a curve that is already drawn."""
+        self.session.open_example(EXAMPLE)
+        self.session.update_state(active=self.session.sheet.figures[-1].id)
+
+    # The pointer
+
+    def _after_gesture(self) -> None:
+        super()._after_gesture()
+        # This panel finds what is under the pointer by itself, several points at once.
+        self.canvas.takes_handles = False
+
+    def _move(self, x: float, y: float, modifiers: Any) -> None:
+        self.select.modifiers = modifiers
+        super()._move(x, y, modifiers)
+        if self.tool is self.select and not self.canvas.dragging:
+            over = self.select.over(x, y)
+            shapes = {"grip": Qt.CursorShape.SizeAllCursor, "curve": Qt.CursorShape.PointingHandCursor}
+            self.canvas.set_shape(QCursor(shapes.get(over, Qt.CursorShape.ArrowCursor)))
+
+    @property
+    def gesturing(self) -> bool:
+        """Whether something is being drawn or dragged."""
+        return super().gesturing or self.select.held
+
+    def let_go(self) -> None:
+        """Escape: what is being drawn, else the chosen points, then as everywhere."""
+        if not self.gesturing and self.focus.points:
+            self.focus.choose(())
+        else:
+            super().let_go()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Backspace takes back the last point of the pen."""
+        if event.key() == Qt.Key.Key_Backspace and self.tool is self.pen and self.pen.back():
+            self._after_gesture()
+        else:
+            super().keyPressEvent(event)
+
+    def choose_tool(self, name: str) -> None:
+        """Take up a tool; the points that were chosen are let go."""
+        if name != "select":
+            self.focus.choose(())
+        super().choose_tool(name)
+
+    @property
+    def curve(self) -> Curve | None:
+        """The curve that is worked on."""
+        return self.focus.curve
