@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves.pieces import Pieces, piece_points
+from workbench.algorithms.curves.rational_polyline import nurbs_to_polyline
 
 Array = NDArray[np.float64]
 
@@ -11,7 +12,7 @@ MOST_CHORDS = 4096
 
 
 def chord_counts(pieces: Pieces, tolerance: float) -> NDArray[np.int64]:
-    """How many chords each piece (m,) needs, at equal steps of u, so that none is farther off.
+    """How many chords each piece (m,), not rational, needs, at equal steps of u, so that none is farther off.
 
     A chord over the step h is off by at most h^2 / 8 times the largest second derivative, which is at most
     degree (degree - 1) times the largest second difference of the control points. Source: Wang, 1984.
@@ -26,6 +27,8 @@ def chord_counts(pieces: Pieces, tolerance: float) -> NDArray[np.int64]:
 
 def polyline(pieces: Pieces, tolerance: float) -> Array:
     """The corners (n, k) of a chain of chords, nowhere farther from the curve than ``tolerance``."""
+    if pieces.weights is not None:
+        return nurbs_to_polyline(pieces, tolerance)[0]
     counts = chord_counts(pieces, tolerance)
     begins = np.cumsum(counts) - counts
     share = (np.arange(counts.sum()) - np.repeat(begins, counts)) / np.repeat(counts, counts)
