@@ -12,18 +12,21 @@ from workbench.algorithms.curves.bernstein import (
     bernstein,
     bezier_point,
     elevate_degree,
-    hodograph,
     subdivide,
 )
 from workbench.algorithms.curves.blossom import b_spline_to_bezier, elevate_b_spline
 from workbench.algorithms.curves.cardinal import cardinal
 from workbench.algorithms.curves.catmull_rom import catmull_rom
 from workbench.algorithms.curves.continuity import Continuity, continuity, joints
+from workbench.algorithms.curves.convex_hull import convex_hull
 from workbench.algorithms.curves.cubic_pieces import to_cubic_pieces
 from workbench.algorithms.curves.cubic_spline import clamped_cubic, natural_cubic, periodic_cubic
+from workbench.algorithms.curves.curvature import curvature, curvature_comb, osculating_circle
 from workbench.algorithms.curves.de_boor import de_boor
 from workbench.algorithms.curves.de_casteljau import de_casteljau
 from workbench.algorithms.curves.degree_lowering import lower_b_spline, lower_degree
+from workbench.algorithms.curves.derivatives import derivatives, hodograph, piece_derivative
+from workbench.algorithms.curves.extrema import bounding_box, extrema
 from workbench.algorithms.curves.fitting import fit_pieces
 from workbench.algorithms.curves.flatten_bezier import flatten_bezier
 from workbench.algorithms.curves.flatten_cubic import flatten_cubic
@@ -38,7 +41,7 @@ from workbench.algorithms.curves.knots import (
     uniform_knots,
 )
 from workbench.algorithms.curves.kochanek_bartels import kochanek_bartels
-from workbench.algorithms.curves.pieces import Pieces, piece_derivative, piece_points
+from workbench.algorithms.curves.pieces import Pieces, piece_points
 from workbench.algorithms.curves.polyline import chord_counts, polyline
 from workbench.algorithms.curves.rational import Nurbs, circle, homogeneous, projected
 from workbench.algorithms.curves.rational_polyline import nurbs_to_polyline
@@ -56,6 +59,7 @@ __all__ = [
     "basis_table",
     "bernstein",
     "bezier_point",
+    "bounding_box",
     "cardinal",
     "catmull_rom",
     "chord_counts",
@@ -63,11 +67,16 @@ __all__ = [
     "clamped_cubic",
     "closed_b_spline",
     "continuity",
+    "convex_hull",
     "counting",
+    "curvature",
+    "curvature_comb",
     "de_boor",
     "de_casteljau",
+    "derivatives",
     "elevate_b_spline",
     "elevate_degree",
+    "extrema",
     "fit_pieces",
     "flatten_bezier",
     "flatten_cubic",
@@ -85,6 +94,7 @@ __all__ = [
     "nurbs_point",
     "nurbs_to_polyline",
     "open_uniform_knots",
+    "osculating_circle",
     "periodic_cubic",
     "piece_derivative",
     "piece_points",

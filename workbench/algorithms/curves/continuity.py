@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from workbench.algorithms.curves.bernstein import hodograph
 from workbench.algorithms.curves.conditions import faults, refuse
-from workbench.algorithms.curves.pieces import Pieces
+from workbench.algorithms.curves.derivatives import local_derivatives
+from workbench.algorithms.curves.pieces import Pieces, with_length
 
 Array = NDArray[np.float64]
 
@@ -34,14 +34,14 @@ class Continuity(NamedTuple):
     geometric: str
 
 
-class _Side(NamedTuple):
-    """A curve at one of its ends."""
+class _Sides(NamedTuple):
+    """Curves at one of their ends, (m, k) each; a direction or a curvature that does not exist is nan."""
 
-    point: Array
-    first: Array
-    second: Array
-    direction: Array | None
-    curvature: Array | None
+    points: Array
+    firsts: Array
+    seconds: Array
+    directions: Array
+    curvatures: Array
 
 
 def continuity(
@@ -50,68 +50,93 @@ def continuity(
     length_before: float = 1.0,
     length_after: float = 1.0,
     tolerance: float = 1e-9,
+    weights: tuple[ArrayLike | None, ArrayLike | None] = (None, None),
 ) -> Continuity:
     """How the end of one Bézier curve joins the begin of the next.
 
     Args: control points (n+1, k) and (m+1, k); how long each piece is in the parameter; what counts as
-    nothing, as a part of the sizes compared. Raises: ValueError for too few points, lengths not above 0.
+    nothing, as a part of the sizes compared; the weights (n+1,) and (m+1,) of rational curves.
+    Raises: ValueError for too few points, lengths not above 0, weights that are not.
     """
     if not (length_before > 0 and length_after > 0):
         raise ValueError("A piece has no length in the parameter; part its knots, or leave it out.")
-    refuse(faults(before) + faults(after))
+    refuse(faults(before, weights=weights[0]) + faults(after, weights=weights[1]))
     one, other = np.asarray(before, float), np.asarray(after, float)
-    size = float(np.ptp(np.vstack([one, other]), axis=0).max())
-    end = _end_of(one[::-1], -length_before, tolerance * size)
-    begin = _end_of(other, length_after, tolerance * size)
-    short = min(length_before, length_after)
-    c0, c1, c2 = (float(np.linalg.norm(a - b)) for a, b in zip(end[:3], begin[:3], strict=True))
-    joined = c0 <= tolerance * size
-    same_first = joined and c1 <= tolerance * max(_norm(end.first, begin.first), size / short)
-    same_second = same_first and c2 <= tolerance * max(_norm(end.second, begin.second), size / short**2)
-    g1 = g2 = float("nan")
-    if end.direction is not None and begin.direction is not None:
-        g1 = _angle(-end.direction, begin.direction)
-    if end.curvature is not None and begin.curvature is not None:
-        g2 = float(np.linalg.norm(end.curvature - begin.curvature))
-    along = joined and g1 <= tolerance
-    bent = along and g2 * size <= tolerance * max(_norm(end.curvature, begin.curvature) * size, 1.0)
-    parametric = "C2" if same_second else "C1" if same_first else "C0" if joined else ""
-    geometric = "G2" if bent else "G1" if along else "G0" if joined else ""
-    return Continuity(c0, c1, c2, c0, g1, g2, parametric, geometric)
+    size = np.ptp(np.vstack([one, other]), axis=0).max(keepdims=True)
+    pulls = [None if w is None else np.asarray(w, float)[None] for w in weights]
+    last, first = np.array([length_before]), np.array([length_after])
+    end = _ends(one[None, ::-1], pulls[0] if pulls[0] is None else pulls[0][:, ::-1], -last, tolerance * size)
+    begin = _ends(other[None], pulls[1], first, tolerance * size)
+    return _compared(end, begin, size, np.minimum(last, first), tolerance)[0]
 
 
 def joints(pieces: Pieces, closed: bool = False, tolerance: float = 1e-9) -> list[Continuity]:
-    """The continuity at each knot between two pieces; of a ``closed`` curve at its end, too."""
-    lengths, controls = np.diff(pieces.knots), pieces.controls
-    count = len(controls) if closed else len(controls) - 1
-    follow = [(j, (j + 1) % len(controls)) for j in range(count)]
-    return [continuity(controls[j], controls[k], lengths[j], lengths[k], tolerance) for j, k in follow]
+    """The continuity at each knot between two pieces; of a ``closed`` curve at its end, too.
 
-
-def _end_of(points: Array, length: float, nothing: float) -> _Side:
-    """The curve at its first point; a curve that was turned round has a negative length.
-
-    Legs no longer than ``nothing`` are rounding errors and have no direction.
+    A piece without length in the parameter is passed over: its neighbours join.
     """
-    first = hodograph(points)
-    second = hodograph(first) if len(first) > 1 else np.zeros((1, points.shape[1]))
-    legs = points - points[0]
-    apart = np.flatnonzero(np.abs(legs).max(axis=1) > nothing)
-    direction = curvature = None
-    if len(apart):
-        direction = legs[apart[0]] / np.abs(legs[apart[0]]).max()
-        direction /= np.linalg.norm(direction)
-    speed = float(np.linalg.norm(first[0]))
-    if direction is not None and speed > nothing:
-        curvature = (second[0] - (second[0] @ direction) * direction) / speed / speed
-    return _Side(points[0], first[0] / length, second[0] / length**2, direction, curvature)
+    knots, controls, weights = with_length(pieces)
+    lengths = np.diff(knots)
+    before = np.arange(len(controls) if closed else len(controls) - 1)
+    if not len(before):
+        return []
+    after = (before + 1) % len(controls)
+    low, high = controls.min(axis=1), controls.max(axis=1)
+    size = (np.maximum(high[before], high[after]) - np.minimum(low[before], low[after])).max(axis=1)
+    turned, begun = (None, None) if weights is None else (weights[before, ::-1], weights[after])
+    end = _ends(controls[before, ::-1], turned, -lengths[before], tolerance * size)
+    begin = _ends(controls[after], begun, lengths[after], tolerance * size)
+    return _compared(end, begin, size, np.minimum(lengths[before], lengths[after]), tolerance)
 
 
-def _norm(one: Array | None, other: Array | None) -> float:
-    """The larger length of the two."""
-    return max(float(np.linalg.norm(v)) for v in (one, other) if v is not None) if one is not None else 0.0
+def _ends(points: Array, weights: Array | None, length: Array, nothing: Array) -> _Sides:
+    """Curves (m, n+1, k) at their first points; one that was turned round has a negative length (m,).
+
+    Legs no longer than ``nothing`` (m,) are rounding errors and have no direction.
+    """
+    _point, first, second = local_derivatives(points, weights, 0.0, 2)
+    legs = points - points[:, :1]
+    apart = np.abs(legs).max(axis=2) > nothing[:, None]
+    leg = np.take_along_axis(legs, apart.argmax(axis=1)[:, None, None], axis=1)[:, 0]
+    directions = np.where(apart.any(axis=1)[:, None], leg, np.nan)
+    directions = directions / np.abs(directions).max(axis=1, keepdims=True)
+    directions = directions / _lengths(directions)[:, None]
+    speed = _lengths(first)[:, None]
+    across = second - (second * directions).sum(axis=1, keepdims=True) * directions
+    moving = speed > nothing[:, None]
+    curvatures = np.divide(across, speed, out=np.full_like(across, np.nan), where=moving)
+    curvatures = np.divide(curvatures, speed, out=curvatures, where=moving)
+    once = length[:, None]
+    return _Sides(points[:, 0], first / once, second / once**2, directions, curvatures)
 
 
-def _angle(one: Array, other: Array) -> float:
-    """The angle between two unit vectors, exact for small ones too."""
-    return float(2.0 * np.arctan2(np.linalg.norm(one - other), np.linalg.norm(one + other)))
+def _compared(end: _Sides, begin: _Sides, size: Array, short: Array, tolerance: float) -> list[Continuity]:
+    """What is left between ends and begins of curves of this ``size`` (m,), and what may be said of it."""
+    c0, c1, c2 = (_lengths(a - b) for a, b in zip(end[:3], begin[:3], strict=True))
+    g1 = _angles(-end.directions, begin.directions)
+    g2 = _lengths(end.curvatures - begin.curvatures)
+    firsts = np.maximum(_lengths(end.firsts), _lengths(begin.firsts))
+    seconds = np.maximum(_lengths(end.seconds), _lengths(begin.seconds))
+    bends = np.maximum(_lengths(end.curvatures), _lengths(begin.curvatures))
+    joined = c0 <= tolerance * size
+    same_first = joined & (c1 <= tolerance * np.maximum(firsts, size / short))
+    same_second = same_first & (c2 <= tolerance * np.maximum(seconds, size / short**2))
+    along = joined & (g1 <= tolerance)
+    bent = along & (g2 * size <= tolerance * np.maximum(bends * size, 1.0))
+    parametric = joined.astype(int) + same_first + same_second
+    geometric = joined.astype(int) + along + bent
+    columns = [column.tolist() for column in (c0, c1, c2, c0, g1, g2)]
+    told = [("", "C0", "C1", "C2")[k] for k in parametric], [("", "G0", "G1", "G2")[k] for k in geometric]
+    return [Continuity(*row) for row in zip(*columns, *told, strict=True)]
+
+
+def _lengths(vectors: Array) -> Array:
+    """The length of each vector (m, k)."""
+    lengths: Array = np.sqrt((vectors * vectors).sum(axis=1))
+    return lengths
+
+
+def _angles(one: Array, other: Array) -> Array:
+    """The angles between unit vectors (m, k), exact for small ones too."""
+    angles: Array = 2.0 * np.arctan2(_lengths(one - other), _lengths(one + other))
+    return angles

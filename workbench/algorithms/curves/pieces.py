@@ -27,26 +27,43 @@ class Pieces(NamedTuple):
         return int(self.controls.shape[1]) - 1
 
 
-def piece_points(pieces: Pieces, u: ArrayLike) -> Array:
-    """The points of the curve at each u (...,): (..., k). Before its begin and after its end the outer pieces
-    go on; a piece without length is passed over."""
+def located(pieces: Pieces, u: ArrayLike) -> tuple[NDArray[np.intp], Array, Array]:
+    """For each u (...,) the number of its piece, where it is in it, from 0 to 1, and how long the piece is.
+
+    Before its begin and after its end the outer pieces go on; a piece without length is passed over, and if
+    none has a length, it is taken to be 1.
+    """
     where = np.asarray(u, float)
-    knots, controls, weights = pieces
+    knots = pieces.knots
     last = int(np.searchsorted(knots, knots[-1], side="left")) - 1
     number = np.clip(np.searchsorted(knots, where, side="right") - 1, 0, max(last, 0))
     length = knots[number + 1] - knots[number]
-    v = (where - knots[number]) / np.where(length > 0, length, 1.0)
+    length = np.where(length > 0, length, 1.0)
+    return number, (where - knots[number]) / length, length
+
+
+def piece_points(pieces: Pieces, u: ArrayLike) -> Array:
+    """The points of the curve at each u (...,): (..., k). Before its begin and after its end the outer pieces
+    go on; a piece without length is passed over."""
+    number, v, _length = located(pieces, u)
     basis = bernstein(pieces.degree, v)
-    if weights is not None:
-        pulls = basis * weights[number]
+    if pieces.weights is not None:
+        pulls = basis * pieces.weights[number]
         basis = pulls / pulls.sum(axis=-1, keepdims=True)
-    found: Array = (basis[..., None] * controls[number]).sum(axis=-2)
+    found: Array = (basis[..., None] * pieces.controls[number]).sum(axis=-2)
     return found
 
 
-def piece_derivative(pieces: Pieces) -> Pieces:
-    """The derivative by the parameter, one degree lower; 0 on a piece without length."""
-    length = np.diff(pieces.knots)[:, None, None]
-    legs = np.diff(pieces.controls, axis=1)
-    per_length = np.divide(pieces.degree, length, out=np.zeros_like(length), where=length > 0)
-    return Pieces(pieces.knots, per_length * legs)
+def with_length(pieces: Pieces) -> Pieces:
+    """The pieces that the parameter comes to: those with a length; the curve is the same.
+
+    If there are none, one piece of length 1 that stays where the curve is.
+    """
+    long = np.diff(pieces.knots) > 0
+    if long.all():
+        return pieces
+    knots, controls, weights = pieces
+    if not long.any():
+        return Pieces(knots[0] + np.array([0.0, 1.0]), np.repeat(controls[:1, :1], controls.shape[1], axis=1))
+    kept = np.append(knots[:-1][long], knots[-1])
+    return Pieces(kept, controls[long], None if weights is None else weights[long])

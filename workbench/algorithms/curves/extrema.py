@@ -1,0 +1,53 @@
+"""How far a curve reaches: its bounding box, and the places where a coordinate turns back."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.curves.pieces import Pieces, piece_points, with_length
+from workbench.algorithms.curves.polynomials import derivative_numerator
+from workbench.algorithms.curves.roots import sign_changes
+
+Array = NDArray[np.float64]
+
+
+def bounding_box(pieces: Pieces) -> tuple[Array, Array]:
+    """The lowest and the highest coordinates (k,) of the curve: those of its extrema and its ends."""
+    kept = with_length(pieces)
+    ends = kept.controls[:, [0, -1]].reshape(-1, kept.controls.shape[2])
+    low, high = ends.min(axis=0), ends.max(axis=0)
+    for axis, u in enumerate(_turns(kept)):
+        if len(u):
+            reached = piece_points(kept, u)[:, axis]
+            low[axis] = min(low[axis], reached.min())
+            high[axis] = max(high[axis], reached.max())
+    return low, high
+
+
+def extrema(pieces: Pieces) -> list[tuple[float, int, Array]]:
+    """Every place where a coordinate changes from growing to falling or back: u, the axis, the point (k,).
+
+    Corners between pieces count too, and so do both ends where a curve that ends where it began turns there.
+    """
+    kept = with_length(pieces)
+    found = []
+    for axis, u in enumerate(_turns(kept)):
+        found += [(float(at), axis, point) for at, point in zip(u, piece_points(kept, u), strict=True)]
+    return sorted(found, key=lambda turn: turn[:2])
+
+
+def meets_itself(pieces: Pieces) -> bool:
+    """Whether the curve ends where it began, but for rounding."""
+    begin, end = pieces.controls[0, 0], pieces.controls[-1, -1]
+    return bool(np.abs(end - begin).max() <= 2.0**-44 * np.abs(pieces.controls).max())
+
+
+def _turns(pieces: Pieces) -> list[Array]:
+    """For each axis the u (n,) of its extrema."""
+    tops, sizes = derivative_numerator(pieces.controls, pieces.weights)
+    closed = meets_itself(pieces)
+    lengths = np.diff(pieces.knots)
+    found = []
+    for axis in range(tops.shape[1]):
+        rows, v = sign_changes(tops[:, axis], sizes[:, axis], closed)
+        found.append(pieces.knots[rows] + v * lengths[rows])
+    return found

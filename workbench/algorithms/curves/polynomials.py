@@ -1,0 +1,82 @@
+"""Polynomials by their Bernstein coefficients (..., degree + 1): products, halves, derivatives of quotients.
+
+Source: Farouki and Rajan, Algorithms for polynomials in Bernstein form, 1988.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.curves.bernstein import bernstein
+
+Array = NDArray[np.float64]
+
+
+def binomials(degree: int) -> Array:
+    """The binomial coefficients of this degree (degree + 1,)."""
+    return np.array([math.comb(degree, i) for i in range(degree + 1)], float)
+
+
+def product(one: Array, other: Array) -> Array:
+    """The coefficients of the product, as many as both degrees together and one more."""
+    first, second = one.shape[-1] - 1, other.shape[-1] - 1
+    left, right = one * binomials(first), other * binomials(second)
+    leading = np.broadcast_shapes(one.shape[:-1], other.shape[:-1])
+    found = np.zeros((*leading, first + second + 1))
+    for i in range(first + 1):
+        found[..., i : i + second + 1] += left[..., i : i + 1] * right
+    return found / binomials(first + second)
+
+
+def value(coefficients: Array, v: Array) -> Array:
+    """The values at v (...,), one for each row (..., degree + 1)."""
+    found: Array = (bernstein(coefficients.shape[-1] - 1, v) * coefficients).sum(axis=-1)
+    return found
+
+
+def halves(coefficients: Array) -> tuple[Array, Array]:
+    """The coefficients (..., degree + 1) over the first and over the second half of 0 to 1."""
+    second = coefficients.copy()
+    first = np.empty_like(coefficients)
+    first[..., 0] = coefficients[..., 0]
+    for r in range(1, coefficients.shape[-1]):
+        second[..., :-r] = 0.5 * (second[..., :-r] + second[..., 1 : second.shape[-1] - r + 1])
+        first[..., r] = second[..., 0]
+    return first, second
+
+
+def wronskian(degree: int, term: Callable[[int, int], Array]) -> Array:
+    """The sum of ``term(i, j)`` (m, ...) times B_i B_j' - B_i' B_j, for i < j: coefficients (m, ..., q + 1).
+
+    Of two Bernstein polynomials of this degree, that is (j - i) B_i B_j / (v (1 - v)): a factor above 0 times
+    one Bernstein polynomial of degree q = 2 degree - 2.
+    """
+    above, below = binomials(degree), binomials(2 * degree - 2)
+    found = [np.zeros_like(term(0, 1))] * (2 * degree - 1)
+    for i in range(degree + 1):
+        for j in range(i + 1, degree + 1):
+            found[i + j - 1] = found[i + j - 1] + above[i] * above[j] * (j - i) / below[i + j - 1] * term(
+                i, j
+            )
+    return np.stack(found, axis=-1)
+
+
+def derivative_numerator(controls: Array, weights: Array | None) -> tuple[Array, Array]:
+    """What stands above in the derivative by v of each piece (m, n+1, k): Bernstein coefficients (m, k, q+1).
+
+    Below it stands 1, or for rational pieces the square of the weight. Each coefficient is a sum over legs
+    with factors above 0, so that weights of any size leave it exact to rounding; returned beside it is how
+    large the numbers are whose rounding counts.
+    """
+    degree = controls.shape[1] - 1
+    points, sizes = np.moveaxis(controls, 1, 0), np.abs(np.moveaxis(controls, 1, 0))
+    if weights is None:
+        legs, large = points[1:] - points[:-1], sizes[1:] + sizes[:-1]
+        return degree * np.moveaxis(legs, 0, -1), degree * np.moveaxis(large, 0, -1)
+    pulls = weights.T[..., None]
+    return (
+        wronskian(degree, lambda i, j: pulls[i] * pulls[j] * (points[j] - points[i])),
+        wronskian(degree, lambda i, j: pulls[i] * pulls[j] * (sizes[j] + sizes[i])),
+    )

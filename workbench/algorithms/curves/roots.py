@@ -1,0 +1,118 @@
+"""Where polynomials change their sign, many at a time, by their Bernstein coefficients.
+
+The coefficients change their sign at least as often as the polynomial does: where they do so once, there is
+one root, where they never do, none, and anything else is divided in the middle.
+Source: Lane and Riesenfeld, Bounds on a polynomial, 1981.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.curves.polynomials import halves, value
+
+Array = NDArray[np.float64]
+Numbers = NDArray[np.intp]
+
+# What is smaller than this part of the numbers it was made of may be rounding
+_NOISE = 2.0**-49
+_DEEPEST = 48
+
+
+def roots(coefficients: Array, sizes: Array) -> tuple[Numbers, Array]:
+    """Rows (r,) and places (r,) between 0 and 1 at which a row (m, degree + 1) passes through 0, in order.
+
+    ``sizes`` (m, degree + 1) are coefficients too: how large the numbers are that each one was made of. What
+    is within their rounding counts as 0.
+    """
+    rows = np.arange(len(coefficients))
+    low, width = np.zeros(len(rows)), 1.0
+    found_rows, found = [np.empty(0, np.intp)], [np.empty(0)]
+    for _depth in range(_DEEPEST):
+        signs = _signs(coefficients, sizes)
+        changes, begin = _changes(signs)
+        one = changes == 1
+        if one.any():
+            found_rows.append(rows[one])
+            found.append(low[one] + width * _single(coefficients[one], begin[one]))
+        more = changes > 1
+        if not more.any():
+            break
+        rows, low, width = (
+            np.tile(rows[more], 2),
+            np.concatenate([low[more], low[more] + 0.5 * width]),
+            0.5 * width,
+        )
+        coefficients, sizes = (np.concatenate(halves(part[more])) for part in (coefficients, sizes))
+        # A root at the very place of division belongs to no half
+        count = len(rows) // 2
+        middle = _signs(coefficients[count:, :1], sizes[count:, :1])[:, 0] == 0
+        found_rows.append(rows[count:][middle])
+        found.append(low[count:][middle])
+    all_rows, places = np.concatenate(found_rows), np.concatenate(found)
+    order = np.lexsort((places, all_rows))
+    return all_rows[order], places[order]
+
+
+def sign_changes(coefficients: Array, sizes: Array, closed: bool = False) -> tuple[Numbers, Array]:
+    """Rows (r,) and places (r,) from 0 to 1 where the rows (m, degree + 1), one after the other, change sign.
+
+    Between two rows, and if ``closed`` between the last and the first, the place is 0 in the later one.
+    """
+    count = len(coefficients)
+    at_rows, at = roots(coefficients, sizes)
+    rows = np.concatenate([np.arange(count), at_rows])
+    begin = np.concatenate([np.zeros(count), at])
+    order = np.lexsort((begin, rows))
+    rows, begin = rows[order], begin[order]
+    last = np.append(rows[1:] != rows[:-1], True)
+    end = np.where(last, 1.0, np.append(begin[1:], 1.0))
+    middle = 0.5 * (begin + end)
+    limits = _NOISE * value(sizes[rows], middle)
+    found = value(coefficients[rows], middle)
+    sign = np.where(np.abs(found) > limits, np.sign(found), 0.0)
+    sure = np.flatnonzero(sign)
+    if not len(sure):
+        return np.empty(0, np.intp), np.empty(0)
+    before = np.roll(sign[sure], 1)
+    if not closed:
+        before[0] = sign[sure[0]]
+    turned = sure[sign[sure] != before]
+    return rows[turned], begin[turned]
+
+
+def _signs(coefficients: Array, sizes: Array) -> Array:
+    """-1, 0 or 1 for each, 0 within rounding."""
+    limits = _NOISE * sizes
+    return (coefficients > limits).astype(float) - (coefficients < -limits)
+
+
+def _changes(signs: Array) -> tuple[Numbers, Array]:
+    """How often each row changes its sign, zeros left out, and its first sign."""
+    changes = np.zeros(len(signs), np.intp)
+    begin, last = signs[:, 0].copy(), signs[:, 0].copy()
+    for column in signs.T[1:]:
+        changes += column * last < 0
+        last = np.where(column != 0, column, last)
+        begin = np.where(begin == 0, column, begin)
+    return changes, begin
+
+
+def _single(coefficients: Array, begin: Array) -> Array:
+    """The one root of each row, which has the sign ``begin`` before it, by Newton's steps between bounds."""
+    first, last = coefficients[:, 0], coefficients[:, -1]
+    slopes = (coefficients.shape[1] - 1) * np.diff(coefficients, axis=1)
+    low, high = np.zeros(len(begin)), np.ones(len(begin))
+    apart = first * last < 0
+    at = np.where(apart, np.divide(first, first - last, out=low + 0.5, where=apart), 0.5)
+    going = np.ones(len(begin), bool)
+    for turn in range(1, 160):
+        found, slope = value(coefficients, at), value(slopes, at)
+        below = found * begin > 0
+        low, high = np.where(below, at, low), np.where(below, high, at)
+        step = np.divide(found, slope, out=np.full(len(at), np.inf), where=slope != 0)
+        going = going & (np.abs(step) > 2.0**-53) & (high - low > 2.0**-53) & (found != 0)
+        if not going.any():
+            break
+        newton = (low < at - step) & (at - step < high) & (turn % 3 != 0)
+        at = np.where(going, np.where(newton, at - step, 0.5 * (low + high)), at)
+    return at
