@@ -6,7 +6,7 @@ from contextlib import suppress
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
 
 from workbench.algorithms.entry import Entry
 from workbench.engine import background, compiled, counts
@@ -19,6 +19,8 @@ from workbench.session.collecting import collect_here
 from workbench.session.variables import same_value
 
 DEPTH_LIMIT = 1000
+_SHOWN = QEvent.Type(QEvent.registerEventType())
+_AFTER_PAINTING = Qt.EventPriority.LowEventPriority.value - 1
 _LOOK_MS = 16
 _LONG_LOOK_MS = 60
 _FIRST_LOOK_MS = 2
@@ -61,6 +63,9 @@ class RecordedRun(QObject):
         self._counted: Recorder | None = None
         self._look = QTimer(self)
         self._look.timeout.connect(self._look_again)
+        self._laid_out = QTimer(self)
+        self._laid_out.setSingleShot(True)
+        self._laid_out.timeout.connect(self._wait_for_painting)
         self._total_found.connect(self._take_total)
 
     # Which run
@@ -106,12 +111,12 @@ class RecordedRun(QObject):
         )
         self.recording = self._recorder.recording
         self.steps = Steps(entry, self.recording)
-        if self._held:
-            self._recorder.hold()
+        self._recorder.hold()
         self._abandoned = weakref.finalize(self, self._recorder.stop)
         self._recorder.start()
         self._look.start(_FIRST_LOOK_MS)
         self.changed.emit()
+        self._laid_out.start(0)
 
     def clear(self) -> None:
         """No run."""
@@ -207,9 +212,7 @@ class RecordedRun(QObject):
         if not done and self.passed and not recorder.recording.count:
             self._look.setInterval(_LONG_LOOK_MS)  # what comes before the stretch: nothing to be shown yet
             return
-        if not self._held:
-            recorder.hold()
-            QTimer.singleShot(0, lambda: self._release(recorder))
+        recorder.hold()
         long = recorder.recording.count > _LONG
         self._look.setInterval(_LONG_LOOK_MS if long else _LOOK_MS)
         self.steps.update()
@@ -226,11 +229,23 @@ class RecordedRun(QObject):
             self._find_total()
         self.grown.emit()
         self._recorded(done)
+        self._laid_out.start(0)
 
-    def _release(self, recorder: Recorder) -> None:
-        """Let it go on, after what was shown of it, unless the run is held."""
-        if not self._held:
-            recorder.go_on()
+    def _wait_for_painting(self) -> None:
+        """Let the recorder wait until everything that the event loop has to do now is done.
+
+        Beside a running recorder each call between Qt and Python may wait half a millisecond for its turn,
+        and a table makes hundreds of them. Views are laid out by timers of no time, then painted.
+        """
+        QCoreApplication.postEvent(self, QEvent(_SHOWN), _AFTER_PAINTING)
+
+    def event(self, event: QEvent) -> bool:
+        """What was recorded has been shown: let the recorder go on, unless the run is held."""
+        if event.type() != _SHOWN:
+            return super().event(event)
+        if self._recorder is not None and not self._held:
+            self._recorder.go_on()
+        return True
 
     def _find_total(self) -> None:
         """Ask the compiled reading for the number of steps, on another thread, if it needs no compilation."""

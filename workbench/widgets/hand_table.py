@@ -5,6 +5,7 @@ from typing import Any
 
 from PySide6.QtCore import (
     QAbstractTableModel,
+    QElapsedTimer,
     QMimeData,
     QModelIndex,
     QPersistentModelIndex,
@@ -170,10 +171,8 @@ class HandTable(QWidget):
         for signal in (run.moved, run.asked):
             signal.connect(self.refresh)
         run.grown.connect(self._grow)
-        self._later = QTimer(self)
-        self._later.setSingleShot(True)
-        self._later.setInterval(_GROW_MS)
-        self._later.timeout.connect(self.refresh)
+        self._grown = QElapsedTimer()
+        self._grown.start()
         # The view has its own new size only once the layout has been done.
         self._placed = QTimer(self)
         self._placed.setSingleShot(True)
@@ -188,12 +187,10 @@ class HandTable(QWidget):
         self.refresh()
 
     def _grow(self) -> None:
-        """Take in new rows now when the run is done, else now and then: a long table is slow to grow."""
-        if self._run.done:
-            self._later.stop()
+        """Take in new rows, of a long table now and then: it is slow to grow."""
+        if self._run.done or self._grown.elapsed() > _GROW_MS or self.model.rowCount() < _AT_ONCE:
+            self._grown.restart()
             self.refresh()
-        elif not self._later.isActive():
-            self._later.start()
 
     def refresh(self) -> None:
         """Follow the run: new rows, the current one in sight."""

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QActionGroup, QKeyEvent
+from PySide6.QtGui import QAction, QActionGroup, QFontMetrics, QKeyEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QToolButton, QVBoxLayout, QWidget
 
 from workbench.language import _
@@ -45,6 +45,8 @@ class StepBar(QWidget):
         self.jump.editingFinished.connect(self._jump)
         self.total = QLabel()
         self.total.setFont(code_font())
+        # The bar keeps its shape while the number grows.
+        self.total.setMinimumWidth(QFontMetrics(code_font()).horizontalAdvance("/ 1000000+"))
         self.total.setProperty("role", "muted")
         self.total.setToolTip(_("How many steps the run has; with + as far as it is recorded"))
         self.step = self._action(

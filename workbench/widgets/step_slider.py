@@ -53,7 +53,8 @@ class StepSlider(QSlider):
         if self._beyond is None or not self.isSliderDown():
             self.setValue(run.number)
         self.blockSignals(False)
-        if run.steps is None or len(run.steps) > _MOST_MARKED or run.ask_first or run.in_stretches:
+        many = run.steps is not None and len(run.steps) > _MOST_MARKED
+        if run.steps is None or many or not run.done or run.ask_first or run.in_stretches:
             self._search.stop()
             self._marks = ()
         elif run.steps.judged < len(run.steps) or len(self._marks) != len(run.steps.find_decisions(0)):
