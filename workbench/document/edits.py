@@ -41,8 +41,9 @@ from workbench.document.building import (
     with_points,
     without_ids,
 )
+from workbench.document.curve_edits import moved_points
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Document, Polygon, WorldPoint
+from workbench.document.model import AnyFigure, Curve, Document, Polygon, WorldPoint
 from workbench.document.sheet_edits import (
     add_sheet,
     remove_sheet,
@@ -147,7 +148,10 @@ def reorder(figure: str, index: int) -> Edit:
 
 @checked
 def move_points(points: Mapping[Address | str, tuple[float, float]]) -> Edit:
-    """Put control points to world coordinates; an address names its point, whatever its attribute."""
+    """Put control points to world coordinates; an address names its point, whatever its attribute.
+
+    On a curve that is a path, handles follow as in ``curve_edits.move_curve_points``.
+    """
     wanted: dict[str, dict[str, tuple[float, float]]] = {}
     for text, (x, y) in points.items():
         address = parse(text)
@@ -157,6 +161,9 @@ def move_points(points: Mapping[Address | str, tuple[float, float]]) -> Edit:
         moved: list[AnyFigure] = []
         for figure in figures_with(document, wanted):
             places = wanted[figure.id]
+            if isinstance(figure, Curve):
+                moved.append(moved_points(figure, places))
+                continue
             for point in places:
                 point_with(figure, point)
             at = (

@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from workbench.document.model import (
     AnyFigure,
+    Curve,
     Document,
     Line,
     Polygon,
@@ -49,7 +50,10 @@ def document_of(
     numbered = []
     for number, figure in enumerate(figures, 1):
         points = tuple(replace(point, id=f"p{next(numbers)}") for point in figure.points_world)
-        numbered.append(replace(figure, id=f"f{number}", points_world=points))
+        made = replace(figure, id=f"f{number}", points_world=points)
+        if isinstance(made, Curve):
+            made = replace(made, knots=tuple(replace(k, id=f"k{next(numbers)}") for k in made.knots))
+        numbered.append(made)
     sheet = Sheet("s1", name, width_px, height_px, whole, whole, PALETTE, tuple(numbered))
     return Document((replace(sheet, clip_world=clip_world),))
 

@@ -1,0 +1,300 @@
+"""Paths of cubic Bézier pieces: point, handle, handle, point and so on, and how handles hang together.
+
+Index i is that of ``points_world``; a point of the path has an index divisible by three, the handles beside
+it the indices before and after. Places are (x, y), world.
+"""
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from msgspec.structs import replace
+
+from workbench.document.model import Curve, CurvePoint
+
+Place = tuple[float, float]
+Places = dict[str, Place]
+
+
+def is_path(curve: Curve) -> bool:
+    """Whether the points of the curve are points and handles of a path."""
+    return curve.spline == "bezier_path"
+
+
+def joint_of(curve: Curve, index: int) -> int | None:
+    """Index of the point that the point or handle at ``index`` belongs to; None for a handle that waits."""
+    if index % 3 == 0:
+        return index
+    at = index - 1 if index % 3 == 1 else index + 1
+    count = len(curve.points_world)
+    if curve.closed and at >= 3 * (count // 3):
+        return 0 if index < 3 * (count // 3) else None
+    return at if at < count else None
+
+
+def handles_of(curve: Curve, index: int) -> tuple[int | None, int | None]:
+    """Indices of the handles before and after the point at ``index``, None where there is none."""
+    count = len(curve.points_world)
+    whole = 3 * (count // 3) if curve.closed else count
+    if curve.closed and whole:
+        return (index - 1) % whole if index < whole else None, index + 1 if index + 1 < whole else None
+    return index - 1 if index > 0 else None, index + 1 if index + 1 < count else None
+
+
+def place(point: CurvePoint) -> Place:
+    """Where a point is."""
+    return point.x, point.y
+
+
+def moved(curve: Curve, places: Mapping[str, Place]) -> Curve:
+    """``curve`` with these points at these places, and nothing else moved."""
+    if not places:
+        return curve
+    points = (
+        replace(p, x=places[p.id][0], y=places[p.id][1]) if p.id in places else p for p in curve.points_world
+    )
+    return replace(curve, points_world=tuple(points))
+
+
+def with_followers(curve: Curve, places: Mapping[str, Place]) -> Places:
+    """``places`` of points, by id, and of what moves with them along a path.
+
+    A point carries its handles, unless they have places of their own; a handle turns the one opposite when
+    their point is smooth, and is mirrored by it when that is symmetric.
+    """
+    found = dict(places)
+    if not is_path(curve):
+        return found
+    points = curve.points_world
+    wanted = [index for index, point in enumerate(points) if point.id in places]
+    for index in wanted:
+        if index % 3 == 0:
+            here = points[index]
+            dx, dy = places[here.id][0] - here.x, places[here.id][1] - here.y
+            for handle in handles_of(curve, index):
+                if handle is not None and points[handle].id not in places:
+                    found[points[handle].id] = points[handle].x + dx, points[handle].y + dy
+    for index in wanted:
+        owner = joint_of(curve, index) if index % 3 else None
+        if owner is None:
+            continue
+        before, after = handles_of(curve, owner)
+        opposite = before if index == after else after
+        if opposite is None or points[opposite].id in places:
+            continue
+        centre = found.get(points[owner].id, place(points[owner]))
+        now = found.get(points[opposite].id, place(points[opposite]))
+        found[points[opposite].id] = _opposite(points[owner].joint, centre, places[points[index].id], now)
+    return found
+
+
+def _opposite(joint: str, centre: Place, handle: Place, now: Place) -> Place:
+    """Where the handle opposite to ``handle`` belongs; ``now`` is where it is."""
+    dx, dy = centre[0] - handle[0], centre[1] - handle[1]
+    if joint == "symmetric":
+        return centre[0] + dx, centre[1] + dy
+    length = math.hypot(dx, dy)
+    if joint != "smooth" or length == 0.0:
+        return now
+    stretch = math.hypot(now[0] - centre[0], now[1] - centre[1]) / length
+    return centre[0] + stretch * dx, centre[1] + stretch * dy
+
+
+def joint_moves(curve: Curve, index: int, joint: str) -> Places:
+    """Which handles move, and where to, for the point at ``index`` of a path to become such a joint.
+
+    Both handles turn onto the mean of their directions; those of a symmetric joint get their mean length. A
+    point whose handles lie on it gets handles along the leg between its neighbours.
+    """
+    before, after = handles_of(curve, index)
+    if joint == "corner" or before is None or after is None:
+        return {}
+    points = curve.points_world
+    here = place(points[index])
+    arms = [(points[h].x - here[0], points[h].y - here[1]) for h in (before, after)]
+    lengths = [math.hypot(*arm) for arm in arms]
+    ways = [(x / n, y / n) if n else (0.0, 0.0) for (x, y), n in zip(arms, lengths, strict=True)]
+    way = ways[1][0] - ways[0][0], ways[1][1] - ways[0][1]
+    count = len(points)
+    neighbours = [(index + step) % count if curve.closed else index + step for step in (-3, 3)]
+    ends = [place(points[n]) if 0 <= n < count else here for n in neighbours]
+    if not any(lengths):
+        way = ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]
+        lengths = [math.dist(end, here) / 3.0 for end in ends]
+    elif math.hypot(*way) < 1e-9:
+        way = -ways[0][1], ways[0][0]
+    size = math.hypot(*way)
+    if size == 0.0:
+        return {}
+    if joint == "symmetric":
+        lengths = [sum(lengths) / 2.0] * 2
+    x, y = way[0] / size, way[1] / size
+    places = {
+        points[before].id: (here[0] - lengths[0] * x, here[1] - lengths[0] * y),
+        points[after].id: (here[0] + lengths[1] * x, here[1] + lengths[1] * y),
+    }
+    return places if not _fits(joint, arms, lengths) else {}
+
+
+def _fits(joint: str, arms: list[Place], lengths: list[float]) -> bool:
+    """Whether two arms already lie in one direction, or are each other's mirror image."""
+    (ax, ay), (bx, by) = arms
+    if joint == "symmetric":
+        return math.hypot(ax + bx, ay + by) <= 1e-9 * max(lengths)
+    return abs(ax * by - ay * bx) <= 1e-9 * lengths[0] * lengths[1] and ax * bx + ay * by < 0.0
+
+
+def natural_joint(before: Place, here: Place, after: Place) -> str:
+    """What kind of joint a point with these handles is."""
+    arms = [(before[0] - here[0], before[1] - here[1]), (after[0] - here[0], after[1] - here[1])]
+    lengths = [math.hypot(*arm) for arm in arms]
+    if not all(lengths):
+        return "corner"
+    return next((joint for joint in ("symmetric", "smooth") if _fits(joint, arms, lengths)), "corner")
+
+
+class Joint(NamedTuple):
+    """A point of a path with the handles before and after it."""
+
+    before: CurvePoint | None
+    at: CurvePoint
+    after: CurvePoint | None
+
+
+def joints_of(curve: Curve) -> tuple[list[Joint], tuple[CurvePoint, ...]]:
+    """The joints of a path, and the points behind them that wait for more."""
+    points = curve.points_world
+    count = len(points)
+    whole = 3 * (count // 3) if curve.closed else 3 * ((count - 1) // 3) + 1
+    found = []
+    for index in range(0, whole, 3):
+        before, after = handles_of(curve, index)
+        last = index + 1 >= whole
+        found.append(
+            Joint(
+                None if before is None else points[before],
+                points[index],
+                None if after is None or last else points[after],
+            )
+        )
+    return found, points[whole:]
+
+
+def points_from(
+    joints: list[Joint], closed: bool, waiting: tuple[CurvePoint, ...] = ()
+) -> tuple[CurvePoint, ...]:
+    """The points of the path through ``joints``; a handle that is missing lies on its point."""
+    made: list[CurvePoint] = []
+    for number, joint in enumerate(joints):
+        if number:
+            made.append(joint.before or _handle(place(joint.at)))
+        made.append(joint.at)
+        if closed or number < len(joints) - 1:
+            made.append(joint.after or _handle(place(joint.at)))
+    if closed and joints:
+        made.append(joints[0].before or _handle(place(joints[0].at)))
+    return (*made, *waiting)
+
+
+def _handle(where: Place) -> CurvePoint:
+    return CurvePoint("", *where)
+
+
+def sound(joint: Joint) -> Joint:
+    """``joint`` as a corner where its handles are no longer what its kind says."""
+    if joint.before is None or joint.after is None or joint.at.joint == "corner":
+        return joint
+    kind = natural_joint(place(joint.before), place(joint.at), place(joint.after))
+    if kind == "corner" or (kind, joint.at.joint) == ("smooth", "symmetric"):
+        return joint._replace(at=replace(joint.at, joint=kind))
+    return joint
+
+
+def without_points(curve: Curve, gone: frozenset[str]) -> tuple[CurvePoint, ...]:
+    """The points that are left of a path: a point takes its handles with it, a handle alone is drawn in.
+
+    The point of a handle that was drawn in is a corner.
+    """
+    joints, waiting = joints_of(curve)
+    kept: list[Joint] = []
+    for joint in joints:
+        if joint.at.id in gone:
+            continue
+        drawn_in = {
+            side: replace(handle, x=joint.at.x, y=joint.at.y)
+            for side, handle in (("before", joint.before), ("after", joint.after))
+            if handle is not None and handle.id in gone
+        }
+        if drawn_in:
+            joint = joint._replace(at=replace(joint.at, joint="corner"), **drawn_in)
+        kept.append(joint)
+    if not joints or joints[-1].at.id in gone:
+        waiting = ()
+    return points_from(kept, curve.closed, tuple(point for point in waiting if point.id not in gone))
+
+
+def with_joint_added(curve: Curve, where: Place, handle: Place | None, first: bool) -> Curve:
+    """An open path with a point more at its end, or before its ``first`` one.
+
+    ``handle`` is where the one beyond the new point would be: the one towards the path is its mirror image,
+    and the point symmetric. Without it the point is a corner, and its handle lies on the chord.
+    """
+    joints, waiting = joints_of(curve)
+    if first:
+        turned = replace(
+            curve, points_world=curve.points_world[: len(curve.points_world) - len(waiting)][::-1]
+        )
+        grown = with_joint_added(turned, where, handle, False)
+        return replace(grown, points_world=(*grown.points_world[::-1], *waiting))
+    last = joints[-1]
+    point = CurvePoint("", *where, joint="corner" if handle is None else "symmetric")
+    leaving = waiting[0] if waiting else _handle(_way_on(last, where))
+    arriving = _handle(_mirrored(handle, where) if handle is not None else _third(where, place(last.at)))
+    added = Joint(waiting[1] if len(waiting) > 1 else arriving, point, None)
+    joints[-1] = last._replace(after=leaving)
+    return replace(curve, points_world=points_from([*joints, added], False))
+
+
+def _way_on(last: Joint, where: Place) -> Place:
+    """Where the path leaves its last point for another: straight on when that is no corner."""
+    if last.before is not None and last.at.joint != "corner":
+        return _mirrored(place(last.before), place(last.at))
+    return _third(place(last.at), where)
+
+
+def _third(one: Place, other: Place) -> Place:
+    return one[0] + (other[0] - one[0]) / 3.0, one[1] + (other[1] - one[1]) / 3.0
+
+
+def _mirrored(handle: Place, about: Place) -> Place:
+    return 2.0 * about[0] - handle[0], 2.0 * about[1] - handle[1]
+
+
+def closed_path(curve: Curve) -> Curve:
+    """The path with its end joined to its begin: by one point where both are the same, else by a piece."""
+    joints, _waiting = joints_of(curve)
+    first, last = joints[0], joints[-1]
+    size = max(abs(c) for joint in joints for c in place(joint.at))
+    if len(joints) > 1 and math.dist(place(first.at), place(last.at)) <= 1e-9 * max(size, 1.0):
+        joints = [sound(first._replace(before=last.before)), *joints[1:-1]]
+    else:
+        there = place(first.at)
+        after = _way_on(last, there)
+        before = (
+            _mirrored(place(first.after), there)
+            if first.after is not None and first.at.joint != "corner"
+            else _third(there, place(last.at))
+        )
+        joints[-1] = last._replace(after=_handle(after))
+        joints[0] = joints[0]._replace(before=_handle(before))
+    return replace(curve, closed=True, points_world=points_from(joints, True))
+
+
+def opened_path(curve: Curve, at: int = 0) -> Curve:
+    """The closed path cut open at its joint number ``at``: it looks as before, and ends where it begins."""
+    joints, _waiting = joints_of(curve)
+    if not joints:
+        return replace(curve, closed=False)
+    turned = [*joints[at:], *joints[:at]]
+    end = turned[0]._replace(at=replace(turned[0].at, id=""), after=None)
+    return replace(curve, closed=False, points_world=points_from([*turned, end], False))
