@@ -77,7 +77,7 @@ def test_a_variable_of_the_sentence_is_shown_in_its_table(window: MainWindow) ->
     _draw, inspector = parts(window)
     sentence = inspector.step_bar.sentence
     name = sentence._parts[int(link(sentence, "variable"))].link[1]
-    source = next(d for d in window.arrangements.docks("draw") if d.objectName().endswith(".source"))
+    source = next(d for d in window.arrangements.docks("draw") if d.objectName() == "source")
     source.raise_()
     sentence.linkActivated.emit(link(sentence, "variable"))
     row = inspector.variables.view.selectionModel().selectedRows()[0].row()

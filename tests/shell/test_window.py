@@ -59,11 +59,11 @@ def test_a_closed_dock_stays_closed_and_reset_brings_it_back(
     tube.close()
     window.go("display")
     window.go("draw")
-    assert not docks(window)["draw.tube"]
+    assert not docks(window)["tube"]
     window.close()
     again = open_window()
     again.go("draw")
-    assert not docks(again)["draw.tube"]
+    assert not docks(again)["tube"]
     again.menus.actions["reset"].trigger()
     assert all(docks(again).values())
 

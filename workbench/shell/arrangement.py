@@ -1,4 +1,7 @@
-"""The docks of the workspaces: made from panels, arranged, remembered with a version, and put back."""
+"""The docks of the workspaces: made from panels, arranged, remembered with a version, and put back.
+
+A dock that several workspaces have, such as the tube, is one dock, which each of them puts where it wants it.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -10,7 +13,7 @@ from workbench.language import _
 from workbench.shell.dock_tabs import DockTabs
 from workbench.shell.settings import Settings
 
-VERSION = 1
+VERSION = 2
 _LOW_PX, _HIGH_PX = 600, 860
 _SIDE_SHARE = 0.36
 _SHARES = (0.58, 0.42)
@@ -40,6 +43,7 @@ class Arrangements:
         self._window = window
         self._settings = settings
         self._sets: dict[str, _Set] = {}
+        self._docks: dict[str, QDockWidget] = {}
         self.current = ""
         self.tabs = DockTabs(window, lambda: self.docks(self.current))
         window.setDockOptions(
@@ -50,25 +54,28 @@ class Arrangements:
         window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
 
     def add(self, workspace: str, parts: Sequence[DockPart], lower: Sequence[str] = ()) -> None:
-        """Make docks of a panel's parts, hidden until their workspace is shown.
+        """Give a workspace the docks of a panel's parts, hidden until it is shown; they are made once.
 
         Those named in ``lower`` begin in the lower half of the right side, the others where their part says.
         """
         held = self._sets.setdefault(workspace, _Set())
-        held.lower = tuple(f"{workspace}.{name}" for name in lower)
+        held.lower = tuple(lower)
         for name, title, widget, area in parts:
-            dock = QDockWidget(title, self._window)
-            dock.setObjectName(f"{workspace}.{name}")
-            dock.setWidget(widget)
-            dock.toggleViewAction().setToolTip(_("Show or hide {title}").format(title=title))
-            where = _AREAS[area] if isinstance(area, str) else area
-            if name in lower:
-                where = _AREAS["right"]
-            self.tabs.follow(dock)
-            held.docks.append(dock)
-            held.areas[dock.objectName()] = where
-            self._window.addDockWidget(where, dock)
-            dock.hide()
+            where = _AREAS["right"] if name in lower else _AREAS[area] if isinstance(area, str) else area
+            if name not in self._docks:
+                self._docks[name] = self._make(name, title, widget, where)
+            held.docks.append(self._docks[name])
+            held.areas[name] = where
+
+    def _make(self, name: str, title: str, widget: QWidget, where: Qt.DockWidgetArea) -> QDockWidget:
+        dock = QDockWidget(title, self._window)
+        dock.setObjectName(name)
+        dock.setWidget(widget)
+        dock.toggleViewAction().setToolTip(_("Show or hide {title}").format(title=title))
+        self.tabs.follow(dock)
+        self._window.addDockWidget(where, dock)
+        dock.hide()
+        return dock
 
     def has(self, workspace: str) -> bool:
         """Whether the docks of a workspace were made."""
@@ -151,8 +158,8 @@ class Arrangements:
         """Take a remembered arrangement; it is bad when Qt refuses it or another workspace's docks show."""
         if not self._window.restoreState(kept, VERSION):
             return False
-        for workspace, held in self._sets.items():
-            if workspace != self.current:
-                for dock in held.docks:
-                    dock.hide()
+        mine = self.docks(self.current)
+        for dock in self._docks.values():
+            if dock not in mine:
+                dock.hide()
         return True

@@ -115,7 +115,7 @@ def show_hints(window: "MainWindow") -> Hints | None:
     """Show the hints unless they were dismissed for good, or are there already."""
     if not window.settings.get("hints") or window.findChild(Hints) is not None:
         return None
-    source = next((d for d in window.arrangements.docks("draw") if d.objectName().endswith("source")), None)
+    source = next((d for d in window.arrangements.docks("draw") if d.objectName() == "source"), None)
     places: list[tuple[QWidget, str]] = [
         (
             window.centres["draw"],

@@ -192,7 +192,7 @@ def _swapped(window: MainWindow) -> None:
 def _raise(window: MainWindow, name: str) -> None:
     """Bring a dock of the workspace to the front."""
     docks = window.arrangements.docks(window.place)
-    next(dock for dock in docks if dock.objectName().endswith(name)).raise_()
+    next(dock for dock in docks if dock.objectName() == name).raise_()
 
 
 def _compared(window: MainWindow, beside: bool = False) -> None:
@@ -270,7 +270,7 @@ def _inside(window: MainWindow) -> None:
 def _depth(window: MainWindow) -> None:
     _fill(window, "missed", 100)
     for dock in window.arrangements.docks("fill"):
-        if dock.objectName() == "fill.depth":
+        if dock.objectName() == "depth":
             dock.raise_()
 
 
@@ -316,7 +316,7 @@ def _fill_compared(window: MainWindow) -> None:
     _fill(window, "triangle", 4)
     window.session.update_state(compare="boundary_fill_4")
     docks = window.arrangements.docks("fill")
-    next(dock for dock in docks if dock.objectName().endswith(".compare")).raise_()
+    next(dock for dock in docks if dock.objectName() == "compare").raise_()
 
 
 def _clip(window: MainWindow, slug: str, step: int, number: int = -1, clipper: str = "") -> None:

@@ -33,28 +33,40 @@ class Views(QObject):
 
     def swap(self) -> None:
         """Exchange what fills the middle with what the tube dock holds."""
-        window = self._window
-        docks = window.arrangements.docks(window.place)
-        dock = next((each for each in docks if each.objectName().endswith(".tube")), None)
+        place = self._window.place
+        dock = self._tube_dock(place)
         if dock is None:
-            window.say_status(_("This page has no canvas and tube to swap."))
+            self._window.say_status(_("This page has no canvas and tube to swap."))
             return
-        host = window.centres[window.place]
+        self._swapped ^= {place}
+        self._exchange(place, dock, self.swapped)
+        dock.show()
+        dock.raise_()
+
+    def turn_over(self, place: str, entering: bool) -> None:
+        """On entering and on leaving a workspace with both exchanged: the tube is other workspaces', too."""
+        dock = self._tube_dock(place)
+        if dock is not None and place in self._swapped:
+            self._exchange(place, dock, entering)
+
+    def _tube_dock(self, place: str) -> QDockWidget | None:
+        docks = self._window.arrangements.docks(place)
+        return next((each for each in docks if each.objectName() == "tube"), None)
+
+    def _exchange(self, place: str, dock: QDockWidget, tube_in_middle: bool) -> None:
+        host = self._window.centres[place]
         layout = host.layout()
         item = layout.itemAt(0) if layout is not None else None
         middle = item.widget() if item is not None else None
         beside = dock.widget()
         if layout is None or middle is None or beside is None:
             return
-        self._swapped ^= {window.place}
         layout.replaceWidget(middle, beside)
         dock.setWidget(middle)
         for widget in (middle, beside):
             widget.show()
         host.setFocusProxy(beside)
-        dock.setWindowTitle(_("Canvas") if self.swapped else _("Tube"))
-        dock.show()
-        dock.raise_()
+        dock.setWindowTitle(_("Canvas") if tube_in_middle else _("Tube"))
 
     def toggle_alone(self) -> None:
         """Show only the view that has the focus, or bring the rest back."""

@@ -24,7 +24,7 @@ from workbench.shell.workspaces import Workspace, join, panel_class, workspaces
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
+    from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
     from PySide6.QtWidgets import QToolBar
 
     from workbench.shell.actions import Command
@@ -70,8 +70,8 @@ class MainWindow(QMainWindow):
         self.place = ""
         self._offered = {each.slug: each for each in (workspaces() if offered is None else offered)}
         self._panels: dict[str, list[Any]] = {}
+        self._made: dict[str, Any] = {}
         self._makers: dict[str, Iterator[None]] = {}
-        self._step_bars: dict[str, QAction] = {}
         self.centres: dict[str, QWidget] = {}
         self._pages: dict[str, QWidget] = {}
         self._painted = False
@@ -212,9 +212,8 @@ class MainWindow(QMainWindow):
         self._leave()
         usable = self.arrangements.show(slug)
         self.stack.setCurrentWidget(self.centres[slug])
-        for place, bar in self._step_bars.items():
-            bar.setVisible(place == slug)
-        self.steps.setVisible(self._offered[slug].steps and slug in self._step_bars)
+        self.views.turn_over(slug, entering=True)
+        self.steps.setVisible(self._offered[slug].steps)
         self.place = slug
         self.bar.show_current(slug)
         self.status.in_workspace(self._offered[slug].steps)
@@ -246,10 +245,11 @@ class MainWindow(QMainWindow):
 
     def _make_panels(self, slug: str) -> Iterator[None]:
         workspace = self._offered[slug]
-        made: list[Any] = []
         for name in workspace.panels:
-            made.append(panel_class(name)(self.session))
-            yield
+            if name not in self._made:
+                self._take(self._made.setdefault(name, panel_class(name)(self.session)))
+                yield
+        made = [self._made[name] for name in workspace.panels]
         host = QWidget()
         layout = QVBoxLayout(host)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -259,14 +259,16 @@ class MainWindow(QMainWindow):
         self.stack.addWidget(host)
         for panel in made:
             self.arrangements.add(slug, panel.docks(), workspace.lower)
-            for action in panel.actions():
-                self.addAction(action)
-            bar = getattr(panel, "step_bar", None)
-            if bar is not None:
-                self._step_bars[slug] = self.steps.addWidget(bar)
-            self.status.listen(panel)
         join(made)
         self._panels[slug] = made
+
+    def _take(self, panel: Any) -> None:
+        """Let a new panel's commands, step bar and words be the window's; workspaces may share it."""
+        for action in panel.actions():
+            self.addAction(action)
+        if hasattr(panel, "step_bar"):
+            self.steps.addWidget(panel.step_bar)
+        self.status.listen(panel)
 
     def show_page(self, name: str) -> None:
         """Show a page: home, settings, help, keys or about."""
@@ -289,6 +291,7 @@ class MainWindow(QMainWindow):
         for palette in self.findChildren(CommandPalette):
             palette.leave()
         self.views.together()
+        self.views.turn_over(self.place, entering=False)
         self.arrangements.leave()
         self.steps.hide()
         self.status.in_workspace(False)
