@@ -61,7 +61,8 @@ def test_the_text_is_readable(tmp_path: Path) -> None:
 @pytest.mark.parametrize("version", range(1, VERSION + 1))
 def test_a_sample_of_every_version_opens(version: int) -> None:
     stored = read(SAMPLES / f"version-{version}.gwb")
-    kinds = ["Line", "Polyline", "Circle", "Ellipse", "SeedFill", *(["Polygon"] if version > 1 else [])]
+    kinds = ["Line", "Polyline", "Circle", "Ellipse", "SeedFill"]
+    kinds += ["Polygon"] * (version > 1) + ["Curve"] * 3 * (version > 2)
     assert [type(figure).__name__ for figure in stored.document.sheets[0].figures] == kinds
     assert stored.session.compare == "dda_line"
     assert list(stored.blobs.values()) == [b"blob"]

@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from workbench.document import edits
+from workbench.document import DocumentError, edits
+from workbench.document.model import Curve, CurvePoint
 from workbench.document.samples import example
 from workbench.session import Session
 
@@ -88,3 +89,31 @@ def test_the_step_comes_back_with_the_file(session: Session, qtbot: QtBot, tmp_p
     session.open(tmp_path / "a.gwb")
     recorded(session, qtbot)
     assert (session.run.position, session.state.step) == (7, 7)
+
+
+def test_the_construction_of_a_curve_is_followed_at_u(session: Session, qtbot: QtBot) -> None:
+    points = tuple(CurvePoint("", *p) for p in [(4.0, 4.0), (10.0, 22.0), (28.0, 24.0), (36.0, 6.0)])
+    session.apply(edits.add_figure("s1", Curve("", points, "bresenham_line")), "Draw a curve")
+    curve = session.sheet.figures[-1].id
+    session.update_state(active=curve, stepped="curve")
+    recorded(session, qtbot)
+    assert session.run.entry is not None
+    assert session.run.entry.slug == "de_casteljau"
+    assert session.run.arguments[1] == 0.5
+    session.run.go(3)
+    session.update_state(curve_u=0.25)
+    recorded(session, qtbot)
+    assert (session.run.arguments[1], session.run.position) == (0.25, 3)
+    session.update_state(construction="flatten_bezier")
+    recorded(session, qtbot)
+    assert session.run.entry.slug == "flatten_bezier"
+    session.update_state(construction="de_boor")
+    recorded(session, qtbot)
+    assert session.run.entry is None
+    session.update_state(stepped="figure")
+    recorded(session, qtbot)
+    assert session.run.entry.slug == "bresenham_line"
+    with pytest.raises(DocumentError, match="between 0 and 1"):
+        session.update_state(curve_u=1.5)
+    with pytest.raises(DocumentError, match="construction"):
+        session.update_state(construction="bresenham_line")

@@ -1,6 +1,6 @@
 """The `.gwb` file: one readable, versioned JSON text; ``saving`` puts it on the disk.
 
-    {"format": "graphics-workbench", "version": 2, "document": ..., "session": ..., "blobs": {...}}
+    {"format": "graphics-workbench", "version": 3, "document": ..., "session": ..., "blobs": {...}}
 
 Blobs (large meshes, pictures) are base64 by the SHA-256 of their content. Whatever is wrong with a file is
 told as a DocumentError that names the field.
@@ -24,13 +24,13 @@ from workbench.document.state import SessionState, check_state
 from workbench.language import _
 
 FORMAT = "graphics-workbench"
-VERSION = 2
+VERSION = 3
 MAX_BYTES = 256 * 2**20
 
 Upgrade = Callable[[dict[str, Any]], dict[str, Any]]
 # From each older version to the next one: UPGRADES[1] makes a version 2 of a version 1, as plain JSON values.
-# Version 2 has polygons, further fills and a clip window, none of which a version 1 holds.
-UPGRADES: Mapping[int, Upgrade] = {1: dict}
+# Version 2 has polygons, further fills and a clip window, version 3 curves: no older version holds any.
+UPGRADES: Mapping[int, Upgrade] = {1: dict, 2: dict}
 
 
 class Stored(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -158,6 +158,7 @@ SPLINES = (
 JOINTS = ("corner", "smooth", "symmetric")
 KNOT_RULES = ("open_uniform", "uniform", "free")
 ENDS = ("through", "inner")
+CONSTRUCTIONS = ("de_casteljau", "de_boor", "b_spline_curve", "flatten_bezier")
 
 
 class CurvePoint(WorldPoint, frozen=True, forbid_unknown_fields=True, omit_defaults=True):

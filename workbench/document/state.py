@@ -5,7 +5,7 @@ from typing import Literal, get_args
 import msgspec
 
 from workbench.document.check import MAX_SIDE_PX, refuse, shown
-from workbench.document.model import LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure, Document
+from workbench.document.model import CONSTRUCTIONS, LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure, Document
 from workbench.language import _
 
 LONGEST_TIME_S = 1e9
@@ -32,7 +32,8 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     An empty ``sheet`` means the first one, an empty ``compare`` no comparison. ``step`` counts rows of the
     hand table, or lines in ``detail``; ``ask_first`` hides the next pixel until it was guessed. ``stepped``
-    tells which run of the active figure is stepped: its algorithm's, or that of the sheet's clipper.
+    tells which run of the active figure is stepped: its algorithm's, that of the sheet's clipper, or of a
+    curve its ``construction`` (empty: that of its kind) at ``curve_u``, a share of the range of u.
     ``pixel`` (x, y) is the one that is asked about: why is it as it is.
     """
 
@@ -43,9 +44,11 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     step: int = 0
     detail: bool = False
     ask_first: bool = False
-    stepped: Literal["figure", "clipper"] = "figure"
+    stepped: Literal["figure", "clipper", "curve"] = "figure"
     pixel: tuple[int, int] | None = None
     tube: TubeSettings = TubeSettings()
+    curve_u: float = 0.5
+    construction: str = ""
 
 
 def check_state(state: SessionState, document: Document) -> SessionState:
@@ -62,6 +65,11 @@ def check_state(state: SessionState, document: Document) -> SessionState:
     slugs.update(LINE_CLIPPERS, POLYGON_CLIPPERS)
     if state.compare and state.compare not in slugs:
         raise refuse("session.compare", _missing(state.compare))
+    if state.construction and state.construction not in CONSTRUCTIONS:
+        raise refuse("session.construction", _missing(state.construction))
+    if not 0.0 <= state.curve_u <= 1.0:
+        problem = _("is {value}; give a number between {low:g} and {high:g}")
+        raise refuse("session.curve_u", problem.format(value=shown(state.curve_u), low=0, high=1))
     if state.pixel is not None and not all(0 <= side < MAX_SIDE_PX for side in state.pixel):
         problem = _("is {value}; give a column and a row from 0")
         raise refuse("session.pixel", problem.format(value=shown(state.pixel)))

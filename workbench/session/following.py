@@ -4,8 +4,9 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer
 
-from workbench.document.model import LINE_CLIPPERS, AnyFigure, Polygon, SeedFill
+from workbench.document.model import LINE_CLIPPERS, AnyFigure, Curve, Polygon, SeedFill
 from workbench.rendering.clipping import clipper_calls, clipper_of
+from workbench.rendering.curve_runs import curve_calls
 from workbench.rendering.mapping import Call
 from workbench.rendering.outline_fill import outline_fill
 from workbench.rendering.raster import figure_calls
@@ -33,8 +34,11 @@ class Following(QObject):
         session, state = self._session, self._session.state
         figure = session.active_figure
         clips = state.stepped == "clipper"
+        constructs = state.stepped == "curve" and isinstance(figure, Curve)
         calls: list[Call] = []
-        if figure is not None:
+        if isinstance(figure, Curve) and constructs:
+            calls = curve_calls(session.sheet, figure, state.construction, state.curve_u)
+        elif figure is not None:
             calls = (clipper_calls if clips else figure_calls)(session.sheet, figure)
         another = figure is not None and figure.id != self._run.figure_id
         self._telling = True
@@ -47,17 +51,23 @@ class Following(QObject):
             self._step = state.step
         finally:
             self._telling = False
-        other: list[Call] = []
-        if figure is not None and clips:
+        self._follow(self._follower, [] if constructs else self._compared(figure), figure)
+        self._lock()
+
+    def _compared(self, figure: AnyFigure | None) -> list[Call]:
+        """What the compared algorithm runs on the active figure; nothing where none can be compared."""
+        session, state = self._session, self._session.state
+        if figure is None:
+            return []
+        if state.stepped == "clipper":
             if state.compare in LINE_CLIPPERS and clipper_of(session.sheet, figure) in LINE_CLIPPERS:
-                other = clipper_calls(session.sheet, figure, state.compare)
-        elif figure is not None and state.compare in figure.algorithms and state.compare != figure.algorithm:
-            other = figure_calls(session.sheet, figure, state.compare)
+                return clipper_calls(session.sheet, figure, state.compare)
+        elif state.compare in figure.algorithms and state.compare != figure.algorithm:
+            return figure_calls(session.sheet, figure, state.compare)
         elif isinstance(figure, Polygon) and state.compare in SeedFill.algorithms:
             filled = outline_fill(session.sheet, figure, state.compare).call
-            other = [] if filled is None else [filled]
-        self._follow(self._follower, other, figure)
-        self._lock()
+            return [] if filled is None else [filled]
+        return []
 
     def _follow(self, run: Run, calls: list[Call], figure: AnyFigure | None) -> None:
         if not calls or figure is None:

@@ -1,0 +1,96 @@
+"""The texts of a curve run in device coordinates: the last point of a construction is on the curve."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from msgspec.structs import replace
+
+from tests.document.made_curves import curves
+from workbench.algorithms.curves import piece_points
+from workbench.document import curve_edits
+from workbench.document.curve_pieces import fault_of, parameter_at, share_at
+from workbench.document.model import Curve, CurvePoint, Rectangle, Sheet
+from workbench.document.sample_figures import document_of, line
+from workbench.rendering import frame_buffer, why
+from workbench.rendering.compare import compare, distances
+from workbench.rendering.curve_runs import construction_fault, curve_calls
+from workbench.rendering.curves import device_pieces
+from workbench.rendering.raster import figure_calls
+from workbench.rendering.why_steps import why_steps
+
+
+def sheet_with(*figures: Curve) -> Sheet:
+    sheet = document_of("Curve", 80, 60, figures).sheets[0]
+    return replace(sheet, window_world=Rectangle(-100.0, -120.0, 100.0, 80.0))
+
+
+@settings(max_examples=150)
+@given(curves(), st.floats(0, 1))
+def test_the_last_point_of_a_construction_is_on_the_curve(curve: Curve, share: float) -> None:
+    sheet = sheet_with(curve)
+    (made,) = sheet.figures
+    assert isinstance(made, Curve)
+    for slug in ("", "de_casteljau", "de_boor"):
+        calls = curve_calls(sheet, made, slug, share)
+        assert bool(calls) == (not construction_fault(made, slug or "de_casteljau"))
+        for call in calls:
+            *_, last = call.entry.function(*call.arguments)
+            there = piece_points(device_pieces(sheet, made), parameter_at(made, share))
+            np.testing.assert_allclose(last, there, atol=1e-7)
+
+
+@settings(max_examples=60)
+@given(curves(), st.floats(0, 1))
+def test_a_share_of_the_range_is_found_again(curve: Curve, share: float) -> None:
+    if not fault_of(curve):
+        assert share_at(curve, parameter_at(curve, share)) == pytest.approx(share, abs=1e-9)
+
+
+def a_curve(spline: str = "natural_cubic", **more: object) -> Curve:
+    places = [(-90, -110), (-40, 60), (0, -40), (40, 60), (95, 75)]
+    points = tuple(CurvePoint("", float(x), float(y)) for x, y in places)
+    return Curve("", points, "bresenham_line", spline=spline, **more)  # type: ignore[arg-type]
+
+
+def test_samples_and_chords_are_run_too() -> None:
+    sheet = sheet_with(a_curve("b_spline"))
+    (curve,) = sheet.figures
+    assert isinstance(curve, Curve)
+    (sampled,) = curve_calls(sheet, curve, "b_spline_curve", 0.5)
+    assert len(list(sampled.entry.function(*sampled.arguments))) == 17
+    (chain,) = curve_calls(sheet, curve, "flatten_bezier", 0.9)
+    np.testing.assert_array_equal(chain.arguments[0], device_pieces(sheet, curve).controls[1])
+    assert chain.arguments[1] == curve.tolerance_px
+
+
+def test_unequal_weights_are_not_stepped_and_say_so() -> None:
+    document = document_of("Curve", 80, 60, [a_curve("nurbs")])
+    assert curve_calls(document.sheets[0], document.sheets[0].figures[0], "", 0.5)  # type: ignore[arg-type]
+    document = curve_edits.set_weights({"s1/f1/p2/*": 3.0})(document)
+    curve = document.sheets[0].figures[0]
+    assert isinstance(curve, Curve)
+    assert curve_calls(document.sheets[0], curve, "", 0.5) == []
+    assert construction_fault(curve, "de_boor").endswith(".")
+
+
+def test_a_pixel_of_a_curve_says_why_and_its_algorithms_are_compared() -> None:
+    sheet = sheet_with(a_curve(), a_curve("catmull_rom", colour=2))
+    picture = frame_buffer(sheet)
+    rows, columns = np.nonzero(picture == sheet.palette[1])
+    for x, y in list(zip(columns.tolist(), rows.tolist(), strict=True))[::25]:
+        last = [touch for touch in why(sheet, x, y) if touch.last]
+        assert [touch.figure for touch in last] == [0]
+        assert any(answer.stands and answer.figure == 0 for answer in why_steps(sheet, x, y))
+    found = compare(sheet, sheet.figures[0], "bresenham_line", "dda_line")
+    assert len(found.both) > 50
+    assert len(distances(sheet, sheet.figures[0])) >= len(found.both)
+
+
+def test_a_curve_is_drawn_as_its_chords_are() -> None:
+    sheet = sheet_with(a_curve())
+    (curve,) = sheet.figures
+    chords = [call.arguments for call in figure_calls(sheet, curve)]
+    lines = [line((x0, y0), (x1, y1)) for x0, y0, x1, y1 in chords]
+    drawn = document_of("Chords", 80, 60, lines).sheets[0]
+    np.testing.assert_array_equal(frame_buffer(drawn), frame_buffer(sheet))

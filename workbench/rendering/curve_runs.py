@@ -1,0 +1,61 @@
+"""The runs of a curve's own texts: its construction at one u, its samples, its chain of chords; device."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms import catalogue
+from workbench.document.curve_pieces import b_spline_of, fault_of, parameter_at, pieces_of, weights_of
+from workbench.document.model import Curve, Sheet
+from workbench.language import _
+from workbench.rendering.curves import device_pieces
+from workbench.rendering.mapping import Call, device_map
+
+B_SPLINES = ("b_spline", "nurbs")
+_OF_B_SPLINES = ("de_boor", "b_spline_curve")
+_SAMPLES_PER_SPAN = 8
+
+
+def construction_of(curve: Curve) -> str:
+    """Slug of the construction that belongs to a curve's kind."""
+    return "de_boor" if curve.spline in B_SPLINES else "de_casteljau"
+
+
+def construction_fault(curve: Curve, slug: str) -> str:
+    """The sentence that says why a text cannot be run on a curve; empty where it can."""
+    if slug in _OF_B_SPLINES and curve.spline not in B_SPLINES:
+        return _("This curve is no B-spline, so it has no knots; step de Casteljau's construction instead.")
+    if curve.spline == "nurbs" and np.ptp(weights_of(curve)) > 0:
+        return _("With unequal weights each leg is divided in (w x, w y, w), which is not stepped here.")
+    return fault_of(curve)
+
+
+def curve_calls(sheet: Sheet, curve: Curve, slug: str, share: float) -> list[Call]:
+    """The run of a curve's text ``slug`` (empty: the construction of its kind), in device coordinates.
+
+    ``share``, 0 to 1, tells where in the range of u. Of a curve in several pieces de Casteljau's construction
+    and the chain of chords are those of the piece there. None where ``construction_fault`` says why. Raises
+    LookupError when the catalogue has no such algorithm.
+    """
+    entry = catalogue.get(slug or construction_of(curve))
+    if construction_fault(curve, entry.slug):
+        return []
+    u = parameter_at(curve, share)
+    if entry.slug in _OF_B_SPLINES:
+        points, knots, _weights = b_spline_of(curve)
+        scale = device_map(sheet)
+        device = points * np.array([scale.sx, scale.sy]) + np.array([scale.tx, scale.ty])
+        spans = len(points) - curve.degree
+        last: float | int = u if entry.slug == "de_boor" else _SAMPLES_PER_SPAN * spans + 1
+        return [Call(entry, (device, knots, curve.degree, last))]
+    piece, v = piece_at(curve, share)
+    controls: NDArray[np.float64] = np.ascontiguousarray(device_pieces(sheet, curve).controls[piece])
+    return [Call(entry, (controls, v if entry.slug == "de_casteljau" else curve.tolerance_px))]
+
+
+def piece_at(curve: Curve, share: float) -> tuple[int, float]:
+    """Number of the piece at a share of the range of u, and where in it, 0 to 1. Raises: ValueError."""
+    knots, u = pieces_of(curve).knots, parameter_at(curve, share)
+    last = int(np.searchsorted(knots, knots[-1], side="left")) - 1
+    number = min(int(np.searchsorted(knots, u, side="right")) - 1, max(last, 0))
+    length = float(knots[number + 1] - knots[number])
+    return number, min(max((u - float(knots[number])) / length, 0.0), 1.0) if length > 0 else 0.0
