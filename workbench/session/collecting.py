@@ -6,12 +6,15 @@ application records, Python's own collector is therefore off and a timer does it
 """
 
 import gc
+import sys
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
 
 _INTERVAL_MS = 100
 # Python's own rule: everything is looked through only when it has grown by a quarter since the last time.
 _GROWTH = 1.25
+# Modules that came since the last time, as when a compiler is loaded.
+_WAVE = 100
 
 
 class _Collector(QObject):
@@ -20,6 +23,7 @@ class _Collector(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._survived = 0
+        self._modules = 0
         gc.disable()
         timer = QTimer(self)
         timer.timeout.connect(self.collect)
@@ -27,6 +31,12 @@ class _Collector(QObject):
 
     def collect(self) -> None:
         """Collect the youngest generation that is full, and with it the next one when that is full too."""
+        if len(sys.modules) > self._modules + _WAVE:
+            # What modules are made of lives as long as the program: it is never looked through again.
+            self._modules = len(sys.modules)
+            gc.collect(1)
+            gc.freeze()
+            return
         young, middle, old = gc.get_count()
         most_young, most_middle, most_old = gc.get_threshold()
         if young <= most_young:

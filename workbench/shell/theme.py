@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QColor, QFont, QPalette
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QMainWindow
 
 from workbench.shell.style_sheet import style_sheet
 from workbench.widgets.tokens import DARK, LIGHT, TEXT_PX, Tokens, theme
@@ -95,4 +95,14 @@ class ThemeSwitch(QObject):
         self._application.setFont(font)
         self._application.setPalette(palette_of(chosen))
         theme.use(chosen)
-        self._application.setStyleSheet(style_sheet(chosen, scale))
+        self._sheet = style_sheet(chosen, scale)
+        for window in self._application.topLevelWidgets():
+            if isinstance(window, QMainWindow):
+                self.dress(window)
+
+    def dress(self, window: QMainWindow) -> None:
+        """Put the style sheet on a window and all that belongs to it.
+
+        On the application Qt would go through every widget once for each of its ancestors.
+        """
+        window.setStyleSheet(self._sheet)

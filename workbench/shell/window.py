@@ -78,6 +78,7 @@ class MainWindow(QMainWindow):
         self._closing = False
         self._wanted: list[Callable[[], object]] = []
         self.setWindowTitle(PROGRAM)
+        themes.dress(self)
         self.setMinimumSize(*SMALLEST)
         self.resize(*FIRST_SIZE)
         self.setAcceptDrops(True)
