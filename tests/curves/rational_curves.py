@@ -10,7 +10,14 @@ from hypothesis import strategies as st
 
 from tests.curves.exact import fractions
 from tests.curves.made_curves import point_lists, weight
-from workbench.algorithms.curves import Pieces
+from workbench.algorithms.curves import Pieces, b_spline_to_bezier, circle, homogeneous, projected
+
+
+def whole_circle() -> Pieces:
+    """Four quarters of degree 2 around (1, 2), radius 3."""
+    points, weights, knots, degree = circle(1, 2, 3)
+    whole = b_spline_to_bezier(homogeneous(points, weights), knots, degree)
+    return Pieces(whole.knots, *projected(whole.controls))
 
 
 @st.composite

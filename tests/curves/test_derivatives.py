@@ -10,12 +10,10 @@ from hypothesis import strategies as st
 
 from tests.curves import exact
 from tests.curves.made_curves import Array, part_of_one, point_lists, weight
-from tests.curves.rational_curves import exact_derivatives, pieces_of_any_kind
+from tests.curves.rational_curves import exact_derivatives, pieces_of_any_kind, whole_circle
 from workbench.algorithms.curves import (
     Pieces,
-    b_spline_to_bezier,
     bezier_point,
-    circle,
     derivatives,
     hodograph,
     homogeneous,
@@ -23,12 +21,6 @@ from workbench.algorithms.curves import (
     piece_points,
     projected,
 )
-
-
-def whole_circle() -> Pieces:
-    points, weights, knots, degree = circle(1, 2, 3)
-    whole = b_spline_to_bezier(homogeneous(points, weights), knots, degree)
-    return Pieces(whole.knots, *projected(whole.controls))
 
 
 @given(point_lists(2, 6), part_of_one, st.integers(0, 7))

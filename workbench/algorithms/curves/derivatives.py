@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from workbench.algorithms.curves.bernstein import bernstein
 from workbench.algorithms.curves.bernstein import hodograph as scaled_legs
+from workbench.algorithms.curves.halving import product
 from workbench.algorithms.curves.pieces import Pieces, located
-from workbench.algorithms.curves.polynomials import derivative_numerator, product
+from workbench.algorithms.curves.polynomials import derivative_numerator
 
 Array = NDArray[np.float64]
 
@@ -48,7 +49,7 @@ def local_derivatives(controls: Array, weights: Array | None, v: ArrayLike, orde
     controls = np.broadcast_to(controls, (*pulls.shape, controls.shape[-1]))
     heavy = np.take_along_axis(controls, most, axis=-2)
     offsets = controls - heavy
-    to_curve = (pulls[..., None] * offsets).sum(axis=-2) / pulls.sum(axis=-1)[..., None]
+    to_curve = np.einsum("...i,...ik->...k", pulls, offsets) / pulls.sum(axis=-1)[..., None]
     lifted = (offsets - to_curve[..., None, :]) * weights[..., None]
     whole = _polynomial(
         np.concatenate([lifted, np.broadcast_to(weights, pulls.shape)[..., None]], -1), where, order
@@ -70,7 +71,7 @@ def _polynomial(controls: Array, v: Array, order: int) -> Array:
     shape = (*np.broadcast_shapes(controls.shape[:-2], v.shape), controls.shape[-1])
     found = np.zeros((order + 1, *shape))
     for r in range(min(order, degree) + 1):
-        found[r] = (bernstein(degree - r, v)[..., None] * controls).sum(axis=-2)
+        found[r] = np.einsum("...i,...ik->...k", bernstein(degree - r, v), controls)
         controls = (degree - r) * np.diff(controls, axis=-2)
     return found
 
@@ -85,9 +86,9 @@ def piece_derivative(pieces: Pieces) -> Pieces:
     top, _sizes = derivative_numerator(pieces.controls, pieces.weights)
     if pieces.weights is None:
         return Pieces(pieces.knots, per_length * np.moveaxis(top, -1, 1))
-    below = product(pieces.weights, pieces.weights)
-    raised = product(top, np.ones(3)) / below[:, None]
-    return Pieces(pieces.knots, per_length * np.moveaxis(raised, -1, 1), below)
+    below = product(pieces.weights[..., None], pieces.weights[..., None])
+    raised = product(np.moveaxis(top, -1, 1), np.ones((1, 3, 1)))
+    return Pieces(pieces.knots, per_length * raised / below, below[..., 0])
 
 
 @overload

@@ -3,9 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.curves.derivatives import local_derivatives
 from workbench.algorithms.curves.pieces import Pieces, piece_points, with_length
 from workbench.algorithms.curves.polynomials import derivative_numerator
-from workbench.algorithms.curves.roots import sign_changes
+from workbench.algorithms.curves.roots import roots, sign_changes
 
 Array = NDArray[np.float64]
 
@@ -15,9 +16,16 @@ def bounding_box(pieces: Pieces) -> tuple[Array, Array]:
     kept = with_length(pieces)
     ends = kept.controls[:, [0, -1]].reshape(-1, kept.controls.shape[2])
     low, high = ends.min(axis=0), ends.max(axis=0)
-    for axis, u in enumerate(_turns(kept)):
-        if len(u):
-            reached = piece_points(kept, u)[:, axis]
+    # A piece whose control points all lie in the box of the ends cannot leave it
+    beyond = ((kept.controls < low) | (kept.controls > high)).any(axis=(1, 2))
+    controls = kept.controls[beyond]
+    weights = None if kept.weights is None else kept.weights[beyond]
+    tops, sizes = derivative_numerator(controls, weights)
+    for axis in range(len(low)):
+        rows, v = roots(tops[:, axis], sizes[:, axis])
+        if len(rows):
+            pulls = None if weights is None else weights[rows]
+            reached = local_derivatives(controls[rows], pulls, v, 0)[0, :, axis]
             low[axis] = min(low[axis], reached.min())
             high[axis] = max(high[axis], reached.max())
     return low, high

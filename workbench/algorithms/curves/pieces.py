@@ -50,7 +50,7 @@ def piece_points(pieces: Pieces, u: ArrayLike) -> Array:
     if pieces.weights is not None:
         pulls = basis * pieces.weights[number]
         basis = pulls / pulls.sum(axis=-1, keepdims=True)
-    found: Array = (basis[..., None] * pieces.controls[number]).sum(axis=-2)
+    found: Array = np.einsum("...i,...ik->...k", basis, pieces.controls[number])
     return found
 
 

@@ -1,4 +1,4 @@
-"""Polynomials by their Bernstein coefficients (..., degree + 1): products, halves, derivatives of quotients.
+"""Polynomials by their Bernstein coefficients (..., degree + 1), and derivatives of quotients of them.
 
 Source: Farouki and Rajan, Algorithms for polynomials in Bernstein form, 1988.
 """
@@ -19,32 +19,10 @@ def binomials(degree: int) -> Array:
     return np.array([math.comb(degree, i) for i in range(degree + 1)], float)
 
 
-def product(one: Array, other: Array) -> Array:
-    """The coefficients of the product, as many as both degrees together and one more."""
-    first, second = one.shape[-1] - 1, other.shape[-1] - 1
-    left, right = one * binomials(first), other * binomials(second)
-    leading = np.broadcast_shapes(one.shape[:-1], other.shape[:-1])
-    found = np.zeros((*leading, first + second + 1))
-    for i in range(first + 1):
-        found[..., i : i + second + 1] += left[..., i : i + 1] * right
-    return found / binomials(first + second)
-
-
 def value(coefficients: Array, v: Array) -> Array:
     """The values at v (...,), one for each row (..., degree + 1)."""
     found: Array = (bernstein(coefficients.shape[-1] - 1, v) * coefficients).sum(axis=-1)
     return found
-
-
-def halves(coefficients: Array) -> tuple[Array, Array]:
-    """The coefficients (..., degree + 1) over the first and over the second half of 0 to 1."""
-    second = coefficients.copy()
-    first = np.empty_like(coefficients)
-    first[..., 0] = coefficients[..., 0]
-    for r in range(1, coefficients.shape[-1]):
-        second[..., :-r] = 0.5 * (second[..., :-r] + second[..., 1 : second.shape[-1] - r + 1])
-        first[..., r] = second[..., 0]
-    return first, second
 
 
 def wronskian(degree: int, term: Callable[[int, int], Array]) -> Array:

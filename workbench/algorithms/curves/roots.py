@@ -8,7 +8,8 @@ Source: Lane and Riesenfeld, Bounds on a polynomial, 1981.
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.polynomials import halves, value
+from workbench.algorithms.curves.halving import halves
+from workbench.algorithms.curves.polynomials import value
 
 Array = NDArray[np.float64]
 Numbers = NDArray[np.intp]
@@ -37,17 +38,14 @@ def roots(coefficients: Array, sizes: Array) -> tuple[Numbers, Array]:
         more = changes > 1
         if not more.any():
             break
-        rows, low, width = (
-            np.tile(rows[more], 2),
-            np.concatenate([low[more], low[more] + 0.5 * width]),
-            0.5 * width,
-        )
-        coefficients, sizes = (np.concatenate(halves(part[more])) for part in (coefficients, sizes))
+        rows, low, width = np.repeat(rows[more], 2), np.repeat(low[more], 2), 0.5 * width
+        low[1::2] += width
+        both = halves(np.stack([coefficients[more], sizes[more]], axis=-1))
+        coefficients, sizes = both[..., 0], both[..., 1]
         # A root at the very place of division belongs to no half
-        count = len(rows) // 2
-        middle = _signs(coefficients[count:, :1], sizes[count:, :1])[:, 0] == 0
-        found_rows.append(rows[count:][middle])
-        found.append(low[count:][middle])
+        middle = _signs(coefficients[1::2, :1], sizes[1::2, :1])[:, 0] == 0
+        found_rows.append(rows[1::2][middle])
+        found.append(low[1::2][middle])
     all_rows, places = np.concatenate(found_rows), np.concatenate(found)
     order = np.lexsort((places, all_rows))
     return all_rows[order], places[order]
@@ -98,21 +96,43 @@ def _changes(signs: Array) -> tuple[Numbers, Array]:
 
 
 def _single(coefficients: Array, begin: Array) -> Array:
-    """The one root of each row, which has the sign ``begin`` before it, by Newton's steps between bounds."""
+    """The one root of each row, which has the sign ``begin`` before it."""
+    return _of_parabola(coefficients, begin) if coefficients.shape[1] == 3 else _by_steps(coefficients, begin)
+
+
+def _of_parabola(coefficients: Array, begin: Array) -> Array:
+    """The root at which a v^2 + 2 b v + c loses its sign, by the formula in which nothing cancels."""
+    c = coefficients[:, 0]
+    b = coefficients[:, 1] - c
+    a = coefficients[:, 2] - coefficients[:, 1] - b
+    slope = begin * np.sqrt(np.maximum(b * b - a * c, 0.0))
+    grows = begin * b > 0
+    below = np.where(grows, a, slope - b)
+    found = np.divide(np.where(grows, -b - slope, c), below, out=np.zeros_like(c), where=below != 0)
+    return np.clip(found, 0.0, 1.0)
+
+
+def _by_steps(coefficients: Array, begin: Array) -> Array:
+    """The same for any degree: Newton's steps, and a bisection where they leave the bounds or creep."""
     first, last = coefficients[:, 0], coefficients[:, -1]
     slopes = (coefficients.shape[1] - 1) * np.diff(coefficients, axis=1)
+    sizes = np.abs(coefficients)
     low, high = np.zeros(len(begin)), np.ones(len(begin))
     apart = first * last < 0
     at = np.where(apart, np.divide(first, first - last, out=low + 0.5, where=apart), 0.5)
     going = np.ones(len(begin), bool)
-    for turn in range(1, 160):
+    moved = np.full(len(begin), np.inf)
+    for _turn in range(200):
         found, slope = value(coefficients, at), value(slopes, at)
         below = found * begin > 0
         low, high = np.where(below, at, low), np.where(below, high, at)
-        step = np.divide(found, slope, out=np.full(len(at), np.inf), where=slope != 0)
-        going = going & (np.abs(step) > 2.0**-53) & (high - low > 2.0**-53) & (found != 0)
+        step = np.divide(found, slope, out=np.full(len(at), np.inf), where=slope * begin < 0)
+        rounding = 2.0**-50 * value(sizes, at)
+        going = going & (np.abs(step) > 2.0**-51) & (high - low > 2.0**-53) & (np.abs(found) > rounding)
         if not going.any():
             break
-        newton = (low < at - step) & (at - step < high) & (turn % 3 != 0)
-        at = np.where(going, np.where(newton, at - step, 0.5 * (low + high)), at)
+        newton = (low < at - step) & (at - step < high) & (np.abs(step) < 0.5 * moved)
+        to = np.where(newton, at - step, 0.5 * (low + high))
+        moved = np.abs(to - at)
+        at = np.where(going, to, at)
     return at
