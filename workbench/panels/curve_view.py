@@ -5,7 +5,9 @@ from dataclasses import replace
 
 from workbench.document.model import Curve
 from workbench.panels.curve_card import CurveCard
+from workbench.panels.curve_docks import CurveDocks
 from workbench.panels.curve_focus import CurveFocus
+from workbench.panels.curve_marks import marks
 from workbench.panels.curve_scene import (
     beside,
     construction,
@@ -25,7 +27,7 @@ from workbench.panels.figure_outline import outline
 from workbench.panels.figure_picture import packed, pale_picture, picture
 from workbench.panels.figure_tools import FigureTool
 from workbench.panels.figure_view import FigureView
-from workbench.widgets.canvas_drawing import Drawn
+from workbench.widgets.canvas_drawing import Drawn, Spot
 from workbench.widgets.canvas_overlay import Handle, Overlay
 from workbench.widgets.pixel_canvas import PixelCanvas
 from workbench.widgets.tokens import LIGHT, tokens
@@ -39,9 +41,17 @@ class CurveView(FigureView):
 
     card: CurveCard
 
-    def __init__(self, focus: CurveFocus, canvas: PixelCanvas, second: PixelCanvas, card: CurveCard) -> None:
+    def __init__(
+        self,
+        focus: CurveFocus,
+        canvas: PixelCanvas,
+        second: PixelCanvas,
+        card: CurveCard,
+        docks: CurveDocks,
+    ) -> None:
         super().__init__(focus.session, canvas, second, card)
         self.focus = focus
+        self.docks = docks
         self._pixels_ms = 0.0
 
     def refresh(self, tool: Tool, drag: HandleDrag) -> None:
@@ -72,8 +82,7 @@ class CurveView(FigureView):
         self.canvas.set_overlay(replace(overlay, right=self._right, wrong=self._wrong))
         if not busy or not isinstance(tool, CurveSelectTool):
             self.card.refresh(tool if isinstance(tool, FigureTool) else None, selected, "")
-        if not busy:
-            self.show_beside(session.active_figure, "", None)
+        (self.docks.refresh_soon if busy else self.docks.refresh)()
 
     def drawn(self) -> list[Drawn]:
         """The curves and what is shown of the one that is worked on, from back to front."""
@@ -82,9 +91,8 @@ class CurveView(FigureView):
         if curve is None or not curve.visible:
             return drawn
         chosen = self.focus.numbers(curve)
-        if self.focus.moving:
-            moving = tuple(k for k, p in enumerate(curve.points_world) if p.id in set(self.focus.moving))
-            drawn += region(sheet, curve, influence(curve, moving))
+        drawn += self._region(curve, chosen)
+        drawn += marks(sheet, curve, shown, self.focus.u)
         drawn += beside(sheet, curve)
         if "polygon" in shown:
             drawn += control_polygon(sheet, curve, chosen)
@@ -93,7 +101,18 @@ class CurveView(FigureView):
             drawn += names(sheet, curve)
         if "construction" in shown:
             drawn += construction(sheet, curve, self.focus.u)
+        if 0 <= self.focus.hovered < len(curve.points_world):
+            x, y = device_points(sheet, curve)[self.focus.hovered].tolist()
+            drawn.append(Spot(x, y, f"data {self.focus.hovered % 6 + 1}", "ring", 17))
         return drawn
+
+    def _region(self, curve: Curve, chosen: list[int]) -> list[Drawn]:
+        """What follows the points that are dragged, or, where that is switched on, those that are chosen."""
+        numbers = tuple(chosen) if "influence" in self.focus.shown else ()
+        if self.focus.moving:
+            moving = frozenset(self.focus.moving)
+            numbers = tuple(k for k, point in enumerate(curve.points_world) if point.id in moving)
+        return region(self.session.sheet, curve, influence(curve, numbers)) if numbers else []
 
     def _grips(self, tool: Tool, alone: bool) -> list[Handle]:
         """The points, handles and tangents that can be dragged; of other figures their outline is enough."""

@@ -1,14 +1,16 @@
 """The Curves panel: curves of every kind drawn, shaped by hand, looked into and compared."""
 
+from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QCursor, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from workbench.document.model import Curve
 from workbench.language import _
 from workbench.panels.curve_card import CurveCard
+from workbench.panels.curve_docks import CurveDocks
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_pen import PenTool
 from workbench.panels.curve_tools import CurveSelectTool
@@ -35,13 +37,31 @@ class CurvesPanel(SteppedPanel):
         self.title = _("Curves")
         self.canvas.takes_handles = False
         self.card = CurveCard(self.focus, self.canvas)
-        self.view = CurveView(self.focus, self.canvas, self.second, self.card)
+        self.beside = CurveDocks(self.focus, self)
+        self.view = CurveView(self.focus, self.canvas, self.second, self.card, self.beside)
         self.focus.changed.connect(self.refresh_soon)
-        self.start(_("Click on the canvas, point after point; Enter ends the curve."))
+        for plot in (self.beside.basis, self.beside.curvature, self.beside.hodograph):
+            plot.installEventFilter(self)
+        self.start(
+            _("Click on the canvas, point after point; Enter ends the curve."),
+            [
+                ("construction", _("Construction at u"), "triangle", "U", self._switch("construction")),
+                ("comb", _("Curvature comb"), "chart-line", "K", self._switch("comb")),
+            ],
+        )
 
     def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
-        """None yet."""
-        return []
+        """Basis functions, switches, curvature, hodograph."""
+        return self.beside.parts()
+
+    def _switch(self, name: str) -> Callable[[], None]:
+        return lambda: self.focus.switch(name, name not in self.focus.shown)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """A plot that comes to be seen is brought up to date."""
+        if event.type() == QEvent.Type.Show:
+            self.refresh_soon()
+        return super().eventFilter(watched, event)
 
     def show_example(self) -> None:
         """Open a curve that is already drawn."""
@@ -60,6 +80,9 @@ class CurvesPanel(SteppedPanel):
         super()._move(x, y, modifiers)
         if self.tool is self.select and not self.canvas.dragging:
             over = self.select.over(x, y)
+            curve = self.focus.selected
+            number = self.select.point_at(curve, x, y) if curve is not None and over == "grip" else None
+            self.focus.hover(-1 if number is None else number)
             shapes = {"grip": Qt.CursorShape.SizeAllCursor, "curve": Qt.CursorShape.PointingHandCursor}
             self.canvas.set_shape(QCursor(shapes.get(over, Qt.CursorShape.ArrowCursor)))
 

@@ -86,7 +86,7 @@ def workspaces() -> tuple[Workspace, ...]:
             ("workbench.panels.curves:CurvesPanel", inspector, compare, why, tube),
             steps=True,
             topics=("curves", "lines"),
-            lower=("tube",),
+            lower=("insight", "curvature", "hodograph", "tube"),
         ),
         Workspace(
             "display",

@@ -1,0 +1,166 @@
+"""The docks of the Curves panel: basis functions with knots and weights, curvature, hodograph, switches."""
+
+import numpy as np
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtWidgets import QWidget
+
+from workbench.algorithms import curves
+from workbench.algorithms.curves import Pieces, piece_points
+from workbench.document.model import Curve
+from workbench.language import _
+from workbench.panels.curve_basis import NOTHING, Basis, basis_of
+from workbench.panels.curve_focus import CurveFocus
+from workbench.panels.curve_insight import CurveInsight
+from workbench.panels.curve_shape import device_pieces, parameter
+from workbench.widgets.basis_plot import BasisPlot
+from workbench.widgets.curvature_plot import CurvaturePlot
+from workbench.widgets.hodograph_plot import HodographPlot
+
+DockPart = tuple[str, str, QWidget, Qt.DockWidgetArea]
+
+PER_PIECE, MOST_SAMPLES = 48, 4000
+# While something is dragged the docks follow at most so often.
+THROTTLE_MS = 60
+
+
+class CurveDocks(QObject):
+    """Keeps the docks in step; ``refresh`` after anything changed, ``refresh_soon`` while it is dragged.
+
+    ``knot_dragged``, ``knot_released``, ``knot_wanted``, ``weight_dragged`` and ``weight_released`` are what
+    a hand wants of the curve.
+    """
+
+    knot_dragged = Signal(str, float)
+    knot_released = Signal(str)
+    knot_wanted = Signal(float)
+    weight_dragged = Signal(int, float)
+    weight_released = Signal()
+
+    def __init__(self, focus: CurveFocus, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.focus = focus
+        self.basis, self.curvature, self.hodograph = BasisPlot(), CurvaturePlot(), HodographPlot()
+        self.insight = CurveInsight(focus)
+        self._basis: Basis = NOTHING
+        self._made_for: tuple[object, ...] = ()
+        for plot in (self.basis, self.curvature, self.hodograph):
+            plot.u_dragged.connect(self._go_to)
+        self.basis.hovered.connect(self._hover)
+        self.basis.knot_dragged.connect(self.knot_dragged)
+        self.basis.knot_released.connect(self.knot_released)
+        self.basis.knot_wanted.connect(self.knot_wanted)
+        self.basis.weight_dragged.connect(self._drag_weight)
+        self.basis.weight_released.connect(lambda _number: self.weight_released.emit())
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.setInterval(THROTTLE_MS)
+        self._later.timeout.connect(self.refresh)
+
+    def parts(self) -> list[DockPart]:
+        """Name, title, widget and place of each dock."""
+        right, below = Qt.DockWidgetArea.RightDockWidgetArea, Qt.DockWidgetArea.BottomDockWidgetArea
+        return [
+            ("basis", _("Basis functions"), self.basis, below),
+            ("insight", _("Insight"), self.insight, right),
+            ("curvature", _("Curvature"), self.curvature, right),
+            ("hodograph", _("Hodograph"), self.hodograph, right),
+        ]
+
+    def refresh_soon(self) -> None:
+        """Follow a drag, but not at every step of it."""
+        if not self._later.isActive():
+            self._later.start()
+
+    def refresh(self) -> None:
+        """Everything that can be seen, from the session alone."""
+        self._later.stop()
+        curve = self.focus.curve
+        pieces = None if curve is None else device_pieces(self.focus.session.sheet, curve)
+        u = None if pieces is None else parameter(pieces, self.focus.u)
+        if self.basis.isVisible():
+            self._show_basis(curve, u)
+        if self.curvature.isVisible():
+            self._show_curvature(pieces, u)
+        if self.hodograph.isVisible():
+            self._show_hodograph(pieces, u)
+        if self.insight.isVisible():
+            self.insight.say(_measures(pieces, u))
+
+    def _show_basis(self, curve: Curve | None, u: float | None) -> None:
+        # Of a curve of few points all functions are shown, and then they do not depend on u.
+        few = curve is not None and len(curve.points_world) <= 24
+        key = (curve, None if few else round(self.focus.u, 2))
+        if key != self._made_for:
+            self._made_for = key
+            self._basis = NOTHING if curve is None else basis_of(curve, self.focus.u)
+            made = self._basis
+            inks = [f"data {k % 6 + 1}" for k in made.numbers]
+            movable = curve is not None and curve.spline in ("b_spline", "nurbs")
+            self.basis.set_domain(made.domain)
+            self.basis.set_functions(made.us, made.values, made.names, inks)
+            self.basis.set_knots(list(made.knots), movable)
+            named = [name.replace("R_", "P_") for name in made.names]
+            self.basis.set_weights(made.weights, named if made.weights else (), inks if made.weights else ())
+        self.basis.set_u(u)
+        hovered = self.focus.hovered
+        self.basis.highlight(self._basis.numbers.index(hovered) if hovered in self._basis.numbers else -1)
+
+    def _show_curvature(self, pieces: Pieces | None, u: float | None) -> None:
+        if pieces is None:
+            self.curvature.set_curvature(np.zeros(0), np.zeros(0))
+        else:
+            us = _samples(pieces)
+            self.curvature.set_curvature(us, curves.curvature(pieces, us), _inner(pieces), ())
+        self.curvature.set_u(u)
+
+    def _show_hodograph(self, pieces: Pieces | None, u: float | None) -> None:
+        if pieces is None:
+            self.hodograph.set_hodograph(np.zeros(0), np.zeros((0, 2)))
+        else:
+            us = _samples(pieces)
+            self.hodograph.set_hodograph(us, curves.derivatives(pieces, us, 1)[1])
+        self.hodograph.set_u(u)
+
+    def _go_to(self, u: float) -> None:
+        curve = self.focus.curve
+        pieces = None if curve is None else device_pieces(self.focus.session.sheet, curve)
+        if pieces is not None:
+            first, last = float(pieces.knots[0]), float(pieces.knots[-1])
+            self.focus.set_u((u - first) / (last - first))
+            self.focus.switch("construction", True)
+
+    def _hover(self, number: int) -> None:
+        self.focus.hover(self._basis.numbers[number] if 0 <= number < len(self._basis.numbers) else -1)
+
+    def _drag_weight(self, number: int, value: float) -> None:
+        if 0 <= number < len(self._basis.numbers):
+            self.weight_dragged.emit(self._basis.numbers[number], value)
+
+
+def _samples(pieces: Pieces) -> np.ndarray:
+    """Parameters close together, each joint from both sides."""
+    lengths = np.diff(pieces.knots)
+    each = max(4, min(PER_PIECE, MOST_SAMPLES // max(len(lengths), 1)))
+    share = np.linspace(0.0, 1.0, each)
+    share[-1] = 1.0 - 1e-9
+    inside = pieces.knots[:-1, None] + share * lengths[:, None]
+    return inside[lengths > 0].reshape(-1)
+
+
+def _inner(pieces: Pieces) -> list[float]:
+    return [float(u) for u in np.unique(pieces.knots[1:-1])][:200]
+
+
+def _measures(pieces: Pieces | None, u: float | None) -> list[tuple[str, str]]:
+    """What is said of the curve in words."""
+    if pieces is None or u is None:
+        return []
+    x, y = piece_points(pieces, u).tolist()
+    bend = float(curves.curvature(pieces, u))
+    _centre, radius = curves.osculating_circle(pieces, u)
+    (x0, y0), (x1, y1) = (side.tolist() for side in curves.bounding_box(pieces))
+    return [
+        (_("at u = {u:.4g}").format(u=u), f"({x:.4g}, {y:.4g})"),
+        (_("curvature"), f"{bend:.4g} 1/px, " + _("radius {radius:.4g} px").format(radius=radius)),
+        (_("box"), f"({x0:.4g}, {y0:.4g}) \N{EN DASH} ({x1:.4g}, {y1:.4g})"),
+    ]

@@ -1,0 +1,139 @@
+"""What is measured on a curve, drawn on the canvas: tangent, comb, circle, extrema, box, equal steps."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms import curves
+from workbench.algorithms.curves import Pieces, piece_points
+from workbench.document.model import Curve, Sheet
+from workbench.panels.curve_shape import device_pieces, device_points, parameter
+from workbench.widgets.canvas_drawing import Drawn, Region, Spot, Stroke, Word
+
+Array = NDArray[np.float64]
+
+COMB_TEETH = 24
+COMB_CELLS = 0.1
+MOST_MARKS = 400
+STEPS = 16
+_FAR = 40.0
+
+
+def marks(sheet: Sheet, curve: Curve, shown: frozenset[str], share: float) -> list[Drawn]:
+    """Everything of ``shown`` that is measured on the curve, from back to front; none without a curve."""
+    pieces = device_pieces(sheet, curve)
+    if pieces is None:
+        return []
+    u = parameter(pieces, share)
+    drawn: list[Drawn] = []
+    if "hull" in shown:
+        drawn += hull(device_points(sheet, curve))
+    if "box" in shown:
+        drawn += box(pieces)
+    if "comb" in shown:
+        drawn += comb(pieces, math.hypot(sheet.width_px, sheet.height_px))
+    if "circle" in shown:
+        drawn += circle(pieces, u)
+    if "tangent" in shown:
+        drawn += tangent(pieces, u)
+    if "extrema" in shown:
+        drawn += extrema(pieces)
+    if "steps_u" in shown:
+        drawn += steps_of_u(pieces)
+    return drawn
+
+
+def hull(points: Array) -> list[Drawn]:
+    """The convex hull of the control points, in which a Bézier curve or B-spline stays."""
+    corners = curves.convex_hull(points)
+    if len(corners) < 3:
+        return []
+    around = np.vstack([corners, corners[:1]])
+    return [Region(corners, "data 3", 28), Stroke(around, "data 3", 1.25, "dash")]
+
+
+def box(pieces: Pieces) -> list[Drawn]:
+    """The smallest box with sides along x and y."""
+    (x0, y0), (x1, y1) = (side.tolist() for side in curves.bounding_box(pieces))
+    around = np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)])
+    said = Word(f"{x1 - x0:.4g} \N{MULTIPLICATION SIGN} {y1 - y0:.4g}", x1, y0, "muted", -1, -1)
+    return [Stroke(around, "muted", 1.25, "dot"), said]
+
+
+def comb(pieces: Pieces, size: float) -> list[Drawn]:
+    """Teeth across the curve, the longer the more it bends; a usual one is a share of ``size``."""
+    bends = curves.curvature_comb(pieces, COMB_TEETH, 1.0)
+    lengths = np.hypot(*np.moveaxis(bends[..., 1, :] - bends[..., 0, :], -1, 0))
+    usual = float(np.percentile(lengths, 96)) if lengths.size else 0.0
+    if usual <= 0.0:
+        return []
+    begins = bends[..., 0, :]
+    way = (bends[..., 1, :] - begins) * (COMB_CELLS * size / usual)
+    far = np.hypot(way[..., 0], way[..., 1])
+    way *= np.minimum(1.0, COMB_CELLS * size * 1.6 / np.maximum(far, 1e-12))[..., None]
+    ends = begins + way
+    drawn: list[Drawn] = []
+    stride = max(1, len(begins) * COMB_TEETH // 2000)
+    for start, end in zip(begins, ends, strict=True):
+        # One line there and back again for all the teeth of a piece
+        zigzag = np.stack([start, end, start], axis=1)[::stride].reshape(-1, 2)
+        drawn.append(Stroke(zigzag, "data 4", 0.75))
+        drawn.append(Stroke(end, "data 4", 1.5))
+    return drawn
+
+
+def circle(pieces: Pieces, u: float) -> list[Drawn]:
+    """The osculating circle at u, with its radius."""
+    centre, radius = curves.osculating_circle(pieces, u)
+    x, y = piece_points(pieces, u).tolist()
+    if not math.isfinite(radius) or radius > 4000:
+        return []
+    angle = np.linspace(0.0, math.tau, 181)
+    around = centre + radius * np.column_stack([np.cos(angle), np.sin(angle)])
+    cx, cy = centre.tolist()
+    return [
+        Stroke(around, "data 5", 1.5, "dash"),
+        Stroke(np.array([(cx, cy), (x, y)]), "data 5", 1.0),
+        Spot(cx, cy, "data 5", "cross", 8),
+        Word(f"r = {radius:.4g}", (cx + x) / 2, (cy + y) / 2, "text", 0, 1, carded=True),
+        Spot(x, y, "data 5", "dot", 7),
+    ]
+
+
+def tangent(pieces: Pieces, u: float) -> list[Drawn]:
+    """The derivative by u at the point, as an arrow a third of its length, which is the handle's."""
+    (x, y), (dx, dy) = curves.derivatives(pieces, u, 1).tolist()
+    length = math.hypot(dx, dy)
+    if length <= 0.0:
+        return [Spot(x, y, "data 2", "cross", 9)]
+    shown = min(length / 3, _FAR) / length
+    tip = np.array([x + dx * shown, y + dy * shown])
+    along, across = np.array([dx, dy]) / length, np.array([-dy, dx]) / length
+    barb = np.array([tip - 1.1 * along + 0.45 * across, tip, tip - 1.1 * along - 0.45 * across])
+    angle = math.degrees(math.atan2(dy, dx))
+    return [
+        Stroke(np.array([(x, y), tip]), "data 2", 2.0, haloed=True),
+        Stroke(barb, "data 2", 2.0),
+        Spot(x, y, "data 2", "dot", 7),
+        Word(f"C′ = ({dx:.4g}, {dy:.4g}), {angle:.0f}°", tip[0], tip[1], "text", 1, 1, carded=True),
+    ]
+
+
+def extrema(pieces: Pieces) -> list[Drawn]:
+    """Where the curve turns back in x (upright stroke) or in y (level stroke)."""
+    drawn: list[Drawn] = []
+    for _u, axis, point in curves.extrema(pieces)[:MOST_MARKS]:
+        x, y = point.tolist()
+        half = (0.0, 1.2) if axis == 0 else (1.2, 0.0)
+        drawn.append(
+            Stroke(np.array([(x - half[0], y - half[1]), (x + half[0], y + half[1])]), "data 1", 2.0)
+        )
+        drawn.append(Spot(x, y, "data 1", "square", 6))
+    return drawn
+
+
+def steps_of_u(pieces: Pieces) -> list[Drawn]:
+    """Points at equal steps of the parameter."""
+    at = piece_points(pieces, np.linspace(pieces.knots[0], pieces.knots[-1], STEPS + 1))
+    return [Spot(x, y, "data 2", "ring", 9) for x, y in at.tolist()]
