@@ -10,9 +10,15 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 
 from workbench.algorithms.curves import counting
-from workbench.document.building import with_changed
-from workbench.document.check import MAX_DEGREE, check
-from workbench.document.edits import Edit, set_attributes
+from workbench.document.check import MAX_DEGREE
+from workbench.document.curve_edits import (
+    set_beside,
+    set_curve_closed,
+    set_degree,
+    set_knot_rule,
+    set_spline,
+)
+from workbench.document.edits import Edit, both, set_attributes
 from workbench.document.errors import DocumentError
 from workbench.document.model import ENDS, JOINTS, KNOT_RULES, SPLINES, AnyFigure, Curve, Sheet
 from workbench.language import _
@@ -37,6 +43,13 @@ from workbench.widgets.number_field import NumberField
 from workbench.widgets.tokens import tokens
 
 _MOST_CHOSEN = 2
+_EDITS: dict[str, Callable[[str, Any], Edit]] = {
+    "spline": set_spline,
+    "beside": set_beside,
+    "degree": set_degree,
+    "closed": set_curve_closed,
+    "knot_rule": set_knot_rule,
+}
 
 
 class CurveCard(ParameterCard):
@@ -257,9 +270,8 @@ class CurveCard(ParameterCard):
 
 def edit_of(sheet: Sheet, curves: Sequence[Curve], attribute: str, value: Any) -> Edit:
     """The edit that sets an attribute of several curves."""
-    if attribute == "beside":
-        changed = [replace(curve, beside=value) for curve in curves]
-        return lambda document: check(with_changed(document, changed), document)
+    if attribute in _EDITS:
+        return both(*(_EDITS[attribute](curve.id, value) for curve in curves))
     return set_attributes({f"{sheet.id}/{curve.id}/{attribute}": value for curve in curves})
 
 

@@ -31,7 +31,6 @@ class CurveFocus(QObject):
         self.points: frozenset[str] = frozenset()
         self.moving: tuple[str, ...] = ()
         self.hovered = -1
-        self._u = 0.5
         self.snaps = False
         self.cell_px = 16.0
         self.probed: tuple[float, float] | None = None
@@ -52,12 +51,11 @@ class CurveFocus(QObject):
     @property
     def u(self) -> float:
         """The share, 0 to 1, of the way through the curve's parameter."""
-        return self._u
+        return self.session.state.curve_u
 
     def set_u(self, share: float) -> None:
         """Go to another share of the way."""
-        self._u = min(1.0, max(0.0, share))
-        self.changed.emit()
+        self.session.update_state(curve_u=min(1.0, max(0.0, share)))
 
     def choose(self, points: Iterable[str]) -> None:
         """Select these points of the active curve."""

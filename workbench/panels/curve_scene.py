@@ -160,21 +160,33 @@ def _de_boor_levels(curve: Curve, controls: Array, share: float) -> list[Array]:
     return made
 
 
-def construction(sheet: Sheet, curve: Curve, share: float) -> list[Drawn]:
-    """The legs of every level in a colour of its own, and the point that they lead to."""
+def construction(sheet: Sheet, curve: Curve, share: float, reached: int | None = None) -> list[Drawn]:
+    """The legs of every level in a colour of its own, and the point that they lead to.
+
+    Of a run that has come so far only the first ``reached`` points are there, the last of them ringed.
+    """
     pieces = device_pieces(sheet, curve)
     if pieces is None:
         return []
     made = levels(curve, pieces, share, device_points(sheet, curve))
     drawn: list[Drawn] = []
+    left = reached
     for r, level in enumerate(made[:-1]):
         if r == 0:
             if curve.spline != "bezier":
                 drawn.append(Stroke(level, "text", 1.25, "dot"))
             continue
         ink = _LEVELS[(r - 1) % len(_LEVELS)]
-        drawn.append(Stroke(level, ink, 1.75, haloed=True))
-        drawn += [Spot(x, y, ink, "dot", 6) for x, y in level.tolist()]
+        seen = level if left is None else level[: max(left, 0)]
+        drawn.append(Stroke(seen, ink, 1.75, haloed=True))
+        drawn += [Spot(x, y, ink, "dot", 6) for x, y in seen.tolist()]
+        if left is not None:
+            if 0 < left <= len(level):
+                x, y = level[left - 1].tolist()
+                drawn.append(Spot(x, y, "accent", "ring", 13))
+            left -= len(level)
+    if left is not None and left <= 0:
+        return drawn
     x, y = made[-1][0].tolist()
     drawn.append(Spot(x, y, "text", "ring", 13))
     drawn.append(Word(f"C({parameter(pieces, share):.4g})", x, y, "text", 1, 1, carded=True, strong=True))

@@ -34,6 +34,7 @@ from workbench.widgets.tokens import LIGHT, tokens
 
 # While something is dragged the pixels may take this long; else they follow when it is let go.
 PIXELS_MS = 4.0
+STEPPED = ("de_casteljau", "de_boor")
 
 
 class CurveView(FigureView):
@@ -100,11 +101,20 @@ class CurveView(FigureView):
         if "names" in shown and self.focus.selected is not None:
             drawn += names(sheet, curve)
         if "construction" in shown:
-            drawn += construction(sheet, curve, self.focus.u)
+            drawn += construction(sheet, curve, self.focus.u, self._reached())
         if 0 <= self.focus.hovered < len(curve.points_world):
             x, y = device_points(sheet, curve)[self.focus.hovered].tolist()
             drawn.append(Spot(x, y, f"data {self.focus.hovered % 6 + 1}", "ring", 17))
         return drawn
+
+    def _reached(self) -> int | None:
+        """How many points of the construction its run has made; None before it is stepped."""
+        run = self.stepped_run()
+        if run is None or run.step is None or run.entry is None or run.entry.slug not in STEPPED:
+            return None
+        if run.detail and run.moment is not None:
+            return len(run.moment.emitted)
+        return None if run.number == 0 and not run.ask_first else run.step.emitted_to
 
     def _region(self, curve: Curve, chosen: list[int]) -> list[Drawn]:
         """What follows the points that are dragged, or, where that is switched on, those that are chosen."""

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 from workbench.document.model import Curve
 from workbench.language import _
 from workbench.panels.curve_card import CurveCard
+from workbench.panels.curve_commands import NUDGE, CurveCommands
 from workbench.panels.curve_docks import CurveDocks
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_pen import PenTool
@@ -26,6 +27,7 @@ class CurvesPanel(SteppedPanel):
 
     slug = "curves"
     first_tool = "pen"
+    stepped = "curve"
     card: CurveCard
     view: CurveView
 
@@ -38,6 +40,13 @@ class CurvesPanel(SteppedPanel):
         self.canvas.takes_handles = False
         self.card = CurveCard(self.focus, self.canvas)
         self.beside = CurveDocks(self.focus, self)
+        self.commands = CurveCommands(self.focus, self)
+        self.commands.said.connect(self.hover_text)
+        self.card.joint_chosen = self.commands.joint
+        self.beside.knot_dragged.connect(self.commands.pull_knot)
+        self.beside.weight_dragged.connect(self.commands.pull_weight)
+        self.beside.knot_released.connect(self._let_go_of_plot)
+        self.beside.weight_released.connect(self._let_go_of_plot)
         self.view = CurveView(self.focus, self.canvas, self.second, self.card, self.beside)
         self.focus.changed.connect(self.refresh_soon)
         for plot in (self.beside.basis, self.beside.curvature, self.beside.hodograph):
@@ -47,12 +56,47 @@ class CurvesPanel(SteppedPanel):
             [
                 ("construction", _("Construction at u"), "triangle", "U", self._switch("construction")),
                 ("comb", _("Curvature comb"), "chart-line", "K", self._switch("comb")),
+                ("snap", _("Snap to pixels"), "magnet", "N", self._toggle_snap),
+                *self.commands.rows(),
             ],
         )
 
     def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
         """Basis functions, switches, curvature, hodograph."""
         return self.beside.parts()
+
+    def _toggle_snap(self) -> None:
+        self.focus.snaps = not self.focus.snaps
+        self.hover_text.emit(_("Points snap to pixels.") if self.focus.snaps else _("Points do not snap."))
+
+    def _let_go_of_plot(self, *_arguments: object) -> None:
+        self.commands.let_go()
+        self.refresh_soon()
+
+    def delete_selected(self) -> None:
+        """Remove the chosen points, or with none chosen what is selected."""
+        if not self.commands.remove():
+            super().delete_selected()
+
+    def select_all(self) -> None:
+        """All points of the selected curve, or with none selected all figures."""
+        curve = self.focus.selected
+        if curve is None or self.tool is not self.select:
+            super().select_all()
+        else:
+            self.focus.choose(point.id for point in curve.points_world)
+
+    def _arrow(self, dx: int, dy: int, modifiers: Any) -> None:
+        """Arrows nudge the chosen points, Shift by ten; without any, as everywhere."""
+        far = 10 if modifiers & Qt.KeyboardModifier.ShiftModifier else 1
+        if self.commands.nudge(dx * far, dy * far):
+            self._nudging.start()
+        else:
+            super()._arrow(dx, dy, modifiers)
+
+    def _end_nudging(self) -> None:
+        super()._end_nudging()
+        self.session.end_merge(NUDGE)
 
     def _switch(self, name: str) -> Callable[[], None]:
         return lambda: self.focus.switch(name, name not in self.focus.shown)
