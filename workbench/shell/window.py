@@ -19,7 +19,7 @@ from workbench.shell.places import HomePage, make_page
 from workbench.shell.settings import Settings
 from workbench.shell.theme import ThemeSwitch
 from workbench.shell.workspace_bar import WorkspaceBar
-from workbench.shell.workspaces import Workspace, join, panel_class, workspaces
+from workbench.shell.workspaces import Workspace, host_of, join, panel_class, workspaces
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -251,13 +251,8 @@ class MainWindow(QMainWindow):
                 self._take(self._made.setdefault(name, panel_class(name)(self.session)))
                 yield
         made = [self._made[name] for name in workspace.panels]
-        host = QWidget()
-        layout = QVBoxLayout(host)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(made[0].center)
-        host.setFocusProxy(made[0].center)
-        self.centres[slug] = host
-        self.stack.addWidget(host)
+        self.centres[slug] = host_of(made[0].center)
+        self.stack.addWidget(self.centres[slug])
         for panel in made:
             self.arrangements.add(slug, panel.docks(), workspace.lower)
         join(made)

@@ -214,12 +214,12 @@ class TubeView(QWidget):
         self._refresh()
         if averaged and self.driver.steady:
             self._timer.stop()
-        elif averaged:
-            # A long tail changes so slowly that few pictures a second show it as well.
-            wait = _FRAME_MS * VISIBLE / max(self.driver.change, VISIBLE / 100.0)
-            self._timer.setInterval(int(min(max(wait, _FRAME_MS), _IDLE_MS)))
-        elif self._timer.interval() != _FRAME_MS:
-            self._timer.setInterval(_FRAME_MS)
+            return
+        # A long tail changes so slowly that few pictures a second show it as well. Where a phosphor of many
+        # terms takes long to add up, half of the time is left to the rest of the window.
+        slower = VISIBLE / max(self.driver.change, VISIBLE / 100.0) if averaged else 1.0
+        wait = max(_FRAME_MS * max(slower, 1.0), 2 * self._clock.elapsed())
+        self._timer.setInterval(int(min(wait, _IDLE_MS)))
 
     def _refresh(self) -> None:
         if self.driver is None or self._screen is None:
