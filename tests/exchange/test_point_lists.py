@@ -1,0 +1,67 @@
+"""Points in and out: the ways in which tables write numbers, and where a wrong one is."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from workbench.exchange.point_lists import PointsError, read_points, write_points
+
+number = st.floats(-1e6, 1e6)
+
+
+@given(st.lists(st.tuples(number, number), min_size=1, max_size=20), st.sampled_from(",;\t "))
+def test_points_come_back_with_every_digit(points: list[tuple[float, float]], separator: str) -> None:
+    assert np.array_equal(read_points(write_points(points, separator)), np.array(points))
+
+
+@given(st.lists(st.tuples(number, number), min_size=1, max_size=9), st.sampled_from([";", "\t", "; ", " \t"]))
+def test_a_decimal_comma_is_understood(points: list[tuple[float, float]], separator: str) -> None:
+    text = "".join(f"{x:.3f}{separator}{y:.3f}\n".replace(".", ",") for x, y in points)
+    assert np.array_equal(read_points(text), np.round(np.array(points), 3))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1,2\n3,4.5",
+        "x;y\r\n1;2\r\n3;4,5\r\n",
+        "x\ty\n1\t2\n3\t4.5\n\n",
+        "  1   2 # first\n\n# nothing\n3 4.5",
+        "1, 2\n3, 4.5",
+        '"x","y"\n"1","2"\n3,4.5',
+        "\ufeffx,y\n1,2\n3,4.5",
+        "1,0 2,0\n3,0 4,5",
+        "1;2;\n3;4.5;",
+        "+1e0 20e-1\n3. 4.50",
+    ],
+)
+def test_tables_are_written_in_many_ways(text: str) -> None:
+    assert read_points(text).tolist() == [[1, 2], [3, 4.5]]
+
+
+def test_a_minus_sign_may_be_typeset() -> None:
+    assert read_points("\u22121 2").tolist() == [[-1, 2]]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "There are no points"),
+        (" \n\n# nothing", "There are no points"),
+        ("x,y\n", "a heading and no points"),
+        ("1,2\n3,abc", "Line 2, column 2: 'abc' is no number"),
+        ("x;y\n1;2\n\nnan;4", "Line 4, column 1: 'nan' is no number"),
+        ("1 2\n3 inf", "Line 2, column 2: 'inf'"),
+        ("1,2\n3", "Line 2: there are 1 values"),
+        ("1,2\n3,4,5", "Line 2: there are 3 values"),
+        ("1,2\n1e7,4", "Line 2, column 1: '1e7' is outside ±1,000,000"),
+        ("1 2\n3 1e999", "Line 2, column 2: '1e999' is outside"),
+        ("1\t\n2\t3", "Line 1, column 2: '' is no number"),
+        ("0 0\n" * 100_001, "100,001 points, and at most 100,000"),
+    ],
+)
+def test_what_is_wrong_is_said_with_its_place(text: str, said: str) -> None:
+    with pytest.raises(PointsError) as refused:
+        read_points(text)
+    assert said in str(refused.value)
