@@ -11,7 +11,8 @@ from PySide6.QtWidgets import QApplication, QMainWindow
 from workbench.document.samples import blank_sheet
 from workbench.panels.draw import DrawPanel
 from workbench.session.session import Session
-from workbench.widgets.canvas_overlay import Overlay
+from workbench.widgets.canvas_drawing import Stroke
+from workbench.widgets.canvas_overlay import Handle, Overlay
 from workbench.widgets.canvas_view import centred
 from workbench.widgets.pixel_canvas import PixelCanvas
 
@@ -125,3 +126,23 @@ def test_paint_a_million_new_cells(qtbot, benchmark):
         canvas.repaint()
 
     benchmark(another)
+
+
+@pytest.mark.parametrize("pattern", ["solid", "dash"])
+def test_paint_a_thousand_grips_and_a_long_curve(qtbot, benchmark, pattern):
+    """One repaint at 1280 x 680 of 1,000 handles over a stroke of 5,000 corners; 5 ms allowed."""
+    canvas = PixelCanvas()
+    qtbot.addWidget(canvas)
+    canvas.resize(1280, 680)
+    canvas.show()
+    QApplication.processEvents()
+    canvas.set_picture(np.zeros((170, 320), np.uint32), 0)
+
+    def curve(count):
+        t = np.linspace(0, 2 * np.pi, count)
+        return np.stack([160 + 150 * np.sin(t), 85 + 80 * np.cos(2 * t)], axis=1)
+
+    shapes = ("round", "square", "diamond")
+    handles = tuple(Handle(str(k), "", x, y, k == 3, shapes[k % 3]) for k, (x, y) in enumerate(curve(1000)))
+    overlay = Overlay(drawn=(Stroke(curve(5000), "accent", pattern=pattern),), handles=handles)
+    benchmark(lambda: (canvas.set_overlay(overlay), canvas.repaint()))

@@ -12,8 +12,10 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
+from workbench.widgets.canvas_lines import on_screen, paint_line
+from workbench.widgets.polygons import polygon
 from workbench.widgets.tokens import Tokens, colour
 
 if TYPE_CHECKING:
@@ -29,6 +31,7 @@ PATTERNS = {
     "dot": Qt.PenStyle.DotLine,
 }
 _SPOT = 8
+_FAR = 1e6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,7 +99,7 @@ def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Drawn, ...]) -> No
             case Region():
                 painter.setPen(Qt.PenStyle.NoPen)
                 painter.setBrush(colour(ink_of(scene.tokens, each.ink), each.alpha))
-                painter.drawPolygon(_on_screen(scene, each.points))
+                painter.drawPolygon(polygon(*on_screen(scene, each.points, _FAR)))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
             case Spot():
                 _spot(painter, scene, each)
@@ -105,26 +108,13 @@ def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Drawn, ...]) -> No
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
 
 
-def _on_screen(scene: Scene, points: Points) -> QPolygonF:
-    far = 1e6
-    return QPolygonF(
-        [
-            QPointF(min(max(x, -far), far), min(max(y, -far), far))
-            for x, y in (scene.view.to_screen(*point) for point in points.tolist())
-        ]
-    )
-
-
 def _stroke(painter: QPainter, scene: Scene, stroke: Stroke) -> None:
-    line = _on_screen(scene, stroke.points)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
     if stroke.haloed:
-        painter.setPen(QPen(QColor(scene.tokens.canvas), (stroke.width + 2.5) * scene.unit))
-        painter.drawPolyline(line)
-    pen = QPen(QColor(ink_of(scene.tokens, stroke.ink)), stroke.width * scene.unit, PATTERNS[stroke.pattern])
-    pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-    painter.setPen(pen)
-    painter.drawPolyline(line)
+        around = QPen(QColor(scene.tokens.canvas), (stroke.width + 2.5) * scene.unit)
+        paint_line(painter, scene, stroke.points, around)
+    ink = QColor(ink_of(scene.tokens, stroke.ink))
+    pen = QPen(ink, stroke.width * scene.unit, PATTERNS[stroke.pattern], Qt.PenCapStyle.FlatCap)
+    paint_line(painter, scene, stroke.points, pen)
 
 
 def _spot(painter: QPainter, scene: Scene, spot: Spot) -> None:

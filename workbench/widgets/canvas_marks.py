@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import math
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 
-from workbench.widgets.canvas_overlay import BOTH, ONLY_FIRST, TIE_FIRST, TIE_SECOND, Cell
+from workbench.widgets.canvas_drawing import ink_of
+from workbench.widgets.canvas_lines import on_screen
+from workbench.widgets.canvas_overlay import (
+    BOTH,
+    ONLY_FIRST,
+    TIE_FIRST,
+    TIE_SECOND,
+    Cell,
+    GripShape,
+    Handle,
+)
 from workbench.widgets.tokens import colour
 
 if TYPE_CHECKING:
@@ -17,6 +29,9 @@ if TYPE_CHECKING:
 
 HANDLE, GRAB = 9, 24
 PATTERN_FROM = 10
+MOST_NAMED = 40
+
+GripKind = tuple[GripShape, str, bool]
 
 
 def paint_marks(painter: QPainter, scene: Scene) -> None:
@@ -111,34 +126,89 @@ def _snap(painter: QPainter, box: QRectF, scene: Scene) -> None:
     painter.drawLine(QPointF(middle.x(), middle.y() - arm), QPointF(middle.x(), middle.y() + arm))
 
 
+def handle_places(handles: Sequence[Handle]) -> NDArray[np.float64]:
+    """(n, 2) device points of handles."""
+    count = len(handles)
+    x = np.fromiter((handle.x for handle in handles), float, count)
+    y = np.fromiter((handle.y for handle in handles), float, count)
+    return np.stack([x, y], axis=1)
+
+
 def _paint_handles(painter: QPainter, scene: Scene) -> None:
-    """Round grips; each name stands on the side away from the other handles, clear of the figure."""
+    """Grips; each name stands on the side away from the other handles, clear of the figure.
+
+    Of many handles only those selected bear their names, as long as they are few.
+    """
     handles = scene.overlay.handles
     if not handles:
         return
-    named = [handle for handle in handles if handle.name] or handles
-    middle_x = sum(handle.x for handle in named) / len(named)
-    middle_y = sum(handle.y for handle in named) / len(named)
-    unit, tokens, area = scene.unit, scene.tokens, scene.area
-    accent, surface, side = QColor(tokens.accent), QColor(tokens.surface), HANDLE * unit
-    for handle in handles:
-        x, y = scene.view.to_screen(handle.x, handle.y)
-        if not (area.left - side <= x <= area.right + side and area.top - side <= y <= area.bottom + side):
-            continue
-        painter.setPen(QPen(surface if handle.selected else accent, 1.5 * unit))
-        painter.setBrush(accent if handle.selected else surface)
-        grip = QRectF(x - side / 2, y - side / 2, side, side)
-        if handle.shape == "square":
-            painter.drawRect(grip.adjusted(unit, unit, -unit, -unit))
-        else:
-            painter.drawEllipse(grip)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        if handle.name:
+    places = handle_places(handles)
+    x, y = on_screen(scene, places)
+    area, side = scene.area, HANDLE * scene.unit
+    seen = (x >= area.left - side) & (x <= area.right + side)
+    seen &= (y >= area.top - side) & (y <= area.bottom + side)
+    numbers = np.flatnonzero(seen)
+    if scene.vector:
+        for number in numbers.tolist():
+            _paint_grip(painter, scene, _kind(handles[number]), QPointF(x[number], y[number]))
+    else:
+        _set_down(painter, scene, [handles[k] for k in numbers.tolist()], x[seen], y[seen])
+    named = [k for k, handle in enumerate(handles) if handle.name]
+    middle_x, middle_y = (places[named] if named else places).mean(axis=0)
+    shown = named if len(named) <= MOST_NAMED else [k for k in named if handles[k].selected]
+    for number in shown if len(shown) <= MOST_NAMED else ():
+        handle = handles[number]
+        if seen[number]:
             label = f"{handle.name} ({handle.x:g}, {handle.y:g})"
             clear = side / 2 + max(side / 2, scene.view.cell / 2)
             right = -1 if handle.x < middle_x else 1
             up = -1 if handle.y < middle_y else 1
-            paint_label(painter, label, x + right * clear, y - up * clear, scene, right, up)
+            at = x[number] + right * clear, y[number] - up * clear
+            paint_label(painter, label, *at, scene, right, up)
+
+
+def _kind(handle: Handle) -> GripKind:
+    return handle.shape, handle.ink, handle.selected
+
+
+def _set_down(
+    painter: QPainter, scene: Scene, handles: list[Handle], x: NDArray[np.float64], y: NDArray[np.float64]
+) -> None:
+    """A grip on each of the screen places x and y, both (n,), on whole pixels; each kind is painted once."""
+    side = 2 * math.ceil(HANDLE * scene.unit / 2 + 2 * scene.unit) + 1
+    left, top = (np.rint(place - side / 2).astype(np.int64).tolist() for place in (x, y))
+    kinds = [_kind(handle) for handle in handles]
+    grips = {kind: _grip(scene, kind, side) for kind in set(kinds)}
+    paint = painter.drawImage
+    for i, j, kind in zip(left, top, kinds, strict=True):
+        paint(i, j, grips[kind])
+
+
+def _grip(scene: Scene, kind: GripKind, side: int) -> QImage:
+    image = QImage(side, side, QImage.Format.Format_ARGB32_Premultiplied)
+    image.fill(0)
+    painter = QPainter(image)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    _paint_grip(painter, scene, kind, QPointF(side / 2, side / 2))
+    painter.end()
+    return image
+
+
+def _paint_grip(painter: QPainter, scene: Scene, kind: tuple[GripShape, str, bool], place: QPointF) -> None:
+    shape, name, selected = kind
+    unit, surface, ink = scene.unit, QColor(scene.tokens.surface), QColor(ink_of(scene.tokens, name))
+    painter.setPen(QPen(surface if selected else ink, 1.5 * unit))
+    painter.setBrush(ink if selected else surface)
+    half = HANDLE * unit / 2
+    grip = QRectF(place.x() - half, place.y() - half, 2 * half, 2 * half)
+    if shape == "square":
+        painter.drawRect(grip.adjusted(unit, unit, -unit, -unit))
+    elif shape == "diamond":
+        ends = ((0, -1), (1, 0), (0, 1), (-1, 0))
+        painter.drawPolygon([QPointF(place.x() + dx * half, place.y() + dy * half) for dx, dy in ends])
+    else:
+        painter.drawEllipse(grip)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
 def paint_label(

@@ -4,10 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QPointF, QRect, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen, QPolygonF
+from PySide6.QtCore import QPointF, QRect, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen
 
 from workbench.widgets.canvas_drawing import paint_drawn
+from workbench.widgets.canvas_lines import paint_line
 from workbench.widgets.canvas_marks import paint_marks
 from workbench.widgets.canvas_overlay import BOTH, ONLY_FIRST, ONLY_SECOND, TIE_FIRST, TIE_SECOND, Overlay
 from workbench.widgets.canvas_view import Area, CanvasView, label_step
@@ -15,7 +16,6 @@ from workbench.widgets.tokens import Tokens, colour
 
 GRID_FROM, GAP_FROM = 6, 8
 CAPTION = 11
-FEW_SIDES = 40
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,31 +214,9 @@ def _paint_curves(painter: QPainter, scene: Scene) -> None:
     muted = QPen(QColor(scene.tokens.muted), 1.25 * scene.unit)
     accent = QPen(QColor(scene.tokens.accent), 1.5 * scene.unit)
     for pen, curves in ((muted, scene.overlay.ideal), (accent, scene.overlay.outlined)):
-        painter.setPen(pen)
         for curve in curves:
-            _paint_polyline(painter, curve, scene)
+            paint_line(painter, scene, curve, pen)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-
-
-def _paint_polyline(painter: QPainter, points: NDArray[np.float64], scene: Scene) -> None:
-    """Only the segments that may touch the area are handed to the painter."""
-    if len(points) < 2:
-        return
-    x = scene.view.left + (points[:, 0] + 0.5) * scene.view.cell
-    y = scene.view.bottom - (points[:, 1] + 0.5) * scene.view.cell
-    area = scene.area
-    near = (
-        (np.maximum(x[:-1], x[1:]) >= area.left)
-        & (np.minimum(x[:-1], x[1:]) <= area.right)
-        & (np.maximum(y[:-1], y[1:]) >= area.top)
-        & (np.minimum(y[:-1], y[1:]) <= area.bottom)
-    )
-    # A polyline of long sides that cross takes the painter sixty times as long as its sides one by one.
-    if near.all() and len(points) > FEW_SIDES:
-        painter.drawPolyline(QPolygonF([QPointF(*p) for p in zip(x.tolist(), y.tolist(), strict=True)]))
-        return
-    lines = [QLineF(x[i], y[i], x[i + 1], y[i + 1]) for i in np.flatnonzero(near).tolist()]
-    painter.drawLines(lines)
 
 
 def ruler_sizes(scene_font: QFont, size: tuple[int, int], unit: float) -> tuple[int, int]:

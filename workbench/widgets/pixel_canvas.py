@@ -6,6 +6,7 @@ do in device coordinates (pixel centres at integers, y upwards).
 
 import math
 
+import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import (
     QAccessible,
@@ -20,7 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from workbench.geometry.conventions import round_half_up
-from workbench.widgets.canvas_marks import GRAB
+from workbench.widgets.canvas_marks import GRAB, handle_places
 from workbench.widgets.canvas_overlay import Cell, Handle
 from workbench.widgets.canvas_surface import CanvasSurface
 
@@ -84,13 +85,14 @@ class PixelCanvas(CanvasSurface):
 
     def handle_at(self, position: QPointF) -> Handle | None:
         """The nearest handle whose grab area holds a position of the widget."""
-        nearest, least = None, GRAB / 2
-        for handle in self._overlay.handles:
-            place = self.widget_position(handle.x, handle.y)
-            distance = max(abs(place.x() - position.x()), abs(place.y() - position.y()))
-            if distance <= least:
-                nearest, least = handle, distance
-        return nearest
+        handles = self._overlay.handles
+        if not handles:
+            return None
+        away = np.abs(handle_places(handles) - self.device_position(position)).max(axis=1)
+        # Of handles on one place the one painted last.
+        nearest = len(handles) - 1 - int(away[::-1].argmin())
+        within = away[nearest] * self._view.cell <= GRAB / 2 * self.devicePixelRatioF()
+        return handles[nearest] if within else None
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Grab a handle, begin a gesture, or begin to pan."""
