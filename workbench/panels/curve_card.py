@@ -61,6 +61,7 @@ class CurveCard(ParameterCard):
         super().__init__(focus.session, parent)
         body = self._body.layout()
         assert body is not None
+        body.setSpacing(6)
         body.removeWidget(self.algorithm)
         body.addWidget(self.algorithm)
         self.algorithm.setToolTip(_("The line algorithm that draws the chords of the curve"))
@@ -94,6 +95,7 @@ class CurveCard(ParameterCard):
         self.beside = QToolButton()
         self.beside.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.beside.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.beside.setAccessibleName(_("Other kinds of curve over the same points"))
         self.beside.setToolTip(_("Other kinds of curve over the same points"))
         self.beside.setMenu(self._beside_menu())
         self.legend = self._words("")
@@ -106,8 +108,9 @@ class CurveCard(ParameterCard):
         row.addWidget(self.degree)
         row.addWidget(self.closed)
         row.addStretch(1)
+        row.addWidget(self.beside)
         kinds: list[QWidget] = [self.spline, first, self.rule, self.ends, *self.shape.values(), self.joint]
-        return [*kinds, self.beside, self.legend, self.count, self.fault]
+        return [*kinds, self.legend, self.count, self.fault]
 
     def _choice(self, name: str, choices: Sequence[tuple[str, str]]) -> QComboBox:
         box = QComboBox()
@@ -224,8 +227,7 @@ class CurveCard(ParameterCard):
             action.setChecked(name in model.beside)
             action.setVisible(name != model.spline)
         number = sum(name != model.spline for name in model.beside)
-        text = _("Beside it: {n} kinds").format(n=number) if number else _("Other kinds beside it")
-        self.beside.setText(text)
+        self.beside.setText(str(number) if number else "")
         set_icon(self.beside, "stack")
 
     def _show_curve(self, curve: Curve) -> None:
@@ -284,8 +286,8 @@ def countings(curve: Curve) -> str:
             found = counting(around, curve.degree)
         except ValueError:
             return ""
-        course = _("n + 1 = {points}, order d = {d}, n + d + 1 = {knots} knots")
-        usual = _("usually: {points} points, degree {degree}, {spans} pieces")
+        course = _("n + 1 = {points}, d = {d}, n + d + 1 = {knots} knots")
+        usual = _("{points} points, degree {degree}, {spans} pieces")
         return (
             course.format(points=found.points, d=found.d, knots=found.knots)
             + "<br>"

@@ -11,8 +11,10 @@ from workbench.language import _
 from workbench.panels.curve_basis import NOTHING, Basis, basis_of
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_insight import CurveInsight
+from workbench.panels.curve_joints import joint_point, joints
 from workbench.panels.curve_shape import device_pieces, parameter
 from workbench.widgets.basis_plot import BasisPlot
+from workbench.widgets.continuity_table import ContinuityTable, Joint
 from workbench.widgets.curvature_plot import CurvaturePlot
 from workbench.widgets.hodograph_plot import HodographPlot
 
@@ -35,12 +37,17 @@ class CurveDocks(QObject):
     knot_wanted = Signal(float)
     weight_dragged = Signal(int, float)
     weight_released = Signal()
+    smoothing_wanted = Signal(int, str)
 
     def __init__(self, focus: CurveFocus, parent: QWidget) -> None:
         super().__init__(parent)
         self.focus = focus
         self.basis, self.curvature, self.hodograph = BasisPlot(), CurvaturePlot(), HodographPlot()
-        self.insight = CurveInsight(focus)
+        self.insight, self.continuity = CurveInsight(focus), ContinuityTable()
+        self.continuity.joint_activated.connect(self._go_to_joint)
+        self.continuity.joint_selected.connect(self._hover_joint)
+        self.continuity.smoothing_wanted.connect(self.smoothing_wanted)
+        self._joints: list[Joint] = []
         self._basis: Basis = NOTHING
         self._made_for: tuple[object, ...] = ()
         for plot in (self.basis, self.curvature, self.hodograph):
@@ -58,10 +65,11 @@ class CurveDocks(QObject):
 
     def parts(self) -> list[DockPart]:
         """Name, title, widget and place of each dock."""
-        right, below = Qt.DockWidgetArea.RightDockWidgetArea, Qt.DockWidgetArea.BottomDockWidgetArea
+        right = Qt.DockWidgetArea.RightDockWidgetArea
         return [
-            ("basis", _("Basis functions"), self.basis, below),
+            ("basis", _("Basis functions"), self.basis, right),
             ("insight", _("Insight"), self.insight, right),
+            ("continuity", _("Continuity"), self.continuity, right),
             ("curvature", _("Curvature"), self.curvature, right),
             ("hodograph", _("Hodograph"), self.hodograph, right),
         ]
@@ -83,6 +91,8 @@ class CurveDocks(QObject):
             self._show_curvature(pieces, u)
         if self.hodograph.isVisible():
             self._show_hodograph(pieces, u)
+        if self.continuity.isVisible():
+            self._show_joints(curve)
         if self.insight.isVisible():
             self.insight.say(_measures(pieces, u))
 
@@ -120,6 +130,24 @@ class CurveDocks(QObject):
             us = _samples(pieces)
             self.hodograph.set_hodograph(us, curves.derivatives(pieces, us, 1)[1])
         self.hodograph.set_u(u)
+
+    def _show_joints(self, curve: Curve | None) -> None:
+        # Shown again only when they differ, so that what was said of the last command stays.
+        found = [] if curve is None else joints(self.focus.session.sheet, curve)
+        if found != self._joints:
+            self._joints = found
+            self.continuity.set_joints(found)
+
+    def _go_to_joint(self, number: int) -> None:
+        if 0 <= number < len(self._joints):
+            self._go_to(self._joints[number].u)
+
+    def _hover_joint(self, number: int) -> None:
+        curve = self.focus.curve
+        point = None
+        if curve is not None and 0 <= number < len(self._joints):
+            point = joint_point(curve, number)
+        self.focus.hover(-1 if point is None else point)
 
     def _go_to(self, u: float) -> None:
         curve = self.focus.curve
