@@ -54,6 +54,27 @@ def test_an_edit_reaches_the_tubes(panel: DisplayPanel, session: Session) -> Non
     assert not panel.vector.driver.beam.energy_per_frame().any()
 
 
+def test_a_tube_does_not_tell_what_is_asked_for(panel: DisplayPanel, session: Session, qtbot: QtBot) -> None:
+    session.open_example("line")
+    session.flush()
+    qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
+
+    def lit() -> bool:
+        tubes = (panel.raster, panel.vector)
+        return all(tube.driver is not None and tube.driver.beam.energy_per_frame().any() for tube in tubes)
+
+    qtbot.waitUntil(lit)
+    session.update_state(ask_first=True)
+    qtbot.waitUntil(lambda: not lit())
+    steps = session.run.steps
+    assert steps is not None
+    for number in range(1, len(steps) + 1):
+        assert not lit()
+        session.run.answer(*steps[number].chosen[0])
+        session.flush()
+    qtbot.waitUntil(lit)
+
+
 def test_controls_change_the_session_and_follow_it(panel: DisplayPanel, session: Session) -> None:
     controls = panel.controls
     controls.phosphor.setCurrentIndex(controls.phosphor.findData("P7"))

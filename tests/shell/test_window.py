@@ -1,6 +1,7 @@
 """Workspaces, docks, pages and keys of the window."""
 
 from collections.abc import Callable
+from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import QByteArray, Qt
@@ -294,3 +295,16 @@ def test_everything_pressed_has_words(window: MainWindow) -> None:
         assert box.toolTip()
     for label in window.findChildren(QLabel):
         assert "!" not in label.text()
+
+
+def test_home_does_not_step_a_run_that_is_not_seen(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    moved: list[str] = []
+    monkeypatch.setattr(window.session, "run", SimpleNamespace(forward=lambda: moved.append("forward")))
+    window.go("home")
+    window.run_do("forward")
+    assert not moved
+    window.go("draw")
+    window.run_do("forward")
+    assert moved == ["forward"]

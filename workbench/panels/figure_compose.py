@@ -5,7 +5,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure, Sheet
+from workbench.language import _
 from workbench.panels.figure_outline import handles, outline
 from workbench.panels.figure_picture import (
     Cells,
@@ -100,10 +102,16 @@ def compose(
     return Composition(
         shown,
         background,
-        replace(overlay, classes=first),
+        replace(overlay, classes=first, drawn=(_name(sheet, active.algorithm, "data 1"),)),
         comparison,
-        Overlay(ideal=overlay.ideal, classes=second),
+        Overlay(ideal=overlay.ideal, classes=second, drawn=(_name(sheet, compared, "data 2"),)),
     )
+
+
+def _name(sheet: Sheet, slug: str, ink: str) -> Word:
+    """Which algorithm one of two pictures is by, along its upper edge."""
+    title = _(catalogue.get(slug).title)
+    return Word(title, sheet.width_px / 2 - 0.5, sheet.height_px - 0.5, ink, 0, -1, carded=True, strong=True)
 
 
 def with_selection(overlay: Overlay, sheet: Sheet, selected: list[AnyFigure], held: str) -> Overlay:

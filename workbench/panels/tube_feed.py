@@ -6,8 +6,9 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer
 
 from workbench.display.setup import TubeSetup
-from workbench.document.model import Sheet
+from workbench.document.model import AnyFigure, Sheet
 from workbench.document.state import LONGEST_TIME_S, TubeSettings
+from workbench.panels.figure_picture import without
 from workbench.rendering import display_list, frame_buffer
 from workbench.session.session import Session
 from workbench.widgets.tube_view import TubeView
@@ -35,14 +36,15 @@ class TubeFeed(QObject):
     def __init__(self, session: Session, views: list[TubeView], parent: QObject) -> None:
         super().__init__(parent)
         self._session, self._views = session, views
-        self._fed: dict[TubeView, Sheet] = {}
+        self._fed: dict[TubeView, tuple[Sheet, AnyFigure | None]] = {}
         self._times = dict.fromkeys(views, 0.0)
         self._resting = QTimer(self)
         self._resting.setSingleShot(True)
         self._resting.setInterval(_SETTLE_MS)
         self._resting.timeout.connect(self.feed)
         session.changed.connect(self._changed)
-        session.state_changed.connect(self.feed)
+        for told in (session.state_changed, session.run.asked):
+            told.connect(self.feed)
         session.storing.connect(self._keep_time)
         for view in views:
             view.shown.connect(self.feed)
@@ -62,9 +64,15 @@ class TubeFeed(QObject):
                     self._times[view] = time_s
             self._session.update_state(tube=replace(self._session.state.tube, time_s=time_s))
 
+    @property
+    def _asked(self) -> AnyFigure | None:
+        """The figure whose next pixel is asked for: until its run is at its end the tube does not tell."""
+        session = self._session
+        return session.active_figure if session.run.ask_first and not session.run.ended else None
+
     def feed(self) -> None:
         """Bring every visible view up to date."""
-        sheet, settings = self._session.sheet, self._session.state.tube
+        sheet, settings, asked = self._session.sheet, self._session.state.tube, self._asked
         setup = setup_of(settings)
         for view in self._views:
             if not view.isVisible():
@@ -75,11 +83,13 @@ class TubeFeed(QObject):
                 view.set_seconds(Fraction(settings.time_s))
             view.set_slow_motion(settings.slow_motion)
             view.set_paused(settings.paused)
-            if self._fed.get(view) is sheet:
+            fed = self._fed.get(view)
+            if fed is not None and fed[0] is sheet and fed[1] is asked:
                 continue
-            self._fed[view] = sheet
+            self._fed[view] = sheet, asked
+            shown = sheet if asked is None else without(sheet, asked)
             if view.kind == "raster":
-                view.set_image(frame_buffer(sheet))
+                view.set_image(frame_buffer(shown))
             else:
-                strokes = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(sheet)]
+                strokes = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(shown)]
                 view.set_strokes(strokes, (sheet.width_px, sheet.height_px))

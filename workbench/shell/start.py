@@ -90,7 +90,6 @@ class Building(QObject):
         yield
         window.attach(session)
         yield
-        yield from window.build()
         if self._path is not None:
             window.files.open_path(self._path)
             yield
@@ -105,6 +104,7 @@ class Building(QObject):
         if window.place == "draw":
             window.show_hints()
         yield from window.prepare("draw")
+        yield from window.build()
 
 
 def make_window(settings: Settings | None = None, offered: Sequence[Workspace] | None = None) -> MainWindow:

@@ -219,7 +219,7 @@ def _ellipse(window: MainWindow) -> None:
     session = window.session
     ellipse = next(figure.id for figure in session.sheet.figures if figure.algorithm == "midpoint_ellipse")
     session.update_state(active=ellipse, selection=(ellipse,), step=_REGION_2)
-    _raise(window, ".hand_table")
+    _raise(window, "hand_table")
 
 
 def _drift(window: MainWindow) -> None:
@@ -236,7 +236,7 @@ def _drift(window: MainWindow) -> None:
     window.go("draw")
     session.update_state(active="f1", selection=("f1",), compare="dda_line")
     window.panels("draw")[0].card.side_by_side.setChecked(False)
-    _raise(window, ".distance")
+    _raise(window, "distance")
 
 
 def _beam(window: MainWindow) -> None:
@@ -269,9 +269,7 @@ def _inside(window: MainWindow) -> None:
 
 def _depth(window: MainWindow) -> None:
     _fill(window, "missed", 100)
-    for dock in window.arrangements.docks("fill"):
-        if dock.objectName() == "depth":
-            dock.raise_()
+    _raise(window, "depth")
 
 
 def _why(window: MainWindow) -> None:

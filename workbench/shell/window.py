@@ -331,7 +331,8 @@ class MainWindow(QMainWindow):
 
     def run_do(self, name: str) -> None:
         """Move the cursor of the run: first, back, forward, last."""
-        getattr(self.session.run, name)()
+        if self.place in self._offered:
+            getattr(self.session.run, name)()
 
     def toggle_detail(self) -> None:
         """Change between rows and lines."""
