@@ -1,0 +1,135 @@
+"""Tensor product surfaces in Bézier patches, which every Bézier and B-spline surface becomes.
+
+A control net is (rows, columns, 3): u goes down the rows, v along the columns.
+Source: Hearn and Baker, Computer Graphics, C Version, sections 10-8 and 10-11; The NURBS Book, chapter 4.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from workbench.algorithms.curves.bernstein import bernstein
+from workbench.algorithms.curves.blossom import b_spline_to_bezier
+from workbench.algorithms.curves.conditions import faults, refuse
+from workbench.algorithms.curves.rational import homogeneous
+
+Array = NDArray[np.float64]
+
+
+class Patches(NamedTuple):
+    """A grid of Bézier patches in homogeneous points.
+
+    ``u_knots`` (m+1,), ``v_knots`` (n+1,): patch (i, j) lies from knot i to i + 1 and from knot j to j + 1.
+    ``nets`` (m, n, p+1, q+1, 4): its control points (w x, w y, w z, w); plain surfaces have the weight 1.
+    """
+
+    u_knots: Array
+    v_knots: Array
+    nets: Array
+
+
+def bezier_patch(net: ArrayLike, weights: ArrayLike | None = None) -> Patches:
+    """The one patch over a control net (p+1, q+1, 3), u and v from 0 to 1; ``weights`` (p+1, q+1) above 0.
+
+    Raises: ValueError for a net or weights of another shape, or numbers that are not finite.
+    """
+    whole = _lifted(net, weights)
+    return Patches(np.array([0.0, 1.0]), np.array([0.0, 1.0]), whole[None, None])
+
+
+def b_spline_patch(
+    net: ArrayLike,
+    u_knots: ArrayLike,
+    v_knots: ArrayLike,
+    degrees: tuple[int, int] = (3, 3),
+    weights: ArrayLike | None = None,
+) -> Patches:
+    """The patches of a B-spline surface over a control net (a, b, 3), one for each pair of full knot spans.
+
+    Args: a + p + 1 and b + q + 1 knots for ``degrees`` (p, q); ``weights`` (a, b) above 0 make it a NURBS.
+    Raises: ValueError for what does not fit together.
+    """
+    whole = _lifted(net, weights)
+    p, q = degrees
+    along_u = b_spline_to_bezier(whole.reshape(len(whole), -1), u_knots, p)
+    m = len(along_u.controls)
+    columns = np.moveaxis(along_u.controls.reshape(m, p + 1, -1, 4), 2, 0)
+    along_v = b_spline_to_bezier(columns.reshape(len(columns), -1), v_knots, q)
+    nets = along_v.controls.reshape(-1, q + 1, m, p + 1, 4)
+    return Patches(along_u.knots, along_v.knots, np.ascontiguousarray(nets.transpose(2, 0, 3, 1, 4)))
+
+
+def patch_points(patches: Patches, u: ArrayLike, v: ArrayLike) -> Array:
+    """The points (..., 3) of the surface at each u and v, which are broadcast together."""
+    whole = _evaluated(patches, u, v, 0, 0)
+    found: Array = whole[..., :3] / whole[..., 3:]
+    return found
+
+
+def patch_normals(patches: Patches, u: ArrayLike, v: ArrayLike) -> Array:
+    """Unit normals (..., 3): the derivative by u times (cross) that by v.
+
+    Where there is none, as at the poles of a sphere, that of a place nearby, towards the middle of the patch;
+    0 where there is none there either.
+    """
+    us, vs = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
+    found = _crosses(patches, us, vs)
+    corners = patches.nets[..., :3] / patches.nets[..., 3:]
+    extent = float(np.ptp(corners.reshape(-1, 3), axis=0).max())
+    usual = extent**2 / float(np.ptp(patches.u_knots) * np.ptp(patches.v_knots))
+    for share in (1e-6, 1e-3):
+        size = np.sqrt((found * found).sum(axis=-1))
+        none = size <= 1e-9 * usual
+        if not none.any():
+            break
+        nearer = [
+            at + share * (0.5 * (knots[0] + knots[-1]) - at)
+            for at, knots in ((us, patches.u_knots), (vs, patches.v_knots))
+        ]
+        found = np.where(none[..., None], _crosses(patches, *nearer), found)
+    size = np.sqrt((found * found).sum(axis=-1, keepdims=True))
+    unit: Array = np.divide(found, size, out=np.zeros_like(found), where=size > 0)
+    return unit
+
+
+def _crosses(patches: Patches, u: Array, v: Array) -> Array:
+    whole = _evaluated(patches, u, v, 0, 0)
+    points, weight = whole[..., :3] / whole[..., 3:], whole[..., 3:]
+    along_u, along_v = _evaluated(patches, u, v, 1, 0), _evaluated(patches, u, v, 0, 1)
+    by_u = (along_u[..., :3] - points * along_u[..., 3:]) / weight
+    by_v = (along_v[..., :3] - points * along_v[..., 3:]) / weight
+    return np.cross(by_u, by_v)
+
+
+def _evaluated(patches: Patches, u: ArrayLike, v: ArrayLike, by_u: int, by_v: int) -> Array:
+    """Homogeneous points (..., 4), or their derivative once by u or by v."""
+    us, vs = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
+    i, s, width = _places(patches.u_knots, us)
+    j, t, height = _places(patches.v_knots, vs)
+    nets = patches.nets
+    if by_u:
+        nets = np.diff(nets, axis=2) * (nets.shape[2] - 1)
+    if by_v:
+        nets = np.diff(nets, axis=3) * (nets.shape[3] - 1)
+    rows, columns = bernstein(nets.shape[2] - 1, s), bernstein(nets.shape[3] - 1, t)
+    found: Array = np.einsum("...a,...b,...abk->...k", rows, columns, nets[i, j])
+    return found / (width**by_u * height**by_v)[..., None]
+
+
+def _places(knots: Array, where: Array) -> tuple[NDArray[np.int64], Array, Array]:
+    """The patch of each parameter, the parameter within it from 0 to 1, and how long the patch is."""
+    number = np.clip(np.searchsorted(knots, where, side="right") - 1, 0, len(knots) - 2)
+    length = knots[number + 1] - knots[number]
+    return number, (where - knots[number]) / length, length
+
+
+def _lifted(net: ArrayLike, weights: ArrayLike | None) -> Array:
+    """The control net (a, b, 4) in homogeneous points."""
+    points = np.asarray(net, float)
+    if points.ndim != 3 or points.shape[-1] != 3 or min(points.shape[:2]) < 2:
+        raise ValueError("A control net has 2 rows or more of 2 points or more; give each x, y and z.")
+    flat = points.reshape(-1, 3)
+    refuse(faults(flat))
+    pulls = np.ones(len(flat)) if weights is None else np.asarray(weights, float).reshape(-1)
+    return homogeneous(flat, pulls).reshape(*points.shape[:2], 4)
