@@ -1,7 +1,6 @@
 """What the canvas shows of curves: the smooth curve, its polygon, other kinds, constructions, influence."""
 
 from collections.abc import Sequence
-from functools import lru_cache
 
 import numpy as np
 from msgspec.structs import replace
@@ -26,6 +25,8 @@ Array = NDArray[np.float64]
 CURVE_INK = "accent"
 MOST_NAMED = 24
 MOST_HANDLES = 60
+# Of more corners neither halo nor dashes can be told apart, and both take time.
+MANY = 400
 _LEVELS = ("data 2", "data 3", "data 4", "data 5", "data 6", "data 1")
 
 
@@ -53,7 +54,7 @@ def beside(sheet: Sheet, curve: Curve) -> list[Drawn]:
 def curve_line(sheet: Sheet, curve: Curve) -> list[Drawn]:
     """The curve itself."""
     line = smooth_line(sheet, curve)
-    return [Stroke(line, CURVE_INK, 2.25, haloed=True)] if len(line) else []
+    return [Stroke(line, CURVE_INK, 2.25, haloed=len(line) < MANY)] if len(line) else []
 
 
 def control_polygon(sheet: Sheet, curve: Curve, numbers: Sequence[int] = ()) -> list[Drawn]:
@@ -72,7 +73,7 @@ def control_polygon(sheet: Sheet, curve: Curve, numbers: Sequence[int] = ()) -> 
         return drawn
     if len(points) > 1:
         legs = np.vstack([points, points[:1]]) if curve.closed else points
-        drawn.append(Stroke(legs, "muted", 1.0, "dash"))
+        drawn.append(Stroke(legs, "muted", 1.0, "dash" if len(legs) < MANY else "solid"))
     for k, end in tangent_ends(sheet, curve).items():
         drawn.append(Stroke(np.array([points[k], end]), "data 5", 1.25))
     return drawn
@@ -205,7 +206,6 @@ def point_at(sheet: Sheet, curve: Curve, share: float) -> tuple[float, float] | 
 # What a point moves
 
 
-@lru_cache(maxsize=8)
 def influence(curve: Curve, numbers: tuple[int, ...]) -> Array:
     """How far each piece (m,) of a curve follows these points, as a share of their way: 0 not at all.
 

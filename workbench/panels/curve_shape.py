@@ -72,6 +72,8 @@ def has_tangent(curve: Curve, index: int) -> bool:
 
 def tangent_ends(sheet: Sheet, curve: Curve) -> dict[int, tuple[float, float]]:
     """For each point with a tangent the end of its handle, device coordinates."""
+    if curve.spline not in WITH_TANGENTS:
+        return {}
     scale = device_map(sheet)
     return {
         k: scale.point(p.x + TANGENT_SHARE * p.tangent_x, p.y + TANGENT_SHARE * p.tangent_y)

@@ -3,7 +3,9 @@
 import time
 from dataclasses import replace
 
-from workbench.document.model import Curve
+import numpy as np
+
+from workbench.document.model import Curve, CurvePoint
 from workbench.panels.curve_card import CurveCard
 from workbench.panels.curve_docks import CurveDocks
 from workbench.panels.curve_focus import CurveFocus
@@ -19,7 +21,7 @@ from workbench.panels.curve_scene import (
     others,
     region,
 )
-from workbench.panels.curve_shape import device_points, tangent_ends
+from workbench.panels.curve_shape import Array, device_points, tangent_ends
 from workbench.panels.curve_tools import CurveSelectTool
 from workbench.panels.figure_compose import Composition, with_asked, with_band
 from workbench.panels.figure_gesture import HandleDrag, Tool
@@ -27,8 +29,9 @@ from workbench.panels.figure_outline import outline
 from workbench.panels.figure_picture import packed, pale_picture, picture
 from workbench.panels.figure_tools import FigureTool
 from workbench.panels.figure_view import FigureView
+from workbench.rendering import device_map
 from workbench.widgets.canvas_drawing import Drawn, Spot
-from workbench.widgets.canvas_overlay import Handle, Overlay
+from workbench.widgets.canvas_overlay import GripShape, Handle, Overlay
 from workbench.widgets.pixel_canvas import PixelCanvas
 from workbench.widgets.tokens import LIGHT, tokens
 
@@ -54,6 +57,8 @@ class CurveView(FigureView):
         self.focus = focus
         self.docks = docks
         self._pixels_ms = 0.0
+        self._influence: tuple[tuple[object, ...], Array] = ((), np.zeros(0))
+        self._kept: tuple[tuple[object, ...], list[CurvePoint], list[Handle]] = ((), [], [])
 
     def refresh(self, tool: Tool, drag: HandleDrag) -> None:
         """Everything anew, from the session alone."""
@@ -122,7 +127,14 @@ class CurveView(FigureView):
         if self.focus.moving:
             moving = frozenset(self.focus.moving)
             numbers = tuple(k for k, point in enumerate(curve.points_world) if point.id in moving)
-        return region(self.session.sheet, curve, influence(curve, numbers)) if numbers else []
+        if not numbers:
+            self._influence = (), np.zeros(0)
+            return []
+        # What follows a point hardly changes while it is dragged, and asking for it takes two curves more.
+        key = (curve.id, curve.spline, len(curve.points_world), numbers)
+        if self._influence[0] != key or not self.focus.moving:
+            self._influence = key, influence(curve, numbers)
+        return region(self.session.sheet, curve, self._influence[1])
 
     def _grips(self, tool: Tool, alone: bool) -> list[Handle]:
         """The points, handles and tangents that can be dragged; of other figures their outline is enough."""
@@ -130,16 +142,38 @@ class CurveView(FigureView):
         if curve is None or not alone:
             return []
         sheet, place = self.session.sheet, f"{self.session.sheet.id}/{curve.id}"
-        points = device_points(sheet, curve)
-        shown = handles_shown(curve, self.focus.numbers(curve))
-        grips = [
-            Handle(f"{place}/{point.id}/x", "", x, y, point.id in self.focus.points)
-            for point, (x, y), seen in zip(curve.points_world, points.tolist(), shown.tolist(), strict=True)
-            if seen
-        ]
+        shown = np.flatnonzero(handles_shown(curve, self.focus.numbers(curve))).tolist()
+        points = [curve.points_world[k] for k in shown]
+        scale = device_map(sheet)
+        path = curve.spline == "bezier_path"
+
+        def grip(k: int, point: CurvePoint) -> Handle:
+            shape: GripShape = (
+                "round" if path and k % 3 else "square" if point.joint == "corner" else "diamond"
+            )
+            x, y = scale.point(point.x, point.y)
+            chosen = point.id in self.focus.points
+            return Handle(f"{place}/{point.id}/x", "", x, y, chosen, shape if path else "round")
+
+        # Of a thousand points one is dragged: the grips of those that stay are kept.
+        key = (place, tuple(shown) if path else len(points), self.focus.points, scale, curve.spline)
+        kept, before, made = self._kept
+        if kept == key:
+            grips = [
+                old if was is now else grip(k, now)
+                for k, was, now, old in zip(shown, before, points, made, strict=True)
+            ]
+        else:
+            grips = [grip(k, point) for k, point in zip(shown, points, strict=True)]
+        self._kept = key, points, grips
+        grips = list(grips)
         for k, (x, y) in tangent_ends(sheet, curve).items():
             grips.append(Handle(f"{place}/{curve.points_world[k].id}/tangent_x", "", x, y))
         return grips
+
+    def describe(self, x: int, y: int) -> str:
+        """A cell, and what painted it; while something is dragged only the cell, since that is quick."""
+        return f"({x}, {y})" if self.focus.moving else super().describe(x, y)
 
     def on_paper(self, number: int | None = None) -> Composition:
         """What is shown, in the light theme and without handles."""
