@@ -10,7 +10,16 @@ from PySide6.QtWidgets import QWidget
 from workbench.exchange.tables import typeset
 from workbench.language import _
 from workbench.widgets.canvas_drawing import PATTERNS, ink_of
-from workbench.widgets.parameter_plot import LEFT_PX, ROW_PX, Array, ParameterPlot, number_text, same, ticks
+from workbench.widgets.parameter_plot import (
+    LEFT_PX,
+    ROW_PX,
+    Array,
+    ParameterPlot,
+    number_text,
+    same,
+    tick_text,
+    ticks,
+)
 from workbench.widgets.polygons import polygon
 from workbench.widgets.tokens import colour, tokens
 
@@ -50,14 +59,7 @@ class BasisCurves(ParameterPlot):
             return
         self._us, self._values = us, values
         self._names, self._inks = shown
-        there = values != 0
-        first = there.argmax(axis=0)
-        last = len(us) - there[::-1].argmax(axis=0)
-        some = there.any(axis=0)
-        self._reach = [
-            (max(a - 1, 0), min(b + 1, len(us))) if any_ else (0, 0)
-            for a, b, any_ in zip(first.tolist(), last.tolist(), some.tolist(), strict=True)
-        ]
+        self._reach = [_extent(column) for column in values.T]
         low, high = (float(values.min()), float(values.max())) if values.size else (0.0, 1.0)
         self._heights = min(0.0, low), max(1.0, high)
         self._lit = self._lit if self._lit < len(names) else -1
@@ -155,7 +157,7 @@ class BasisCurves(ParameterPlot):
             painter.setPen(colour(now.muted))
             box = QRectF(0, y - ROW_PX / 2, LEFT_PX - 6, ROW_PX)
             painter.drawText(
-                box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, number_text(level)
+                box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, tick_text(level)
             )
         for number in range(len(self._names)):
             self._line(painter, number, 1.5)
@@ -192,6 +194,19 @@ class BasisCurves(ParameterPlot):
                 QPointF(x, self._y(float(values[number]))), *((5, 5) if strong else (3.5, 3.5))
             )
         painter.setBrush(Qt.BrushStyle.NoBrush)
+        if self._lit >= 0:
+            self._paint_value(painter, x, float(values[self._lit]))
+
+    def _paint_value(self, painter: QPainter, x: float, value: float) -> None:
+        """The value of the function lit up, on the side of u where there is room."""
+        text, now, area = number_text(value), tokens(), self.area
+        wide = painter.fontMetrics().horizontalAdvance(text) + 6
+        left = x + 8 if x + 8 + wide <= area.right() else x - 8 - wide
+        top = min(max(self._y(value) - ROW_PX / 2, area.top()), area.bottom() - ROW_PX)
+        box = QRectF(left, top, wide, ROW_PX)
+        painter.fillRect(box, colour(now.surface, 220))
+        painter.setPen(colour(now.text))
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
     def function_at(self, place: QPointF) -> int:
         """The function whose line is near a place of the widget; -1 if none is."""
@@ -229,3 +244,9 @@ class BasisCurves(ParameterPlot):
             self._point_at(-1)
         else:
             super().keyPressEvent(event)
+
+
+def _extent(values: Array) -> tuple[int, int]:
+    """From where to where a function is not 0, with the 0 on either side."""
+    there = np.flatnonzero(values)
+    return (max(int(there[0]) - 1, 0), min(int(there[-1]) + 2, len(values))) if len(there) else (0, 0)

@@ -13,7 +13,7 @@ from workbench.algorithms.curves import Continuity
 from workbench.exchange.tables import typeset
 from workbench.language import _
 from workbench.widgets.parameter_plot import number_text
-from workbench.widgets.table_columns import FittedColumns
+from workbench.widgets.table_columns import FittedColumns, WholeRows
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import code_font
 
@@ -23,11 +23,18 @@ SMOOTHINGS = ("G1", "C1", "G2", "C2")
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """Where two pieces meet: the name of the point there ("P_{3}"), its parameter, what was measured."""
+    """Where two pieces meet: the name of the point there ("P_{3}", or "" for none), its parameter, what was
+    measured.
+    """
 
     name: str
     u: float
     continuity: Continuity
+
+    @property
+    def text(self) -> str:
+        """The joint as it is called in the table."""
+        return typeset(self.name) if self.name else f"u = {number_text(self.u, 4)}"
 
 
 def holds(found: Continuity, kind: str) -> bool:
@@ -52,7 +59,7 @@ class _Column:
 
 def _columns() -> tuple[_Column, ...]:
     return (
-        _Column(("C0", "G0"), "C0 = G0", _("how far the ends lie apart"), "px"),
+        _Column(("C0", "G0"), "C0 G0", _("how far the ends lie apart"), "px"),
         _Column(("C1",), "C1", _("by how much the first derivatives differ"), "px/u"),
         _Column(("C2",), "C2", _("by how much the second derivatives differ"), "px/u²"),
         _Column(("G1",), "G1", _("the angle between the tangents"), "°"),
@@ -85,8 +92,8 @@ class ContinuityModel(QAbstractTableModel):
         return 0 if parent.isValid() else len(self.joints)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """The joint, its u, and what is measured."""
-        return 0 if parent.isValid() else 2 + len(self.columns)
+        """The joint, and what is measured."""
+        return 0 if parent.isValid() else 1 + len(self.columns)
 
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
@@ -96,9 +103,9 @@ class ContinuityModel(QAbstractTableModel):
             return None
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        if section < 2:
-            return (_("joint"), "u")[section] if role == Qt.ItemDataRole.DisplayRole else None
-        column = self.columns[section - 2]
+        if not section:
+            return _("joint") if role == Qt.ItemDataRole.DisplayRole else None
+        column = self.columns[section - 1]
         if role == Qt.ItemDataRole.DisplayRole:
             return column.heading
         if role == Qt.ItemDataRole.ToolTipRole:
@@ -112,11 +119,13 @@ class ContinuityModel(QAbstractTableModel):
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.FontRole:
             return code_font(12)
-        if index.column() < 2:
+        if not index.column():
             if role == Qt.ItemDataRole.DisplayRole:
-                return (typeset(joint.name), number_text(joint.u))[index.column()]
+                return joint.text
+            if role == Qt.ItemDataRole.ToolTipRole:
+                return _("{joint}, at u = {u}").format(joint=joint.text, u=number_text(joint.u, 6))
             return None
-        column = self.columns[index.column() - 2]
+        column = self.columns[index.column() - 1]
         kind = column.kinds[0]
         kept = holds(joint.continuity, kind)
         left = residual(joint.continuity, kind)
@@ -131,7 +140,7 @@ class ContinuityModel(QAbstractTableModel):
             number = (
                 _("it does not exist here") if math.isnan(left) else f"{number_text(left, 6)} {column.unit}"
             )
-            return f"{said.format(joint=typeset(joint.name), kind=name)}; {column.meaning}: {number}"
+            return f"{said.format(joint=joint.text, kind=name)}; {column.meaning}: {number}"
         return None
 
 
@@ -159,6 +168,7 @@ class ContinuityTable(QWidget):
         self.view.verticalHeader().hide()
         self.view.verticalHeader().setDefaultSectionSize(22)
         self.view.horizontalHeader().setFont(code_font(12))
+        self.view.setItemDelegate(WholeRows(self.view))
         FittedColumns(self.view)
         self.words = QLabel(_("A curve of several pieces shows its joints here."))
         self.words.setProperty("role", "caption")
@@ -166,8 +176,11 @@ class ContinuityTable(QWidget):
         self.words.setContentsMargins(8, 6, 8, 6)
         self.buttons = {kind: self._button(kind) for kind in SMOOTHINGS}
         row = QHBoxLayout()
-        row.setContentsMargins(6, 2, 6, 6)
+        row.setContentsMargins(8, 2, 6, 6)
         row.setSpacing(4)
+        lead = QLabel(_("Make it"))
+        lead.setProperty("role", "caption")
+        row.addWidget(lead)
         for button in self.buttons.values():
             row.addWidget(button, 1)
         column = QVBoxLayout(self)
@@ -184,9 +197,9 @@ class ContinuityTable(QWidget):
         self.say("")
 
     def _button(self, kind: str) -> QPushButton:
-        button = QPushButton(_("Make it {kind}").format(kind=kind))
+        button = QPushButton(kind)
         button.setToolTip(_("Move as few points as needed so that the joint is {kind}").format(kind=kind))
-        button.setAccessibleName(button.text())
+        button.setAccessibleName(_("Make it {kind}").format(kind=kind))
         button.clicked.connect(lambda: self.smoothing_wanted.emit(self.selected, kind))
         return button
 

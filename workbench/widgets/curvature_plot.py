@@ -16,6 +16,7 @@ from workbench.widgets.parameter_plot import (
     ParameterPlot,
     number_text,
     same,
+    tick_text,
     ticks,
 )
 from workbench.widgets.polygons import unbroken
@@ -115,10 +116,10 @@ class CurvaturePlot(ParameterPlot):
             painter.setPen(QPen(colour(now.muted if level == 0 else now.grid), 1))
             painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
             painter.setPen(colour(now.muted))
-            painter.drawText(QRectF(0, y - ROW_PX / 2, LEFT_PX - 5, ROW_PX), flags, number_text(level, 2))
+            painter.drawText(QRectF(0, y - ROW_PX / 2, LEFT_PX - 5, ROW_PX), flags, tick_text(level))
         for u in self.tick_values():
             box = QRectF(self.x_of(u) - 30, area.bottom() + 1, 60, ROW_PX)
-            painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, number_text(u))
+            painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, tick_text(u))
         painter.setPen(QPen(colour(now.field_edge), 1, Qt.PenStyle.DashLine))
         for u in self._joints:
             painter.drawLine(QPointF(self.x_of(u), area.top()), QPointF(self.x_of(u), area.bottom()))

@@ -8,7 +8,7 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from workbench.language import _, ngettext
-from workbench.widgets.parameter_plot import ROW_PX, ParameterPlot, number_text
+from workbench.widgets.parameter_plot import RIGHT_PX, ROW_PX, ParameterPlot, number_text, tick_text
 from workbench.widgets.tokens import colour, tokens
 
 Knots = Sequence[tuple[str, float]]
@@ -39,7 +39,7 @@ class KnotBar(ParameterPlot):
         self._moved = False
         self._press = QPointF()
         super().__init__(_("Knots"), parent)
-        self.setMinimumSize(160, 46)
+        self.setMinimumSize(160, 60)
         self._say_tip()
 
     def set_knots(self, knots: Knots, movable: bool = True) -> None:
@@ -48,11 +48,12 @@ class KnotBar(ParameterPlot):
         if (shown, movable) == (self._knots, self._movable):
             return
         chosen = self.selected
+        # Knots that get their ids only now, because they were dragged, keep their places.
+        otherwise = self._selected if len(shown) == len(self._knots) else -1
         self._knots, self._movable = shown, movable
-        self._selected = next((k for k, (name, _u) in enumerate(shown) if name == chosen), -1)
+        self._selected = next((k for k, (name, _u) in enumerate(shown) if name == chosen), otherwise)
         self._held = self._held if self._held < len(shown) else -1
         self._say_tip()
-        self.updateGeometry()
         self.show_anew()
 
     def _say_tip(self) -> None:
@@ -112,8 +113,8 @@ class KnotBar(ParameterPlot):
         )
 
     def sizeHint(self) -> QSize:
-        """A strip; higher where knots are stacked."""
-        return QSize(420, max(46, round(2 * ROW_PX + _STACK_PX * self._highest())))
+        """A strip as high as four knots on one place, and what is said of them."""
+        return QSize(420, 3 * ROW_PX + 4 * _STACK_PX)
 
     def _highest(self) -> int:
         return max((level + 1 for level in self._levels()), default=1)
@@ -127,8 +128,8 @@ class KnotBar(ParameterPlot):
 
     @property
     def area(self) -> QRectF:
-        """Room for numbers below."""
-        return super().area.adjusted(0, -2, 0, -ROW_PX + 4)
+        """Room for words above and numbers below."""
+        return super().area.adjusted(0, ROW_PX - 2, 0, -ROW_PX + 4)
 
     def places(self) -> list[QPointF]:
         """Where each knot is painted."""
@@ -148,7 +149,7 @@ class KnotBar(ParameterPlot):
         painter.drawLine(QPointF(area.left(), base), QPointF(area.right(), base))
         for u in self.tick_values():
             box = QRectF(self.x_of(u) - 30, base + 1, 60, ROW_PX)
-            painter.drawText(box, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop, number_text(u))
+            painter.drawText(box, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop, tick_text(u))
         for place in self.places():
             self._paint_knot(painter, place, False)
 
@@ -167,6 +168,9 @@ class KnotBar(ParameterPlot):
     def paint_marks(self, painter: QPainter) -> None:
         """u, and the knot selected."""
         super().paint_marks(painter)
+        painter.setPen(colour(tokens().muted))
+        box = QRectF(6, 0, self.width() - 6 - RIGHT_PX, ROW_PX)
+        painter.drawText(box, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, self.reading)
         if 0 <= self._selected < len(self._knots):
             self._paint_knot(painter, self.places()[self._selected], True)
 
@@ -264,7 +268,8 @@ class KnotBar(ParameterPlot):
         far = (high - low) / _NUDGES * (10 if ten else 1)
         self._held = self._selected
         self._take_end(forward)
-        held, name = self._held, self._knots[self._held][0]
+        held = self._held
         self._move(self._knots[held][1] + (far if forward else -far))
         self._held = -1
-        self.knot_released.emit(name)
+        if held < len(self._knots):
+            self.knot_released.emit(self._knots[held][0])

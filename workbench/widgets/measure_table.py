@@ -4,21 +4,41 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from PySide6.QtCore import QAbstractTableModel, QMimeData, QModelIndex, QPersistentModelIndex, Qt, Signal
-from PySide6.QtGui import QAction, QFont, QGuiApplication, QKeySequence, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QMimeData,
+    QModelIndex,
+    QPersistentModelIndex,
+    QPointF,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import (
+    QAction,
+    QFont,
+    QGuiApplication,
+    QKeySequence,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPixmap,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
 from workbench.exchange.tables import Table, to_html, to_tsv
 from workbench.language import _, ngettext
-from workbench.widgets.canvas_drawing import ink_of
+from workbench.widgets.canvas_drawing import PATTERNS, Pattern, ink_of
 from workbench.widgets.empty_state import EmptyState
 from workbench.widgets.parameter_plot import number_text
-from workbench.widgets.table_columns import FittedColumns
+from workbench.widgets.table_columns import DECORATION_PX, FittedColumns, WholeRows
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import code_font
 
 Index = QModelIndex | QPersistentModelIndex
 Value = float | bool | str | None
+_PADDING_PX = 20
+_SAMPLE_PX = 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,14 +53,14 @@ class Measure:
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """One kind of curve: its name, the ink it is drawn in ("" when it is not), a value for each measure.
-
-    A truth is shown as a sign, None as a dash.
+    """One kind of curve: its name, the ink and the pattern of its line on the canvas (ink "" when it is not
+    there), a value for each measure. A truth is shown as a sign, None as a dash.
     """
 
     name: str
     ink: str
     values: tuple[Value, ...]
+    pattern: Pattern = "solid"
 
 
 def value_text(value: Value) -> str:
@@ -50,6 +70,21 @@ def value_text(value: Value) -> str:
     if isinstance(value, bool):
         return f"\N{CHECK MARK} {_('yes')}" if value else f"\N{MULTIPLICATION SIGN} {_('no')}"
     return value if isinstance(value, str) else number_text(value)
+
+
+def _line_sample(kind: Measured) -> QPixmap:
+    """The line that stands for a kind on the canvas."""
+    ratio = 2.0
+    sample = QPixmap(round(_SAMPLE_PX * ratio), round(_SAMPLE_PX * ratio))
+    sample.setDevicePixelRatio(ratio)
+    sample.fill(Qt.GlobalColor.transparent)
+    if kind.ink:
+        painter = QPainter(sample)
+        pen = QPen(colour(ink_of(tokens(), kind.ink)), 2, PATTERNS[kind.pattern], Qt.PenCapStyle.FlatCap)
+        painter.setPen(pen)
+        painter.drawLine(QPointF(0, _SAMPLE_PX / 2), QPointF(_SAMPLE_PX, _SAMPLE_PX / 2))
+        painter.end()
+    return sample
 
 
 class MeasureModel(QAbstractTableModel):
@@ -94,6 +129,10 @@ class MeasureModel(QAbstractTableModel):
         """A column of names, and one for each measure, or kind."""
         return 0 if parent.isValid() else 1 + len(self.kinds if self.upright else self.measures)
 
+    def headings(self) -> list[str]:
+        """What is measured, with units."""
+        return [self._measure_text(number) for number in range(len(self.measures))]
+
     def _measure_text(self, number: int) -> str:
         measure = self.measures[number]
         return f"{measure.name} ({measure.unit})" if measure.unit else measure.name
@@ -120,8 +159,8 @@ class MeasureModel(QAbstractTableModel):
         kind = self.kinds[number]
         if role == Qt.ItemDataRole.DisplayRole:
             return kind.name
-        if role == Qt.ItemDataRole.ForegroundRole:
-            return colour(ink_of(tokens(), kind.ink)) if kind.ink else colour(tokens().muted)
+        if role == Qt.ItemDataRole.DecorationRole:
+            return _line_sample(kind)
         return None
 
     def best(self, measure: int) -> set[int]:
@@ -182,6 +221,7 @@ class MeasureTable(QWidget):
         self.view.setMouseTracking(True)
         self.view.verticalHeader().hide()
         self.view.verticalHeader().setDefaultSectionSize(22)
+        self.view.setItemDelegate(WholeRows(self.view))
         FittedColumns(self.view)
         self.copy_action = QAction(_("Copy table"), self)
         self.copy_action.setToolTip(_("Copy the comparison; it pastes as a table"))
@@ -200,7 +240,12 @@ class MeasureTable(QWidget):
         self.view.entered.connect(self._point)
         self.view.selectionModel().currentChanged.connect(self._point)
         self.view.activated.connect(lambda index: self.kind_activated.emit(self._kind_of(index)))
-        theme.changed.connect(self.view.viewport().update)
+        theme.changed.connect(self._restyle)
+
+    def _restyle(self) -> None:
+        self.view.viewport().update()
+        self.view.horizontalHeader().viewport().update()
+        self.update()
 
     def set_rows(self, measures: Sequence[Measure], kinds: Sequence[Measured]) -> None:
         """Show these kinds, each with a value for every measure."""
@@ -217,8 +262,17 @@ class MeasureTable(QWidget):
         self.kind_pointed.emit(self._kind_of(index))
 
     def _turn(self) -> None:
-        """The way round that fits the place."""
-        self.model.turn(len(self.model.kinds) < len(self.model.measures) and self.width() < self.height())
+        """The way round that fits the place: kinds as rows, or as columns when they need less room."""
+        metrics, model = self.view.horizontalHeader().fontMetrics(), self.model
+        names = [metrics.horizontalAdvance(kind.name) + DECORATION_PX for kind in model.kinds]
+        headings = [metrics.horizontalAdvance(text) for text in model.headings()]
+        across, upright = (
+            max(first, default=0) + sum(rest) + _PADDING_PX * (1 + len(rest))
+            for first, rest in ((names, headings), (headings, names))
+        )
+        model.turn(upright < across and across > self.width())
+        behavior = QTableView.SelectionBehavior
+        self.view.setSelectionBehavior(behavior.SelectColumns if model.upright else behavior.SelectRows)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the place."""
@@ -228,7 +282,7 @@ class MeasureTable(QWidget):
     def copy(self) -> None:
         """Put the table on the clipboard, as text with tabs and as HTML."""
         model = self.model
-        headings = (_("curve"), *(model._measure_text(k) for k in range(len(model.measures))))
+        headings = (_("curve"), *model.headings())
         rows = [(kind.name, *map(value_text, kind.values)) for kind in model.kinds]
         data = QMimeData()
         table = Table(headings, rows, formulas=False)

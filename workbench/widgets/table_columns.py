@@ -1,11 +1,12 @@
-"""Column widths of a table: what the headings and a few rows need, the rest shared out."""
+"""How tables look: columns as wide as headings and a few rows need, rows selected as wholes."""
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, Qt
 from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QHeaderView, QTableView
+from PySide6.QtWidgets import QHeaderView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QTableView
 
 _SAMPLED = 12
 _PADDING_PX = 20
+DECORATION_PX = 24
 
 
 class FittedColumns(QObject):
@@ -46,18 +47,31 @@ class FittedColumns(QObject):
         heading = QFontMetrics(view.horizontalHeader().font())
         widths = []
         for column in range(columns):
-            title = str(
-                model.headerData(column, Qt.Orientation.Horizontal, Qt.ItemDataRole.DisplayRole) or ""
-            )
+            across = Qt.Orientation.Horizontal
+            title = str(model.headerData(column, across, Qt.ItemDataRole.DisplayRole) or "")
             widest = heading.horizontalAdvance(title)
+            if model.headerData(column, across, Qt.ItemDataRole.DecorationRole) is not None:
+                widest += DECORATION_PX
             for row in sampled:
                 index = model.index(row, column)
                 font = index.data(Qt.ItemDataRole.FontRole)
                 metrics = QFontMetrics(font) if font is not None else heading
-                widest = max(widest, metrics.horizontalAdvance(str(index.data() or "")))
+                beside = DECORATION_PX if index.data(Qt.ItemDataRole.DecorationRole) is not None else 0
+                widest = max(widest, beside + metrics.horizontalAdvance(str(index.data() or "")))
             widths.append(widest + _PADDING_PX)
         spare = max(view.viewport().width() - sum(widths), 0)
         for column, width in enumerate(widths):
             share = spare // columns + (column < spare % columns)
             if view.columnWidth(column) != width + share:
                 view.setColumnWidth(column, width + share)
+
+
+class WholeRows(QStyledItemDelegate):
+    """Shows a selected row or column as one: none of its cells bears a frame of its own."""
+
+    def initStyleOption(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        """As ever, without the frame."""
+        super().initStyleOption(option, index)
+        option.state &= ~QStyle.StateFlag.State_HasFocus
