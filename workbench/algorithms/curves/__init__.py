@@ -1,5 +1,7 @@
 """Curves: Bézier, B-splines and NURBS, and splines that pass through their points."""
 
+from workbench.algorithms.curves.arc_length import arc_length
+from workbench.algorithms.curves.at_length import at_length, equal_lengths
 from workbench.algorithms.curves.b_spline_curve import b_spline_curve
 from workbench.algorithms.curves.basis_functions import (
     b_spline_point,
@@ -31,6 +33,7 @@ from workbench.algorithms.curves.fitting import fit_pieces
 from workbench.algorithms.curves.flatten_bezier import flatten_bezier
 from workbench.algorithms.curves.flatten_cubic import flatten_cubic
 from workbench.algorithms.curves.hermite import hermite
+from workbench.algorithms.curves.inflections import inflections
 from workbench.algorithms.curves.knot_insertion import b_spline_derivative, insert_knot, split_b_spline
 from workbench.algorithms.curves.knots import (
     Counting,
@@ -51,6 +54,8 @@ __all__ = [
     "Counting",
     "Nurbs",
     "Pieces",
+    "arc_length",
+    "at_length",
     "b_spline_curve",
     "b_spline_derivative",
     "b_spline_point",
@@ -76,6 +81,7 @@ __all__ = [
     "derivatives",
     "elevate_b_spline",
     "elevate_degree",
+    "equal_lengths",
     "extrema",
     "fit_pieces",
     "flatten_bezier",
@@ -83,6 +89,7 @@ __all__ = [
     "hermite",
     "hodograph",
     "homogeneous",
+    "inflections",
     "insert_knot",
     "joints",
     "knot_spans",

@@ -53,9 +53,5 @@ def _turns(pieces: Pieces) -> list[Array]:
     """For each axis the u (n,) of its extrema."""
     tops, sizes = derivative_numerator(pieces.controls, pieces.weights)
     closed = meets_itself(pieces)
-    lengths = np.diff(pieces.knots)
-    found = []
-    for axis in range(tops.shape[1]):
-        rows, v = sign_changes(tops[:, axis], sizes[:, axis], closed)
-        found.append(pieces.knots[rows] + v * lengths[rows])
-    return found
+    found = [sign_changes(tops[:, axis], sizes[:, axis], closed) for axis in range(tops.shape[1])]
+    return [pieces.knots[rows] + v * np.diff(pieces.knots)[rows] for rows, v in found]
