@@ -57,6 +57,7 @@ class CurveView(FigureView):
         self.focus = focus
         self.docks = docks
         self._pixels_ms = 0.0
+        self._probe: list[Drawn] = []
         self._influence: tuple[tuple[object, ...], Array] = ((), np.zeros(0))
         self._kept: tuple[tuple[object, ...], list[CurvePoint], list[Handle]] = ((), [], [])
 
@@ -90,6 +91,10 @@ class CurveView(FigureView):
             self.card.refresh(tool if isinstance(tool, FigureTool) else None, selected, "")
         (self.docks.refresh_soon if busy else self.docks.refresh)()
 
+    def refresh_probe(self, drawn: list[Drawn]) -> None:
+        """Show what a tool that only looks has to show, over what is there."""
+        self._probe = drawn
+
     def drawn(self) -> list[Drawn]:
         """The curves and what is shown of the one that is worked on, from back to front."""
         sheet, curve, shown = self.session.sheet, self.focus.curve, self.focus.shown
@@ -107,6 +112,7 @@ class CurveView(FigureView):
             drawn += names(sheet, curve)
         if "construction" in shown:
             drawn += construction(sheet, curve, self.focus.u, self._reached())
+        drawn += self._probe
         if 0 <= self.focus.hovered < len(curve.points_world):
             x, y = device_points(sheet, curve)[self.focus.hovered].tolist()
             drawn.append(Spot(x, y, f"data {self.focus.hovered % 6 + 1}", "ring", 17))

@@ -3,8 +3,9 @@
 from collections.abc import Callable
 from typing import Any
 
+from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QCursor, QKeyEvent
+from PySide6.QtGui import QCursor, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QWidget
 
 from workbench.document.model import Curve
@@ -12,7 +13,9 @@ from workbench.language import _
 from workbench.panels.curve_card import CurveCard
 from workbench.panels.curve_commands import NUDGE, CurveCommands
 from workbench.panels.curve_docks import CurveDocks
+from workbench.panels.curve_exchange import CurveExchange
 from workbench.panels.curve_focus import CurveFocus
+from workbench.panels.curve_freehand import FreehandTool, ProbeTool
 from workbench.panels.curve_pen import PenTool
 from workbench.panels.curve_tools import CurveSelectTool
 from workbench.panels.curve_view import CurveView
@@ -35,7 +38,8 @@ class CurvesPanel(SteppedPanel):
         self.focus = CurveFocus(session)
         self.select = CurveSelectTool(self.focus)
         self.pen = PenTool(self.focus)
-        super().__init__(session, [self.select, self.pen], parent)
+        self.freehand, self.probe = FreehandTool(self.focus), ProbeTool(self.focus)
+        super().__init__(session, [self.select, self.pen, self.freehand, self.probe], parent)
         self.title = _("Curves")
         self.canvas.takes_handles = False
         self.card = CurveCard(self.focus, self.canvas)
@@ -48,6 +52,8 @@ class CurvesPanel(SteppedPanel):
         self.beside.knot_released.connect(self._let_go_of_plot)
         self.beside.weight_released.connect(self._let_go_of_plot)
         self.view = CurveView(self.focus, self.canvas, self.second, self.card, self.beside)
+        self.exchange = CurveExchange(self.focus, lambda: self.exporter, self._model, self)
+        self.exchange.said.connect(self.hover_text)
         self.focus.changed.connect(self.refresh_soon)
         for plot in (self.beside.basis, self.beside.curvature, self.beside.hodograph):
             plot.installEventFilter(self)
@@ -58,12 +64,21 @@ class CurvesPanel(SteppedPanel):
                 ("comb", _("Curvature comb"), "chart-line", "K", self._switch("comb")),
                 ("snap", _("Snap to pixels"), "magnet", "N", self._toggle_snap),
                 *self.commands.rows(),
+                *self.exchange.rows(),
             ],
         )
 
     def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
         """Basis functions, switches, curvature, hodograph."""
         return self.beside.parts()
+
+    def _model(self) -> Curve:
+        return replace(self.pen.model, colour=self.pen.next_colour())
+
+    def show_now(self) -> None:
+        """As everywhere, with what the probe has found."""
+        self.view.refresh_probe(self.probe.drawn() if self.tool is self.probe else [])
+        super().show_now()
 
     def _toggle_snap(self) -> None:
         self.focus.snaps = not self.focus.snaps
@@ -143,8 +158,12 @@ class CurvesPanel(SteppedPanel):
             super().let_go()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Backspace takes back the last point of the pen."""
-        if event.key() == Qt.Key.Key_Backspace and self.tool is self.pen and self.pen.back():
+        """Backspace takes back the last point of the pen; points are copied and pasted."""
+        if event.matches(QKeySequence.StandardKey.Copy):
+            self.exchange.copy()
+        elif event.matches(QKeySequence.StandardKey.Paste):
+            self.exchange.paste()
+        elif event.key() == Qt.Key.Key_Backspace and self.tool is self.pen and self.pen.back():
             self._after_gesture()
         else:
             super().keyPressEvent(event)

@@ -1,0 +1,229 @@
+"""Curves in and out: points by clipboard and CSV, paths by SVG, the construction as a picture."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+from msgspec.structs import replace
+from PySide6.QtCore import QObject, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QGuiApplication, QPainter
+from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from workbench.document.curve_edits import add_points
+from workbench.document.edits import Edit, add_figure, both
+from workbench.document.errors import DocumentError
+from workbench.document.model import AnyFigure, Curve, CurvePoint
+from workbench.exchange.point_lists import PointsError, read_points, write_points
+from workbench.exchange.svg_paths import SvgError, read_svg, write_svg
+from workbench.language import _, ngettext
+from workbench.panels.curve_focus import CurveFocus
+from workbench.panels.curve_freehand import fit_words, fitted
+from workbench.panels.figure_actions import Row
+from workbench.panels.figure_export import Exporter, paint_page
+from workbench.rendering import device_map
+
+PICTURE = QSize(1080, 840)
+_SVG = "SVG (*.svg)"
+_POINTS = "CSV (*.csv);;" + "TXT (*.txt)"
+
+
+class CurveExchange(QObject):
+    """The commands that bring points and curves in and get them out. ``said`` sends what became of it.
+
+    ``model`` gives a curve without points that new ones are like, ``exporter`` what paints the canvas.
+    """
+
+    said = Signal(str)
+
+    def __init__(
+        self, focus: CurveFocus, exporter: Callable[[], Exporter], model: Callable[[], Curve], owner: QWidget
+    ) -> None:
+        super().__init__(owner)
+        self.focus, self._exporter, self._model, self._owner = focus, exporter, model, owner
+        self.session = focus.session
+
+    def rows(self) -> list[Row]:
+        """Name, text, icon, key and what it does."""
+        return [
+            ("copy_points", _("Copy points"), "copy-simple", "", self.copy),
+            ("paste_points", _("Paste points or paths"), "clipboard-text", "", self.paste),
+            ("paste_fitted", _("Fit a curve to pasted points"), "clipboard-text", "", self.paste_fitted),
+            ("import_svg", _("Bring in SVG..."), "download-simple", "", self.ask_svg),
+            ("import_points", _("Bring in points from CSV..."), "download-simple", "", self.ask_points),
+            ("export_svg", _("Save the curves as SVG..."), "export", "", self.ask_export_svg),
+            ("export_points", _("Save the points as CSV..."), "export", "", self.ask_export_points),
+            ("export_picture", _("Save the construction..."), "image-square", "", self.ask_picture),
+        ]
+
+    # The clipboard
+
+    def copy(self) -> None:
+        """Put the chosen points, or with none chosen all of the curve, on the clipboard as a table."""
+        curve = self.focus.curve
+        if curve is None:
+            self.said.emit(_("Select one curve first."))
+            return
+        places = self._places(curve)
+        QGuiApplication.clipboard().setText(write_points(places, "\t"))
+        text = ngettext("{n} point copied.", "{n} points copied.", len(places))
+        self.said.emit(text.format(n=len(places)))
+
+    def _places(self, curve: Curve) -> list[tuple[float, float]]:
+        numbers = self.focus.numbers(curve) or range(len(curve.points_world))
+        return [(curve.points_world[k].x, curve.points_world[k].y) for k in numbers]
+
+    def paste(self) -> None:
+        """Points on the clipboard go on the end of the selected curve, or make one; SVG becomes figures."""
+        text = QGuiApplication.clipboard().text()
+        if "<svg" in text or "<path" in text:
+            self.take_svg(text)
+        else:
+            self.take_points(text)
+
+    def paste_fitted(self) -> None:
+        """Fit a Bézier path to the points on the clipboard."""
+        try:
+            world = read_points(QGuiApplication.clipboard().text())
+            scale = device_map(self.session.sheet)
+            points = world * (scale.sx, scale.sy) + (scale.tx, scale.ty)
+            made, error = fitted(self.focus, points, 0.6, self._model().colour)
+        except ValueError as problem:
+            self.said.emit(str(problem))
+            return
+        if self._add([made], _("Fit a curve")):
+            self.said.emit(fit_words(made, len(points), error))
+
+    # What text holds
+
+    def take_points(self, text: str) -> None:
+        """Points go on the end of the selected open curve, or make a new one."""
+        try:
+            places = read_points(text).tolist()
+        except PointsError as problem:
+            self.said.emit(str(problem))
+            return
+        curve = self.focus.selected
+        if curve is not None and not curve.closed:
+            self._apply(add_points(curve.id, [(x, y) for x, y in places]), _("Paste points"))
+        else:
+            points = tuple(CurvePoint("", x, y) for x, y in places)
+            self._add([replace(self._model(), points_world=points)], _("Paste points"))
+        text = ngettext("{n} point pasted.", "{n} points pasted.", len(places))
+        self.said.emit(text.format(n=len(places)))
+
+    def take_svg(self, text: str | bytes) -> None:
+        """The figures of an SVG come onto the sheet; what is not exact is said."""
+        try:
+            found = read_svg(text, self.session.sheet)
+        except SvgError as problem:
+            self.said.emit(str(problem))
+            return
+        if not found.figures:
+            self.said.emit(" ".join(found.notes) or _("This SVG shows nothing that is a figure."))
+            return
+        if self._add(found.figures, _("Bring in SVG")):
+            count = len(found.figures)
+            said = [ngettext("{n} figure came in.", "{n} figures came in.", count).format(n=count)]
+            if found.error > 0:
+                said.append(_("Arcs are at most {error:.2g} off.").format(error=found.error))
+            self.said.emit(" ".join([*said, *found.notes]))
+
+    def _add(self, figures: list[Curve] | tuple[AnyFigure, ...], name: str) -> bool:
+        known = {figure.id for figure in self.session.sheet.figures}
+        if not self._apply(both(*(add_figure(self.session.sheet.id, each) for each in figures)), name):
+            return False
+        made = [figure.id for figure in self.session.sheet.figures if figure.id not in known]
+        self.session.update_state(selection=tuple(made), active=made[-1])
+        return True
+
+    def _apply(self, edit: Edit, name: str) -> bool:
+        try:
+            self.session.apply(edit, name)
+        except DocumentError as problem:
+            self.said.emit(problem.short)
+            return False
+        return True
+
+    # Files
+
+    def ask_svg(self) -> None:
+        """Ask for an SVG and bring it in."""
+        self._open(_("Bring in SVG"), _SVG, lambda path: self.take_svg(path.read_bytes()))
+
+    def ask_points(self) -> None:
+        """Ask for a table of points and bring it in."""
+        self._open(
+            _("Bring in points"), _POINTS, lambda path: self.take_points(path.read_text("utf-8", "replace"))
+        )
+
+    def ask_export_svg(self) -> None:
+        """Ask for a file and save every visible figure as SVG."""
+        self._save(_("Save the curves"), _("curves") + ".svg", _SVG, self.write_curves)
+
+    def ask_export_points(self) -> None:
+        """Ask for a file and save the points of the curve."""
+        self._save(_("Save the points"), _("points") + ".csv", _POINTS, self.write_points)
+
+    def ask_picture(self) -> None:
+        """Ask for a file and save what the canvas shows, as SVG, PNG or PDF."""
+        kinds = f"{_SVG};;PNG (*.png);;PDF (*.pdf)"
+        self._save(_("Save the construction"), _("construction") + ".svg", kinds, self.write_picture)
+
+    def write_curves(self, path: Path) -> None:
+        """Write the figures as SVG. Raises OSError."""
+        made = write_svg(self.session.sheet)
+        path.write_text(made.text, encoding="utf-8")
+        if made.error > 0:
+            text = _("What SVG cannot say exactly is at most {error:.2g} off.").format(error=made.error)
+            self.said.emit(text)
+
+    def write_points(self, path: Path) -> None:
+        """Write the points of the curve as CSV. Raises OSError."""
+        curve = self.focus.curve
+        places = np.empty((0, 2)) if curve is None else np.array(self._places(curve))
+        path.write_text(write_points(places), encoding="utf-8", newline="")
+
+    def write_picture(self, path: Path) -> None:
+        """Write what the canvas shows, by the file's ending, in the light theme. Raises OSError."""
+        if path.suffix.lower() != ".svg":
+            self._exporter().write_step(path)
+            return
+        writer = QSvgGenerator()
+        writer.setFileName(str(path))
+        writer.setSize(PICTURE)
+        writer.setViewBox(QRectF(0, 0, PICTURE.width(), PICTURE.height()))
+        writer.setTitle(self.session.sheet.name)
+        path.write_bytes(b"")
+        painter = QPainter()
+        if not painter.begin(writer):
+            raise OSError(_("{path} cannot be written; choose another folder.").format(path=path))
+        painter.fillRect(QRectF(0, 0, PICTURE.width(), PICTURE.height()), Qt.GlobalColor.white)
+        size = PICTURE.width(), PICTURE.height()
+        paint_page(painter, self._exporter().page(), size, self._owner.font(), 1.5)
+        painter.end()
+
+    def _open(self, title: str, kinds: str, read: Callable[[Path], object]) -> None:
+        chosen, _kind = QFileDialog.getOpenFileName(self._owner, title, "", kinds)
+        if not chosen:
+            return
+        try:
+            read(Path(chosen))
+        except OSError as problem:
+            text = _("{path} was not read: {reason}. Choose another file.")
+            self.said.emit(text.format(path=chosen, reason=problem.strerror or problem))
+
+    def _save(self, title: str, name: str, kinds: str, write: Callable[[Path], None]) -> None:
+        chosen, kind = QFileDialog.getSaveFileName(self._owner, title, name, kinds)
+        if not chosen:
+            return
+        path = Path(chosen)
+        if not path.suffix:
+            path = path.with_suffix("." + kind.partition(" ")[0].lower())
+        try:
+            write(path)
+        except OSError as problem:
+            text = _("{path} was not written: {reason}. Choose another folder.")
+            self.said.emit(text.format(path=path, reason=problem.strerror or problem))
+        else:
+            self.said.emit(_("{path} is written.").format(path=path))
