@@ -252,8 +252,10 @@ class CompareView(QWidget):
         if outcome is None or not self.isVisible():
             return
         said = [work.stopped for work in (outcome.first, outcome.second) if work is not None and work.stopped]
-        if outcome.second is None:
-            others = bool(self._slugs()[2])
+        _now, second, others = self._slugs()
+        if outcome.second is None and second:
+            said.append(_("Counting what both do ..."))
+        elif outcome.second is None:
             said += [_("Choose a second algorithm to see both side by side.")] if others else []
         else:
             said.append(_summary(outcome))
