@@ -104,7 +104,7 @@ def joint_moves(curve: Curve, index: int, joint: str) -> Places:
     """Which handles move, and where to, for the point at ``index`` of a path to become such a joint.
 
     Both handles turn onto the mean of their directions; those of a symmetric joint get their mean length. A
-    point whose handles lie on it gets handles along the leg between its neighbours.
+    handle that lies on the point gets a length; where both do, they lie along the leg between the neighbours.
     """
     before, after = handles_of(curve, index)
     if joint == "corner" or before is None or after is None:
@@ -121,8 +121,10 @@ def joint_moves(curve: Curve, index: int, joint: str) -> Places:
     if not any(lengths):
         way = ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]
         lengths = [math.dist(end, here) / 3.0 for end in ends]
-    elif math.hypot(*way) < 1e-9:
-        way = -ways[0][1], ways[0][0]
+    else:
+        lengths = [n or math.dist(end, here) / 3.0 for n, end in zip(lengths, ends, strict=True)]
+        if math.hypot(*way) < 1e-9:
+            way = -ways[0][1], ways[0][0]
     size = math.hypot(*way)
     if size == 0.0:
         return {}
@@ -133,14 +135,17 @@ def joint_moves(curve: Curve, index: int, joint: str) -> Places:
         points[before].id: (here[0] - lengths[0] * x, here[1] - lengths[0] * y),
         points[after].id: (here[0] + lengths[1] * x, here[1] + lengths[1] * y),
     }
-    return places if not _fits(joint, arms, lengths) else {}
+    if _fits(joint, arms, lengths):
+        return {}
+    now = {points[h].id: place(points[h]) for h in (before, after)}
+    return {name: where for name, where in places.items() if where != now[name]}
 
 
 def _fits(joint: str, arms: list[Place], lengths: list[float]) -> bool:
     """Whether two arms already lie in one direction, or are each other's mirror image."""
     (ax, ay), (bx, by) = arms
     if joint == "symmetric":
-        return math.hypot(ax + bx, ay + by) <= 1e-9 * max(lengths)
+        return math.hypot(ax + bx, ay + by) <= 1e-9 * max(lengths) and min(lengths) > 0.0
     return abs(ax * by - ay * bx) <= 1e-9 * lengths[0] * lengths[1] and ax * bx + ay * by < 0.0
 
 

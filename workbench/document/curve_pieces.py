@@ -12,6 +12,8 @@ from workbench.document.model import Curve
 
 Array = NDArray[np.float64]
 
+_NEVER_CLOSED = ("natural_cubic", "clamped_cubic")
+
 
 @lru_cache(maxsize=64)
 def _table(curve: Curve) -> Array:
@@ -119,6 +121,11 @@ def _path(points: Array, closed: bool) -> Pieces:
         raise ValueError(f"There are {len(points)} points, and a piece needs {missing} more; add {missing}.")
     at = 3 * np.arange(count)[:, None] + np.arange(4)
     return Pieces(np.arange(count + 1.0), points[at % (3 * count) if closed else at])
+
+
+def goes_round(curve: Curve) -> bool:
+    """Whether the curve comes back to its begin: some kinds always do, and some never."""
+    return curve.spline == "periodic_cubic" or (curve.closed and curve.spline not in _NEVER_CLOSED)
 
 
 def fault_of(curve: Curve, spline: str = "") -> str:
