@@ -48,17 +48,17 @@ class HelpPage(Page):
             (
                 _("Fill and clip"),
                 _(
-                    "In Fill draw a polygon or set a seed, and watch the tables and the stack. In Clip drag the "
-                    "window. Press Y at any pixel to ask why it is as it is; Compare counts what two algorithms "
-                    "do with the same figures."
+                    "In Fill draw a polygon or set a seed, and watch the tables and the stack. In Clip drag "
+                    "the window. Press Y at any pixel to ask why it is as it is; Compare counts what two "
+                    "algorithms do with the same figures."
                 ),
             ),
             (
                 _("Shape curves"),
                 _(
-                    "In Curves click point after point, then drag points, handles, knots, or the curve itself. "
-                    "Drag along the curve to see how its construction finds a point, and show other kinds of "
-                    "curves over the same points."
+                    "In Curves click point after point, then drag points, handles, knots, or the curve "
+                    "itself. Drag along the curve to see how its construction finds a point, and show other "
+                    "kinds of curves over the same points."
                 ),
             ),
             (
