@@ -24,7 +24,6 @@ _DASHES = {Qt.PenStyle.DashLine: (4.0, 2.0), Qt.PenStyle.DotLine: (1.0, 2.0)}
 _FARTHEST = 1e15
 # What stands for a curve is nowhere farther from it than an eighth of stretch times turn.
 _FEW, _STRETCH_PX, _TURN = 64, 8.0, 0.12
-_STRAIGHT = 0.9
 _OVERLAP_PX = 0.4
 _MEETING_PX = 1e-6
 
@@ -47,8 +46,7 @@ def paint_line(painter: QPainter, scene: Scene, points: Array, pen: QPen) -> Non
         painter.drawPolyline(polygon(x, y))
         return
     wide = pen.widthF()
-    corners = _seen_corners(np.stack([x, y], axis=1))
-    sides, way = _clipped(corners, scene, wide)
+    sides, way = _clipped(*_seen_corners(np.stack([x, y], axis=1)), scene, wide)
     if pen.style() in _DASHES:
         sides = _dashed(sides, way, wide * np.array(_DASHES[pen.style()]))
     sides = _overlapping(sides, wide)
@@ -61,27 +59,30 @@ def paint_line(painter: QPainter, scene: Scene, points: Array, pen: QPen) -> Non
         painter.drawLines(ends.data(), len(sides))
 
 
-def _seen_corners(corners: Array) -> Array:
-    """Of many corners those that show: one every few pixels, and oftener where the line turns."""
-    if len(corners) <= _FEW:
-        return corners
+def _seen_corners(corners: Array) -> tuple[Array, Array]:
+    """Of many corners those that show, one every few pixels and oftener where the line turns, and how far
+    along the line each is.
+    """
     legs = np.diff(corners, axis=0)
-    stretch = np.floor(np.cumsum(np.hypot(legs[:, 0], legs[:, 1])) / _STRETCH_PX)
+    way = np.concatenate([[0.0], np.cumsum(np.hypot(legs[:, 0], legs[:, 1]))])
+    if len(corners) <= _FEW:
+        return corners, way
+    stretch = np.floor(way[1:] / _STRETCH_PX)
     heading = np.arctan2(legs[:, 1], legs[:, 0])
     turn = np.diff(heading)
     turned = np.floor(np.cumsum(np.abs(turn - 2 * np.pi * np.rint(turn / (2 * np.pi)))) / _TURN)
     kept = np.ones(len(corners), bool)
     kept[1:-1] = (stretch[:-1] != stretch[1:]) | (np.diff(turned, prepend=0.0) != 0)
-    return corners[kept]
+    return corners[kept], way[kept]
 
 
-def _clipped(corners: Array, scene: Scene, wide: float) -> tuple[Array, Array]:
+def _clipped(corners: Array, way: Array, scene: Scene, wide: float) -> tuple[Array, Array]:
     """The sides (k, 2, 2) inside the area and a little beyond, and how far along the line each begins.
 
     Source: Liang and Barsky, A new concept and method for line clipping, 1984.
     """
     start, leg = corners[:-1], np.diff(corners, axis=0)
-    length = np.hypot(leg[:, 0], leg[:, 1])
+    length = np.diff(way)
     area, room = scene.area, wide + 2.0
     low = np.array([area.left - room, area.top - room])
     high = np.array([area.right + room, area.bottom + room])
@@ -94,8 +95,8 @@ def _clipped(corners: Array, scene: Scene, wide: float) -> tuple[Array, Array]:
     enter, leave = np.maximum(enter, 0.0), np.minimum(leave, 1.0)
     seen = (enter < leave) & (length > 0)
     start, leg, enter, leave = start[seen], leg[seen], enter[seen, None], leave[seen, None]
-    way = (np.cumsum(length) - length)[seen] + enter[:, 0] * length[seen]
-    return np.stack([start + enter * leg, start + leave * leg], axis=1), way
+    begin = way[:-1][seen] + enter[:, 0] * length[seen]
+    return np.stack([start + enter * leg, start + leave * leg], axis=1), begin
 
 
 def _dashed(sides: Array, way: Array, dashes: Array) -> Array:
@@ -116,14 +117,14 @@ def _dashed(sides: Array, way: Array, dashes: Array) -> Array:
 
 
 def _overlapping(sides: Array, wide: float) -> Array:
-    """Sides made longer where they meet, so that no seam shows: half the pen where the line turns."""
+    """Sides made longer where they meet, so that no seam shows: by half the pen where they meet squarely."""
     if len(sides) < 2:
         return sides
     leg = sides[:, 1] - sides[:, 0]
     leg /= np.hypot(leg[:, 0], leg[:, 1])[:, None]
     meet = (np.abs(sides[:-1, 1] - sides[1:, 0]) < _MEETING_PX).all(axis=1)
-    straight = (leg[:-1] * leg[1:]).sum(axis=1) >= _STRAIGHT
-    more = meet * np.where(straight, min(_OVERLAP_PX, wide / 2), wide / 2)
+    sine = np.abs(leg[:-1, 0] * leg[1:, 1] - leg[:-1, 1] * leg[1:, 0])
+    more = meet * np.maximum(min(_OVERLAP_PX, wide / 2), sine * wide / 2)
     sides[1:, 0] -= more[:, None] * leg[1:]
     sides[:-1, 1] += more[:, None] * leg[:-1]
     return sides
