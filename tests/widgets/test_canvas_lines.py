@@ -74,7 +74,10 @@ def test_a_curve_of_5000_corners_looks_as_the_painters_own(scene, points, patter
     assert alike(painted(scene, curve, width, pattern), painted(scene, curve, width, pattern, whole=True))
 
 
-@given(st.lists(places, min_size=2, max_size=6), patterns)
+@given(
+    st.lists(st.tuples(st.floats(0, 39), st.floats(0, 27)), min_size=2, max_size=6),
+    st.sampled_from([Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine]),
+)
 def test_so_does_a_polygon_of_long_sides(scene, points, pattern):
     """Thin, for at sharp corners the painter cuts off what would stick out."""
     assume(np.hypot(*np.diff(points, axis=0).T).min() > 1)
