@@ -12,9 +12,10 @@ from msgspec.structs import replace
 from tests.document.made_documents import documents, figures, sound_edits
 from workbench.document import DocumentError, edits
 from workbench.document.addresses import resolve
+from workbench.document.building import without_ids
 from workbench.document.check import check, shown
 from workbench.document.files import Stored, encode
-from workbench.document.model import Circle, Document, Line, Polygon, Rectangle, WorldPoint
+from workbench.document.model import Circle, Document, Line, Polygon, Rectangle, SeedFill, WorldPoint
 from workbench.document.samples import blank_sheet, example, example_document
 
 BAD_NUMBERS = [math.nan, math.inf, -math.inf, 1.0000001e6, -1e300, "7", None, True, 10**400, 10**5000, 1j]
@@ -213,3 +214,16 @@ def test_a_clip_window_without_area_is_refused() -> None:
     assert edits.set_clip("s1", None)(document) == blank_sheet()
     with pytest.raises(DocumentError, match="line_clipper"):
         edits.set_clippers("s1", line="bresenham_line")(document)
+
+
+@given(documents(), documents())
+def test_many_figures_are_added_at_once_with_ids_of_their_own(document: Document, other: Document) -> None:
+    wanted = [figure for sheet in other.sheets for figure in sheet.figures]
+    wanted = [
+        replace(f, colour=0, **({"boundary": 0} if isinstance(f, SeedFill) else {})) for f in wanted
+    ]
+    new = edits.add_figures(document.sheets[0].id, wanted)(document)
+    assert check(new) is new
+    kept = len(document.sheets[0].figures)
+    assert new.sheets[0].figures[:kept] == document.sheets[0].figures
+    assert [without_ids(f) for f in new.sheets[0].figures[kept:]] == [without_ids(f) for f in wanted]

@@ -99,7 +99,7 @@ def test_other_programs_see_the_same_curve_within_the_error(curve: Curve, tolera
         return
     pieces = pieces_of(curve)
     exact = pieces.weights is None and pieces.degree <= 3
-    assert out.error == 0.0 if exact else 0.0 < out.error <= tolerance
+    assert out.error == 0.0 if exact else 0.0 <= out.error <= tolerance
     found = read_svg(bare(out.text), sheet, tolerance).figures
     drawn = [np.concatenate([_along(pieces_of(f)) for f in found])]
     if exact:

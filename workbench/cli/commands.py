@@ -61,8 +61,46 @@ def _parser() -> argparse.ArgumentParser:
     draw.add_argument("--cell", metavar="SIZE", type=int, default=1, help=_("each pixel becomes SIZE x SIZE"))
     draw.set_defaults(run=_draw)
 
+    change = commands.add_parser("convert", help=_("SVG or points to a document, a document to SVG"))
+    change.add_argument("file", metavar="IN", type=Path, help=_("a .gwb, .svg, .csv, .tsv or .txt file"))
+    change.add_argument(
+        "-o", "--output", metavar="OUT", type=Path, required=True, help=_("a .gwb or .svg file")
+    )
+    change.add_argument(
+        "--sheet", metavar="NUMBER", type=int, default=1, help=_("which sheet, counted from 1")
+    )
+    change.add_argument("--tolerance", metavar="T", type=float, help=_("world units, where it is not exact"))
+    change.add_argument("--size", metavar="WxH", type=_size, help=_("pixels of the sheet that is made"))
+    change.set_defaults(run=_convert)
+
+    shape = commands.add_parser("surface", help=_("a surface as a mesh of triangles"))
+    shape.add_argument("surface", metavar="SURFACE", help=_("an example, such as sphere, or a JSON file"))
+    shape.add_argument(
+        "-o", "--output", metavar="OUT", type=Path, required=True, help=_(".obj, .ply or .stl")
+    )
+    shape.add_argument("--tolerance", metavar="T", type=float, default=0.01, help=_("how far off, at most"))
+    shape.set_defaults(run=_surface)
+
     commands.add_parser("tour", help=_("a picture of every workspace"))
     return parser
+
+
+def _size(text: str) -> tuple[int, int]:
+    from workbench.cli.conversions import size
+
+    return size(text)
+
+
+def _convert(options: argparse.Namespace) -> str:
+    from workbench.cli.conversions import convert
+
+    return convert(options)
+
+
+def _surface(options: argparse.Namespace) -> str:
+    from workbench.cli.conversions import surface
+
+    return surface(options)
 
 
 def _list(options: argparse.Namespace) -> str:

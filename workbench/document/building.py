@@ -121,6 +121,20 @@ def numbered(document: Document, figure: AnyFigure) -> AnyFigure:
     return made
 
 
+def all_numbered(document: Document, figures: Iterable[AnyFigure]) -> tuple[AnyFigure, ...]:
+    """``figures`` with Python's own numbers and new ids, whatever ids they had."""
+    bare = [without_ids(plain(figure)) for figure in figures]
+    fresh = iter(new_ids(document, "", sum(len(ids_of(figure)) for figure in bare)))
+    made = []
+    for figure in bare:
+        points = tuple(replace(p, id=f"p{next(fresh)}") for p in figure.points_world)
+        named = replace(figure, id=f"f{next(fresh)}", points_world=points)
+        if isinstance(named, Curve):
+            named = replace(named, knots=tuple(replace(k, id=f"k{next(fresh)}") for k in named.knots))
+        made.append(named)
+    return tuple(made)
+
+
 def without_ids(figure: AnyFigure) -> AnyFigure:
     """``figure`` with empty ids, to be numbered anew."""
     bare = replace(figure, id="", points_world=tuple(replace(p, id="") for p in figure.points_world))

@@ -23,6 +23,7 @@ from workbench.document.addresses import (
 )
 from workbench.document.building import (
     Edit,
+    all_numbered,
     both,
     checked,
     like,
@@ -97,6 +98,18 @@ def add_figure(sheet: str, figure: AnyFigure, index: int | None = None) -> Edit:
         at = position(len(on.figures) if index is None else index, len(on.figures), "figures")
         added = numbered(document, plain(figure))
         return with_figures(document, on, (*on.figures[:at], added, *on.figures[at:]))
+
+    return edit
+
+
+@checked
+def add_figures(sheet: str, figures: Iterable[AnyFigure]) -> Edit:
+    """Put ``figures`` on ``sheet``, in front of all others, the last one foremost, with ids of their own."""
+    wanted = tuple(figures)
+
+    def edit(document: Document) -> Document:
+        on = sheet_with(document, sheet)
+        return with_figures(document, on, (*on.figures, *all_numbered(document, wanted)))
 
     return edit
 

@@ -1,1 +1,1 @@
-"""What leaves the program and comes into it: tables and pictures."""
+"""What leaves the program and comes into it: tables, pictures, SVG paths, lists of points, meshes."""

@@ -6,7 +6,9 @@ Source: SVG 1.1, section 8.3.9, the grammar for path data.
 import math
 import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
+from workbench.exchange.svg_arcs import Arc
 from workbench.exchange.svg_tree import SvgError
 from workbench.language import _
 
@@ -55,23 +57,40 @@ def commands(data: str) -> Iterator[tuple[str, list[float]]]:
         yield letter, values
 
 
-def checked(data: str) -> tuple[str, set[int]]:
-    """The same path data, with blanks between all parts, and which of its segments were put in.
+class PathData(NamedTuple):
+    """Path data as svgelements takes it; its segments are counted from 0.
 
-    S and T mirror the control point of a segment of their own kind only; svgelements mirrors any, so a line
-    without length is put before them where another kind precedes. Raises: SvgError as ``commands`` does.
+    ``arcs`` are written as lines, and stated here by the number of their segment: svgelements loses the way
+    round of an arc whose ends are near to each other. ``put_in`` are lines without length before S and T that
+    follow another kind of segment, since svgelements mirrors the control point of any.
     """
-    words, put_in, count, before = [], set(), 0, ""
+
+    text: str
+    arcs: dict[int, Arc]
+    put_in: set[int]
+
+
+def checked(data: str) -> PathData:
+    """Path data that was looked at. Raises: SvgError as ``commands`` does."""
+    found = PathData("", {}, set())
+    words: list[str] = []
+    count, before = 0, ""
     for letter, values in commands(data):
         kind = letter.upper()
         if kind in _MIRRORED and before not in _MIRRORED[kind]:
             words.append("l 0 0")
-            put_in.add(count)
+            found.put_in.add(count)
             count += 1
-        words += [letter, *map(repr, values)]
+        if kind == "A":
+            for k in range(0, len(values), 7):
+                rx, ry, turn, large, sweep = values[k : k + 5]
+                found.arcs[count + k // 7] = Arc(rx, ry, turn, bool(large), bool(sweep))
+                words += ["l" if letter == "a" else "L", *map(repr, values[k + 5 : k + 7])]
+        else:
+            words += [letter, *map(repr, values)]
         count += len(values) // _COUNTS[kind] if values else 1
         before = kind
-    return " ".join(words), put_in
+    return found._replace(text=" ".join(words))
 
 
 def _value(data: str, at: int, letter: str, count: int, number: int) -> tuple[float, int] | None:

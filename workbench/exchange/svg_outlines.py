@@ -1,7 +1,7 @@
 """Outlines of SVG elements as Bézier segments in the element's own coordinates; arcs become cubics.
 
 Path data is understood by svgelements, after it was looked at strictly.
-Source: SVG 1.1, chapters 8 and 9; Goldapp, Approximation of circular arcs by cubic polynomials, 1991.
+Source: SVG 1.1, chapters 8 and 9.
 """
 
 import math
@@ -13,12 +13,12 @@ import svgelements
 from numpy.typing import NDArray
 
 from workbench.exchange.path_data import LARGEST, checked
+from workbench.exchange.svg_arcs import arc_pieces
 from workbench.exchange.svg_tree import Element, SvgError
 from workbench.language import _
 
 Array = NDArray[np.float64]
 
-_RIGHT = 0.5 * math.pi
 _LENGTH = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?:px|pt|pc|mm|cm|in|em|ex|Q|%)?")
 
 
@@ -35,9 +35,9 @@ class Outline:
 def outlines(data: str, matrix: Array, tolerance: float) -> list[Outline]:
     """The runs of path data under ``matrix`` (2, 3), arcs then within ``tolerance``. Raises: SvgError."""
     found: list[Outline] = []
-    text, put_in = checked(data)
-    for number, part in enumerate(svgelements.Path(text)):
-        if number in put_in:
+    looked_at = checked(data)
+    for number, part in enumerate(svgelements.Path(looked_at.text)):
+        if number in looked_at.put_in:
             continue
         end = _point(part.end, matrix)
         if isinstance(part, svgelements.Move):
@@ -49,8 +49,9 @@ def outlines(data: str, matrix: Array, tolerance: float) -> list[Outline]:
         begin = run.segments[-1][-1] if run.segments else run.begin
         if isinstance(part, svgelements.Close):
             _close(run, begin)
-        elif isinstance(part, svgelements.Arc):
-            cubics, error = _arc(part, begin, end, matrix, tolerance)
+        elif number in looked_at.arcs:
+            ends = np.array([[part.start.x, part.end.x], [part.start.y, part.end.y]], float)
+            cubics, error = arc_pieces(looked_at.arcs[number], ends, matrix, tolerance)
             run.segments += cubics
             run.error = max(run.error, error)
         else:
@@ -74,35 +75,6 @@ def _close(run: Outline, begin: Array) -> None:
 def _point(point: svgelements.Point, matrix: Array) -> Array:
     found: Array = matrix[:, :2] @ np.array([float(point.x), float(point.y)]) + matrix[:, 2]
     return found
-
-
-def _arc(
-    arc: svgelements.Arc, begin: Array, end: Array, matrix: Array, tolerance: float
-) -> tuple[list[Array], float]:
-    """The cubics of an elliptical arc between ``begin`` and ``end``, and how far they are off at most."""
-    centre = np.array([arc.center.x, arc.center.y], float)
-    axes = np.array([[arc.prx.x, arc.pry.x], [arc.prx.y, arc.pry.y]], float) - centre[:, None]
-    sweep = float(arc.sweep)
-    if not (axes.any() and sweep and np.isfinite(axes).all()):
-        return ([] if np.array_equal(begin, end) else [np.array([begin, end])]), 0.0
-    axes, centre = matrix[:, :2] @ axes, matrix[:, :2] @ centre + matrix[:, 2]
-    radius = float(np.linalg.norm(axes, 2))
-    count = math.ceil(abs(sweep) / _RIGHT - 1e-9)
-    while radius * arc_error(sweep / count) > tolerance and count < 4096:
-        count += 1
-    turn = sweep / count
-    angles = float(arc.get_start_t()) + turn * np.arange(count + 1)
-    on = centre + np.column_stack([np.cos(angles), np.sin(angles)]) @ axes.T
-    on[0], on[-1] = begin, end
-    along = 4.0 / 3.0 * math.tan(turn / 4.0) * np.column_stack([-np.sin(angles), np.cos(angles)]) @ axes.T
-    cubics = np.stack([on[:-1], on[:-1] + along[:-1], on[1:] - along[1:], on[1:]], axis=1)
-    return list(cubics), radius * arc_error(turn)
-
-
-def arc_error(turn: float) -> float:
-    """How far the cubic with handles 4/3 tan(turn / 4) gets from the unit circle; ``turn`` in radians."""
-    quarter = abs(turn) / 4.0
-    return 2.0 / 27.0 * math.sin(quarter) ** 6 / math.cos(quarter) ** 2
 
 
 def transform_of(element: Element) -> Array:
@@ -148,7 +120,7 @@ def points_of(element: Element) -> Array:
     """The points (n, 2) of a polyline or polygon. Raises: SvgError."""
     text = element.attributes.get("points", "").strip()
     try:
-        words = checked("M " + text)[0].split()[1:] if text else []
+        words = checked("M " + text).text.split()[1:] if text else []
     except SvgError:
         raise element.refusal(_("its points are no pairs of numbers; correct them.")) from None
     return np.array(words, float).reshape(-1, 2)

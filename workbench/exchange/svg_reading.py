@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from workbench.document.building import without_ids
 from workbench.document.check import MAX_FIGURES
-from workbench.document.model import AnyFigure, Sheet
+from workbench.document.model import AnyFigure, Rectangle, Sheet
 from workbench.exchange.svg_colours import nearest_colour
 from workbench.exchange.svg_figures import Shape, figures_of
 from workbench.exchange.svg_originals import GEOMETRY, fault_in, moved, original
@@ -34,6 +34,7 @@ _GROUPS = ("svg", "g", "a", "switch")
 _SILENT = {"defs", "title", "desc", "metadata", "style", "script", "symbol", "clipPath", "mask", "marker", ""}
 _INHERITED = ("fill", "stroke", "visibility", "color")
 _TOLERANCE_PX = 0.05
+_ROUNDING = 1e-12
 
 
 class Imported(NamedTuple):
@@ -65,8 +66,9 @@ def read_svg(text: str | bytes, sheet: Sheet, tolerance: float | None = None) ->
     window = sheet.window_world
     box = stated or _drawn(walk.found)
     scale = min((window.xmax - window.xmin) / box[2], (window.ymax - window.ymin) / box[3])
-    dx = 0.5 * (window.xmin + window.xmax) - scale * (box[0] + 0.5 * box[2])
-    dy = 0.5 * (window.ymin + window.ymax) + scale * (box[1] + 0.5 * box[3])
+    scale = 1.0 if abs(scale - 1.0) <= _ROUNDING else scale
+    dx = _shift(window.xmin, window.xmax, scale * box[0], scale * box[2])
+    dy = _shift(window.ymin, window.ymax, -scale * (box[1] + box[3]), scale * box[3])
     frame = np.array([[scale, 0.0, dx], [0.0, -scale, dy]])
     pixel = max(abs(v) for v in device_map(sheet)[:2])
     within = tolerance or _TOLERANCE_PX / pixel
@@ -83,6 +85,36 @@ def read_svg(text: str | bytes, sheet: Sheet, tolerance: float | None = None) ->
         approximated += [(made.name, made.error)] if made.error else []
         notes += made.notes
     return Imported(tuple(figures), tuple(approximated), tuple(dict.fromkeys(notes)))
+
+
+def frame_of(text: str | bytes) -> Rectangle:
+    """The window, world, in which the drawing keeps its own coordinates, but for y, which goes upwards.
+
+    Raises: SvgError.
+    """
+    root = read_tree(text)
+    stated = _frame(root)
+    if stated is None:
+        walk = _Walk(root, (0.0, 0.0))
+        walk.into(root, np.eye(2, 3), {})
+        stated = _drawn(walk.found)
+    x, y, width, height = stated
+    return Rectangle(x, -(y + height), x + width, -y)
+
+
+def size_of(text: str | bytes) -> tuple[float, float] | None:
+    """Width and height that the drawing wants to be shown in, pixels of 1/96 inch, if it states both."""
+    root = read_tree(text)
+    if any("%" in root.attributes.get(name, "%") for name in ("width", "height")):
+        return None
+    width, height = length_of(root, "width"), length_of(root, "height")
+    return (width, height) if width > 0 and height > 0 else None
+
+
+def _shift(low: float, high: float, begin: float, length: float) -> float:
+    """What brings the middle of a length to the middle of low and high; 0 where only rounding parts them."""
+    found = 0.5 * (low + high) - (begin + 0.5 * length)
+    return 0.0 if abs(found) <= _ROUNDING * max(abs(low), abs(high)) else found
 
 
 class _Walk:

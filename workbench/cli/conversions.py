@@ -1,0 +1,210 @@
+"""Files of one kind made into another: pictures, SVG, points, surfaces."""
+
+import argparse
+import json
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from msgspec.structs import replace
+
+from workbench.cli.failure import BadInputError, WorkError
+from workbench.document import DocumentError, load, save
+from workbench.document.check import MAX_SIDE_PX
+from workbench.document.model import AnyFigure, Document, Rectangle, Sheet
+from workbench.document.sample_figures import document_of
+from workbench.language import _
+
+POINTS = (".csv", ".tsv", ".txt")
+_LONGER_SIDE_PX = 200
+_LEAST_SIDE_PX = 16
+_SHARE = 0.005  # of the size of the points, the tolerance of a curve fitted to them
+
+
+def convert(options: argparse.Namespace) -> str:
+    """Read one file and write it as the other; what was approximated or left out, a line for each thing."""
+    source, target = options.file, options.output
+    if options.tolerance is not None and not (math.isfinite(options.tolerance) and options.tolerance > 0):
+        raise BadInputError(
+            _("The tolerance is {value:g}; give a finite number above 0.").format(value=options.tolerance)
+        )
+    document, said = _read(source, options.sheet, options.tolerance, options.size)
+    if target.suffix.lower() == ".gwb":
+        try:
+            save(document, target)
+        except DocumentError as error:
+            raise WorkError(f"{target}: {error}") from None
+    elif target.suffix.lower() == ".svg":
+        from workbench.exchange.svg_paths import write_svg
+
+        out = write_svg(document.sheets[0], options.tolerance)
+        _written(target, out.text.encode())
+        said += _approximated(out.approximated) + list(out.notes)
+    else:
+        raise BadInputError(_("{file}: it is written as .gwb or .svg; name it so.").format(file=target))
+    return "".join(f"{line}\n" for line in said)
+
+
+def surface(options: argparse.Namespace) -> str:
+    """Write the triangles of an example or of a control net in a JSON file as a mesh."""
+    from workbench.algorithms.surfaces import EXAMPLES, tessellate
+    from workbench.exchange.meshes import save_mesh
+
+    try:
+        made = EXAMPLES.get(options.surface)
+        patches = made() if made else _patches(Path(options.surface))
+        vertices, faces = tessellate(patches, options.tolerance)
+        save_mesh(vertices, faces, options.output)
+    except ValueError as error:
+        raise BadInputError(str(error)) from None
+    except OSError as error:
+        raise WorkError(f"{options.output}: {error.strerror}") from None
+    sentence = _("{vertices:,} vertices, {faces:,} triangles, within {tolerance:g}.\n")
+    return sentence.format(vertices=len(vertices), faces=len(faces), tolerance=options.tolerance)
+
+
+def size(text: str) -> tuple[int, int]:
+    """Width and height from a text such as 640x480. Raises: ArgumentTypeError."""
+    words = text.lower().split("x")
+    if len(words) != 2 or not all(word.isascii() and word.isdecimal() for word in words):
+        raise argparse.ArgumentTypeError(_("{text!r} is no size; write it as 640x480").format(text=text[:20]))
+    sides = int(words[0][:9]), int(words[1][:9])
+    if not all(1 <= side <= MAX_SIDE_PX for side in sides):
+        sentence = _("{text!r} is no size; each side has 1 to {most} pixels")
+        raise argparse.ArgumentTypeError(sentence.format(text=text[:20], most=MAX_SIDE_PX))
+    return sides
+
+
+def _read(
+    source: Path, number: int, tolerance: float | None, wanted: tuple[int, int] | None
+) -> tuple[Document, list[str]]:
+    """A document of one sheet, and what there is to say about it."""
+    kind = source.suffix.lower()
+    try:
+        if kind == ".gwb":
+            return _sheet(load(source), source, number), []
+        if kind == ".svg":
+            return _from_svg(source, tolerance, wanted)
+        if kind in POINTS:
+            return _from_points(source, tolerance, wanted)
+    except OSError as error:
+        raise BadInputError(f"{source}: {error.strerror}") from None
+    except ValueError as error:
+        raise BadInputError(f"{source}: {error}") from None
+    kinds = ", ".join((".gwb", ".svg", *POINTS))
+    raise BadInputError(
+        _("{file}: this cannot be read; give one of {kinds}.").format(file=source, kinds=kinds)
+    )
+
+
+def _sheet(document: Document, source: Path, number: int) -> Document:
+    if not 1 <= number <= len(document.sheets):
+        sentence = _("{file} has {count} sheets, and no sheet {number}.")
+        raise BadInputError(sentence.format(file=source, count=len(document.sheets), number=number))
+    return replace(document, sheets=(document.sheets[number - 1],))
+
+
+def _from_svg(
+    source: Path, tolerance: float | None, wanted: tuple[int, int] | None
+) -> tuple[Document, list[str]]:
+    from workbench.exchange.svg_paths import frame_of, read_svg, size_of
+
+    data = source.read_bytes()
+    window = frame_of(data)
+    sheet = _blank(window, wanted or _pixels(size_of(data) or (0.0, 0.0), window))
+    found = read_svg(data, sheet, tolerance)
+    document = _filled(source, sheet, found.figures)
+    return document, _approximated(found.approximated) + list(found.notes)
+
+
+def _from_points(
+    source: Path, tolerance: float | None, wanted: tuple[int, int] | None
+) -> tuple[Document, list[str]]:
+    from workbench.algorithms.curves import fit_pieces
+    from workbench.exchange.point_lists import read_points
+    from workbench.exchange.svg_figures import path_of
+
+    points = read_points(source.read_text(encoding="utf-8-sig"))
+    low, high = points.min(axis=0), points.max(axis=0)
+    extent = float((high - low).max())
+    pieces, error = fit_pieces(points, tolerance or max(_SHARE * extent, 1e-9))
+    edge = 0.05 * extent
+    window = Rectangle(*(low - edge).tolist(), *(high + edge).tolist())
+    sheet = _blank(window, wanted or _pixels((0.0, 0.0), window))
+    document = _filled(source, sheet, [path_of(pieces.controls, False, 1)])
+    sentence = _("{count} Bézier pieces pass {points} points within {error:.3g}.")
+    return document, [sentence.format(count=len(pieces.controls), points=len(points), error=error)]
+
+
+def _blank(window: Rectangle, sides: tuple[int, int]) -> Sheet:
+    return replace(document_of("", *sides, ()).sheets[0], window_world=window)
+
+
+def _filled(source: Path, sheet: Sheet, figures: Sequence[AnyFigure]) -> Document:
+    made = document_of(source.stem[:200], sheet.width_px, sheet.height_px, figures)
+    return replace(made, sheets=(replace(made.sheets[0], window_world=sheet.window_world),))
+
+
+def _pixels(stated: tuple[float, float], window: Rectangle) -> tuple[int, int]:
+    """The size of a sheet: the one that is stated, if it is a fit one, else in the window's proportions."""
+    sides = tuple(round(side) for side in stated)
+    if all(_LEAST_SIDE_PX <= side <= MAX_SIDE_PX for side in sides):
+        return sides[0], sides[1]
+    width, height = window.xmax - window.xmin, window.ymax - window.ymin
+    scale = _LONGER_SIDE_PX / max(width, height)
+    return max(round(scale * width), _LEAST_SIDE_PX), max(round(scale * height), _LEAST_SIDE_PX)
+
+
+def _approximated(rows: Sequence[tuple[str, float]]) -> list[str]:
+    sentence = _("{name} is approximated within {error:.3g}.")
+    return [sentence.format(name=name, error=error) for name, error in rows]
+
+
+def _written(target: Path, data: bytes) -> None:
+    try:
+        target.write_bytes(data)
+    except OSError as error:
+        raise WorkError(f"{target}: {error.strerror}") from None
+
+
+def _patches(path: Path) -> Any:
+    """The surface in a JSON file. Raises: ValueError.
+
+    It has ``points``, rows of [x, y, z], and, if there are any, ``weights``, ``degrees`` [p, q], ``u_knots``
+    and ``v_knots``; without degrees it is one Bézier patch.
+    """
+    from workbench.algorithms.curves import open_uniform_knots
+    from workbench.algorithms.surfaces import EXAMPLES, b_spline_patch, bezier_patch
+
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        sentence = _("{file}: {reason}; give a JSON file or one of {examples}.")
+        raise ValueError(
+            sentence.format(file=path, reason=error.strerror, examples=", ".join(EXAMPLES))
+        ) from None
+    except (ValueError, RecursionError) as error:
+        raise ValueError(_("{file} is not JSON ({reason}).").format(file=path, reason=error)) from None
+    try:
+        net, weights = _numbers(found["points"]), _numbers(found.get("weights"))
+        if "degrees" not in found:
+            return bezier_patch(net, weights)
+        p, q = (int(degree) for degree in found["degrees"])
+        u_knots = _numbers(found.get("u_knots") or open_uniform_knots(len(net), p))
+        v_knots = _numbers(found.get("v_knots") or open_uniform_knots(len(net[0]), q))
+        return b_spline_patch(net, u_knots, v_knots, (p, q), weights)
+    except (KeyError, TypeError, AttributeError, IndexError, OverflowError):
+        sentence = _('{file} holds no surface; write {{"points": [[[x, y, z], …], …]}}.')
+        raise ValueError(sentence.format(file=path)) from None
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+
+
+def _numbers(value: Any) -> Any:
+    """Nested lists of numbers, all rows equally long, as an array; None stays. Raises: TypeError."""
+    try:
+        return None if value is None else np.array(value, float)
+    except ValueError:
+        raise TypeError from None
