@@ -219,9 +219,7 @@ def test_a_clip_window_without_area_is_refused() -> None:
 @given(documents(), documents())
 def test_many_figures_are_added_at_once_with_ids_of_their_own(document: Document, other: Document) -> None:
     wanted = [figure for sheet in other.sheets for figure in sheet.figures]
-    wanted = [
-        replace(f, colour=0, **({"boundary": 0} if isinstance(f, SeedFill) else {})) for f in wanted
-    ]
+    wanted = [replace(f, colour=0, **({"boundary": 0} if isinstance(f, SeedFill) else {})) for f in wanted]
     new = edits.add_figures(document.sheets[0].id, wanted)(document)
     assert check(new) is new
     kept = len(document.sheets[0].figures)
