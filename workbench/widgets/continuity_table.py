@@ -190,7 +190,8 @@ class ContinuityTable(QWidget):
         column.addWidget(self.words)
         column.addLayout(row)
         self.setFocusProxy(self.view)
-        self.view.selectionModel().currentRowChanged.connect(self._select)
+        # Not the current row: a table that gets the focus makes its first row that.
+        self.view.selectionModel().selectionChanged.connect(self._select)
         self.view.activated.connect(lambda index: self.joint_activated.emit(index.row()))
         self.model.modelReset.connect(self._select)
         theme.changed.connect(self._restyle)
@@ -206,13 +207,12 @@ class ContinuityTable(QWidget):
     @property
     def selected(self) -> int:
         """The number of the joint selected, or -1."""
-        row = self.view.selectionModel().currentIndex().row()
-        return row if row < self.model.rowCount() else -1
+        return next((index.row() for index in self.view.selectionModel().selectedRows()), -1)
 
     def select(self, number: int) -> None:
         """Select a joint; -1 selects none."""
         if number < 0:
-            self.view.selectionModel().clear()
+            self.view.clearSelection()
         elif number != self.selected:
             self.view.selectRow(number)
 

@@ -6,6 +6,7 @@ from typing import Any, Literal
 
 from PySide6.QtCore import (
     QAbstractTableModel,
+    QEvent,
     QMimeData,
     QModelIndex,
     QPersistentModelIndex,
@@ -199,7 +200,7 @@ class MeasureModel(QAbstractTableModel):
 
 class MeasureTable(QWidget):
     """``kind_activated`` sends the number of a kind double-clicked or entered, ``kind_pointed`` that of the
-    one under the pointer or the cursor, or -1; ``copied`` a sentence; ``example_wanted`` the empty button.
+    one under the pointer or selected, or -1; ``copied`` a sentence; ``example_wanted`` the empty button.
     """
 
     kind_activated = Signal(int)
@@ -210,6 +211,7 @@ class MeasureTable(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.model = MeasureModel(self)
+        self._pointed = -1
         self.view = QTableView()
         self.view.setModel(self.model)
         self.view.setAccessibleName(_("Curves compared"))
@@ -238,7 +240,8 @@ class MeasureTable(QWidget):
         column.addWidget(self.state)
         self.setFocusProxy(self.view)
         self.view.entered.connect(self._point)
-        self.view.selectionModel().currentChanged.connect(self._point)
+        self.view.selectionModel().selectionChanged.connect(self._select)
+        self.view.viewportEntered.connect(self._select)
         self.view.activated.connect(lambda index: self.kind_activated.emit(self._kind_of(index)))
         theme.changed.connect(self._restyle)
 
@@ -259,7 +262,20 @@ class MeasureTable(QWidget):
         return index.column() - 1 if self.model.upright else index.row()
 
     def _point(self, index: QModelIndex) -> None:
-        self.kind_pointed.emit(self._kind_of(index))
+        self._tell(self._kind_of(index))
+
+    def _select(self) -> None:
+        self._tell(next((self._kind_of(index) for index in self.view.selectedIndexes()), -1))
+
+    def _tell(self, kind: int) -> None:
+        if kind != self._pointed:
+            self._pointed = kind
+            self.kind_pointed.emit(kind)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        """When the pointer leaves, what is selected is pointed at, or nothing."""
+        super().leaveEvent(event)
+        self._select()
 
     def _turn(self) -> None:
         """The way round that fits the place: kinds as rows, or as columns when they need less room."""
