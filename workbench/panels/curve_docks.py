@@ -21,6 +21,7 @@ from workbench.widgets.hodograph_plot import HodographPlot
 DockPart = tuple[str, str, QWidget, Qt.DockWidgetArea]
 
 PER_PIECE, MOST_SAMPLES = 48, 4000
+_MOST_MARKS = 200
 # While something is dragged the docks follow at most so often.
 THROTTLE_MS = 60
 
@@ -120,7 +121,12 @@ class CurveDocks(QObject):
             self.curvature.set_curvature(np.zeros(0), np.zeros(0))
         else:
             us = _samples(pieces)
-            self.curvature.set_curvature(us, curves.curvature(pieces, us), _inner(pieces), ())
+            self.curvature.set_curvature(
+                us,
+                curves.curvature(pieces, us),
+                _inner(pieces),
+                curves.inflections(pieces).tolist()[:_MOST_MARKS],
+            )
         self.curvature.set_u(u)
 
     def _show_hodograph(self, pieces: Pieces | None, u: float | None) -> None:
@@ -176,7 +182,7 @@ def _samples(pieces: Pieces) -> np.ndarray:
 
 
 def _inner(pieces: Pieces) -> list[float]:
-    return [float(u) for u in np.unique(pieces.knots[1:-1])][:200]
+    return [float(u) for u in np.unique(pieces.knots[1:-1])][:_MOST_MARKS]
 
 
 def _measures(pieces: Pieces | None, u: float | None) -> list[tuple[str, str]]:
@@ -189,6 +195,8 @@ def _measures(pieces: Pieces | None, u: float | None) -> list[tuple[str, str]]:
     (x0, y0), (x1, y1) = (side.tolist() for side in curves.bounding_box(pieces))
     return [
         (_("at u = {u:.4g}").format(u=u), f"({x:.4g}, {y:.4g})"),
+        (_("length"), _("{length:.6g} px").format(length=curves.arc_length(pieces))),
+        (_("inflections"), str(len(curves.inflections(pieces)))),
         (_("curvature"), f"{bend:.4g} 1/px, " + _("radius {radius:.4g} px").format(radius=radius)),
         (_("box"), f"({x0:.4g}, {y0:.4g}) \N{EN DASH} ({x1:.4g}, {y1:.4g})"),
     ]

@@ -22,6 +22,7 @@ def switches() -> list[tuple[str, str, str]]:
         ("hull", _("Convex hull"), _("The curve stays within the hull of its points, where it says so")),
         ("box", _("Bounding box"), _("The smallest box around the curve itself")),
         ("extrema", _("Extrema"), _("Where x or y turns back")),
+        ("inflections", _("Inflections"), _("Where the curve changes the side it bends to")),
         ("steps_u", _("Equal steps of u"), _("Points at equal steps of the parameter")),
         (
             "influence",

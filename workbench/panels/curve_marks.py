@@ -39,8 +39,12 @@ def marks(sheet: Sheet, curve: Curve, shown: frozenset[str], share: float) -> li
         drawn += tangent(pieces, u)
     if "extrema" in shown:
         drawn += extrema(pieces)
+    if "inflections" in shown:
+        drawn += inflections(pieces)
     if "steps_u" in shown:
         drawn += steps_of_u(pieces)
+    if "steps_length" in shown:
+        drawn += steps_of_length(pieces)
     return drawn
 
 
@@ -133,7 +137,19 @@ def extrema(pieces: Pieces) -> list[Drawn]:
     return drawn
 
 
+def inflections(pieces: Pieces) -> list[Drawn]:
+    """Where the curve changes the side it bends to."""
+    at = piece_points(pieces, curves.inflections(pieces)[:MOST_MARKS]).reshape(-1, 2)
+    return [Spot(x, y, "data 4", "ring", 11) for x, y in at.tolist()]
+
+
 def steps_of_u(pieces: Pieces) -> list[Drawn]:
     """Points at equal steps of the parameter."""
     at = piece_points(pieces, np.linspace(pieces.knots[0], pieces.knots[-1], STEPS + 1))
     return [Spot(x, y, "data 2", "ring", 9) for x, y in at.tolist()]
+
+
+def steps_of_length(pieces: Pieces) -> list[Drawn]:
+    """As many points at equal steps of the length."""
+    at = piece_points(pieces, curves.equal_lengths(pieces, STEPS))
+    return [Spot(x, y, "data 3", "square", 7) for x, y in at.tolist()]
