@@ -42,6 +42,8 @@ class CurvesPanel(SteppedPanel):
         super().__init__(session, [self.select, self.pen, self.freehand, self.probe], parent)
         self.title = _("Curves")
         self.canvas.takes_handles = False
+        # Points behind the card could not be dragged.
+        self.canvas.worthwhile = 0.6
         self.card = CurveCard(self.focus, self.canvas)
         self.beside = CurveDocks(self.focus, self)
         self.commands = CurveCommands(self.focus, self)

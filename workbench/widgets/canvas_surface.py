@@ -37,6 +37,7 @@ class CanvasSurface(QWidget):
         self._view = CanvasView()
         self._keeps_fit = True
         self._covered = 0
+        self.worthwhile = WORTHWHILE
         self._stale = True
         self._frame = QImage()
         self._describe: Callable[[int, int], str] | None = None
@@ -115,14 +116,15 @@ class CanvasSurface(QWidget):
     def fit(self) -> None:
         """The whole picture, as large as whole cells allow; stays so when the widget is resized.
 
-        What is covered at the left stays free, unless the picture would become much smaller.
+        What is covered at the left stays free, unless the picture would then be smaller than ``worthwhile``,
+        a share of its size.
         """
         self._keeps_fit = True
         area, margin = self.area, round(MARGIN * self.devicePixelRatioF())
         whole = fitted(area, *self._picture.size, margin)
         covered = min(area.right - 1, area.left + round(self._covered * self.devicePixelRatioF()))
         beside = fitted(replace(area, left=covered), *self._picture.size, margin)
-        self._show(beside if beside.cell >= WORTHWHILE * whole.cell else whole, keep=True)
+        self._show(beside if beside.cell >= self.worthwhile * whole.cell else whole, keep=True)
 
     def set_covered(self, width: int) -> None:
         """So many logical pixels at the left of the picture are covered by something else."""

@@ -1,0 +1,201 @@
+"""What the Curves panel shows of a curve: basis functions, knots, weights, joints, marks, construction."""
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtWidgets import QDockWidget, QMainWindow
+
+from tests.panels.curves_by_hand import CTRL, ZIGZAG, click, curve_through, opened, send, settle, the_curve
+from workbench.algorithms.curves import piece_points
+from workbench.document.curve_pieces import parameter_at, pieces_of
+from workbench.document.model import SPLINES
+from workbench.panels.curve_basis import basis_of
+from workbench.panels.curve_insight import switches
+from workbench.panels.curve_scene import construction, point_at
+from workbench.widgets.canvas_drawing import Spot, Stroke
+
+PLACES = ((26.0, 10.0), (32.0, 34.0), (40.0, 40.0), (46.0, 12.0), (58.0, 30.0), (60.0, 8.0), (50.0, 4.0))
+
+
+def with_docks(qtbot, *curves):
+    """The panel in a window, with its docks to be seen."""
+    panel = opened(qtbot, *curves)
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    for name, title, widget, _area in panel.docks():
+        dock = QDockWidget(title, window)
+        dock.setObjectName(name)
+        dock.setWidget(widget)
+        window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+    window.resize(800, 1100)
+    window.show()
+    qtbot.waitExposed(window)
+    panel.docked_in = window
+    panel.refresh()
+    settle()
+    return panel
+
+
+@pytest.mark.parametrize("spline", SPLINES)
+def test_the_plotted_functions_add_up_to_the_curve(spline):
+    """Whatever the kind: functions times points is the curve, when the kind is linear in its points."""
+    curve = curve_through(*PLACES, spline=spline)
+    if spline == "nurbs":
+        points = [replace(p, weight=1.0 + k % 3) for k, p in enumerate(curve.points_world)]
+        curve = replace(curve, points_world=tuple(points))
+    if spline == "catmull_rom":
+        curve = replace(curve, alpha=0.0)
+    found = basis_of(curve, 0.5)
+    pieces = pieces_of(curve)
+    places = np.array([(p.x, p.y) for p in curve.points_world])
+    made = found.values @ places[list(found.numbers)]
+    assert made == pytest.approx(piece_points(pieces, found.us), abs=1e-6)
+    assert found.values.sum(axis=1) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("spline", SPLINES)
+@pytest.mark.parametrize("share", [0.0, 0.37, 0.5, 1.0])
+def test_the_construction_ends_on_the_curve(qtbot, spline, share):
+    panel = opened(qtbot, curve_through(*PLACES, spline=spline))
+    sheet, curve = panel.session.sheet, the_curve(panel)
+    (last,) = [each for each in construction(sheet, curve, share) if isinstance(each, Spot)][-1:]
+    assert (last.x, last.y) == pytest.approx(piece_points(pieces_of(curve), parameter_at(curve, share)))
+
+
+def test_stepping_builds_the_construction_point_by_point(qtbot):
+    panel = opened(qtbot, curve_through(*ZIGZAG))
+    panel.focus.switch("construction", True)
+    qtbot.waitUntil(lambda: panel.session.run.done, timeout=15000)
+    assert panel.session.run.entry.slug == "de_boor"
+    seen = []
+    for number in (1, 3, 6):
+        panel.session.run.go_to_step(number)
+        settle()
+        drawn = panel.view.drawn()
+        seen.append(sum(isinstance(each, Spot) and each.shape == "dot" for each in drawn))
+    assert seen == sorted(set(seen))
+
+
+def test_every_switch_draws_something_and_takes_it_away(qtbot):
+    curve = curve_through(*PLACES, spline="catmull_rom")
+    panel = with_docks(qtbot, curve)
+    panel.focus.choose({the_curve(panel).points_world[2].id})
+    for name, _title, _meaning in switches():
+        if name == "pixels":
+            continue
+        for box in panel.beside.insight.boxes.values():
+            box.setChecked(False)
+        settle()
+        before = len(panel.view.drawn())
+        panel.beside.insight.boxes[name].click()
+        settle()
+        assert len(panel.view.drawn()) > before, name
+
+
+def test_a_knot_is_dragged_and_the_knots_become_free(qtbot):
+    panel = with_docks(qtbot, curve_through(*PLACES))
+    before = panel.session.undo_stack.count()
+    panel.beside.basis.knot_dragged.emit("#5", 2.5)
+    panel.beside.basis.knot_dragged.emit("#5", 2.75)
+    panel.beside.basis.knot_released.emit("#5")
+    settle()
+    curve = the_curve(panel)
+    assert curve.knot_rule == "free"
+    assert curve.knots[5].u == 2.75
+    assert panel.session.undo_stack.count() == before + 1
+    panel.session.undo_stack.undo()
+    assert the_curve(panel).knot_rule == "open_uniform"
+
+
+def test_a_knot_that_would_pass_its_neighbour_is_refused_in_words(qtbot):
+    panel = with_docks(qtbot, curve_through(*PLACES))
+    said = []
+    panel.hover_text.connect(said.append)
+    panel.beside.basis.knot_dragged.emit("#5", 99.0)
+    panel.beside.basis.knot_released.emit("#5")
+    assert said
+    assert the_curve(panel).knot_rule == "open_uniform"
+
+
+def test_a_weight_is_dragged_as_one_step_of_undo(qtbot):
+    panel = with_docks(qtbot, curve_through(*PLACES, spline="nurbs"))
+    for weight in (2.0, 3.0, 4.0):
+        panel.beside.basis.weight_dragged.emit(1, weight)
+    panel.beside.basis.weight_released.emit(1)
+    settle()
+    assert the_curve(panel).points_world[1].weight == 4.0
+    panel.session.undo_stack.undo()
+    assert the_curve(panel).points_world[1].weight == 1.0
+
+
+def test_pointing_at_a_function_rings_its_point_and_the_other_way_round(qtbot):
+    panel = with_docks(qtbot, curve_through(*ZIGZAG))
+    panel.beside.basis.hovered.emit(3)
+    settle()
+    assert any(isinstance(e, Spot) and (e.x, e.y) == ZIGZAG[3] and e.size > 15 for e in panel.view.drawn())
+    qtbot.mouseMove(panel.canvas, panel.canvas.widget_position(*ZIGZAG[1]).toPoint())
+    send(panel, QEvent.Type.MouseMove, *ZIGZAG[1])
+    assert panel.focus.hovered in (1, 3)
+
+
+def test_u_is_dragged_in_the_plot(qtbot):
+    panel = with_docks(qtbot, curve_through(*ZIGZAG))
+    curves = panel.beside.basis.curves
+    qtbot.mouseClick(
+        curves, Qt.MouseButton.LeftButton, pos=QPoint(round(curves.x_of(0.5)), curves.height() // 2)
+    )
+    settle()
+    assert panel.focus.u == pytest.approx(0.25, abs=0.02)
+    assert "construction" in panel.focus.shown
+
+
+def test_a_double_click_on_a_joint_goes_there(qtbot):
+    panel = with_docks(qtbot, curve_through(*PLACES, spline="bezier_path"))
+    table = panel.beside.continuity
+    assert len(table.model.joints) == 1
+    table.joint_activated.emit(0)
+    settle()
+    assert panel.focus.u == pytest.approx(0.5)
+    at = point_at(panel.session.sheet, the_curve(panel), panel.focus.u)
+    assert at == pytest.approx(PLACES[3])
+
+
+def test_the_measures_are_those_of_the_curve(qtbot):
+    panel = with_docks(qtbot, curve_through((20.0, 10.0), (50.0, 10.0), spline="bezier"))
+    assert "30 px" in panel.beside.insight.words.text()
+
+
+def test_arrows_nudge_the_chosen_points_and_delete_removes_them(qtbot):
+    panel = opened(qtbot, curve_through(*ZIGZAG))
+    click(panel, *ZIGZAG[1])
+    panel.canvas.setFocus()
+    for _press in range(3):
+        qtbot.keyClick(panel.canvas, Qt.Key.Key_Right)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Up, Qt.KeyboardModifier.ShiftModifier)
+    assert (the_curve(panel).points_world[1].x, the_curve(panel).points_world[1].y) == (35, 44)
+    panel.delete_selected()
+    assert len(the_curve(panel).points_world) == 4
+    panel.session.undo_stack.undo()
+    panel.session.undo_stack.undo()
+    assert the_curve(panel).points_world[1].x == ZIGZAG[1][0]
+
+
+def test_the_joint_of_a_path_is_changed_by_command_alone(qtbot):
+    panel = opened(qtbot, curve_through(*PLACES, spline="bezier_path"))
+    click(panel, *PLACES[3])
+    panel.commands.joint("smooth")
+    assert the_curve(panel).points_world[3].joint == "smooth"
+    kept = [replace(p, id="") for p in the_curve(panel).points_world]
+    send(panel, QEvent.Type.MouseButtonPress, *PLACES[2], CTRL)
+    send(panel, QEvent.Type.MouseButtonRelease, *PLACES[2], CTRL)
+    assert [replace(p, id="") for p in the_curve(panel).points_world] == kept
+
+
+def test_the_comb_has_teeth_on_every_piece():
+    from workbench.panels.curve_marks import COMB_TEETH, comb
+
+    pieces = pieces_of(curve_through(*PLACES, spline="catmull_rom"))
+    strokes = [each for each in comb(pieces, 80.0) if isinstance(each, Stroke)]
+    assert len(strokes) == 2 * (len(PLACES) - 1)
+    assert len(strokes[0].points) >= 3 * COMB_TEETH
