@@ -54,6 +54,7 @@ def click(qtbot: QtBot, view: QTableView, number: int, column: int = 0, double: 
     qtbot.mouseClick(view.viewport(), LEFT, pos=place)
     if double:
         qtbot.mouseDClick(view.viewport(), LEFT, pos=place)
+        qtbot.mouseRelease(view.viewport(), LEFT, pos=place)
 
 
 @pytest.mark.parametrize(
