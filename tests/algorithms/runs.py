@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from tests.curves.made_curves import BEZIER_RUNS, CURVE_RUNS, DE_BOOR_RUNS, FLATTENING_RUNS
+from tests.curves.rational_curves import CLOSEST_RUNS
 from workbench.algorithms.entry import Entry
 
 near = st.integers(-9, 9)
@@ -70,6 +71,7 @@ STRATEGIES: dict[str, st.SearchStrategy[tuple[Any, ...]]] = {
     "de_boor": DE_BOOR_RUNS,
     "b_spline_curve": CURVE_RUNS,
     "flatten_bezier": FLATTENING_RUNS,
+    "closest_point": CLOSEST_RUNS,
 }
 
 

@@ -9,8 +9,16 @@ import numpy as np
 from hypothesis import strategies as st
 
 from tests.curves.exact import fractions
-from tests.curves.made_curves import point_lists, weight
-from workbench.algorithms.curves import Pieces, b_spline_to_bezier, circle, homogeneous, projected
+from tests.curves.made_curves import Array, coordinate, point_lists, weight
+from workbench.algorithms.curves import (
+    Pieces,
+    b_spline_to_bezier,
+    circle,
+    homogeneous,
+    in_rows,
+    piece_points,
+    projected,
+)
 
 
 def whole_circle() -> Pieces:
@@ -66,3 +74,17 @@ def exact_derivatives(points: Any, weights: Any, v: float, order: int) -> list[l
             ]
         )
     return found
+
+
+def dense_points(pieces: Pieces, count: int = 2000) -> Array:
+    """Points of the curve at even steps and crowded towards the ends of each piece."""
+    v = np.concatenate([np.linspace(0, 1, count), np.logspace(-12, -1, 200), 1 - np.logspace(-12, -1, 200)])
+    lengths = np.diff(pieces.knots)
+    kept = lengths > 0
+    u = pieces.knots[:-1][kept, None] + v[v < 1] * lengths[kept, None]
+    return piece_points(pieces, u.ravel())
+
+
+CLOSEST_RUNS = st.tuples(pieces_of_any_kind(most=3, degrees=(1, 4)), coordinate, coordinate).map(
+    lambda found: (*in_rows(found[0]), found[1], found[2])
+)

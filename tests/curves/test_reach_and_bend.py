@@ -11,7 +11,7 @@ from scipy.interpolate import BPoly
 
 from tests.curves import exact
 from tests.curves.made_curves import Array, point_lists
-from tests.curves.rational_curves import pieces_of_any_kind, whole_circle
+from tests.curves.rational_curves import dense_points, pieces_of_any_kind, whole_circle
 from workbench.algorithms.curves import (
     Pieces,
     bounding_box,
@@ -21,27 +21,17 @@ from workbench.algorithms.curves import (
     derivatives,
     extrema,
     osculating_circle,
-    piece_points,
 )
 from workbench.algorithms.curves.roots import roots
 
 ONE = np.array([0.0, 1.0])
 
 
-def dense(pieces: Pieces, count: int = 2000) -> Array:
-    """Points of the curve at even steps and crowded towards the ends of each piece."""
-    v = np.concatenate([np.linspace(0, 1, count), np.logspace(-12, -1, 200), 1 - np.logspace(-12, -1, 200)])
-    lengths = np.diff(pieces.knots)
-    kept = lengths > 0
-    u = pieces.knots[:-1][kept, None] + v[v < 1] * lengths[kept, None]
-    return piece_points(pieces, u.ravel())
-
-
 @given(pieces_of_any_kind())
 def test_the_box_holds_the_curve_and_touches_it(pieces: Pieces) -> None:
     low, high = bounding_box(pieces)
     size = max(exact.size_of(pieces.controls), 1e-300)
-    places = dense(pieces)
+    places = dense_points(pieces)
     assert (places >= low - 1e-12 * size).all()
     assert (places <= high + 1e-12 * size).all()
     sides = [pieces.controls[np.diff(pieces.knots) > 0][:, [0, -1]].reshape(-1, 2)]

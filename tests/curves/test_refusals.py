@@ -31,6 +31,15 @@ REFUSED: list[tuple[Callable[..., Any], tuple[Any, ...], str]] = [
     (curves.b_spline_curve, (POINTS, BACK, 2, 9), "knots decrease"),
     (curves.b_spline_curve, (POINTS, KNOTS, 2, 1), "needs two samples or more; ask"),
     (curves.flatten_bezier, (POINTS, 0.0), "tolerance must be above 0; give a larger"),
+    (curves.closest_point, (KNOTS[:2], POINTS, np.ones(4), 0, 0.0, 0.0), "degree 1 or more; add some"),
+    (
+        curves.closest_point,
+        (KNOTS[2:4], POINTS, np.ones(4), 2, 0.0, 0.0),
+        "needs degree . 1 points",
+    ),
+    (curves.closest_point, (KNOTS[2:4], NAN, np.ones(4), 3, 0.0, 0.0), "not a finite number"),
+    (curves.closest_point, (BACK[3:5], POINTS, np.ones(4), 3, 0.0, 0.0), "knots decrease"),
+    (curves.closest_point, (KNOTS[2:4], POINTS, np.zeros(4), 3, 0.0, 0.0), "weight is not a finite number"),
     (curves.flatten_bezier, (POINTS[:0], 1.0), "needs two points or more"),
 ]
 

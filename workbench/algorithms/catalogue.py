@@ -32,6 +32,7 @@ _TEACHING_ORDER = (
     "curves.de_boor",
     "curves.b_spline_curve",
     "curves.flatten_bezier",
+    "curves.closest_point",
     "visibility.depth_buffer",
     "scanning.raster_scan",
     "scanning.random_scan",

@@ -19,6 +19,7 @@ from workbench.algorithms.curves.bernstein import (
 from workbench.algorithms.curves.blossom import b_spline_to_bezier, elevate_b_spline
 from workbench.algorithms.curves.cardinal import cardinal
 from workbench.algorithms.curves.catmull_rom import catmull_rom
+from workbench.algorithms.curves.closest_point import closest_point
 from workbench.algorithms.curves.continuity import Continuity, continuity, joints
 from workbench.algorithms.curves.convex_hull import convex_hull
 from workbench.algorithms.curves.cubic_pieces import to_cubic_pieces
@@ -44,7 +45,7 @@ from workbench.algorithms.curves.knots import (
     uniform_knots,
 )
 from workbench.algorithms.curves.kochanek_bartels import kochanek_bartels
-from workbench.algorithms.curves.pieces import Pieces, piece_points
+from workbench.algorithms.curves.pieces import Pieces, in_rows, piece_points
 from workbench.algorithms.curves.polyline import chord_counts, polyline
 from workbench.algorithms.curves.rational import Nurbs, circle, homogeneous, projected
 from workbench.algorithms.curves.rational_polyline import nurbs_to_polyline
@@ -71,6 +72,7 @@ __all__ = [
     "circle",
     "clamped_cubic",
     "closed_b_spline",
+    "closest_point",
     "continuity",
     "convex_hull",
     "counting",
@@ -89,6 +91,7 @@ __all__ = [
     "hermite",
     "hodograph",
     "homogeneous",
+    "in_rows",
     "inflections",
     "insert_knot",
     "joints",

@@ -37,6 +37,22 @@ def refuse_bezier(points: NDArray[Any], u: float) -> None:
         raise ValueError("A coordinate or the parameter is not a finite number; give it a value.")
 
 
+def refuse_pieces(
+    knots: NDArray[Any], points: NDArray[Any], weights: NDArray[Any], degree: int, x: float, y: float
+) -> None:
+    """Raise ValueError unless these are pieces of this degree, and (x, y) is a point."""
+    if degree < 1 or len(knots) < 2:
+        raise ValueError("A curve in pieces has two knots or more, and degree 1 or more; add some.")
+    if len(points) != (len(knots) - 1) * (degree + 1) or len(weights) != len(points):
+        raise ValueError("Each piece needs degree + 1 points, and each point a weight; add what is missing.")
+    if not_finite(points) > 0 or not_finite(knots) > 0 or not math.isfinite(x) or not math.isfinite(y):
+        raise ValueError("A coordinate or a knot is not a finite number; give it a value.")
+    if decreases(knots) > 0:
+        raise ValueError("The knots decrease; make each at least as large as the one before it.")
+    if len([w for w in weights if not 0.0 < w < math.inf]) > 0:
+        raise ValueError("A weight is not a finite number above 0; give it one.")
+
+
 def refuse_b_spline(points: NDArray[Any], knots: NDArray[Any], degree: int) -> None:
     """Raise ValueError unless these points and knots make a B-spline of this degree."""
     if degree < 1:

@@ -31,3 +31,17 @@ B_SPLINE = (
         "degree", "p", "int", 3, low=1, high=7, meaning="degree of the curve; the course's d is one more"
     ),
 )
+PIECES = (
+    Parameter(
+        "knots", "t_j", "floats", np.array([0, 1, 2], np.float64), meaning="where the pieces begin and end"
+    ),
+    Parameter(
+        "points",
+        "P_i",
+        "points",
+        np.array([[1, 1], [2, 5], [5, 6], [6, 3], [6, 3], [7, 0], [10, 1], [12, 5]], np.float64),
+        meaning="the control points, piece after piece",
+    ),
+    Parameter("weights", "w_i", "floats", np.ones(8), meaning="their weights, 1 for a plain curve"),
+    Parameter("degree", "p", "int", 3, low=1, high=7, meaning="degree of the pieces"),
+)

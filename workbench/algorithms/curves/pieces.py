@@ -67,3 +67,11 @@ def with_length(pieces: Pieces) -> Pieces:
         return Pieces(knots[0] + np.array([0.0, 1.0]), np.repeat(controls[:1, :1], controls.shape[1], axis=1))
     kept = np.append(knots[:-1][long], knots[-1])
     return Pieces(kept, controls[long], None if weights is None else weights[long])
+
+
+def in_rows(pieces: Pieces) -> tuple[Array, Array, Array, int]:
+    """Knots, control points (m (degree + 1), k) and weights, piece after piece, and the degree: what a text
+    takes that is stepped and compiled."""
+    controls = pieces.controls.reshape(-1, pieces.controls.shape[2])
+    weights = np.ones(len(controls)) if pieces.weights is None else pieces.weights.ravel()
+    return pieces.knots, controls, weights, pieces.degree

@@ -1,0 +1,80 @@
+"""The squared distance of a point from a Bézier piece, as a quotient of two polynomials of twice the degree.
+
+Their Bernstein coefficients say where it may be small: no quotient is less than the least quotient of two
+coefficients, and if these fall and then grow, so does the distance.
+"""
+
+import math
+from typing import Any
+
+from numpy.typing import NDArray
+
+
+def box_distance(points: NDArray[Any], first: int, degree: int, x: float, y: float) -> float:
+    """The distance of (x, y) from the box around the control points of the piece that begins at ``first``."""
+    x_low = x_high = float(points[first, 0])
+    y_low = y_high = float(points[first, 1])
+    for i in range(first + 1, first + degree + 1):
+        x_low, x_high = min(x_low, float(points[i, 0])), max(x_high, float(points[i, 0]))
+        y_low, y_high = min(y_low, float(points[i, 1])), max(y_high, float(points[i, 1]))
+    dx = max(x_low - x, x - x_high, 0.0)
+    dy = max(y_low - y, y - y_high, 0.0)
+    return math.sqrt(dx * dx + dy * dy)
+
+
+def set_coefficients(
+    points: NDArray[Any],
+    weights: NDArray[Any],
+    first: int,
+    x: float,
+    y: float,
+    above: NDArray[Any],
+    below: NDArray[Any],
+) -> None:
+    """Write the coefficients (2 degree + 1,) of what stands above and below."""
+    degree = len(above) // 2
+    for k in range(2 * degree + 1):
+        above[k] = 0.0
+        below[k] = 0.0
+    row = 1.0
+    for i in range(degree + 1):
+        x_i, y_i = float(points[first + i, 0]) - x, float(points[first + i, 1]) - y
+        share = row
+        for j in range(degree + 1):
+            pull = share * float(weights[first + i]) * float(weights[first + j])
+            x_j, y_j = float(points[first + j, 0]) - x, float(points[first + j, 1]) - y
+            above[i + j] += pull * (x_i * x_j + y_i * y_j)
+            below[i + j] += pull
+            share *= (degree - j) / (j + 1)
+        row *= (degree - i) / (i + 1)
+    whole = 1.0
+    for k in range(2 * degree + 1):
+        above[k] /= whole
+        below[k] /= whole
+        whole *= (2 * degree - k) / (k + 1)
+
+
+def outlook(above: NDArray[Any], below: NDArray[Any]) -> tuple[float, bool]:
+    """A bound for the distance, which it is nowhere less than, and whether it has one valley only."""
+    last = float(above[0]) / float(below[0])
+    least = last
+    grows = False
+    valley = True
+    for k in range(1, len(above)):
+        quotient = float(above[k]) / float(below[k])
+        least = min(least, quotient)
+        if quotient < last and grows:
+            valley = False
+        grows = grows or quotient > last
+        last = quotient
+    return math.sqrt(max(least, 0.0)), valley
+
+
+def halve(coefficients: NDArray[Any], first_half: NDArray[Any]) -> None:
+    """Divide in the middle by de Casteljau's construction; the second half takes the place of the whole."""
+    count = len(coefficients)
+    first_half[0] = coefficients[0]
+    for r in range(1, count):
+        for k in range(count - r):
+            coefficients[k] = 0.5 * (coefficients[k] + coefficients[k + 1])
+        first_half[r] = coefficients[0]
