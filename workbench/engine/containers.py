@@ -5,8 +5,10 @@ A *stamp* is twice an event's number; the odd stamp before it belongs to a frame
 
 from array import array
 from bisect import bisect_right
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import lru_cache
+from itertools import islice
 from operator import is_
 from typing import Any
 
@@ -32,6 +34,11 @@ class LeftOut:
         return f"{' x '.join(map(str, self.shape))} {self.dtype}"
 
 
+@lru_cache(maxsize=256)
+def _left_out(shape: tuple[int, ...], dtype: np.dtype[Any]) -> LeftOut:
+    return LeftOut(shape, str(dtype))
+
+
 def is_fixed(value: Any) -> bool:
     """Whether ``value`` can never change: a number, a text, a tuple of such."""
     if type(value) in _ATOMS:
@@ -51,7 +58,7 @@ def snapshot(value: Any) -> Any:
         items = [snapshot(item) for item in value]
         return type(value)._make(items) if hasattr(value, "_make") else tuple(items)
     if isinstance(value, np.ndarray):
-        return value.copy() if value.size <= LARGEST_ARRAY else LeftOut(value.shape, str(value.dtype))
+        return value.copy() if value.size <= LARGEST_ARRAY else _left_out(value.shape, value.dtype)
     if isinstance(value, dict):
         return {key: snapshot(item) for key, item in value.items()}
     if isinstance(value, set | frozenset):
@@ -72,6 +79,12 @@ def same(a: Any, b: Any) -> bool:
     if isinstance(a, dict):
         return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
     return bool(a == b)
+
+
+def _alike(equal: Iterable[bool], most: int) -> int:
+    """How many of the first ``most`` are true before one is not."""
+    pairs = list(islice(equal, most))
+    return pairs.index(False) if False in pairs else most
 
 
 class Log:
@@ -203,12 +216,8 @@ class ListLog(Log):
                 return
             equal = is_
         shorter = min(len(now), len(shadow))
-        start = 0
-        while start < shorter and equal(now[start], shadow[start]):
-            start += 1
-        end = 0
-        while end < shorter - start and equal(now[-1 - end], shadow[-1 - end]):
-            end += 1
+        start = _alike(map(equal, now, shadow), shorter)
+        end = _alike(map(equal, reversed(now), reversed(shadow)), shorter - start)
         stop = len(shadow) - end
         if start < stop or len(now) != len(shadow):
             self._replace(stamp, start, stop, now[start : len(now) - end])
@@ -307,7 +316,7 @@ class Containers:
     def bind(self, value: Any, stamp: int, fresh: bool) -> Any:
         """What a column keeps for ``value``: a log of it; ``fresh`` looks for changes nobody has seen yet."""
         if isinstance(value, np.ndarray) and _is_large(value):
-            return LeftOut(value.shape, str(value.dtype))
+            return _left_out(value.shape, value.dtype)
         log = self._logs.get(id(value))
         if log is None:
             if isinstance(value, list):
