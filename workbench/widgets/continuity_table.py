@@ -18,6 +18,7 @@ from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import code_font
 
 Index = QModelIndex | QPersistentModelIndex
+_WIDEST_PX = 88
 SMOOTHINGS = ("G1", "C1", "G2", "C2")
 
 
@@ -183,6 +184,7 @@ class ContinuityTable(QWidget):
         row.addWidget(lead)
         for button in self.buttons.values():
             row.addWidget(button, 1)
+        row.addStretch()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -200,6 +202,7 @@ class ContinuityTable(QWidget):
     def _button(self, kind: str) -> QPushButton:
         button = QPushButton(kind)
         button.setToolTip(_("Move as few points as needed so that the joint is {kind}").format(kind=kind))
+        button.setMaximumWidth(_WIDEST_PX)
         button.setAccessibleName(_("Make it {kind}").format(kind=kind))
         button.clicked.connect(lambda: self.smoothing_wanted.emit(self.selected, kind))
         return button
