@@ -129,7 +129,7 @@ class WeightBars(ParameterPlot):
         return QRectF(x - wide / 2, min(middle, end), wide, abs(end - middle))
 
     def paint_kept(self, painter: QPainter) -> None:
-        """The scale, the bars, the names where there is room."""
+        """The scale, the bars with their grips, the names where there is room."""
         now, area = tokens(), self.area
         for power in (-self._decades, 0.0, self._decades):
             y = round(self._y(10**power)) + 0.5
@@ -142,7 +142,8 @@ class WeightBars(ParameterPlot):
         metrics, free = QFontMetricsF(painter.font()), 0.0
         for number, ink in enumerate(self._inks):
             bar = self._bar(number)
-            self._paint_bar(painter, bar, ink)
+            painter.fillRect(bar, colour(ink_of(now, ink)))
+            self._paint_grip(painter, number, ink_of(now, ink), 1.25)
             name = typeset(self._names[number])
             left = bar.center().x() - metrics.horizontalAdvance(name) / 2
             if left >= free:
@@ -150,22 +151,18 @@ class WeightBars(ParameterPlot):
                 painter.drawText(QPointF(left, self.height() - 4), name)
                 free = left + metrics.horizontalAdvance(name) + 4
 
-    def _paint_bar(self, painter: QPainter, bar: QRectF, ink: str) -> None:
-        painter.fillRect(bar, colour(ink_of(tokens(), ink)))
+    def _paint_grip(self, painter: QPainter, number: int, ink: str, width: float) -> None:
+        bar, now = self._bar(number), tokens()
+        grip = QRectF(bar.left() - 2, self._y(self._weights[number]) - 2.5, bar.width() + 4, 5)
+        painter.setPen(QPen(colour(ink), width))
+        painter.setBrush(colour(now.surface))
+        painter.drawRoundedRect(grip, 2, 2)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
 
     def paint_marks(self, painter: QPainter) -> None:
-        """The grip of each bar, and the one lit up with its weight."""
-        now = tokens()
-        for number, ink in enumerate(self._inks):
-            bar, strong = self._bar(number), number == self._lit
-            y = self._y(self._weights[number])
-            grip = QRectF(bar.left() - 2, y - 2.5, bar.width() + 4, 5)
-            painter.setPen(QPen(colour(now.text if strong else ink_of(now, ink)), 2 if strong else 1.25))
-            painter.setBrush(colour(now.surface))
-            painter.drawRoundedRect(grip, 2, 2)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
+        """The point lit up, with its weight."""
         if self._lit >= 0:
-            painter.setPen(colour(now.text))
+            self._paint_grip(painter, self._lit, tokens().text, 2)
             box = QRectF(LEFT_PX, 0, self.width() - LEFT_PX - RIGHT_PX, ROW_PX)
             painter.drawText(box, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, self.reading)
 
