@@ -19,7 +19,7 @@ from workbench.document.model import (
     Sheet,
     WorldPoint,
 )
-from workbench.rendering import arguments, frame_buffer, painter_of, raster, why
+from workbench.rendering import arguments, emissions, frame_buffer, painter_of, why
 
 PALETTE = (0x000000, 0xFF0000, 0x00FF00, 0x0000FF)
 
@@ -139,8 +139,8 @@ def test_only_the_changed_figure_runs_again(monkeypatch: pytest.MonkeyPatch) -> 
     figures = [line((i, 0), (i + 3, 29), 1, f"f{i}") for i in range(20)]
     frame_buffer(sheet(*figures))
     ran = []
-    real = raster._run
-    monkeypatch.setattr(raster, "_run", lambda *given: ran.append(given[2]) or real(*given))
+    real = emissions._run
+    monkeypatch.setattr(emissions, "_run", lambda *given: ran.append(given[2]) or real(*given))
     figures[7] = line((7.2, 1.0), (31.0, 27.0), 1, "f7")
     frame_buffer(sheet(*figures))
     assert ran == [(7, 1, 31, 27)]

@@ -133,7 +133,7 @@ def _figure(at: str, figure: AnyFigure, sheet: Sheet, before: AnyFigure | None) 
         raise refuse(f"{at}.algorithm", problem.format(value=shown(figure.algorithm), choices=choices))
     _palette_index(f"{at}.colour", figure.colour, sheet)
     _count(f"{at}.points_world", figure.points_world, figure.least_points, figure.most_points, _("point"))
-    seen = set(map(id, before.points_world)) if type(before) is type(figure) else set()
+    seen = set() if before is None or type(before) is not type(figure) else set(map(id, before.points_world))
     for index, point in enumerate(figure.points_world):
         if id(point) not in seen:
             _point(f"{at}.points_world[{index}]", point)
@@ -257,15 +257,21 @@ def _same_ids(before: Document, after: Document) -> bool:
         if old.id != new.id or len(old.figures) != len(new.figures):
             return False
         for a, b in zip(old.figures, new.figures, strict=True):
-            if a is not b and [a.id, *_part_ids(a)] != [b.id, *_part_ids(b)]:
+            if a is not b and not (a.id == b.id and _same_parts(a.points_world, b.points_world)):
+                return False
+            knots = [figure.knots if isinstance(figure, Curve) else () for figure in (a, b)]
+            if not _same_parts(*knots):
                 return False
     return True
 
 
-def _part_ids(figure: AnyFigure) -> Iterator[str]:
-    yield from (point.id for point in figure.points_world)
-    if isinstance(figure, Curve):
-        yield from (knot.id for knot in figure.knots)
+def _same_parts(before: tuple[Any, ...], after: tuple[Any, ...]) -> bool:
+    """Whether both have the same ids in the same places."""
+    if before is after:
+        return True
+    return len(before) == len(after) and all(
+        a is b or a.id == b.id for a, b in zip(before, after, strict=True)
+    )
 
 
 def _coordinate(field: str, value: Any) -> None:

@@ -1,6 +1,8 @@
 """Curves of the document as numbers: their points, knots and weights, and their Bézier pieces, world."""
 
+from collections import deque
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +14,7 @@ from workbench.document.model import Curve
 
 Array = NDArray[np.float64]
 
+_WORTH_KEEPING = 50
 _NEVER_CLOSED = ("natural_cubic", "clamped_cubic")
 
 
@@ -81,10 +84,10 @@ def pieces_of(curve: Curve, spline: str = "") -> Pieces:
             return _path(points, curve.closed)
         case "b_spline":
             controls, knots, _weights = b_spline_of(curve)
-            return curves.b_spline_to_bezier(controls, knots, curve.degree)
+            return _b_spline_pieces(controls, knots, curve.degree)
         case "nurbs":
             controls, knots, weights = b_spline_of(curve)
-            whole = curves.b_spline_to_bezier(curves.homogeneous(controls, weights), knots, curve.degree)
+            whole = _b_spline_pieces(curves.homogeneous(controls, weights), knots, curve.degree)
             flat, pulls = curves.projected(whole.controls)
             return Pieces(whole.knots, flat, pulls)
         case "hermite":
@@ -105,6 +108,51 @@ def pieces_of(curve: Curve, spline: str = "") -> Pieces:
             return curves.catmull_rom(points, curve.alpha, ends)
         case _:
             return curves.kochanek_bartels(points, curve.tension, curve.continuity, curve.bias, ends)
+
+
+class _Made(NamedTuple):
+    """A B-spline and its pieces."""
+
+    controls: Array
+    knots: Array
+    degree: int
+    pieces: Pieces
+
+
+_made: deque[_Made] = deque(maxlen=8)
+
+
+def _b_spline_pieces(controls: Array, knots: Array, degree: int) -> Pieces:
+    """The pieces of a B-spline; of one that was there before only those are made anew whose points moved."""
+    for before in tuple(_made):
+        if before.degree != degree or before.controls.shape != controls.shape:
+            continue
+        if not np.array_equal(before.knots, knots):
+            continue
+        found = _made_anew(before, controls)
+        if found is not None:
+            _made.append(_Made(controls, knots, degree, found))
+            return found
+    pieces = curves.b_spline_to_bezier(controls, knots, degree)
+    if len(controls) >= _WORTH_KEEPING:
+        _made.append(_Made(controls, knots, degree, pieces))
+    return pieces
+
+
+def _made_anew(before: _Made, controls: Array) -> Pieces | None:
+    """The pieces with some of the points moved; None where that is not worth while."""
+    knots, degree, count = before.knots, before.degree, len(controls)
+    moved = np.flatnonzero((before.controls != controls).any(axis=1))
+    if not len(moved):
+        return before.pieces
+    low, high = max(int(moved[0]) - degree, 0), min(int(moved[-1]) + degree + 1, count)
+    if high - low > count // 2 or knots[low + degree] == knots[high]:
+        return None
+    part = curves.b_spline_to_bezier(controls[low:high], knots[low : high + degree + 1], degree)
+    first = int(np.count_nonzero(np.diff(knots[degree : low + degree + 1]) > 0))
+    made = before.pieces.controls.copy()
+    made[first : first + len(part.controls)] = part.controls
+    return Pieces(before.pieces.knots, made)
 
 
 def _bezier(controls: Array, knots: Array) -> Pieces:

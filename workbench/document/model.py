@@ -10,7 +10,7 @@ from typing import ClassVar
 import msgspec
 
 
-class WorldPoint(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class WorldPoint(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
     """A control point, in world coordinates."""
 
     id: str
@@ -32,7 +32,7 @@ def whole_sheet(width_px: int, height_px: int) -> Rectangle:
     return Rectangle(-0.5, -0.5, width_px - 0.5, height_px - 0.5)
 
 
-class Figure(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind"):
+class Figure(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", cache_hash=True):
     """What all figures share. ``colour`` is a palette index of the sheet, ``algorithm`` a catalogue slug.
 
     ``algorithms`` are the slugs that can draw this kind of figure, the first one new figures get;
@@ -161,7 +161,7 @@ ENDS = ("through", "inner")
 CONSTRUCTIONS = ("de_casteljau", "de_boor", "b_spline_curve", "flatten_bezier")
 
 
-class CurvePoint(WorldPoint, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+class CurvePoint(WorldPoint, frozen=True, omit_defaults=True):
     """A control point of a curve.
 
     ``weight`` is what a NURBS gives it, above 0; (``tangent_x``, ``tangent_y``) the derivative there by u, in
@@ -175,7 +175,7 @@ class CurvePoint(WorldPoint, frozen=True, forbid_unknown_fields=True, omit_defau
     joint: str = JOINTS[0]
 
 
-class Knot(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class Knot(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
     """One knot of a B-spline, at the parameter ``u``."""
 
     id: str
@@ -219,7 +219,7 @@ LINE_CLIPPERS = ("cohen_sutherland", "liang_barsky")
 POLYGON_CLIPPERS = ("sutherland_hodgman",)
 
 
-class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
     """One picture: a size in pixels, window and viewport, palette (0xRRGGBB), figures from back to front.
 
     ``background`` is the palette index of the paper: the canvas shows it as the theme's canvas colour, the

@@ -96,7 +96,8 @@ def _has(entry: Entry, use: str) -> bool:
         case "paint_many":
             return entry.emits in PAINTING and only_numbers(kinds(entry.function))
         case "collect_many":
-            return entry.emits == "segments" and only_numbers(kinds(entry.function))
+            many = entry.emits == "segments" or entry.topic == "lines"
+            return many and only_numbers(kinds(entry.function))
         case "hits":
             return entry.emits in ("pixels", "coverage", "spans", "fragments")
     return True

@@ -4,8 +4,6 @@ Coordinates are those of the device, not rounded. Lines and polygons are clipped
 catalogue; the pixels of all other figures are left out where their centres lie outside the window.
 """
 
-from collections.abc import Iterable
-from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -14,11 +12,33 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure, Circle, Curve, Line, Polygon, Polyline, Sheet
-from workbench.rendering.curves import polyline_of
-from workbench.rendering.limits import clip_ring, within_reach
-from workbench.rendering.mapping import Box, Call, device_map, device_rings, device_segments
+from workbench.rendering.limits import clip_ring
+from workbench.rendering.mapping import Box, Call, device_map, device_rings
+from workbench.rendering.segments import (
+    Lines,
+    Segment,
+    Table,
+    clipped_segment,
+    clipped_table,
+    reaching,
+    rounded,
+    segment_table,
+)
 
-Segment = tuple[float, float, float, float]
+__all__ = [
+    "Segment",
+    "clip_box",
+    "clipped_segment",
+    "clipper_calls",
+    "clipper_of",
+    "line_table",
+    "polygon_values",
+    "ring_strokes",
+    "segments_of",
+    "visible_rings",
+    "visible_table",
+]
+
 Ring = NDArray[np.float64]
 
 
@@ -59,31 +79,15 @@ def clipper_calls(sheet: Sheet, figure: AnyFigure, clipper: str | None = None) -
     return [Call(entry, (*scale.point(point.x, point.y), *window)) for point in figure.points_world]
 
 
-def segments_of(sheet: Sheet, figure: Line | Polyline | Curve) -> list[Segment]:
+def segments_of(sheet: Sheet, figure: Lines) -> list[Segment]:
     """The segments (x0, y0, x1, y1) that a figure is made of, device coordinates."""
-    if isinstance(figure, Curve):
-        corners = polyline_of(sheet, figure).tolist()
-        return [(*a, *b) for a, b in pairwise(corners)]
-    return device_segments(sheet, figure)
+    return [(x0, y0, x1, y1) for x0, y0, x1, y1 in segment_table(sheet, figure).tolist()]
 
 
-@lru_cache(maxsize=16_384)
-def clipped_segment(slug: str, segment: Segment, window: Box) -> tuple[Segment, ...]:
-    """What a line clipper keeps of a segment: one segment or none; remembered."""
-    return tuple(
-        (float(x0), float(y0), float(x1), float(y1))
-        for x0, y0, x1, y1 in catalogue.get(slug).function(*segment, *window)
-    )
-
-
-def visible_segments(sheet: Sheet, figure: Line | Polyline | Curve) -> Iterable[Segment]:
-    """What of each segment is left to be drawn, device coordinates."""
-    window = clip_box(sheet)
-    for segment in segments_of(sheet, figure):
-        if window is None:
-            yield segment
-        else:
-            yield from clipped_segment(sheet.line_clipper, segment, window)
+def visible_table(sheet: Sheet, figure: Lines) -> Table:
+    """What of each segment (n, 4) is left to be drawn, device coordinates."""
+    window, table = clip_box(sheet), segment_table(sheet, figure)
+    return table if window is None else clipped_table(sheet.line_clipper, table, window)
 
 
 def visible_rings(sheet: Sheet, figure: Polygon) -> list[Ring]:
@@ -113,12 +117,9 @@ def polygon_values(sheet: Sheet, figure: Polygon) -> dict[str, Any] | None:
     }
 
 
-def line_values(sheet: Sheet, figure: Line | Polyline | Curve) -> Iterable[Segment]:
-    """The ends, not rounded, of each segment that a line's algorithm is to draw."""
-    for segment in visible_segments(sheet, figure):
-        near = within_reach(*segment, sheet.width_px, sheet.height_px)
-        if near is not None:
-            yield near
+def line_table(sheet: Sheet, figure: Lines) -> NDArray[np.int64]:
+    """The ends (n, 4), rounded, of each segment that a line's algorithm is to draw."""
+    return rounded(reaching(visible_table(sheet, figure), sheet.width_px, sheet.height_px))
 
 
 def ring_strokes(ring: Ring) -> list[Segment]:

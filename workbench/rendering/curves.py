@@ -1,5 +1,7 @@
 """Curves of the document as the lines that are drawn, device."""
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,7 +16,7 @@ from workbench.document.curve_pieces import (
     weights_of,
 )
 from workbench.document.model import Curve, Sheet
-from workbench.rendering.mapping import device_map
+from workbench.rendering.mapping import DeviceMap, device_map
 
 __all__ = [
     "b_spline_of",
@@ -32,7 +34,10 @@ Array = NDArray[np.float64]
 
 def device_pieces(sheet: Sheet, curve: Curve, spline: str = "") -> Pieces:
     """The Bézier pieces of a curve, device coordinates. Raises: ValueError as ``pieces_of``."""
-    scale = device_map(sheet)
+    return _mapped(device_map(sheet), curve, spline)
+
+
+def _mapped(scale: DeviceMap, curve: Curve, spline: str) -> Pieces:
     knots, controls, weights = pieces_of(curve, spline)
     device = controls * np.array([scale.sx, scale.sy]) + np.array([scale.tx, scale.ty])
     return Pieces(knots, device, weights)
@@ -42,7 +47,15 @@ def polyline_of(sheet: Sheet, curve: Curve, spline: str = "", tolerance_px: floa
     """The corners (n, 2), device coordinates, of the lines that stand for a curve; none where there is none.
 
     No point of the curve is farther from them than the tolerance, in pixels; by default the curve's own.
+    Read-only and remembered.
     """
+    return _polyline(device_map(sheet), curve, spline, tolerance_px or curve.tolerance_px)
+
+
+@lru_cache(maxsize=64)
+def _polyline(scale: DeviceMap, curve: Curve, spline: str, tolerance_px: float) -> Array:
     if fault_of(curve, spline):
         return np.empty((0, 2))
-    return curves.polyline(device_pieces(sheet, curve, spline), tolerance_px or curve.tolerance_px)
+    corners = curves.polyline(_mapped(scale, curve, spline), tolerance_px)
+    corners.setflags(write=False)
+    return corners

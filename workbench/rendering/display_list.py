@@ -20,10 +20,11 @@ from workbench.document.model import (
     Sheet,
 )
 from workbench.language import _
-from workbench.rendering.clipping import clip_box, ring_strokes, visible_rings, visible_segments
+from workbench.rendering.clipping import clip_box, ring_strokes, visible_rings, visible_table
 from workbench.rendering.limits import clip_segment
 from workbench.rendering.mapping import Box, box, device_map, device_radii
 from workbench.rendering.pipeline import colour_of
+from workbench.rendering.segments import cut_table
 
 FLATNESS_PX = 0.05
 """Largest distance between a curve and the chords that stand for it."""
@@ -56,8 +57,6 @@ def _ellipse_chords(
 
 
 def _segments(sheet: Sheet, figure: AnyFigure, flatness: float) -> list[tuple[float, float, float, float]]:
-    if isinstance(figure, Line | Polyline | Curve):
-        return list(visible_segments(sheet, figure))
     if isinstance(figure, Polygon):
         return [stroke for ring in visible_rings(sheet, figure) for stroke in ring_strokes(ring)]
     scale = device_map(sheet)
@@ -83,6 +82,10 @@ def display_list(sheet: Sheet, flatness_px: float = FLATNESS_PX) -> list[Stroke]
         if not figure.visible:
             continue
         colour = colour_of(sheet, figure)
+        if isinstance(figure, Line | Polyline | Curve):
+            seen_rows = cut_table(visible_table(sheet, figure), bounds).tolist()
+            strokes += [Stroke(x0, y0, x1, y1, colour, index) for x0, y0, x1, y1 in seen_rows]
+            continue
         for segment in _segments(sheet, figure, flatness_px):
             seen = clip_segment(*segment, *bounds)
             if seen is not None:

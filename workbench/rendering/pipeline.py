@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.entry import Entry
 from workbench.document.model import (
     AnyFigure,
     Circle,
@@ -23,18 +24,28 @@ from workbench.document.model import (
     Sheet,
 )
 from workbench.geometry.conventions import round_half_up
-from workbench.rendering.clipping import line_values, polygon_values
+from workbench.rendering.clipping import line_table, polygon_values
 from workbench.rendering.limits import REACH_PX
 from workbench.rendering.mapping import Call, device_map, device_radii
+from workbench.rendering.segments import Lines
+
+_ENDS = ("x0", "y0", "x1", "y1")
+
+
+def line_calls_table(sheet: Sheet, figure: Lines) -> tuple[Entry, NDArray[np.int64]]:
+    """The algorithm of a figure made of lines, and its arguments (n, k), a row for each call."""
+    entry, ends = catalogue.get(figure.algorithm), line_table(sheet, figure)
+    columns = [
+        ends[:, _ENDS.index(p.name)] if p.name in _ENDS else np.full(len(ends), p.example, np.int64)
+        for p in entry.parameters
+    ]
+    return entry, np.stack(columns, axis=1)
 
 
 def _named(sheet: Sheet, figure: AnyFigure, below: NDArray[np.uint32] | None) -> list[dict[str, Any]]:
     """For each call the values its parameters may ask for, by the names that the catalogue uses."""
     if isinstance(figure, Line | Polyline | Curve):
-        names = ("x0", "y0", "x1", "y1")
-        return [
-            dict(zip(names, map(round_half_up, ends), strict=True)) for ends in line_values(sheet, figure)
-        ]
+        return [dict(zip(_ENDS, ends, strict=True)) for ends in line_table(sheet, figure).tolist()]
     if isinstance(figure, Polygon):
         values = polygon_values(sheet, figure)
         return [] if values is None else [values]

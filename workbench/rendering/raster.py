@@ -1,38 +1,37 @@
-"""A sheet as a frame buffer: every figure scan converted, from back to front.
-
-What a call emits is kept by value (algorithm and arguments), so that moving one figure of a hundred runs one
-algorithm. The plain reading serves for short runs and until a kernel is ready; nothing here compiles.
-"""
+"""A sheet as a frame buffer: every figure scan converted, from back to front."""
 
 import math
-import sys
-from collections.abc import Callable, Iterator
 from functools import lru_cache
-from hashlib import blake2b
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry
-from workbench.document.model import AnyFigure, Circle, Sheet
-from workbench.engine.limited import collect_limited
+from workbench.document.model import AnyFigure, Circle, Curve, Line, Polyline, Sheet
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering.clipping import clip_box, clipper_of
+from workbench.rendering.emissions import Emitted, emitted, emitted_by_all
 from workbench.rendering.mapping import Call
-from workbench.rendering.pipeline import calls, colour_of, fills
+from workbench.rendering.pipeline import calls, colour_of, fills, line_calls_table
 
-Emitted = NDArray[np.float64] | NDArray[np.int64]
-Function = Callable[..., Iterator[tuple[Any, ...]]]
+__all__ = [
+    "Bounds",
+    "Composite",
+    "Emitted",
+    "arguments",
+    "composite_below",
+    "emitted",
+    "figure_calls",
+    "frame_buffer",
+    "painter_of",
+    "pixels",
+    "seen_bounds",
+    "viewport_bounds",
+]
 
 Bounds = tuple[int, int, int, int]
 """First and last column, first and last row."""
-
-_LONG_RUN = 4096
-"""Emitted pixels from which a compiled kernel is worth its call and the look whether it is ready."""
-
-_MOST_COLUMNS = 3
-"""Of a row, as of a span; where nothing is emitted there is no row to tell."""
 
 
 class Composite(NamedTuple):
@@ -40,74 +39,6 @@ class Composite(NamedTuple):
 
     image: NDArray[np.uint32]
     painter: NDArray[np.int32]
-
-
-def _expected_length(arguments: tuple[Any, ...]) -> int:
-    sizes = [abs(a) for a in arguments if isinstance(a, int)]
-    arrays = [a for a in arguments if isinstance(a, np.ndarray)]
-    images = [a.size for a in arrays]
-    rows = [int(np.ptp(a[:, 1])) for a in arrays if a.dtype == np.float64 and a.ndim == 2 and len(a)]
-    return max([4 * size for size in sizes + rows] + images, default=0)
-
-
-def _run(function: Function, compilable: bool, arguments: tuple[Any, ...], limit: int) -> Emitted:
-    given = tuple(a.copy() if isinstance(a, np.ndarray) else a for a in arguments)
-    rows: Emitted
-    if limit:
-        return _as_rows(collect_limited(function, limit, *given).rows)
-    if compilable and _expected_length(given) > _LONG_RUN and "numba" in sys.modules:
-        from workbench.engine.compiled import collect, ready
-
-        if ready(function, "collect"):
-            rows = collect(function, *given, compiling=False)
-            return rows
-    return _as_rows(list(function(*given)))
-
-
-def _as_rows(listed: list[tuple[Any, ...]]) -> Emitted:
-    return np.array(listed) if listed else np.empty((0, _MOST_COLUMNS), dtype=np.int64)
-
-
-@lru_cache(maxsize=4096)
-def _remembered(function: Function, compilable: bool, arguments: tuple[Any, ...]) -> Emitted:
-    rows = _run(function, compilable, arguments, 0)
-    rows.setflags(write=False)
-    return rows
-
-
-class _ByContent:
-    """An array as a key: equal when its content is."""
-
-    __slots__ = ("array", "digest")
-
-    def __init__(self, array: NDArray[Any]) -> None:
-        self.array = array
-        self.digest = blake2b(np.ascontiguousarray(array).data, digest_size=16).digest()
-
-    def __hash__(self) -> int:
-        return hash(self.digest)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _ByContent) and self.digest == other.digest
-
-
-@lru_cache(maxsize=64)
-def _remembered_on_image(
-    function: Function, compilable: bool, arguments: tuple[Any, ...], limit: int
-) -> Emitted:
-    plain = tuple(a.array if isinstance(a, _ByContent) else a for a in arguments)
-    rows = _run(function, compilable, plain, limit)
-    rows.setflags(write=False)
-    return rows
-
-
-def emitted(call: Call) -> Emitted:
-    """Everything a call emits, one row each; read-only and remembered."""
-    function, compilable = call.entry.function, not call.entry.compiles
-    if any(isinstance(a, np.ndarray) for a in call.arguments):
-        keys = tuple(_ByContent(a.copy()) if isinstance(a, np.ndarray) else a for a in call.arguments)
-        return _remembered_on_image(function, compilable, keys, call.recursion_limit)
-    return _remembered(function, compilable, call.arguments)
 
 
 def pixels(entry: Entry, rows: Emitted, bounds: Bounds | None = None) -> NDArray[np.int64]:
@@ -169,19 +100,60 @@ def _blend(image: NDArray[np.uint32], x: Any, y: Any, coverage: NDArray[Any], co
 def _paint(sheet: Sheet, index: int, figure: AnyFigure, onto: Composite) -> None:
     below = onto.image if fills(figure) else None
     colour = colour_of(sheet, figure)
-    bounds = x_first, x_last, y_first, y_last = seen_bounds(sheet, figure)
+    bounds = seen_bounds(sheet, figure)
+    if isinstance(figure, Line | Polyline | Curve):
+        entry, table = line_calls_table(sheet, figure)
+        rows, ends = emitted_by_all(entry, table)
+        of = np.repeat(np.arange(len(table)), np.diff(ends, prepend=0))
+        _put(entry, rows, of, colour, index, bounds, onto)
+        return
     for call in calls(sheet, figure, below=below):
-        rows = emitted(call)
-        xy = pixels(call.entry, rows, bounds)
-        x, y = xy[:, 0], xy[:, 1]
-        inside = (x >= x_first) & (x <= x_last) & (y >= y_first) & (y <= y_last)
-        if not inside.all():
-            x, y, rows = x[inside], y[inside], rows if call.entry.emits == "spans" else rows[inside]
-        if call.entry.emits == "coverage":
-            _blend(onto.image, x, y, rows[:, 2], colour)
-        else:
-            onto.image[y, x] = colour
-        onto.painter[y, x] = index
+        _put(call.entry, emitted(call), None, colour, index, bounds, onto)
+
+
+def _put(
+    entry: Entry,
+    rows: Emitted,
+    of: NDArray[np.int64] | None,
+    colour: int,
+    index: int,
+    bounds: Bounds,
+    onto: Composite,
+) -> None:
+    """Paint what was emitted; ``of`` tells for each row which call it is of, None that all are of one."""
+    x_first, x_last, y_first, y_last = bounds
+    xy = pixels(entry, rows, bounds)
+    x, y = xy[:, 0], xy[:, 1]
+    inside = (x >= x_first) & (x <= x_last) & (y >= y_first) & (y <= y_last)
+    if not inside.all():
+        x, y, rows = x[inside], y[inside], rows if entry.emits == "spans" else rows[inside]
+        of = None if of is None else of[inside]
+    if entry.emits != "coverage":
+        onto.image[y, x] = colour
+    elif of is None:
+        _blend(onto.image, x, y, rows[:, 2], colour)
+    else:
+        for turn in _turns(x, y, of):
+            _blend(onto.image, x[turn], y[turn], rows[turn, 2], colour)
+    onto.painter[y, x] = index
+
+
+def _turns(x: NDArray[np.int64], y: NDArray[np.int64], of: NDArray[np.int64]) -> list[NDArray[np.int64]]:
+    """The rows in groups that can be blended at once, one after the other: no pixel twice in one of them.
+
+    A call that comes to a pixel twice blends it once, by the last row, as it does alone.
+    """
+    if not len(x):
+        return []
+    order = np.lexsort((np.arange(len(x)), of, x, y))
+    xs, ys, calls_ = x[order], y[order], of[order]
+    same_pixel = (xs[1:] == xs[:-1]) & (ys[1:] == ys[:-1])
+    last = np.append(~(same_pixel & (calls_[1:] == calls_[:-1])), True)
+    order, starts = order[last], np.append(True, ~same_pixel)
+    group = np.cumsum(starts)[last]
+    first = np.searchsorted(group, group)
+    rank = np.arange(len(group)) - first
+    return [np.sort(order[rank == turn]) for turn in range(int(rank.max()) + 1)]
 
 
 def _empty(sheet: Sheet) -> Composite:

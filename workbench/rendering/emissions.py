@@ -1,0 +1,176 @@
+"""What the calls of algorithms emit, kept by value: the same call is run once.
+
+The plain reading serves for short runs and until a kernel is ready; nothing here compiles.
+"""
+
+import sys
+from collections import deque
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+from hashlib import blake2b
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.entry import Entry
+from workbench.engine.limited import collect_limited
+from workbench.rendering.mapping import Call
+
+Emitted = NDArray[np.float64] | NDArray[np.int64]
+Function = Callable[..., Iterator[tuple[Any, ...]]]
+
+_LONG_RUN = 4096
+"""Emitted pixels from which a compiled kernel is worth its call and the look whether it is ready."""
+
+_MOST_COLUMNS = 3
+"""Of a row, as of a span; where nothing is emitted there is no row to tell."""
+
+
+_MANY_CALLS = 64
+"""Calls from which one run of a kernel for all of them is worth it."""
+
+_RECENT = 8
+"""Tables of calls of which everything emitted is kept; a drag changes a few rows of one."""
+
+
+def _expected_length(arguments: tuple[Any, ...]) -> int:
+    sizes = [abs(a) for a in arguments if isinstance(a, int)]
+    arrays = [a for a in arguments if isinstance(a, np.ndarray)]
+    images = [a.size for a in arrays]
+    rows = [int(np.ptp(a[:, 1])) for a in arrays if a.dtype == np.float64 and a.ndim == 2 and len(a)]
+    return max([4 * size for size in sizes + rows] + images, default=0)
+
+
+def _run(function: Function, compilable: bool, arguments: tuple[Any, ...], limit: int) -> Emitted:
+    given = tuple(a.copy() if isinstance(a, np.ndarray) else a for a in arguments)
+    rows: Emitted
+    if limit:
+        return _as_rows(collect_limited(function, limit, *given).rows)
+    if compilable and _expected_length(given) > _LONG_RUN and "numba" in sys.modules:
+        from workbench.engine.compiled import collect, ready
+
+        if ready(function, "collect"):
+            rows = collect(function, *given, compiling=False)
+            return rows
+    return _as_rows(list(function(*given)))
+
+
+def _as_rows(listed: list[tuple[Any, ...]]) -> Emitted:
+    return np.array(listed) if listed else np.empty((0, _MOST_COLUMNS), dtype=np.int64)
+
+
+@lru_cache(maxsize=4096)
+def _remembered(function: Function, compilable: bool, arguments: tuple[Any, ...]) -> Emitted:
+    rows = _run(function, compilable, arguments, 0)
+    rows.setflags(write=False)
+    return rows
+
+
+class _ByContent:
+    """An array as a key: equal when its content is."""
+
+    __slots__ = ("array", "digest")
+
+    def __init__(self, array: NDArray[Any]) -> None:
+        self.array = array
+        self.digest = blake2b(np.ascontiguousarray(array).data, digest_size=16).digest()
+
+    def __hash__(self) -> int:
+        return hash(self.digest)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _ByContent) and self.digest == other.digest
+
+
+@lru_cache(maxsize=64)
+def _remembered_on_image(
+    function: Function, compilable: bool, arguments: tuple[Any, ...], limit: int
+) -> Emitted:
+    plain = tuple(a.array if isinstance(a, _ByContent) else a for a in arguments)
+    rows = _run(function, compilable, plain, limit)
+    rows.setflags(write=False)
+    return rows
+
+
+def emitted(call: Call) -> Emitted:
+    """Everything a call emits, one row each; read-only and remembered."""
+    function, compilable = call.entry.function, not call.entry.compiles
+    if any(isinstance(a, np.ndarray) for a in call.arguments):
+        keys = tuple(_ByContent(a.copy()) if isinstance(a, np.ndarray) else a for a in call.arguments)
+        return _remembered_on_image(function, compilable, keys, call.recursion_limit)
+    return _remembered(function, compilable, call.arguments)
+
+
+class _Batch(NamedTuple):
+    """A table of calls (n, parameters), all they emitted, and where in that each one ends (n,)."""
+
+    table: NDArray[np.int64]
+    rows: Emitted
+    ends: NDArray[np.int64]
+
+
+_batches: dict[Function, deque[_Batch]] = {}
+
+
+def emitted_by_all(entry: Entry, table: NDArray[np.int64]) -> tuple[Emitted, NDArray[np.int64]]:
+    """Everything that calls with whole numbers, one a row of ``table`` (n, parameters), emit, in their order.
+
+    Returns the rows, read-only, and for each call (n,) how many there are up to its end. Only calls that an
+    earlier table did not have at the same place, counted from its begin or its end, are run.
+    """
+    recent = _batches.setdefault(entry.function, deque(maxlen=_RECENT))
+    best, front, back = _nearest(recent, table)
+    if best is not None and front == len(table) == len(best.table):
+        return best.rows, best.ends
+    stop = len(table) - back
+    middle, ends = _run_all(entry, table[front:stop])
+    parts, until = [middle], ends
+    if best is not None and front + back:
+        head = int(best.ends[front - 1]) if front else 0
+        after = len(best.table) - back
+        tail = int(best.ends[after - 1]) if after else 0
+        shift = head + len(middle) - tail
+        parts = [best.rows[:head], middle, best.rows[tail:]]
+        until = np.concatenate([best.ends[:front], ends + head, best.ends[after:] + shift])
+    rows: Emitted = np.concatenate([part for part in parts if len(part)] or parts[:1])
+    rows.setflags(write=False)
+    if best is not None and front + back and any(best is one for one in recent):
+        _forget(recent, best)
+    recent.append(_Batch(table, rows, until))
+    return rows, until
+
+
+def _forget(recent: deque[_Batch], gone: _Batch) -> None:
+    kept = [one for one in recent if one is not gone]
+    recent.clear()
+    recent.extend(kept)
+
+
+def _nearest(recent: deque[_Batch], table: NDArray[np.int64]) -> tuple[_Batch | None, int, int]:
+    """The table that has most rows in common, and how many of them at its begin and at its end."""
+    best, most = None, (0, 0)
+    for batch in list(recent):
+        shorter = min(len(batch.table), len(table))
+        differs = (batch.table[:shorter] != table[:shorter]).any(axis=1)
+        front = int(differs.argmax()) if differs.any() else shorter
+        rest = shorter - front
+        again = (batch.table[len(batch.table) - rest :] != table[len(table) - rest :]).any(axis=1)[::-1]
+        back = int(again.argmax()) if again.any() else rest
+        if best is None or front + back > sum(most):
+            best, most = batch, (front, back)
+    return best, *most
+
+
+def _run_all(entry: Entry, table: NDArray[np.int64]) -> tuple[Emitted, NDArray[np.int64]]:
+    """What each row of ``table`` emits, and the ends; by one kernel where it is ready, else one by one."""
+    function, compilable = entry.function, not entry.compiles
+    if compilable and len(table) >= _MANY_CALLS and "numba" in sys.modules:
+        from workbench.engine.compiled import collect_many, ready
+
+        if ready(function, "collect_many"):
+            return collect_many(function, table, compiling=False)
+    parts = [_remembered(function, compilable, tuple(row)) for row in table.tolist()]
+    ends = np.cumsum([len(part) for part in parts], dtype=np.int64)
+    whole: Any = np.concatenate(parts) if parts else _as_rows([])
+    return whole, ends
