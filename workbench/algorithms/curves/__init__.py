@@ -29,6 +29,7 @@ from workbench.algorithms.curves.de_boor import de_boor
 from workbench.algorithms.curves.de_casteljau import de_casteljau
 from workbench.algorithms.curves.degree_lowering import lower_b_spline, lower_degree
 from workbench.algorithms.curves.derivatives import derivatives, hodograph, piece_derivative
+from workbench.algorithms.curves.distances import distances
 from workbench.algorithms.curves.extrema import bounding_box, extrema
 from workbench.algorithms.curves.fitting import fit_pieces
 from workbench.algorithms.curves.flatten_bezier import flatten_bezier
@@ -49,12 +50,15 @@ from workbench.algorithms.curves.pieces import Pieces, in_rows, piece_points
 from workbench.algorithms.curves.polyline import chord_counts, polyline
 from workbench.algorithms.curves.rational import Nurbs, circle, homogeneous, projected
 from workbench.algorithms.curves.rational_polyline import nurbs_to_polyline
+from workbench.algorithms.curves.waviness import Overshoot, Wiggle, overshoot, wiggle
 
 __all__ = [
     "Continuity",
     "Counting",
     "Nurbs",
+    "Overshoot",
     "Pieces",
+    "Wiggle",
     "arc_length",
     "at_length",
     "b_spline_curve",
@@ -81,6 +85,7 @@ __all__ = [
     "de_boor",
     "de_casteljau",
     "derivatives",
+    "distances",
     "elevate_b_spline",
     "elevate_degree",
     "equal_lengths",
@@ -105,6 +110,7 @@ __all__ = [
     "nurbs_to_polyline",
     "open_uniform_knots",
     "osculating_circle",
+    "overshoot",
     "periodic_cubic",
     "piece_derivative",
     "piece_points",
@@ -114,4 +120,5 @@ __all__ = [
     "subdivide",
     "to_cubic_pieces",
     "uniform_knots",
+    "wiggle",
 ]

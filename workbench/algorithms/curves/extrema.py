@@ -13,21 +13,25 @@ Array = NDArray[np.float64]
 
 def bounding_box(pieces: Pieces) -> tuple[Array, Array]:
     """The lowest and the highest coordinates (k,) of the curve: those of its extrema and its ends."""
-    kept = with_length(pieces)
-    ends = kept.controls[:, [0, -1]].reshape(-1, kept.controls.shape[2])
-    low, high = ends.min(axis=0), ends.max(axis=0)
-    # A piece whose control points all lie in the box of the ends cannot leave it
-    beyond = ((kept.controls < low) | (kept.controls > high)).any(axis=(1, 2))
-    controls = kept.controls[beyond]
-    weights = None if kept.weights is None else kept.weights[beyond]
-    tops, sizes = derivative_numerator(controls, weights)
-    for axis in range(len(low)):
+    low, high = piece_boxes(pieces)
+    return low.min(axis=0), high.max(axis=0)
+
+
+def piece_boxes(pieces: Pieces) -> tuple[Array, Array]:
+    """The lowest and the highest coordinates (m, k) of each piece with a length."""
+    _knots, controls, weights = with_length(pieces)
+    ends = controls[:, [0, -1]]
+    low, high = ends.min(axis=1), ends.max(axis=1)
+    # A piece whose control points all lie in the box of its ends cannot leave it
+    beyond = np.flatnonzero(((controls < low[:, None]) | (controls > high[:, None])).any(axis=(1, 2)))
+    pulls = None if weights is None else weights[beyond]
+    tops, sizes = derivative_numerator(controls[beyond], pulls)
+    for axis in range(controls.shape[2]):
         rows, v = roots(tops[:, axis], sizes[:, axis])
-        if len(rows):
-            pulls = None if weights is None else weights[rows]
-            reached = local_derivatives(controls[rows], pulls, v, 0)[0, :, axis]
-            low[axis] = min(low[axis], reached.min())
-            high[axis] = max(high[axis], reached.max())
+        own = None if pulls is None else pulls[rows]
+        reached = local_derivatives(controls[beyond[rows]], own, v, 0)[0, :, axis]
+        np.minimum.at(low[:, axis], beyond[rows], reached)
+        np.maximum.at(high[:, axis], beyond[rows], reached)
     return low, high
 
 

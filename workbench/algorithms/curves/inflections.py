@@ -28,14 +28,19 @@ def inflections(pieces: Pieces) -> Array:
     kept = with_length(pieces)
     if kept.degree < 2:
         return np.empty(0)
-    made = _of_plain if kept.weights is None else _of_rational
-    rows, v = sign_changes(*made(kept), closed=meets_itself(kept))
+    rows, v = sign_changes(*bend_polynomial(kept), closed=meets_itself(kept))
     at_joint = v == 0.0
     smooth = np.ones(len(rows), bool)
     smooth[at_joint] = _without_corner(kept, rows[at_joint])
     rows, v = rows[smooth], v[smooth]
     found: Array = kept.knots[rows] + v * (kept.knots[rows + 1] - kept.knots[rows])
     return found
+
+
+def bend_polynomial(pieces: Pieces) -> tuple[Array, Array]:
+    """Polynomials (m, q+1) with the sign of the curvature of pieces of degree 2 or more; and the sizes of the
+    numbers that they were made of."""
+    return _of_plain(pieces) if pieces.weights is None else _of_rational(pieces)
 
 
 def _without_corner(pieces: Pieces, rows: NDArray[np.intp]) -> NDArray[np.bool_]:
