@@ -3,6 +3,8 @@
 import math
 from collections.abc import Sequence
 
+from workbench.document.curve_pieces import parameter_at
+from workbench.document.curve_shaping import drag_curve
 from workbench.document.edits import Edit, move_points, set_attributes
 from workbench.document.model import Curve
 from workbench.language import _
@@ -96,3 +98,21 @@ class TangentDrag(Drag):
         )
         point = self.curve.points_world[self.held].id
         return set_attributes({self.address(point, "tangent_x"): tx, self.address(point, "tangent_y"): ty})
+
+
+class BendDrag(Drag):
+    """Pulls the curve itself at one place, with the least change of its points."""
+
+    def __init__(self, focus: CurveFocus, curve: Curve, x: float, y: float, share: float) -> None:
+        super().__init__(focus, curve, x, y)
+        self.name = _("Bend the curve")
+        self._u = parameter_at(curve, share)
+
+    def edit(self, x: float, y: float, constrain: bool) -> Edit | None:
+        """The curve that passes where the pointer has come to."""
+        dx, dy = x - self.start[0], y - self.start[1]
+        if constrain:
+            dx, dy = constrained(dx, dy)
+        scale = device_map(self.focus.session.sheet)
+        self.tag = _("u = {u:.4g}\nby ({dx:.3g}, {dy:.3g})").format(u=self._u, dx=dx, dy=dy)
+        return drag_curve(self.curve.id, self._u, dx / scale.sx, dy / scale.sy)

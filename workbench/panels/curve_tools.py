@@ -4,7 +4,7 @@ import numpy as np
 
 from workbench.document.model import Curve
 from workbench.language import _
-from workbench.panels.curve_drags import Drag, PointDrag, TangentDrag
+from workbench.panels.curve_drags import BendDrag, Drag, PointDrag, TangentDrag
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_scene import handles_shown, point_at
 from workbench.panels.curve_shape import device_pieces, device_points, nearest_share, tangent_ends
@@ -68,7 +68,7 @@ class CurveSelectTool(SelectTool):
             self._begin(())
             return True
         if number is None:
-            return False
+            return not adding and self._press_on_line(curve, x, y)
         point = curve.points_world[number].id
         if adding:
             self.focus.choose(self.focus.points ^ {point})
@@ -81,6 +81,14 @@ class CurveSelectTool(SelectTool):
         numbers = self.focus.numbers(curve)
         self.drag = PointDrag(self.focus, curve, x, y, number, numbers)
         self._begin(tuple(curve.points_world[k].id for k in numbers))
+        return True
+
+    def _press_on_line(self, curve: Curve, x: float, y: float) -> bool:
+        share = self.share_at(curve, x, y)
+        if share is None:
+            return False
+        self.drag = BendDrag(self.focus, curve, x, y, share)
+        self._begin(())
         return True
 
     def _begin(self, moving: tuple[str, ...]) -> None:

@@ -8,14 +8,17 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QCursor, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QWidget
 
+from workbench.document.curve_pieces import share_at
 from workbench.document.model import Curve
 from workbench.language import _
 from workbench.panels.curve_card import CurveCard
-from workbench.panels.curve_commands import NUDGE, CurveCommands
+from workbench.panels.curve_commands import NUDGE
 from workbench.panels.curve_docks import CurveDocks
 from workbench.panels.curve_exchange import CurveExchange
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_freehand import FreehandTool, ProbeTool
+from workbench.panels.curve_menu import canvas_menu
+from workbench.panels.curve_operations import CurveOperations
 from workbench.panels.curve_pen import PenTool
 from workbench.panels.curve_tools import CurveSelectTool
 from workbench.panels.curve_view import CurveView
@@ -46,11 +49,13 @@ class CurvesPanel(SteppedPanel):
         self.canvas.worthwhile = 0.6
         self.card = CurveCard(self.focus, self.canvas)
         self.beside = CurveDocks(self.focus, self)
-        self.commands = CurveCommands(self.focus, self)
+        self.commands = CurveOperations(self.focus, self)
         self.commands.said.connect(self.hover_text)
         self.card.joint_chosen = self.commands.joint
         self.beside.knot_dragged.connect(self.commands.pull_knot)
         self.beside.weight_dragged.connect(self.commands.pull_weight)
+        self.beside.knot_wanted.connect(self._insert_knot)
+        self.beside.smoothing_wanted.connect(self._smooth)
         self.beside.knot_released.connect(self._let_go_of_plot)
         self.beside.weight_released.connect(self._let_go_of_plot)
         self.view = CurveView(self.focus, self.canvas, self.second, self.card, self.beside)
@@ -70,6 +75,13 @@ class CurvesPanel(SteppedPanel):
             ],
         )
 
+        canvas = self.canvas
+        canvas.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        canvas.customContextMenuRequested.connect(
+            lambda place: canvas_menu(self._actions, canvas).popup(canvas.mapToGlobal(place))
+        )
+        canvas.double_clicked.connect(self._double_click)
+
     def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
         """Basis functions, switches, curvature, hodograph."""
         return self.beside.parts()
@@ -85,6 +97,27 @@ class CurvesPanel(SteppedPanel):
     def _toggle_snap(self) -> None:
         self.focus.snaps = not self.focus.snaps
         self.hover_text.emit(_("Points snap to pixels.") if self.focus.snaps else _("Points do not snap."))
+
+    def _double_click(self, x: float, y: float, _modifiers: object) -> None:
+        """On the curve a point is inserted; on a point nothing more happens."""
+        curve = self.focus.selected
+        if curve is None or self.tool is not self.select or self.select.over(x, y) != "curve":
+            return
+        share = self.select.share_at(curve, x, y)
+        self.select.cancel()
+        if share is not None:
+            self.commands.insert(curve, share)
+        self._after_gesture()
+
+    def _insert_knot(self, u: float) -> None:
+        curve = self.focus.curve
+        if curve is not None:
+            self.commands.insert(curve, share_at(curve, u))
+
+    def _smooth(self, joint: int, kind: str) -> None:
+        said = self.commands.smooth(joint, kind)
+        self.refresh()
+        self.beside.continuity.say(said)
 
     def _let_go_of_plot(self, *_arguments: object) -> None:
         self.commands.let_go()
