@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QFontMetrics, QGuiApplication
 from PySide6.QtWidgets import QAbstractButton, QApplication, QTableView
 from pytestqt.qtbot import QtBot
 
@@ -16,6 +16,7 @@ from workbench.algorithms.curves import continuity
 from workbench.widgets.continuity_table import SMOOTHINGS, ContinuityTable, Joint, holds, residual
 from workbench.widgets.measure_table import Measure, Measured, MeasureTable, value_text
 from workbench.widgets.tokens import DARK, LIGHT, theme
+from workbench.widgets.type_faces import code_font
 
 LEFT = Qt.MouseButton.LeftButton
 DISPLAY = Qt.ItemDataRole.DisplayRole
@@ -135,14 +136,34 @@ def test_the_selection_stays_while_the_curve_is_dragged(qtbot: QtBot, table: Con
     assert told == [-1]
 
 
-def test_without_joints_it_says_so(table: ContinuityTable):
+def test_what_is_to_be_said_is_said(qtbot: QtBot, table: ContinuityTable):
+    assert "Choose a joint" in table.words.text()
+    click(qtbot, table.view, 1)
     assert table.words.isHidden()
     table.say("Moved P₇ by 3 px.")
+    table.set_joints([joint("C1"), joint("G1", "P_{6}"), joint("", "")])
     assert table.words.text() == "Moved P₇ by 3 px."
     table.set_joints([])
     assert "joints" in table.words.text()
     assert not table.words.isHidden()
     assert not any(button.isEnabled() for button in table.buttons.values())
+
+
+def test_a_column_widens_when_a_value_outgrows_it_and_not_before(table: ContinuityTable):
+    widths = [table.view.columnWidth(k) for k in range(6)]
+    found = table.model.joints[1].continuity
+
+    def become(c2):
+        rows = list(table.model.joints)
+        rows[1] = replace(rows[1], continuity=found._replace(c2=c2))
+        table.set_joints(rows)
+
+    become(7.0)
+    assert [table.view.columnWidth(k) for k in range(6)] == widths
+    become(123456.0)
+    text = row(table.view, 1)[3]
+    assert text == "× 123456"
+    assert table.view.columnWidth(3) >= QFontMetrics(code_font(12)).horizontalAdvance(text) + 8
 
 
 # Measures

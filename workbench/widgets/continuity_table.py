@@ -170,7 +170,7 @@ class ContinuityTable(QWidget):
         self.view.verticalHeader().setDefaultSectionSize(22)
         self.view.horizontalHeader().setFont(code_font(12))
         self.view.setItemDelegate(WholeRows(self.view))
-        FittedColumns(self.view)
+        self.model.dataChanged.connect(FittedColumns(self.view).widen)
         self.words = QLabel(_("A curve of several pieces shows its joints here."))
         self.words.setProperty("role", "caption")
         self.words.setWordWrap(True)
@@ -220,20 +220,24 @@ class ContinuityTable(QWidget):
             self.view.selectRow(number)
 
     def set_joints(self, joints: Sequence[Joint]) -> None:
-        """Show these joints."""
+        """Show these joints. A sentence that was said stays while they are as many and the same is chosen."""
+        before = self.model.rowCount()
         self.model.take(tuple(joints))
-        self.say("")
+        if self.model.rowCount() != before:
+            self.say("")
         self._enable()
 
     def say(self, text: str) -> None:
         """A sentence beneath, such as which points a command moved; "" removes it."""
-        count = self.model.rowCount()
-        if not text and not count:
+        if not text and not self.model.joints:
             text = _("A curve of several pieces shows its joints here.")
+        elif not text and self.selected < 0:
+            text = _("Choose a joint to make it smoother.")
         self.words.setText(text)
         self.words.setVisible(bool(text))
 
     def _select(self) -> None:
+        self.say("")
         self._enable()
         self.joint_selected.emit(self.selected)
 

@@ -224,7 +224,7 @@ class MeasureTable(QWidget):
         self.view.verticalHeader().hide()
         self.view.verticalHeader().setDefaultSectionSize(22)
         self.view.setItemDelegate(WholeRows(self.view))
-        FittedColumns(self.view)
+        self.model.dataChanged.connect(FittedColumns(self.view).widen)
         self.copy_action = QAction(_("Copy table"), self)
         self.copy_action.setToolTip(_("Copy the comparison; it pastes as a table"))
         self.copy_action.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QHeaderView, QStyle, QStyledItemDelegate, QStyleOp
 
 _SAMPLED = 12
 _PADDING_PX = 20
+_SLACK_PX = 12
 DECORATION_PX = 24
 
 
@@ -36,18 +37,31 @@ class FittedColumns(QObject):
         if self._view.model().rowCount() > 2 * self._fitted_rows:
             self.fit()
 
+    def widen(self) -> None:
+        """Fit again once a value in its place has outgrown its column; otherwise let nothing move."""
+        widths = self._widths()
+        if any(width - _SLACK_PX > self._view.columnWidth(k) for k, width in enumerate(widths)):
+            self.fit()
+
     def fit(self) -> None:
         """Share the width of the view among the columns."""
+        view, widths = self._view, self._widths()
+        self._fitted_rows = view.model().rowCount()
+        spare = max(view.viewport().width() - sum(widths), 0)
+        for column, width in enumerate(widths):
+            share = spare // len(widths) + (column < spare % len(widths))
+            if view.columnWidth(column) != width + share:
+                view.setColumnWidth(column, width + share)
+
+    def _widths(self) -> list[int]:
+        """What each column needs, by its heading and a few rows."""
         view, model = self._view, self._view.model()
         columns, rows = model.columnCount(), model.rowCount()
-        self._fitted_rows = rows
-        if not columns:
-            return
         sampled = sorted({*range(min(rows, _SAMPLED)), *range(max(rows - 2, 0), rows)})
         heading = QFontMetrics(view.horizontalHeader().font())
+        across = Qt.Orientation.Horizontal
         widths = []
         for column in range(columns):
-            across = Qt.Orientation.Horizontal
             title = str(model.headerData(column, across, Qt.ItemDataRole.DisplayRole) or "")
             widest = heading.horizontalAdvance(title)
             if model.headerData(column, across, Qt.ItemDataRole.DecorationRole) is not None:
@@ -59,11 +73,7 @@ class FittedColumns(QObject):
                 beside = DECORATION_PX if index.data(Qt.ItemDataRole.DecorationRole) is not None else 0
                 widest = max(widest, beside + metrics.horizontalAdvance(str(index.data() or "")))
             widths.append(widest + _PADDING_PX)
-        spare = max(view.viewport().width() - sum(widths), 0)
-        for column, width in enumerate(widths):
-            share = spare // columns + (column < spare % columns)
-            if view.columnWidth(column) != width + share:
-                view.setColumnWidth(column, width + share)
+        return widths
 
 
 class WholeRows(QStyledItemDelegate):
