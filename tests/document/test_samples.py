@@ -1,11 +1,14 @@
 """What is there from the start is sound, worth looking at, and legible on both canvases."""
 
+import numpy as np
 import pytest
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.curves import piece_points
 from workbench.document.check import check
+from workbench.document.curve_pieces import fault_of, pieces_of
 from workbench.document.edits import set_algorithm
-from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, Polyline, SeedFill
+from workbench.document.model import AnyFigure, Circle, Curve, Ellipse, Line, Polygon, Polyline, SeedFill
 from workbench.document.samples import PALETTE, blank_sheet, example, example_document, examples
 
 KINDS: list[type[AnyFigure]] = [Line, Polyline, Polygon, Circle, Ellipse, SeedFill]
@@ -68,3 +71,21 @@ def _luminance(colour: int) -> float:
 def test_every_colour_is_legible_on_light_and_dark(colour: int, canvas: int) -> None:
     low, high = sorted([_luminance(colour), _luminance(canvas)])
     assert (high + 0.05) / (low + 0.05) >= 3.0
+
+
+def test_every_curve_of_an_example_can_be_drawn_and_the_circle_is_one() -> None:
+    curves = [
+        figure
+        for one in examples()
+        for sheet in one.document.sheets
+        for figure in sheet.figures
+        if isinstance(figure, Curve)
+    ]
+    assert len(curves) > 10
+    for curve in curves:
+        assert [fault_of(curve, spline) for spline in ("", *curve.beside)] == [""] * (1 + len(curve.beside))
+    (circle,) = example("curve-circle").document.sheets[0].figures
+    assert isinstance(circle, Curve)
+    pieces = pieces_of(circle)
+    points = piece_points(pieces, np.linspace(pieces.knots[0], pieces.knots[-1], 1000))
+    np.testing.assert_allclose(np.hypot(*(points - (160.0, 100.0)).T), 78.0, rtol=1e-12)

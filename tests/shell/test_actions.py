@@ -117,7 +117,7 @@ def test_the_palette_opens_examples_and_workspaces(qtbot: QtBot, window: MainWin
     window.show_palette()
     palette = window.findChild(CommandPalette)
     assert palette is not None
-    qtbot.keyClicks(palette.field, "example circle")
+    qtbot.keyClicks(palette.field, "example circle and ellipse")
     qtbot.keyClick(palette.field, Qt.Key.Key_Return)
     assert window.place == "draw"
     assert window.session.sheet.name == "Circle and ellipse"

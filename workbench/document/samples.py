@@ -1,6 +1,7 @@
 """Documents that are there from the start: a blank sheet, and small pictures worth looking at."""
 
 from workbench.document.clip_samples import clip_examples
+from workbench.document.curve_samples import curve_examples
 from workbench.document.fill_samples import fill_examples
 from workbench.document.model import AnyFigure, Circle, Document, Ellipse
 from workbench.document.sample_figures import (
@@ -78,6 +79,7 @@ def examples() -> list[Example]:
         ),
         *fill_examples(),
         *clip_examples(),
+        *curve_examples(),
     ]
 
 
