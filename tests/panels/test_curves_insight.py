@@ -199,3 +199,18 @@ def test_the_comb_has_teeth_on_every_piece():
     strokes = [each for each in comb(pieces, 80.0) if isinstance(each, Stroke)]
     assert len(strokes) == 2 * (len(PLACES) - 1)
     assert len(strokes[0].points) >= 3 * COMB_TEETH
+
+
+def test_the_same_points_through_several_kinds_are_compared(qtbot):
+    panel = with_docks(qtbot, curve_through(*PLACES))
+    table = panel.beside.measured.model
+    names = [kind.name for kind in table.kinds]
+    assert names[0] == "B-spline"
+    assert {"Natural cubic spline", "Catmull-Rom spline", "Bézier curve"} <= set(names)
+    passes = {kind.name: kind.values[0] for kind in table.kinds}
+    assert passes["Natural cubic spline"] is True
+    assert passes["B-spline"] is False
+    panel.beside.measured.kind_activated.emit(names.index("Catmull-Rom spline"))
+    settle()
+    assert the_curve(panel).beside == ("catmull_rom",)
+    assert [kind.name for kind in table.kinds] == ["B-spline", "Catmull-Rom spline"]

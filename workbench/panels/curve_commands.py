@@ -9,6 +9,7 @@ from workbench.document.addresses import Address
 from workbench.document.curve_edits import (
     curve_with,
     remove_points,
+    set_beside,
     set_curve_closed,
     set_joint,
     set_knot,
@@ -128,6 +129,14 @@ class CurveCommands(QObject):
             self.apply(set_joint([self.address(curve, point) for point in points], kind), _("Change joint"))
 
         self.with_points(1, make)
+
+    def show_beside(self, kind: str) -> None:
+        """Show another kind beside the curve, or show it no longer."""
+        curve = self.focus.curve
+        if curve is not None and kind != curve.spline:
+            shown = curve.beside
+            kinds = tuple(k for k in shown if k != kind) if kind in shown else (*shown, kind)
+            self.apply(set_beside(curve.id, kinds), _("Kinds shown beside"))
 
     def toggle_closed(self) -> None:
         """Close the curve, or open it."""

@@ -9,14 +9,17 @@ from workbench.algorithms.curves import Pieces, piece_points
 from workbench.document.model import Curve
 from workbench.language import _
 from workbench.panels.curve_basis import NOTHING, Basis, basis_of
+from workbench.panels.curve_compare import compared, measures, rows
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_insight import CurveInsight
 from workbench.panels.curve_joints import joint_point, joints
 from workbench.panels.curve_shape import device_pieces, parameter
+from workbench.rendering.curves import fault_of
 from workbench.widgets.basis_plot import BasisPlot
 from workbench.widgets.continuity_table import ContinuityTable, Joint
 from workbench.widgets.curvature_plot import CurvaturePlot
 from workbench.widgets.hodograph_plot import HodographPlot
+from workbench.widgets.measure_table import MeasureTable
 
 DockPart = tuple[str, str, QWidget, Qt.DockWidgetArea]
 
@@ -39,6 +42,7 @@ class CurveDocks(QObject):
     weight_dragged = Signal(int, float)
     weight_released = Signal()
     smoothing_wanted = Signal(int, str)
+    kind_wanted = Signal(str)
 
     def __init__(self, focus: CurveFocus, parent: QWidget) -> None:
         super().__init__(parent)
@@ -48,6 +52,8 @@ class CurveDocks(QObject):
         self.continuity.joint_activated.connect(self._go_to_joint)
         self.continuity.joint_selected.connect(self._hover_joint)
         self.continuity.smoothing_wanted.connect(self.smoothing_wanted)
+        self.measured = MeasureTable()
+        self.measured.kind_activated.connect(self._choose_kind)
         self._joints: list[Joint] = []
         self._basis: Basis = NOTHING
         self._made_for: tuple[object, ...] = ()
@@ -70,6 +76,7 @@ class CurveDocks(QObject):
         return [
             ("basis", _("Basis functions"), self.basis, right),
             ("insight", _("Insight"), self.insight, right),
+            ("kinds", _("Kinds compared"), self.measured, right),
             ("continuity", _("Continuity"), self.continuity, right),
             ("curvature", _("Curvature"), self.curvature, right),
             ("hodograph", _("Hodograph"), self.hodograph, right),
@@ -94,6 +101,9 @@ class CurveDocks(QObject):
             self._show_hodograph(pieces, u)
         if self.continuity.isVisible():
             self._show_joints(curve)
+        if self.measured.isVisible():
+            found = () if curve is None else rows(self.focus.session.sheet, curve)
+            self.measured.set_rows(measures(), found)
         if self.insight.isVisible():
             self.insight.say(_measures(pieces, u))
 
@@ -147,6 +157,12 @@ class CurveDocks(QObject):
     def _go_to_joint(self, number: int) -> None:
         if 0 <= number < len(self._joints):
             self._go_to(self._joints[number].u)
+
+    def _choose_kind(self, number: int) -> None:
+        curve = self.focus.curve
+        if curve is not None and number >= 0:
+            there = [kind for kind in compared(curve) if not fault_of(curve, kind)]
+            self.kind_wanted.emit(there[number])
 
     def _hover_joint(self, number: int) -> None:
         curve = self.focus.curve

@@ -151,5 +151,5 @@ def steps_of_u(pieces: Pieces) -> list[Drawn]:
 
 def steps_of_length(pieces: Pieces) -> list[Drawn]:
     """As many points at equal steps of the length."""
-    at = piece_points(pieces, curves.equal_lengths(pieces, STEPS))
+    at = piece_points(pieces, curves.equal_lengths(pieces, STEPS + 1))
     return [Spot(x, y, "data 3", "square", 7) for x, y in at.tolist()]

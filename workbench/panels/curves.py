@@ -54,6 +54,9 @@ class CurvesPanel(SteppedPanel):
         self.card.joint_chosen = self.commands.joint
         self.beside.knot_dragged.connect(self.commands.pull_knot)
         self.beside.weight_dragged.connect(self.commands.pull_weight)
+        self.beside.kind_wanted.connect(self.commands.show_beside)
+        self.beside.measured.copied.connect(self.hover_text)
+        self.beside.measured.example_wanted.connect(self.show_example)
         self.beside.knot_wanted.connect(self._insert_knot)
         self.beside.smoothing_wanted.connect(self._smooth)
         self.beside.knot_released.connect(self._let_go_of_plot)
@@ -62,8 +65,8 @@ class CurvesPanel(SteppedPanel):
         self.exchange = CurveExchange(self.focus, lambda: self.exporter, self._model, self)
         self.exchange.said.connect(self.hover_text)
         self.focus.changed.connect(self.refresh_soon)
-        for plot in (self.beside.basis, self.beside.curvature, self.beside.hodograph):
-            plot.installEventFilter(self)
+        for _name, _title, dock, _area in self.beside.parts():
+            dock.installEventFilter(self)
         self.start(
             _("Click on the canvas, point after point; Enter ends the curve."),
             [

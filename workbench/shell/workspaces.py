@@ -98,7 +98,7 @@ def workspaces() -> tuple[Workspace, ...]:
             ("workbench.panels.curves:CurvesPanel", inspector, compare, why, tube),
             steps=True,
             topics=("curves", "lines"),
-            lower=("basis", "insight", "continuity", "curvature", "hodograph", "tube"),
+            lower=("basis", "insight", "kinds", "continuity", "curvature", "hodograph", "tube"),
         ),
         Workspace(
             "display",

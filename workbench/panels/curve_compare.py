@@ -1,0 +1,94 @@
+"""The same points through several kinds of curves, measured beside each other, as rows of a table."""
+
+import math
+from functools import lru_cache
+
+from workbench.algorithms import curves
+from workbench.document.model import Curve, Sheet
+from workbench.language import _
+from workbench.panels.curve_joints import MOST_JOINTS, TOLERANCE
+from workbench.panels.curve_names import GLOBAL, THROUGH, is_handle, look_of, spline_title
+from workbench.panels.curve_shape import Array, device_pieces, device_points
+from workbench.widgets.measure_table import Measure, Measured
+
+# What stands in the table while no other kind is shown beside the curve.
+USUAL = ("natural_cubic", "catmull_rom", "bezier", "b_spline")
+MOST_POINTS = 200
+# A curve that passes a point this near, in pixels, passes through it.
+_ON = 1e-6
+
+
+def compared(curve: Curve) -> tuple[str, ...]:
+    """The kinds that are compared: that of the curve, then those beside it, or else the usual ones."""
+    return (curve.spline, *(kind for kind in curve.beside or USUAL if kind != curve.spline))
+
+
+def measures() -> list[Measure]:
+    """What is measured of each kind."""
+    return [
+        Measure(_("through the points"), "", _("Interpolation passes through every point")),
+        Measure(_("farthest point"), "px", _("How far the farthest point is from the curve"), "least"),
+        Measure(_("mean distance"), "px", _("How far the points are from the curve on average"), "least"),
+        Measure(_("overshoot"), "px", _("How far the curve swings out beyond its points"), "least"),
+        Measure(_("overshoot between"), "px", _("The same between two neighbours"), "least"),
+        Measure(_("turning"), "°", _("How much the direction turns in all: wiggle"), "least"),
+        Measure(_("inflections"), "", _("How often the curve changes the side it bends to"), "least"),
+        Measure(_("length"), "px", _("Arc length of the curve"), "least"),
+        Measure(_("one point moves"), "", _("What of the curve follows a point that is moved")),
+        Measure(_("smoothness"), "", _("The worst joint of the curve: of the parameter, of the shape")),
+        Measure(_("degree"), "", _("The degree of each piece")),
+    ]
+
+
+@lru_cache(maxsize=4)
+def _rows(sheet: Sheet, curve: Curve) -> tuple[Measured, ...]:
+    points = _through(sheet, curve)
+    found = []
+    for kind in compared(curve):
+        pieces = device_pieces(sheet, curve, kind)
+        if pieces is None or not len(points):
+            continue
+        away = curves.distances(pieces, points)
+        swing = curves.overshoot(pieces, points)
+        turns = curves.wiggle(pieces, points)
+        ink = "accent" if kind == curve.spline else look_of(kind)[0] if kind in curve.beside else ""
+        values = (
+            kind in THROUGH or float(away.max()) < _ON,
+            float(away.max()),
+            float(away.mean()),
+            swing.box,
+            None if math.isnan(swing.between) else swing.between,
+            math.degrees(turns.turning),
+            float(turns.inflections),
+            float(curves.arc_length(pieces)),
+            _("all of it") if kind in GLOBAL else _("a part of it"),
+            _smoothness(pieces, curve.closed),
+            str(pieces.degree),
+        )
+        found.append(Measured(spline_title(kind), ink, values))
+    return tuple(found)
+
+
+def rows(sheet: Sheet, curve: Curve) -> tuple[Measured, ...]:
+    """A row for each kind that there is over these points; none for very many points."""
+    return () if len(curve.points_world) > MOST_POINTS else _rows(sheet, curve)
+
+
+def _through(sheet: Sheet, curve: Curve) -> Array:
+    """The points that a curve is measured against: all, but the handles of a path."""
+    kept = [k for k in range(len(curve.points_world)) if not is_handle(curve, k)]
+    return device_points(sheet, curve)[kept]
+
+
+def _smoothness(pieces: curves.Pieces, closed: bool) -> str:
+    found = curves.joints(pieces, closed, TOLERANCE)[:MOST_JOINTS]
+    if not found:
+        return "C\N{INFINITY}"
+    worst = [min(_order(getattr(joint, name)) for joint in found) for name in ("parametric", "geometric")]
+    return ", ".join(
+        f"{letter}{order}" if order >= 0 else _("gap") for letter, order in zip("CG", worst, strict=True)
+    )
+
+
+def _order(name: str) -> int:
+    return int(name[1]) if name else -1
