@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from workbench.algorithms.curves import bernstein
 from workbench.widgets.canvas_drawing import Region, Stroke
-from workbench.widgets.canvas_lines import paint_line
+from workbench.widgets.canvas_lines import paint_lines
 from workbench.widgets.canvas_marks import GRAB
 from workbench.widgets.canvas_overlay import Handle, Overlay
 from workbench.widgets.pixel_canvas import PixelCanvas
@@ -41,6 +41,11 @@ def scene(qapp: QApplication):
 
 def painted(scene, points, width=1.5, pattern=Qt.PenStyle.SolidLine, whole=False):
     """How dark each pixel becomes, (h, w), 0 to 1; ``whole`` leaves all to the painter."""
+    return painted_in([[np.array(points, float).reshape(-1, 2)]], scene, width, pattern, whole)
+
+
+def painted_in(batches, scene, width=1.5, pattern=Qt.PenStyle.SolidLine, whole=False):
+    """The same for lines that are painted so many at a time."""
     image = QImage(*SIZE, QImage.Format.Format_RGB32)
     image.fill(QColor("white"))
     painter = QPainter(image)
@@ -48,7 +53,8 @@ def painted(scene, points, width=1.5, pattern=Qt.PenStyle.SolidLine, whole=False
     painter.setClipRect(area.left, area.top, area.width, area.height)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     pen = QPen(INK, width, pattern, Qt.PenCapStyle.FlatCap)
-    paint_line(painter, replace(scene, vector=whole), np.array(points, float).reshape(-1, 2), pen)
+    for lines in batches:
+        paint_lines(painter, replace(scene, vector=whole), lines, pen)
     painter.end()
     shades = np.frombuffer(image.constBits(), np.uint8).reshape(SIZE[1], -1, 4)[:, : SIZE[0], 0]
     return 1 - shades / 255.0
@@ -103,6 +109,15 @@ def test_what_has_no_length_or_is_out_of_sight_paints_nothing(scene, points):
 def test_repeated_corners_change_nothing(scene):
     corners = np.array([(2, 3), (30, 20), (35, 4)], float)
     assert alike(painted(scene, np.repeat(corners, 40, axis=0)), painted(scene, corners))
+
+
+@given(st.lists(st.lists(places, min_size=1, max_size=5), min_size=1, max_size=6), patterns, st.data())
+def test_lines_painted_at_once_look_as_one_after_the_other(scene, lines, pattern, data):
+    lines = [np.array(line) for line in lines]
+    long = data.draw(st.integers(0, len(lines) - 1))
+    lines[long] = bernstein(len(lines[long]) - 1, np.linspace(0, 1, 300)) @ lines[long]
+    one_by_one = painted_in([[line] for line in lines], scene, pattern=pattern)
+    assert alike(painted_in([lines], scene, pattern=pattern), one_by_one)
 
 
 @given(st.lists(st.tuples(st.floats(-9, 9), st.floats(-9, 9) | st.just(math.nan)), max_size=9))
@@ -215,6 +230,17 @@ def test_of_many_handles_only_the_selected_bear_their_names(canvas):
     many = tuple(Handle(str(k), f"P{k}", k % 20 * 2, k // 20 * 3) for k in range(100))
     assert ink(many) == ink(tuple(replace(handle, name="") for handle in many))
     assert ink((replace(many[55], selected=True), *many[56:])) > ink(many)
+
+
+def test_a_stroke_lies_over_what_was_drawn_before_it(canvas):
+    across, up = np.array([(0, 14), (39, 14)], float), np.array([(20, 0), (20, 27)], float)
+    for first, second in (("data 1", "data 2"), ("data 2", "data 1")):
+        higher = across + np.array([0, 5])
+        strokes = (Stroke(across, first, 5.0), Stroke(higher, first, 5.0), Stroke(up, second, 5.0))
+        canvas.set_overlay(Overlay(drawn=strokes))
+        wanted = LIGHT.data[int(second[-1]) - 1]
+        assert around(canvas, 20, 14)[7][7] == around(canvas, 20, 19)[7][7] == wanted
+        assert around(canvas, 10, 19)[7][7] == LIGHT.data[int(first[-1]) - 1]
 
 
 def test_strokes_and_regions_reach_the_picture(canvas):

@@ -7,6 +7,7 @@ or "data 1" to "data 6". A pattern or a shape stands beside every colour.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import groupby
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from workbench.widgets.canvas_lines import on_screen, paint_line
+from workbench.widgets.canvas_lines import on_screen, paint_lines
 from workbench.widgets.polygons import polygon
 from workbench.widgets.tokens import Tokens, colour
 
@@ -92,10 +93,12 @@ def ink_of(tokens: Tokens, name: str) -> str:
 def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Drawn, ...]) -> None:
     """Paint them in the order given."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-    for each in drawn:
+    for _style, alike in groupby(drawn, _style_of):
+        each = next(alike)
         match each:
             case Stroke():
-                _stroke(painter, scene, each)
+                more = [stroke.points for stroke in alike if isinstance(stroke, Stroke)]
+                _strokes(painter, scene, each, [each.points, *more])
             case Region():
                 painter.setPen(Qt.PenStyle.NoPen)
                 painter.setBrush(colour(ink_of(scene.tokens, each.ink), each.alpha))
@@ -108,13 +111,20 @@ def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Drawn, ...]) -> No
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
 
 
-def _stroke(painter: QPainter, scene: Scene, stroke: Stroke) -> None:
-    if stroke.haloed:
-        around = QPen(QColor(scene.tokens.canvas), (stroke.width + 2.5) * scene.unit)
-        paint_line(painter, scene, stroke.points, around)
-    ink = QColor(ink_of(scene.tokens, stroke.ink))
-    pen = QPen(ink, stroke.width * scene.unit, PATTERNS[stroke.pattern], Qt.PenCapStyle.FlatCap)
-    paint_line(painter, scene, stroke.points, pen)
+def _style_of(drawn: Drawn) -> object:
+    """Strokes of one style that follow one another are painted at once; a halo is for one alone."""
+    if isinstance(drawn, Stroke) and not drawn.haloed:
+        return drawn.ink, drawn.width, drawn.pattern
+    return id(drawn)
+
+
+def _strokes(painter: QPainter, scene: Scene, style: Stroke, lines: list[Points]) -> None:
+    if style.haloed:
+        around = QPen(QColor(scene.tokens.canvas), (style.width + 2.5) * scene.unit)
+        paint_lines(painter, scene, lines, around)
+    ink = QColor(ink_of(scene.tokens, style.ink))
+    pen = QPen(ink, style.width * scene.unit, PATTERNS[style.pattern], Qt.PenCapStyle.FlatCap)
+    paint_lines(painter, scene, lines, pen)
 
 
 def _spot(painter: QPainter, scene: Scene, spot: Spot) -> None:

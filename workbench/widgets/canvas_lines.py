@@ -5,11 +5,12 @@ A painter takes single sides quickly, a whole polyline whose long sides cross si
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPen
 
 from workbench.widgets.polygons import polygon
@@ -21,7 +22,7 @@ Array = NDArray[np.float64]
 
 # On and off, in widths of the pen, as Qt has them.
 _DASHES = {Qt.PenStyle.DashLine: (4.0, 2.0), Qt.PenStyle.DotLine: (1.0, 2.0)}
-_FARTHEST = 1e15
+_FARTHEST, _NEAR_PX = 1e15, 1e4
 # What stands for a curve is nowhere farther from it than an eighth of stretch times turn.
 _FEW, _STRETCH_PX, _TURN = 64, 8.0, 0.12
 _OVERLAP_PX = 0.4
@@ -36,17 +37,21 @@ def on_screen(scene: Scene, points: Array, farthest: float = _FARTHEST) -> tuple
     return np.clip(x, -farthest, farthest), np.clip(y, -farthest, farthest)
 
 
-def paint_line(painter: QPainter, scene: Scene, points: Array, pen: QPen) -> None:
-    """Paint a polyline (n, 2) of device points with a pen whose width is in screen pixels."""
-    if len(points) < 2:
+def paint_lines(painter: QPainter, scene: Scene, lines: Sequence[Array], pen: QPen) -> None:
+    """Paint polylines, each (n, 2) device points, with one pen whose width is in screen pixels."""
+    if len(lines) == 1 and len(lines[0]) == 2 and _paint_side(painter, scene, lines[0], pen):
         return
-    x, y = on_screen(scene, points)
+    counts = np.array([len(line) for line in lines if len(line) > 1], np.int64)
+    if not len(counts):
+        return
+    x, y = on_screen(scene, np.concatenate([line for line in lines if len(line) > 1]))
     if scene.vector:
         painter.setPen(pen)
-        painter.drawPolyline(polygon(x, y))
+        for end, count in zip(np.cumsum(counts).tolist(), counts.tolist(), strict=True):
+            painter.drawPolyline(polygon(x[end - count : end], y[end - count : end]))
         return
     wide = pen.widthF()
-    sides, way = _clipped(*_seen_corners(np.stack([x, y], axis=1)), scene, wide)
+    sides, way = _sides(np.stack([x, y], axis=1), counts, scene, wide)
     if pen.style() in _DASHES:
         sides = _dashed(sides, way, wide * np.array(_DASHES[pen.style()]))
     sides = _overlapping(sides, wide)
@@ -59,30 +64,55 @@ def paint_line(painter: QPainter, scene: Scene, points: Array, pen: QPen) -> Non
         painter.drawLines(ends.data(), len(sides))
 
 
-def _seen_corners(corners: Array) -> tuple[Array, Array]:
-    """Of many corners those that show, one every few pixels and oftener where the line turns, and how far
-    along the line each is.
+def _paint_side(painter: QPainter, scene: Scene, ends: Array, pen: QPen) -> bool:
+    """Paint a single side the short way, unless it is dashed or goes far; whether it was painted."""
+    start, end = (QPointF(*scene.view.to_screen(x, y)) for x, y in ends.tolist())
+    far = max(abs(start.x()), abs(start.y()), abs(end.x()), abs(end.y())) >= _NEAR_PX
+    if far or pen.style() in _DASHES:
+        return False
+    if start != end:
+        painter.setPen(pen)
+        painter.drawLine(start, end)
+    return True
+
+
+def _sides(corners: Array, counts: NDArray[np.int64], scene: Scene, wide: float) -> tuple[Array, Array]:
+    """The sides (k, 2, 2) to be seen of polylines of so many corners each, and how far along its own line
+    each begins.
     """
+    line = np.repeat(np.arange(len(counts)), counts)
     legs = np.diff(corners, axis=0)
     way = np.concatenate([[0.0], np.cumsum(np.hypot(legs[:, 0], legs[:, 1]))])
-    if len(corners) <= _FEW:
-        return corners, way
+    if counts.max() > _FEW:
+        kept = _shows(legs, way) | (counts <= _FEW)[line]
+        kept[1:] |= line[1:] != line[:-1]
+        kept[:-1] |= line[1:] != line[:-1]
+        corners, way, line = corners[kept], way[kept], line[kept]
+    begin = np.flatnonzero(np.diff(line, prepend=-1))
+    own = line[1:] == line[:-1]
+    length = np.diff(way)[own]
+    way = (way - way[begin][line])[:-1][own]
+    return _clipped(corners[:-1][own], corners[1:][own], length, way, scene, wide)
+
+
+def _shows(legs: Array, way: Array) -> NDArray[np.bool_]:
+    """Of many corners those that show: one every few pixels, and oftener where the line turns."""
     stretch = np.floor(way[1:] / _STRETCH_PX)
-    heading = np.arctan2(legs[:, 1], legs[:, 0])
-    turn = np.diff(heading)
+    turn = np.diff(np.arctan2(legs[:, 1], legs[:, 0]))
     turned = np.floor(np.cumsum(np.abs(turn - 2 * np.pi * np.rint(turn / (2 * np.pi)))) / _TURN)
-    kept = np.ones(len(corners), bool)
+    kept = np.ones(len(way), bool)
     kept[1:-1] = (stretch[:-1] != stretch[1:]) | (np.diff(turned, prepend=0.0) != 0)
-    return corners[kept], way[kept]
+    return kept
 
 
-def _clipped(corners: Array, way: Array, scene: Scene, wide: float) -> tuple[Array, Array]:
-    """The sides (k, 2, 2) inside the area and a little beyond, and how far along the line each begins.
+def _clipped(
+    start: Array, end: Array, length: Array, way: Array, scene: Scene, wide: float
+) -> tuple[Array, Array]:
+    """The parts of sides inside the area and a little beyond, and how far along the line each begins.
 
     Source: Liang and Barsky, A new concept and method for line clipping, 1984.
     """
-    start, leg = corners[:-1], np.diff(corners, axis=0)
-    length = np.diff(way)
+    leg = end - start
     area, room = scene.area, wide + 2.0
     low = np.array([area.left - room, area.top - room])
     high = np.array([area.right + room, area.bottom + room])
@@ -95,7 +125,7 @@ def _clipped(corners: Array, way: Array, scene: Scene, wide: float) -> tuple[Arr
     enter, leave = np.maximum(enter, 0.0), np.minimum(leave, 1.0)
     seen = (enter < leave) & (length > 0)
     start, leg, enter, leave = start[seen], leg[seen], enter[seen, None], leave[seen, None]
-    begin = way[:-1][seen] + enter[:, 0] * length[seen]
+    begin = way[seen] + enter[:, 0] * length[seen]
     return np.stack([start + enter * leg, start + leave * leg], axis=1), begin
 
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen
 
 from workbench.widgets.canvas_drawing import paint_drawn
-from workbench.widgets.canvas_lines import paint_line
+from workbench.widgets.canvas_lines import paint_lines
 from workbench.widgets.canvas_marks import paint_marks
 from workbench.widgets.canvas_overlay import BOTH, ONLY_FIRST, ONLY_SECOND, TIE_FIRST, TIE_SECOND, Overlay
 from workbench.widgets.canvas_view import Area, CanvasView, label_step
@@ -214,8 +214,7 @@ def _paint_curves(painter: QPainter, scene: Scene) -> None:
     muted = QPen(QColor(scene.tokens.muted), 1.25 * scene.unit)
     accent = QPen(QColor(scene.tokens.accent), 1.5 * scene.unit)
     for pen, curves in ((muted, scene.overlay.ideal), (accent, scene.overlay.outlined)):
-        for curve in curves:
-            paint_line(painter, scene, curve, pen)
+        paint_lines(painter, scene, curves, pen)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
 
 
