@@ -93,6 +93,11 @@ def test_a_circle_stays_round_within_the_error(radius: float, share: float) -> N
     assert chords <= max(share, 1e-5) * radius
 
 
+def test_a_circle_takes_as_few_cubics_as_in_a_drawing_program() -> None:
+    pieces = rational_pieces(*circle(0, 0, 100))
+    assert [len(to_cubic_pieces(pieces, t)[0].controls) for t in (0.1, 1e-3, 1e-5)] == [4, 8, 16]
+
+
 @given(point_lists(4, 8), st.sampled_from([0.0, 0.5, 1.0]), st.floats(-1, 1))
 def test_curves_through_points_are_bezier_pieces_with_error_0(
     points: Array, alpha: float, tension: float
@@ -186,6 +191,13 @@ def test_a_raised_b_spline_is_lowered_again(degree: int, more: int, seed: int) -
     assert np.array_equal(fewer, knots)
     assert error <= 1e-9
     assert np.abs(lowered - points).max() <= 1e-8
+
+
+def test_a_tolerance_too_small_to_be_kept_is_not_claimed() -> None:
+    pieces = rational_pieces(*circle(0, 0, 1))
+    chain, error = nurbs_to_polyline(pieces, 1e-12)
+    assert 1e-12 < error < 1e-8
+    assert len(chain) < 200_000
 
 
 def test_what_cannot_be_converted_is_said() -> None:

@@ -130,10 +130,10 @@ def _from_points(
     low, high = points.min(axis=0), points.max(axis=0)
     extent = float((high - low).max())
     pieces, error = fit_pieces(points, tolerance or max(_SHARE * extent, 1e-9))
-    edge = 0.05 * extent
+    edge, closed = 0.05 * extent, len(points) > 2 and np.array_equal(points[0], points[-1])
     window = Rectangle(*(low - edge).tolist(), *(high + edge).tolist())
     sheet = _blank(window, wanted or _pixels((0.0, 0.0), window))
-    document = _filled(source, sheet, [path_of(pieces.controls, False, 1)])
+    document = _filled(source, sheet, [path_of(pieces.controls, closed, 1)])
     sentence = _("{count} Bézier pieces pass {points} points within {error:.3g}.")
     return document, [sentence.format(count=len(pieces.controls), points=len(points), error=error)]
 

@@ -1,8 +1,9 @@
 """Any curve as cubic Bézier pieces: exactly where it is one already, else within a tolerance.
 
-A piece of another kind gets the cubic with the same ends and end derivatives, and is halved until that is
-near enough. The error is proved, not sampled: curve and cubic differ by a rational curve whose control
-points can be written down, and no point of a curve is farther out than its farthest control point.
+A piece of another kind gets the cubic with the same ends and end derivatives (of a conic: the cubic that also
+touches its middle), and is halved until that is near enough. The error is proved, not sampled: curve and
+cubic differ by a rational curve whose control points can be written down, and no point of a curve is farther
+out than its farthest control point.
 Source: Farin, Curves and Surfaces for CAGD, sections 6.5 (the hull) and 13.7 (rational derivatives).
 """
 
@@ -11,12 +12,14 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.curves.conic_cubics import conic_cubics
 from workbench.algorithms.curves.halving import balanced, halves, lengths, lifted, product
 from workbench.algorithms.curves.pieces import Pieces
 
 Array = NDArray[np.float64]
 
 MOST_HALVINGS = 24
+MOST_PARTS = 50_000  # that still wait to be halved
 NEAREST = 1e-13  # of the size of the curve: nearer than this rounding errors are all that is left
 
 
@@ -24,9 +27,9 @@ def to_cubic_pieces(pieces: Pieces, tolerance: float) -> tuple[Pieces, float]:
     """Cubic pieces nowhere farther than ``tolerance`` from the curve, and how far they are at most.
 
     Plain curves up to degree 3 are the same curve, error 0, at every u. Of others the knots stay, the
-    points at and the derivatives' directions; between two knots the way in u may differ. The error exceeds
-    the tolerance only where that is below 1e-13 of the curve's size. Raises: ValueError for a tolerance that
-    is not above 0, or points that are not finite.
+    points there and the directions; between two knots the way in u may differ. The error exceeds the
+    tolerance only where that is below 1e-13 of the curve's size, or takes more than 100,000 parts. Raises:
+    ValueError for a tolerance that is not above 0, or points that are not finite.
     """
     refuse_tolerance(tolerance)
     if not np.isfinite(pieces.controls).all():
@@ -34,23 +37,27 @@ def to_cubic_pieces(pieces: Pieces, tolerance: float) -> tuple[Pieces, float]:
     if pieces.weights is None and pieces.degree <= 3:
         return Pieces(pieces.knots, raised_to_cubic(pieces.controls)), 0.0
     waiting = lifted(pieces)
-    begins, ends = pieces.knots[:-1], pieces.knots[1:]
+    places = np.arange(
+        len(waiting), dtype=float
+    )  # of a part: the number of its piece, and the share before it
     least = max(tolerance, NEAREST * float(np.abs(pieces.controls).max()))
+    most = max(MOST_PARTS, 8 * len(waiting))
     found: list[tuple[Array, Array, Array]] = []
     for halving in range(MOST_HALVINGS + 1):
         waiting = balanced(waiting)
-        cubics = _hermite_cubics(waiting)
-        off = _bounds(waiting, cubics)
-        done = (off <= least) | (halving == MOST_HALVINGS)
-        found.append((begins[done], cubics[done], off[done]))
-        waiting, begins, ends = halves(waiting[~done]), begins[~done], ends[~done]
+        cubics, off = _nearest_cubics(waiting)
+        done = (off <= least) | (halving == MOST_HALVINGS) | (len(waiting) > most)
+        found.append((places[done], cubics[done], off[done]))
+        waiting, places = halves(waiting[~done]), places[~done]
         if not len(waiting):
             break
-        middles = 0.5 * (begins + ends)
-        begins, ends = (np.stack(pair, axis=1).ravel() for pair in ((begins, middles), (middles, ends)))
+        places = np.stack([places, places + 0.5 ** (halving + 1)], axis=1).ravel()
     starts, controls, errors = (np.concatenate(parts) for parts in zip(*found, strict=True))
-    order = np.argsort(starts, kind="stable")
-    return Pieces(np.append(starts[order], pieces.knots[-1]), controls[order]), float(errors.max())
+    order = np.argsort(starts)
+    number = starts[order].astype(np.int64)
+    lengths_in_u = np.diff(pieces.knots)[number]
+    begins = pieces.knots[number] + (starts[order] - number) * lengths_in_u
+    return Pieces(np.append(begins, pieces.knots[-1]), controls[order]), float(errors.max())
 
 
 def raised_to_cubic(controls: Array) -> Array:
@@ -64,6 +71,17 @@ def refuse_tolerance(tolerance: float) -> None:
     """Raise ValueError unless the tolerance is a finite number above 0."""
     if not (math.isfinite(tolerance) and tolerance > 0):
         raise ValueError(f"The tolerance is {tolerance:g}; choose a finite one above 0.")
+
+
+def _nearest_cubics(whole: Array) -> tuple[Array, Array]:
+    """The cubics (m, 4, k) of balanced pieces (m, n+1, k+1), and how far (m,) they are off at most."""
+    cubics = _hermite_cubics(whole)
+    off = _bounds(whole, cubics)
+    if whole.shape[1] != 3:
+        return cubics, off
+    touching, away = conic_cubics(whole)
+    better = away < off
+    return np.where(better[:, None, None], touching, cubics), np.where(better, away, off)
 
 
 def _hermite_cubics(whole: Array) -> Array:

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.cubic_pieces import MOST_HALVINGS, NEAREST, refuse_tolerance
+from workbench.algorithms.curves.cubic_pieces import MOST_HALVINGS, MOST_PARTS, NEAREST, refuse_tolerance
 from workbench.algorithms.curves.halving import balanced, halves, lengths, lifted
 from workbench.algorithms.curves.pieces import Pieces
 
@@ -15,17 +15,19 @@ def nurbs_to_polyline(pieces: Pieces, tolerance: float) -> tuple[Array, float]:
 
     A piece is halved until its control points are as near to its chord as ``tolerance``: the curve lies
     between them, whatever its weights above 0. The error exceeds the tolerance only where that is below
-    1e-13 of the curve's size. Raises: ValueError for a tolerance that is not above 0.
+    1e-13 of the curve's size, or takes more than 100,000 lines. Raises: ValueError for a tolerance that is
+    not above 0.
     """
     refuse_tolerance(tolerance)
     waiting, order = lifted(pieces), np.arange(len(pieces.controls), dtype=float)
     least = max(tolerance, NEAREST * float(np.abs(pieces.controls).max()))
+    most = max(MOST_PARTS, 8 * len(waiting))
     found: list[tuple[Array, Array, Array]] = []
     for halving in range(MOST_HALVINGS + 1):
         waiting = balanced(waiting)
         points = waiting[..., :-1] / waiting[..., -1:]
         off = _from_chords(points)
-        done = (off <= least) | (halving == MOST_HALVINGS)
+        done = (off <= least) | (halving == MOST_HALVINGS) | (len(waiting) > most)
         found.append((order[done], points[done, 0], off[done]))
         waiting, order = halves(waiting[~done]), order[~done]
         if not len(waiting):
