@@ -5,12 +5,14 @@ from typing import Any
 
 from hypothesis import strategies as st
 
+from tests.document.made_curves import curves
 from workbench.document import edits
 from workbench.document.model import (
     LINE_CLIPPERS,
     POLYGON_CLIPPERS,
     AnyFigure,
     Circle,
+    Curve,
     Document,
     Ellipse,
     Figure,
@@ -39,7 +41,9 @@ def rectangles(draw: st.DrawFn) -> Rectangle:
 @st.composite
 def figures(draw: st.DrawFn, identity: str = "") -> AnyFigure:
     """A figure of any kind, with ids made of ``identity``, or empty ones; its colours are 0 to 2."""
-    kind: type[Figure] = draw(st.sampled_from([Line, Polyline, Polygon, Circle, Ellipse, SeedFill]))
+    kind: type[Figure] = draw(st.sampled_from([Line, Polyline, Polygon, Circle, Ellipse, SeedFill, Curve]))
+    if kind is Curve:
+        return draw(curves(identity=identity, most=7))
     count = draw(st.integers(kind.least_points, min(kind.most_points, 7)))
     points = tuple(
         WorldPoint(f"{identity}p{i}" if identity else "", draw(coordinates), draw(coordinates))

@@ -16,7 +16,7 @@ from workbench.document.edits import (
     reorder,
     set_attribute,
 )
-from workbench.document.model import AnyFigure, Document, Rectangle, Sheet, WorldPoint
+from workbench.document.model import AnyFigure, Document, Knot, Rectangle, Sheet, WorldPoint
 from workbench.document.samples import example_document, examples
 
 
@@ -24,12 +24,12 @@ def everything(document: Document) -> dict[Address, object]:
     """Every attribute by its address, found by walking the document and not by ``resolve``."""
     found: dict[Address, object] = {}
 
-    def walk(owner: Sheet | AnyFigure | WorldPoint, inner: str, *place: str) -> None:
+    def walk(owner: Sheet | AnyFigure | WorldPoint | Knot, *place: str) -> None:
         for name in owner.__struct_fields__:
             value = getattr(owner, name)
-            if name == inner:
+            if name in ("figures", "points_world", "knots"):
                 for item in value:
-                    walk(item, {"figures": "points_world"}.get(inner, ""), *place, item.id)
+                    walk(item, *place, item.id)
             elif isinstance(value, Rectangle):
                 for side in ("xmin", "ymin", "xmax", "ymax"):
                     found[_address(place, f"{name}.{side}")] = getattr(value, side)
@@ -39,7 +39,7 @@ def everything(document: Document) -> dict[Address, object]:
                 found[_address(place, name)] = value
 
     for sheet in document.sheets:
-        walk(sheet, "figures", sheet.id)
+        walk(sheet, sheet.id)
     return found
 
 
@@ -93,7 +93,7 @@ def test_changed_names_what_differs_and_nothing_else(data: st.DataObject, old: D
     assert different <= told
     # Whatever else is told is a list's order or something that came or went.
     for address in told - different:
-        lists = ("sheets", "figures", "points_world", "palette", "ring_ends")
+        lists = ("sheets", "figures", "points_world", "palette", "ring_ends", "knots", "beside")
         assert address.attribute in ("*", "clip_world", *lists)
     for address in before.keys() ^ after.keys():
         assert any(

@@ -168,6 +168,8 @@ def _handle_moves(curve: Curve, index: int, kind: str) -> Places:
     if kind == "G1":
         return joint_moves(curve, index, "smooth")
     count = 3 * len(joints_of(curve)[0]) if curve.closed else len(points)
+    if kind in ("G2", "C2") and count == 3:
+        raise ValueError(_("One piece that goes round cannot be so smooth; insert a point on it before."))
     here, one, other = (np.array(place(points[i])) for i in (index, before, after))
     far, beyond = (np.array(place(points[i % count])) for i in (before - 1, after + 1))
     arms = {"C1": lambda: 0.5 * (other - one), "C2": lambda: 0.25 * (beyond - far)}
@@ -178,8 +180,6 @@ def _handle_moves(curve: Curve, index: int, kind: str) -> Places:
         if found is not None:
             return _if_moved(curve, {points[before].id: found[0], points[after].id: found[1]})
         kind = "C2"
-    if kind == "C2" and count == 3:
-        raise ValueError(_("One piece that goes round cannot be so smooth; insert a point on it before."))
     arm = arms[kind]()
     return _if_moved(curve, {points[before].id: here - arm, points[after].id: here + arm})
 

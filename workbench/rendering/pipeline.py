@@ -33,7 +33,7 @@ _ENDS = ("x0", "y0", "x1", "y1")
 
 
 def line_calls_table(sheet: Sheet, figure: Lines) -> tuple[Entry, NDArray[np.int64]]:
-    """The algorithm of a figure made of lines, and its arguments (n, k), a row for each call."""
+    """The algorithm of a figure made of lines, and its arguments (n, k), a row for each of its calls."""
     entry, ends = catalogue.get(figure.algorithm), line_table(sheet, figure)
     columns = [
         ends[:, _ENDS.index(p.name)] if p.name in _ENDS else np.full(len(ends), p.example, np.int64)
@@ -42,10 +42,10 @@ def line_calls_table(sheet: Sheet, figure: Lines) -> tuple[Entry, NDArray[np.int
     return entry, np.stack(columns, axis=1)
 
 
-def _named(sheet: Sheet, figure: AnyFigure, below: NDArray[np.uint32] | None) -> list[dict[str, Any]]:
+def _named(
+    sheet: Sheet, figure: Polygon | Circle | Ellipse | SeedFill, below: NDArray[np.uint32] | None
+) -> list[dict[str, Any]]:
     """For each call the values its parameters may ask for, by the names that the catalogue uses."""
-    if isinstance(figure, Line | Polyline | Curve):
-        return [dict(zip(_ENDS, ends, strict=True)) for ends in line_table(sheet, figure).tolist()]
     if isinstance(figure, Polygon):
         values = polygon_values(sheet, figure)
         return [] if values is None else [values]
@@ -98,6 +98,14 @@ def calls(
     writes. Raises LookupError when the catalogue has no such algorithm.
     """
     entry = catalogue.get(algorithm or figure.algorithm)
+    if isinstance(figure, Line | Polyline | Curve):
+        places = [_ENDS.index(p.name) if p.name in _ENDS else -1 for p in entry.parameters]
+        ends = line_table(sheet, figure).tolist()
+        if places == [0, 1, 2, 3]:
+            return [Call(entry, (x0, y0, x1, y1)) for x0, y0, x1, y1 in ends]
+        given = [(*row, *(p.example for p in entry.parameters)) for row in ends]
+        chosen_of = [place if place >= 0 else number + 4 for number, place in enumerate(places)]
+        return [Call(entry, tuple(row[at] for at in chosen_of)) for row in given]
     made: list[Call] = []
     for values in _named(sheet, figure, below):
         chosen = entry
