@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Literal
 
 from PySide6.QtCore import (
@@ -79,12 +80,11 @@ def _line_sample(kind: Measured) -> QPixmap:
     sample = QPixmap(round(_SAMPLE_PX * ratio), round(_SAMPLE_PX * ratio))
     sample.setDevicePixelRatio(ratio)
     sample.fill(Qt.GlobalColor.transparent)
-    if kind.ink:
-        painter = QPainter(sample)
-        pen = QPen(colour(ink_of(tokens(), kind.ink)), 2, PATTERNS[kind.pattern], Qt.PenCapStyle.FlatCap)
-        painter.setPen(pen)
-        painter.drawLine(QPointF(0, _SAMPLE_PX / 2), QPointF(_SAMPLE_PX, _SAMPLE_PX / 2))
-        painter.end()
+    painter = QPainter(sample)
+    ink = colour(ink_of(tokens(), kind.ink))
+    painter.setPen(QPen(ink, 2, PATTERNS[kind.pattern], Qt.PenCapStyle.FlatCap))
+    painter.drawLine(QPointF(0, _SAMPLE_PX / 2), QPointF(_SAMPLE_PX, _SAMPLE_PX / 2))
+    painter.end()
     return sample
 
 
@@ -119,16 +119,16 @@ class MeasureModel(QAbstractTableModel):
             self.endResetModel()
 
     def _where(self, row: int, column: int) -> tuple[int, int]:
-        """The number of the kind and of the measure; -1 is a heading."""
-        return (column - 1, row) if self.upright else (row, column - 1)
+        """The number of the kind and of the measure."""
+        return (column, row) if self.upright else (row, column)
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
         """Kinds, or measures."""
         return 0 if parent.isValid() else len(self.measures if self.upright else self.kinds)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """A column of names, and one for each measure, or kind."""
-        return 0 if parent.isValid() else 1 + len(self.kinds if self.upright else self.measures)
+        """Measures, or kinds."""
+        return 0 if parent.isValid() else len(self.kinds if self.upright else self.measures)
 
     def headings(self) -> list[str]:
         """What is measured, with units."""
@@ -141,28 +141,22 @@ class MeasureModel(QAbstractTableModel):
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        """The names across."""
-        if orientation != Qt.Orientation.Horizontal:
-            return None
+        """The names of the kinds and of what is measured; those at the side stay while one scrolls."""
+        across = orientation == Qt.Orientation.Horizontal
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            side = Qt.AlignmentFlag.AlignRight if section else Qt.AlignmentFlag.AlignLeft
+            side = Qt.AlignmentFlag.AlignRight if across else Qt.AlignmentFlag.AlignLeft
             return side | Qt.AlignmentFlag.AlignVCenter
-        if not section:
-            heading = _("measured") if self.upright else _("curve")
-            return heading if role == Qt.ItemDataRole.DisplayRole else None
-        if self.upright:
-            return self._kind(section - 1, role)
+        if across == self.upright:
+            return self._kind(section, role)
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._measure_text(section - 1)
-        return self.measures[section - 1].meaning if role == Qt.ItemDataRole.ToolTipRole else None
+            return self._measure_text(section)
+        return self.measures[section].meaning if role == Qt.ItemDataRole.ToolTipRole else None
 
     def _kind(self, number: int, role: int) -> Any:
         kind = self.kinds[number]
         if role == Qt.ItemDataRole.DisplayRole:
             return kind.name
-        if role == Qt.ItemDataRole.DecorationRole:
-            return _line_sample(kind)
-        return None
+        return _line_sample(kind) if role == Qt.ItemDataRole.DecorationRole and kind.ink else None
 
     def best(self, measure: int) -> set[int]:
         """The kinds with the best number of a measure; none when all are alike."""
@@ -178,17 +172,12 @@ class MeasureModel(QAbstractTableModel):
         return {k for k, value in numbers.items() if value == wanted}
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """A name, or a value; the best number of a measure is bold."""
+        """A value; the best number of a measure is bold."""
         kind, measure = self._where(index.row(), index.column())
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            side = Qt.AlignmentFlag.AlignRight if index.column() else Qt.AlignmentFlag.AlignLeft
-            return side | Qt.AlignmentFlag.AlignVCenter
-        if measure < 0:
-            return self._kind(kind, role)
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.ToolTipRole:
             return self.measures[measure].meaning or None
-        if kind < 0:
-            return self._measure_text(measure) if role == Qt.ItemDataRole.DisplayRole else None
         if role == Qt.ItemDataRole.DisplayRole:
             return value_text(self.kinds[kind].values[measure])
         if role == Qt.ItemDataRole.FontRole:
@@ -221,8 +210,10 @@ class MeasureTable(QWidget):
         self.view.setEditTriggers(QTableView.EditTrigger.NoEditTriggers)
         self.view.setTabKeyNavigation(False)
         self.view.setMouseTracking(True)
-        self.view.verticalHeader().hide()
-        self.view.verticalHeader().setDefaultSectionSize(22)
+        side = self.view.verticalHeader()
+        side.setDefaultSectionSize(22)
+        side.setHighlightSections(False)
+        self.view.setCornerButtonEnabled(False)
         self.view.setItemDelegate(WholeRows(self.view))
         self.model.dataChanged.connect(FittedColumns(self.view).widen)
         self.copy_action = QAction(_("Copy table"), self)
@@ -243,11 +234,14 @@ class MeasureTable(QWidget):
         self.view.selectionModel().selectionChanged.connect(self._select)
         self.view.viewportEntered.connect(self._select)
         self.view.activated.connect(lambda index: self.kind_activated.emit(self._kind_of(index)))
+        for header, across in ((self.view.horizontalHeader(), True), (side, False)):
+            header.sectionDoubleClicked.connect(partial(self._enter, across))
         theme.changed.connect(self._restyle)
 
     def _restyle(self) -> None:
         self.view.viewport().update()
         self.view.horizontalHeader().viewport().update()
+        self.view.verticalHeader().viewport().update()
         self.update()
 
     def set_rows(self, measures: Sequence[Measure], kinds: Sequence[Measured]) -> None:
@@ -259,7 +253,7 @@ class MeasureTable(QWidget):
     def _kind_of(self, index: Index) -> int:
         if not index.isValid():
             return -1
-        return index.column() - 1 if self.model.upright else index.row()
+        return index.column() if self.model.upright else index.row()
 
     def _point(self, index: QModelIndex) -> None:
         self._tell(self._kind_of(index))
@@ -277,10 +271,17 @@ class MeasureTable(QWidget):
         super().leaveEvent(event)
         self._select()
 
+    def _enter(self, across: bool, section: int) -> None:
+        """A name was double-clicked: a kind, or what is measured."""
+        if across == self.model.upright:
+            self.kind_activated.emit(section)
+
     def _turn(self) -> None:
         """The way round that fits the place: kinds as rows, or as columns when they need less room."""
         metrics, model = self.view.horizontalHeader().fontMetrics(), self.model
-        names = [metrics.horizontalAdvance(kind.name) + DECORATION_PX for kind in model.kinds]
+        names = [
+            metrics.horizontalAdvance(kind.name) + DECORATION_PX * bool(kind.ink) for kind in model.kinds
+        ]
         headings = [metrics.horizontalAdvance(text) for text in model.headings()]
         across, upright = (
             max(first, default=0) + sum(rest) + _PADDING_PX * (1 + len(rest))
