@@ -50,6 +50,7 @@ from workbench.algorithms.curves.pieces import Pieces, in_rows, piece_points
 from workbench.algorithms.curves.polyline import chord_counts, polyline
 from workbench.algorithms.curves.rational import Nurbs, circle, homogeneous, projected
 from workbench.algorithms.curves.rational_polyline import nurbs_to_polyline
+from workbench.algorithms.curves.self_intersections import self_intersections
 from workbench.algorithms.curves.waviness import Overshoot, Wiggle, overshoot, wiggle
 
 __all__ = [
@@ -116,6 +117,7 @@ __all__ = [
     "piece_points",
     "polyline",
     "projected",
+    "self_intersections",
     "split_b_spline",
     "subdivide",
     "to_cubic_pieces",

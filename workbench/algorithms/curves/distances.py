@@ -12,7 +12,7 @@ from workbench.algorithms.curves.roots import roots
 
 Array = NDArray[np.float64]
 
-_AT_ONCE = 2**21
+_AT_ONCE = 2**19
 
 
 def distances(pieces: Pieces, points: ArrayLike) -> Array:

@@ -1,0 +1,101 @@
+"""Parts of a plane curve that go one way in x and in y: none meets itself, its box is that of its ends."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.curves.derivatives import local_derivatives
+from workbench.algorithms.curves.pieces import Pieces
+from workbench.algorithms.curves.polynomials import derivative_numerator
+from workbench.algorithms.curves.roots import roots
+
+Array = NDArray[np.float64]
+
+_MOST_PAIRS = 2**14
+_HALVINGS = 44
+
+
+class Parts(NamedTuple):
+    """Parts of the curve (r,): their piece, where they begin and end in it, and the points there (r, 2)."""
+
+    piece: NDArray[np.intp]
+    low: Array
+    high: Array
+    begin: Array
+    end: Array
+
+    def taken(self, which: NDArray[np.intp] | NDArray[np.bool_]) -> "Parts":
+        """Some of them."""
+        return Parts(self.piece[which], self.low[which], self.high[which], self.begin[which], self.end[which])
+
+
+def places(pieces: Pieces, piece: NDArray[np.intp], v: Array, order: int = 0) -> Array:
+    """The points and derivatives by v of these pieces (r,): (order + 1, r, 2)."""
+    weights = None if pieces.weights is None else pieces.weights[piece]
+    return local_derivatives(pieces.controls[piece], weights, v, order)
+
+
+def one_way_parts(pieces: Pieces) -> Parts:
+    """The curve in parts that go one way in x and in y, in order; none for what stays in one place."""
+    tops, sizes = derivative_numerator(pieces.controls, pieces.weights)
+    found = [roots(tops[:, axis], sizes[:, axis]) for axis in (0, 1)]
+    count = len(pieces.controls)
+    rows = np.concatenate([np.arange(count), *(part[0] for part in found)])
+    low = np.concatenate([np.zeros(count), *(part[1] for part in found)])
+    order = np.lexsort((low, rows))
+    rows, low = rows[order], low[order]
+    high = np.where(np.append(rows[1:] != rows[:-1], True), 1.0, np.append(low[1:], 1.0))
+    begin, end = places(pieces, rows, low)[0], places(pieces, rows, high)[0]
+    parts = Parts(rows, low, high, begin, end)
+    return parts.taken((begin != end).any(axis=1))
+
+
+def overlapping(parts: Parts, margin: float) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Numbers of all pairs of parts whose boxes overlap, the earlier part first, in order."""
+    left = np.minimum(parts.begin[:, 0], parts.end[:, 0])
+    right = np.maximum(parts.begin[:, 0], parts.end[:, 0]) + margin
+    order = np.argsort(left, kind="stable")
+    counts = np.searchsorted(left[order], right[order], side="right") - np.arange(len(order)) - 1
+    one = np.repeat(np.arange(len(order)), counts)
+    other = one + 1 + np.arange(len(one)) - np.repeat(np.cumsum(counts) - counts, counts)
+    first, second = np.minimum(order[one], order[other]), np.maximum(order[one], order[other])
+    near = _boxes_meet(parts.taken(first), parts.taken(second), margin)
+    first, second = first[near], second[near]
+    ordered = np.lexsort((second, first))
+    return first[ordered], second[ordered]
+
+
+def _boxes_meet(one: Parts, other: Parts, margin: float) -> NDArray[np.bool_]:
+    """Whether the boxes of two parts each (r,) are within the margin."""
+    low = np.maximum(np.minimum(one.begin, one.end), np.minimum(other.begin, other.end))
+    high = np.minimum(np.maximum(one.begin, one.end), np.maximum(other.begin, other.end))
+    return np.asarray((low <= high + margin).all(axis=1))
+
+
+def closed_in(pieces: Pieces, one: Parts, other: Parts, tolerance: float) -> tuple[Parts, Parts]:
+    """Pairs of parts within the tolerance, both of them tiny; fewer halvings where there are too many."""
+    margin = 0.25 * tolerance
+    for _halving in range(_HALVINGS):
+        large = max(np.abs(part.end - part.begin).max(initial=0.0) for part in (one, other))
+        if not len(one.low) or large <= tolerance or len(one.low) > _MOST_PAIRS:
+            break
+        halves, others = _halved(pieces, one), _halved(pieces, other)
+        both = [(a, b) for a in halves for b in others]
+        one, other = (
+            Parts(*(np.concatenate(columns) for columns in zip(*side, strict=True)))
+            for side in zip(*both, strict=True)
+        )
+        gap = (other.piece + other.low) - (one.piece + one.high)
+        apart = (gap > 0.0) | ((gap == 0.0) & (large > 8.0 * tolerance))
+        near = apart & _boxes_meet(one, other, margin)
+        one, other = one.taken(near), other.taken(near)
+    return one, other
+
+
+def _halved(pieces: Pieces, parts: Parts) -> tuple[Parts, Parts]:
+    """The first and the second half of each part."""
+    middle = 0.5 * (parts.low + parts.high)
+    points = places(pieces, parts.piece, middle)[0]
+    first = parts._replace(high=middle, end=points)
+    return first, parts._replace(low=middle, begin=points)
