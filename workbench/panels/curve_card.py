@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 
+from workbench.algorithms import catalogue
 from workbench.algorithms.curves import counting
 from workbench.document.check import MAX_DEGREE
 from workbench.document.curve_edits import (
@@ -20,7 +21,7 @@ from workbench.document.curve_edits import (
 )
 from workbench.document.edits import Edit, both, set_attributes
 from workbench.document.errors import DocumentError
-from workbench.document.model import ENDS, JOINTS, KNOT_RULES, SPLINES, AnyFigure, Curve, Sheet
+from workbench.document.model import CONSTRUCTIONS, ENDS, JOINTS, KNOT_RULES, SPLINES, AnyFigure, Curve, Sheet
 from workbench.language import _
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_names import (
@@ -36,6 +37,7 @@ from workbench.panels.curve_pen import PenTool
 from workbench.panels.curve_shape import has_tangent
 from workbench.panels.figure_card import ParameterCard
 from workbench.panels.figure_tools import FigureTool
+from workbench.rendering.curve_runs import construction_fault, construction_of
 from workbench.rendering.curves import fault_of
 from workbench.widgets.canvas_drawing import ink_of
 from workbench.widgets.icons import set_icon
@@ -101,6 +103,12 @@ class CurveCard(ParameterCard):
         self.legend = self._words("")
         self.count = self._words("muted")
         self.fault = self._words("warn")
+        self.steps = QComboBox()
+        self.steps.setAccessibleName(_("What is stepped"))
+        self.steps.setToolTip(_("The text that is stepped and shown as source"))
+        self.steps.activated.connect(
+            lambda: self._session.update_state(construction=self.steps.currentData(), step=0)
+        )
         first = QWidget()
         row = QHBoxLayout(first)
         row.setContentsMargins(0, 0, 0, 0)
@@ -111,7 +119,7 @@ class CurveCard(ParameterCard):
         row.addStretch(1)
         row.addWidget(self.beside)
         kinds: list[QWidget] = [self.spline, first, self.rule, self.ends, *self.shape.values(), self.joint]
-        return [*kinds, self.legend, self.count, self.fault]
+        return [*kinds, self.legend, self.count, self.fault, self.steps]
 
     def _choice(self, name: str, choices: Sequence[tuple[str, str]]) -> QComboBox:
         box = QComboBox()
@@ -194,7 +202,7 @@ class CurveCard(ParameterCard):
         )
         for widget in first:
             widget.setVisible(model is not None)
-        for widget in (*self.shape.values(), self.joint, self.legend, self.count, self.fault):
+        for widget in (*self.shape.values(), self.joint, self.legend, self.count, self.fault, self.steps):
             widget.setVisible(False)
         if model is not None:
             self._show_model(model)
@@ -204,6 +212,8 @@ class CurveCard(ParameterCard):
         self.compare.hide()
         if curve is not None and not curve.name:
             self.title.setText(spline_title(curve.spline))
+        elif self._pen is not None and not figures:
+            self.title.setText(_("New curve"))
 
     def _show_model(self, model: Curve) -> None:
         self.spline.setCurrentIndex(self.spline.findData(model.spline))
@@ -244,7 +254,9 @@ class CurveCard(ParameterCard):
         self.legend.setVisible(bool(lines))
         self.count.setText(countings(curve))
         self.count.setVisible(True)
-        fault = fault_of(curve)
+        texts = [(slug, _(catalogue.get(slug).title)) for slug in texts_of(curve)]
+        self._fill(self.steps, texts, self._session.state.construction or construction_of(curve))
+        fault = fault_of(curve) or ("" if texts else construction_fault(curve, construction_of(curve)))
         self.fault.setText(f"\N{WARNING SIGN} {escape(fault)}")
         self.fault.setVisible(bool(fault))
         chosen = [k for k in self.focus.numbers(curve) if not is_handle(curve, k)]
@@ -269,6 +281,13 @@ class CurveCard(ParameterCard):
         except DocumentError as problem:
             self.fault.setText(f"\N{WARNING SIGN} {escape(problem.short)}")
             self.fault.setVisible(True)
+
+
+def texts_of(curve: Curve) -> list[str]:
+    """The slugs of the texts of curves that can be stepped on this one, its construction first."""
+    first = construction_of(curve)
+    listed = (first, *(slug for slug in CONSTRUCTIONS if slug != first))
+    return [slug for slug in listed if not construction_fault(curve, slug)]
 
 
 def edit_of(sheet: Sheet, curves: Sequence[Curve], attribute: str, value: Any) -> Edit:

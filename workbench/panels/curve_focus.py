@@ -34,7 +34,7 @@ class CurveFocus(QObject):
         self.snaps = False
         self.cell_px = 16.0
         self.probed: tuple[float, float] | None = None
-        self.shown: frozenset[str] = frozenset({"polygon", "names"})
+        self.shown: frozenset[str] = frozenset({"polygon", "names", "construction"})
 
     @property
     def curve(self) -> Curve | None:

@@ -82,8 +82,8 @@ def comb(pieces: Pieces, size: float) -> list[Drawn]:
     for start, end in zip(begins, ends, strict=True):
         # One line there and back again for all the teeth of a piece
         zigzag = np.stack([start, end, start], axis=1)[::stride].reshape(-1, 2)
-        drawn.append(Stroke(zigzag, "data 4", 0.75))
-        drawn.append(Stroke(end, "data 4", 1.5))
+        drawn.append(Stroke(zigzag, "muted", 0.75))
+        drawn.append(Stroke(end, "text", 1.5))
     return drawn
 
 

@@ -57,11 +57,11 @@ class CurveSelectTool(SelectTool):
             self.focus.choose(())
 
     def _press_on(self, curve: Curve, x: float, y: float, adding: bool) -> bool:
-        if self.on_u(curve, x, y):
-            self._sliding = True
-            return True
         tangent = self._tangent_at(curve, x, y)
         number = self.point_at(curve, x, y)
+        if number is None and tangent is None and self.on_u(curve, x, y):
+            self._sliding = True
+            return True
         if number is None and tangent is not None:
             self.drag = TangentDrag(self.focus, curve, x, y, tangent)
             self.focus.choose({curve.points_world[tangent].id})

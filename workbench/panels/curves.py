@@ -5,7 +5,7 @@ from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QCursor, QKeyEvent, QKeySequence
+from PySide6.QtGui import QCursor, QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from workbench.document.curve_pieces import share_at
@@ -25,7 +25,7 @@ from workbench.panels.curve_view import CurveView
 from workbench.panels.figure_stepped import SteppedPanel
 from workbench.session.session import Session
 
-EXAMPLE = "curve-letter"
+EXAMPLE = "curve-interpolation"
 
 
 class CurvesPanel(SteppedPanel):
@@ -163,7 +163,15 @@ class CurvesPanel(SteppedPanel):
     def show_example(self) -> None:
         """Open a curve that is already drawn."""
         self.session.open_example(EXAMPLE)
-        self.session.update_state(active=self.session.sheet.figures[-1].id)
+        front = self.session.sheet.figures[-1].id
+        self.session.update_state(active=front, selection=(front,))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """The curve that is worked on shows what can be dragged."""
+        super().showEvent(event)
+        curve = self.focus.curve
+        if curve is not None and self.tool is self.select and not self.session.state.selection:
+            self.session.update_state(active=curve.id, selection=(curve.id,))
 
     # The pointer
 

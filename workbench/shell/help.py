@@ -57,7 +57,7 @@ class HelpPage(Page):
                 _("Shape curves"),
                 _(
                     "In Curves click point after point, then drag points, handles, knots, or the curve "
-                    "itself. Drag along the curve to see how its construction finds a point, and show other "
+                    "itself. Drag the ring to see how the construction finds a point, and show other "
                     "kinds of curves over the same points."
                 ),
             ),

@@ -47,7 +47,13 @@ def questions() -> tuple[Question, ...]:
             "house",
         ),
         Question(7, _("Deciding what is hidden: surface against surface, or pixel by pixel?"), _("Surfaces")),
-        Question(8, _("Through its points or only near them: which spline does which?"), _("Curves")),
+        Question(
+            8,
+            _("Through its points or only near them: which spline does which?"),
+            _("Curves"),
+            "curves",
+            "curve-interpolation",
+        ),
         Question(9, _("How do a few key frames become a smooth motion?"), _("Animation")),
         Question(
             10,

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from workbench.language import _
+from workbench.shell.tour_curves import curve_scenes
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -168,6 +169,7 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("clip-lab", lambda window: _clip(window, "clip-lab", 0)),
         ("clip-asked", _clip_asked),
         ("clip-empty", _clip_empty),
+        *curve_scenes(),
         ("display", _display),
         ("display-beam", _beam),
         ("palette", _palette),

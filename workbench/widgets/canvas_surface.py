@@ -124,7 +124,11 @@ class CanvasSurface(QWidget):
         whole = fitted(area, *self._picture.size, margin)
         covered = min(area.right - 1, area.left + round(self._covered * self.devicePixelRatioF()))
         beside = fitted(replace(area, left=covered), *self._picture.size, margin)
-        self._show(beside if beside.cell >= self.worthwhile * whole.cell else whole, keep=True)
+        if beside.cell < self.worthwhile * whole.cell:
+            # As far from what is covered as the picture can go and be seen whole
+            room = area.right - margin - whole.left - round(whole.cell * self._picture.size[0])
+            beside = whole.moved(max(0, min(room, covered - whole.left)), 0)
+        self._show(beside, keep=True)
 
     def set_covered(self, width: int) -> None:
         """So many logical pixels at the left of the picture are covered by something else."""
