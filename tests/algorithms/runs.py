@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from tests.curves.made_curves import BEZIER_RUNS, CURVE_RUNS, DE_BOOR_RUNS, FLATTENING_RUNS
+from tests.curves.made_curves import BEZIER_RUNS, CURVE_RUNS, DE_BOOR_RUNS, FLATTENING_RUNS, RATIONAL_RUNS
 from tests.curves.rational_curves import CLOSEST_RUNS
 from workbench.algorithms.entry import Entry
 
@@ -69,6 +69,7 @@ STRATEGIES: dict[str, st.SearchStrategy[tuple[Any, ...]]] = {
     "depth_buffer": _scenes(),
     "de_casteljau": BEZIER_RUNS,
     "de_boor": DE_BOOR_RUNS,
+    "de_boor_rational": RATIONAL_RUNS,
     "b_spline_curve": CURVE_RUNS,
     "flatten_bezier": FLATTENING_RUNS,
     "closest_point": CLOSEST_RUNS,

@@ -64,5 +64,17 @@ def _with_parameter(found: tuple[Curve, float]) -> tuple[Any, ...]:
 
 BEZIER_RUNS = st.tuples(point_lists(2, 7), part_of_one)
 DE_BOOR_RUNS = st.tuples(b_splines(), part_of_one).map(_with_parameter)
+some_weight = st.sampled_from([1e-9, 0.5, 1.0, 3.0, 1e9]) | st.floats(0.1, 10)
+
+
+@st.composite
+def weighted_runs(draw: st.DrawFn) -> tuple[Any, ...]:
+    """Points, weights, knots, degree and a u of a rational B-spline."""
+    points, knots, degree, u = draw(DE_BOOR_RUNS)
+    weights = draw(st.lists(some_weight, min_size=len(points), max_size=len(points)))
+    return points, np.array(weights, np.float64), knots, degree, u
+
+
+RATIONAL_RUNS = weighted_runs()
 CURVE_RUNS = st.tuples(b_splines(), st.integers(2, 20)).map(lambda found: (*found[0], found[1]))
 FLATTENING_RUNS = st.tuples(point_lists(2, 5), st.sampled_from([0.5, 3.0, 100.0]))

@@ -1,6 +1,7 @@
 """Points of Bézier curves, B-splines and NURBS against fractions and SciPy."""
 
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,7 +10,16 @@ from hypothesis import strategies as st
 from scipy.interpolate import BSpline
 
 from tests.curves import exact
-from tests.curves.made_curves import Array, Curve, b_splines, inside, part_of_one, point_lists, weight
+from tests.curves.made_curves import (
+    RATIONAL_RUNS,
+    Array,
+    Curve,
+    b_splines,
+    inside,
+    part_of_one,
+    point_lists,
+    weight,
+)
 from workbench.algorithms.curves import (
     b_spline_point,
     basis_functions,
@@ -18,6 +28,7 @@ from workbench.algorithms.curves import (
     bezier_point,
     circle,
     de_boor,
+    de_boor_rational,
     de_casteljau,
     nurbs_point,
     open_uniform_knots,
@@ -61,6 +72,23 @@ def test_b_spline_points_are_exact_to_rounding(curve: Curve, part: float) -> Non
     assert len(emitted) == degree * (degree + 1) // 2
     exact.close(emitted[-1], truth, size)
     exact.close(b_spline_point(points, knots, degree, u), truth, size)
+
+
+@few
+@given(RATIONAL_RUNS)
+def test_points_of_rational_b_splines_are_exact_to_rounding(run: tuple[Any, ...]) -> None:
+    points, weights, knots, degree, u = run
+    truth, size = exact.nurbs(*run), exact.size_of(points)
+    emitted = list(de_boor_rational(*run))
+    assert len(emitted) == degree * (degree + 1) // 2
+    exact.close(emitted[-1], truth, size)
+    plain = list(de_boor(points, knots, degree, u))
+    even = list(de_boor_rational(points, np.full(len(points), 4.0), knots, degree, u))
+    np.testing.assert_allclose(even, plain, atol=1e-12 * size)
+    doubled = list(de_boor_rational(points, 2.0 * weights, knots, degree, u))
+    assert doubled == emitted
+    low, high = points.min(axis=0) - 1e-12 * size, points.max(axis=0) + 1e-12 * size
+    assert all((low <= point).all() and (point <= high).all() for point in np.array(emitted))
 
 
 @settings(max_examples=25)

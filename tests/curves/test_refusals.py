@@ -28,6 +28,8 @@ REFUSED: list[tuple[Callable[..., Any], tuple[Any, ...], str]] = [
     (curves.de_boor, (POINTS, KNOTS, 2, 2.5), "u is outside the curve; keep it"),
     (curves.de_boor, (POINTS, KNOTS, 2, np.nan), "u is outside the curve"),
     (curves.de_boor, (POINTS, np.where(KNOTS == 1, np.nan, KNOTS), 2, 1.0), "not a finite number"),
+    (curves.de_boor_rational, (POINTS, np.ones(3), KNOTS, 2, 1.0), "one weight for each point; add weights"),
+    (curves.de_boor_rational, (POINTS, np.array([1, 0, 1, 1.0]), KNOTS, 2, 1.0), "not a finite number above"),
     (curves.b_spline_curve, (POINTS, BACK, 2, 9), "knots decrease"),
     (curves.b_spline_curve, (POINTS, KNOTS, 2, 1), "needs two samples or more; ask"),
     (curves.flatten_bezier, (POINTS, 0.0), "tolerance must be above 0; give a larger"),

@@ -14,7 +14,7 @@ from workbench.document.model import Curve, CurvePoint, Rectangle, Sheet
 from workbench.document.sample_figures import document_of, line
 from workbench.rendering import frame_buffer, why
 from workbench.rendering.compare import compare, distances
-from workbench.rendering.curve_runs import construction_fault, curve_calls
+from workbench.rendering.curve_runs import construction_fault, construction_of, curve_calls
 from workbench.rendering.curves import device_pieces
 from workbench.rendering.raster import figure_calls
 from workbench.rendering.why_steps import why_steps
@@ -31,9 +31,9 @@ def test_the_last_point_of_a_construction_is_on_the_curve(curve: Curve, share: f
     sheet = sheet_with(curve)
     (made,) = sheet.figures
     assert isinstance(made, Curve)
-    for slug in ("", "de_casteljau", "de_boor"):
+    for slug in ("", "de_casteljau", "de_boor", "de_boor_rational"):
         calls = curve_calls(sheet, made, slug, share)
-        assert bool(calls) == (not construction_fault(made, slug or "de_casteljau"))
+        assert bool(calls) == (not construction_fault(made, slug or construction_of(made)))
         for call in calls:
             *_, last = call.entry.function(*call.arguments)
             there = piece_points(device_pieces(sheet, made), parameter_at(made, share))
@@ -64,13 +64,14 @@ def test_samples_and_chords_are_run_too() -> None:
     assert chain.arguments[1] == curve.tolerance_px
 
 
-def test_unequal_weights_are_not_stepped_and_say_so() -> None:
+def test_unequal_weights_have_a_construction_of_their_own() -> None:
     document = document_of("Curve", 80, 60, [a_curve("nurbs")])
-    assert curve_calls(document.sheets[0], document.sheets[0].figures[0], "", 0.5)  # type: ignore[arg-type]
     document = curve_edits.set_weights({"s1/f1/p2/*": 3.0})(document)
     curve = document.sheets[0].figures[0]
     assert isinstance(curve, Curve)
-    assert curve_calls(document.sheets[0], curve, "", 0.5) == []
+    (call,) = curve_calls(document.sheets[0], curve, "", 0.5)
+    assert call.entry.slug == "de_boor_rational"
+    assert curve_calls(document.sheets[0], curve, "de_boor", 0.5) == []
     assert construction_fault(curve, "de_boor").endswith(".")
 
 

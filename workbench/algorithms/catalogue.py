@@ -30,6 +30,7 @@ _TEACHING_ORDER = (
     "clipping.sutherland_hodgman",
     "curves.de_casteljau",
     "curves.de_boor",
+    "curves.de_boor_rational",
     "curves.b_spline_curve",
     "curves.flatten_bezier",
     "curves.closest_point",

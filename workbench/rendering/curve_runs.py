@@ -11,12 +11,14 @@ from workbench.rendering.curves import device_pieces
 from workbench.rendering.mapping import Call, device_map
 
 B_SPLINES = ("b_spline", "nurbs")
-_OF_B_SPLINES = ("de_boor", "b_spline_curve")
+_OF_B_SPLINES = ("de_boor", "de_boor_rational", "b_spline_curve")
 _SAMPLES_PER_SPAN = 8
 
 
 def construction_of(curve: Curve) -> str:
     """Slug of the construction that belongs to a curve's kind."""
+    if curve.spline == "nurbs":
+        return "de_boor_rational"
     return "de_boor" if curve.spline in B_SPLINES else "de_casteljau"
 
 
@@ -24,8 +26,8 @@ def construction_fault(curve: Curve, slug: str) -> str:
     """The sentence that says why a text cannot be run on a curve; empty where it can."""
     if slug in _OF_B_SPLINES and curve.spline not in B_SPLINES:
         return _("This curve is no B-spline, so it has no knots; step de Casteljau's construction instead.")
-    if curve.spline == "nurbs" and np.ptp(weights_of(curve)) > 0:
-        return _("With unequal weights each leg is divided in (w x, w y, w), which is not stepped here.")
+    if curve.spline == "nurbs" and slug != "de_boor_rational" and np.ptp(weights_of(curve)) > 0:
+        return _("This takes no weights, and those of the curve differ; step its own construction instead.")
     return fault_of(curve)
 
 
@@ -41,10 +43,13 @@ def curve_calls(sheet: Sheet, curve: Curve, slug: str, share: float) -> list[Cal
         return []
     u = parameter_at(curve, share)
     if entry.slug in _OF_B_SPLINES:
-        points, knots, _weights = b_spline_of(curve)
+        points, knots, weights = b_spline_of(curve)
         scale = device_map(sheet)
         device = points * np.array([scale.sx, scale.sy]) + np.array([scale.tx, scale.ty])
         spans = len(points) - curve.degree
+        if entry.slug == "de_boor_rational":
+            pulls = weights if curve.spline == "nurbs" else np.ones(len(points))
+            return [Call(entry, (device, pulls, knots, curve.degree, u))]
         last: float | int = u if entry.slug == "de_boor" else _SAMPLES_PER_SPAN * spans + 1
         return [Call(entry, (device, knots, curve.degree, last))]
     piece, v = piece_at(curve, share)

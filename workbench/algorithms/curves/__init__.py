@@ -26,6 +26,7 @@ from workbench.algorithms.curves.cubic_pieces import to_cubic_pieces
 from workbench.algorithms.curves.cubic_spline import clamped_cubic, natural_cubic, periodic_cubic
 from workbench.algorithms.curves.curvature import curvature, curvature_comb, osculating_circle
 from workbench.algorithms.curves.de_boor import de_boor
+from workbench.algorithms.curves.de_boor_rational import de_boor_rational
 from workbench.algorithms.curves.de_casteljau import de_casteljau
 from workbench.algorithms.curves.degree_lowering import lower_b_spline, lower_degree
 from workbench.algorithms.curves.derivatives import derivatives, hodograph, piece_derivative
@@ -84,6 +85,7 @@ __all__ = [
     "curvature",
     "curvature_comb",
     "de_boor",
+    "de_boor_rational",
     "de_casteljau",
     "derivatives",
     "distances",

@@ -125,4 +125,5 @@ ENTRY = Entry(
     ),
     questions=(8,),
     labs=("Curves: B-spline",),
+    next_rung="de_boor_rational",
 )

@@ -31,6 +31,9 @@ B_SPLINE = (
         "degree", "p", "int", 3, low=1, high=7, meaning="degree of the curve; the course's d is one more"
     ),
 )
+WEIGHTS = Parameter(
+    "weights", "w_i", "floats", np.array([1, 1, 3, 1, 0.5, 1], np.float64), meaning="their weights, above 0"
+)
 PIECES = (
     Parameter(
         "knots", "t_j", "floats", np.array([0, 1, 2], np.float64), meaning="where the pieces begin and end"

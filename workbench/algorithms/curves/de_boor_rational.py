@@ -1,0 +1,129 @@
+"""De Boor's construction of a point of a B-spline whose points have weights.
+
+span        number of the knot span that u lies in: t_span <= u < t_{span+1}
+triangle    all points with their weights, level by level, the point of the curve last
+first       number of the first control point that matters
+start       number of the first point of the level above, r - 1
+r           level
+i           number of a point, counted as the control points are
+alpha       how far u lies from t_i to t_{i+p+1-r}, as a part of 1
+share       how far the new point lies along its leg: alpha, drawn to the end that weighs more
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+from numpy.typing import NDArray
+
+from workbench.algorithms.curves.conditions import refuse_b_spline, refuse_parameter
+from workbench.algorithms.curves.knot_views import basis_rows, knot_rows
+from workbench.algorithms.curves.parameters import B_SPLINE, WEIGHTS
+from workbench.algorithms.curves.rational import refuse_weights
+from workbench.algorithms.curves.triangle import level_rows, weight_rows
+from workbench.algorithms.entry import Entry, Parameter, View
+
+
+def de_boor_rational(
+    points: NDArray[Any], weights: NDArray[Any], knots: NDArray[Any], degree: int, u: float
+) -> Iterator[tuple[float, float]]:
+    """Divide legs as de Boor's construction does, each nearer to the end that weighs more.
+
+    It is the plain construction of the points (w x, w y, w), projected: the weights are divided as u divides
+    the knots, and a leg as its ends weigh then.
+
+    Args: (n+1, 2) control points, their weights (n+1,) above 0, n + degree + 2 knots, and u from knot
+    t_degree to knot t_{n+1}. Emits: (x, y) of every intermediate point, level by level, that of the curve
+    last. Raises: ValueError for weights that are not above 0, knots that decrease or do not fit, too few
+    points, a u outside the curve. Source: Piegl and Tiller, The NURBS Book, section 4.2; Farin, section 13.7.
+    """
+    # Check knots and weights
+    refuse_b_spline(points, knots, degree)
+    refuse_weights(weights, len(points))
+    refuse_parameter(knots, degree, len(points), u)
+    span = degree
+
+    while span < len(points) - 1 and u >= knots[span + 1]:
+        # Go on to the next knot span
+        span += 1
+
+    # Leave out a span without length
+    while knots[span] == knots[span + 1]:
+        span -= 1
+
+    # Begin with the control points that matter
+    first = span - degree
+    triangle = [(float(points[i, 0]), float(points[i, 1]), float(weights[i])) for i in range(first, span + 1)]
+    start = 0
+
+    for r in range(1, degree + 1):
+        for i in range(first + r, span + 1):
+            # Divide a leg
+            left = float(knots[i])
+            right = float(knots[i + degree + 1 - r])
+            alpha = (u - left) / (right - left)
+            x0, y0, w0 = triangle[start + i - first - r]
+            x1, y1, w1 = triangle[start + i - first - r + 1]
+            w = (1.0 - alpha) * w0 + alpha * w1
+            share = alpha * w1 / w
+            x = (1.0 - share) * x0 + share * x1
+            y = (1.0 - share) * y0 + share * y1
+            triangle.append((x, y, w))
+            yield x, y
+
+        # Go down to the level just made
+        start += degree + 2 - r
+
+
+_LEG = "Divide a leg"
+_ROW = "(r, i, alpha, w0, w1, w, share, (x, y))"
+_TABLES = {
+    "Triangle": ("level_rows(triangle, degree + 1)", ("r", "points")),
+    "Weights": ("weight_rows(triangle, degree + 1)", ("r", "weights")),
+    "Basis values": ("basis_rows(knots, degree, span, u)", ("i", "N_{i,p}(u)")),
+    "Knot span": ("knot_rows(knots, degree, span)", ("i", "t_i", "in the span")),
+}
+
+ENTRY = Entry(
+    function=de_boor_rational,
+    topic="curves",
+    title="De Boor's construction with weights",
+    summary="Divides the legs of degree + 1 control points down to one point, as the weights pull.",
+    parameters=(
+        B_SPLINE[0],
+        WEIGHTS,
+        *B_SPLINE[1:],
+        Parameter("u", "u", "float", 1.25, meaning="from knot t_p to knot t_{n+1}"),
+    ),
+    emits="points",
+    source="Piegl and Tiller, The NURBS Book, section 4.2",
+    columns=("r", "i", "α", "w_{i-1}^{r-1}", "w_i^{r-1}", "w_i^r", "share", "d_i^r"),
+    view_functions=(level_rows, weight_rows, basis_rows, knot_rows),
+    views=(
+        View(
+            block="Go on to the next knot span",
+            sentence="u = {u} is not before {knots[span]}: go on to span {span}.",
+        ),
+        View(
+            block="Begin with the control points that matter",
+            tables=_TABLES,
+            sentence="u = {u} lies in span {span}, {knots[span]} to {knots[span + 1]}: only the points "
+            "{span - degree} to {span} matter.",
+        ),
+        View(
+            block=_LEG,
+            row=_ROW,
+            tables=_TABLES,
+            sentence="α = {alpha}, so the weight is (1 − α) {w0} + α {w1} = {w}; the leg is divided at "
+            "α {w1} / {w} = {share}: {(x, y)}.",
+        ),
+    ),
+    laws=(
+        "The last point is the sum of the control points, each times weight and basis function, divided by "
+        "the sum of those products.",
+        "With equal weights it is the plain construction.",
+        "All weights times the same number give the same points.",
+        "The point lies in the convex hull of the control points that matter.",
+    ),
+    questions=(8,),
+    labs=("Curves: B-spline",),
+)
