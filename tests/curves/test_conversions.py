@@ -93,6 +93,17 @@ def test_a_circle_stays_round_within_the_error(radius: float, share: float) -> N
     assert chords <= max(share, 1e-5) * radius
 
 
+@given(point_lists(5, 8), TOLERANCES)
+def test_a_plain_curve_is_passed_within_the_error_at_every_u(points: Array, tolerance: float) -> None:
+    pieces = Pieces(np.array([0.0, 1.0]), points[None])
+    cubic, error = to_cubic_pieces(pieces, tolerance)
+    us = np.linspace(0, 1, 501)
+    apart = float(np.hypot(*(piece_points(cubic, us) - bezier_point(points, us)).T).max())
+    assert apart <= error + 1e-12 * size_of(points)
+    if len(cubic.controls) == 1:
+        assert error <= 3.0 * apart + 1e-9 * size_of(points)
+
+
 def test_a_circle_takes_as_few_cubics_as_in_a_drawing_program() -> None:
     pieces = rational_pieces(*circle(0, 0, 100))
     assert [len(to_cubic_pieces(pieces, t)[0].controls) for t in (0.1, 1e-3, 1e-5)] == [4, 8, 16]
