@@ -157,14 +157,7 @@ def _lists(
     attribute: str,
     level: str,
 ) -> None:
-    before = {item.id: item for item in old}
-    after = {item.id: item for item in new}
-    if list(before) != list(after):
-        found.add(msgspec.structs.replace(above, attribute=attribute))
-    for identity in before.keys() | after.keys():
-        a, b = before.get(identity), after.get(identity)
-        if a is b:
-            continue
+    for identity, a, b in _different(found, old, new, msgspec.structs.replace(above, attribute=attribute)):
         at = msgspec.structs.replace(above, **{level: identity})
         if a is None or b is None or type(a) is not type(b):
             found.add(at)
@@ -178,6 +171,23 @@ def _lists(
                 _lists(found, x, y, at, name, inner[name])
             elif x != y:
                 found.update(msgspec.structs.replace(at, attribute=text) for text in _parts(name, x, y))
+
+
+def _different(
+    found: set[Address], old: tuple[Any, ...], new: tuple[Any, ...], whole: Address
+) -> list[tuple[str, Any, Any]]:
+    """Id, old and new of what is not the same; the ``whole`` list is found too where its order differs."""
+    if len(old) == len(new):
+        others = [(a.id, a, b) for a, b in zip(old, new, strict=True) if a is not b]
+        if all(identity == b.id for identity, _a, b in others):
+            return others
+    before = {item.id: item for item in old}
+    after = {item.id: item for item in new}
+    if list(before) != list(after):
+        found.add(whole)
+    names = before.keys() | after.keys()
+    pairs = ((name, before.get(name), after.get(name)) for name in names)
+    return [(name, a, b) for name, a, b in pairs if a is not b]
 
 
 def _parts(name: str, old: Any, new: Any) -> list[str]:

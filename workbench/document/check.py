@@ -133,10 +133,9 @@ def _figure(at: str, figure: AnyFigure, sheet: Sheet, before: AnyFigure | None) 
         raise refuse(f"{at}.algorithm", problem.format(value=shown(figure.algorithm), choices=choices))
     _palette_index(f"{at}.colour", figure.colour, sheet)
     _count(f"{at}.points_world", figure.points_world, figure.least_points, figure.most_points, _("point"))
-    seen = set() if before is None or type(before) is not type(figure) else set(map(id, before.points_world))
-    for index, point in enumerate(figure.points_world):
-        if id(point) not in seen:
-            _point(f"{at}.points_world[{index}]", point)
+    known = before.points_world if before is not None and type(before) is type(figure) else ()
+    for index in _new(known, figure.points_world):
+        _point(f"{at}.points_world[{index}]", figure.points_world[index])
     if isinstance(figure, Circle):
         _radius(f"{at}.radius_world", figure.radius_world)
     elif isinstance(figure, Ellipse):
@@ -151,6 +150,14 @@ def _figure(at: str, figure: AnyFigure, sheet: Sheet, before: AnyFigure | None) 
         _truth(f"{at}.nonzero", figure.nonzero)
     elif isinstance(figure, Curve):
         _curve(at, figure)
+
+
+def _new(known: tuple[Any, ...], values: tuple[Any, ...]) -> list[int]:
+    """Indices of the values that are not among the known ones, or not at the same place."""
+    if len(known) == len(values):
+        return [index for index, value in enumerate(values) if value is not known[index]]
+    seen = set(map(id, known))
+    return [index for index, value in enumerate(values) if id(value) not in seen]
 
 
 def _point(at: str, point: WorldPoint) -> None:
