@@ -141,6 +141,20 @@ def test_dragging_along_the_hodograph_asks_for_u(qtbot: QtBot, hodograph: Hodogr
     assert "speed" in hodograph.accessibleDescription()
 
 
+@pytest.mark.parametrize("which", ["curvature", "hodograph"])
+def test_the_pointer_shows_where_u_can_be_taken(qtbot: QtBot, request, which):
+    plot = request.getfixturevalue(which)
+    marker = QPointF(plot.x_of(0.5), 90)
+    if which == "hodograph":
+        marker = plot.place_of(*plot.derivative_at(1.0))
+    for place, shape in (
+        (marker.toPoint(), Qt.CursorShape.SizeHorCursor),
+        (QPoint(3, 3), Qt.CursorShape.ArrowCursor),
+    ):
+        qtbot.mouseMove(plot, place)
+        assert plot.cursor().shape() == shape
+
+
 def test_a_line_traced_evenly_has_a_hodograph_of_one_point(hodograph: HodographPlot):
     hodograph.set_hodograph(US, np.full((401, 2), 7.0))
     assert not hodograph.grab().isNull()

@@ -12,6 +12,7 @@ from workbench.widgets.tokens import colour, tokens
 
 _ROOM = 1.1
 _TICKS_PX = 48
+_GRAB_PX = 8
 
 
 class HodographPlot(ParameterPlot):
@@ -87,6 +88,12 @@ class HodographPlot(ParameterPlot):
         """Where a derivative is painted."""
         middle, scale = self.area.center(), self.scale
         return QPointF(middle.x() + (x - self._centre[0]) * scale, middle.y() - (y - self._centre[1]) * scale)
+
+    def over_u(self, place: QPointF) -> bool:
+        """Whether a place of the widget is over the tip of the arrow."""
+        if self._u is None or self.empty:
+            return False
+        return (self.place_of(*self.derivative_at(self._u)) - place).manhattanLength() <= _GRAB_PX
 
     def u_under(self, place: QPointF) -> float:
         """The parameter of the nearest place of the hodograph."""

@@ -194,8 +194,8 @@ class KnotBar(ParameterPlot):
         """Move the knot held."""
         if self._held < 0:
             super().mouseMoveEvent(event)
-            over = not event.buttons() and self._movable and self.knot_at(event.position()) >= 0
-            self.setCursor(Qt.CursorShape.SizeHorCursor if over else Qt.CursorShape.ArrowCursor)
+            if not event.buttons() and self._movable and self.knot_at(event.position()) >= 0:
+                self.setCursor(Qt.CursorShape.SizeHorCursor)
             return
         far = event.position().x() - self._press.x()
         if not self._movable or (not self._moved and abs(far) <= _SLACK_PX):

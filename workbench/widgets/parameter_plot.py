@@ -30,6 +30,7 @@ LEFT_PX, RIGHT_PX = 40, 16
 ROW_PX = CAPTION_PX + 5
 _TICKS_PX = 60
 _NUDGES = 100
+_GRAB_PX = 6
 _EDGE = 1e-6
 
 
@@ -183,6 +184,10 @@ class ParameterPlot(QWidget):
         """The parameter that a place of the widget asks for."""
         return self.u_at(place.x())
 
+    def over_u(self, place: QPointF) -> bool:
+        """Whether a place of the widget is over the marker at u."""
+        return self._u is not None and not self.empty and abs(place.x() - self.x_of(self._u)) <= _GRAB_PX
+
     # The hand
 
     def ask(self, u: float) -> None:
@@ -199,9 +204,12 @@ class ParameterPlot(QWidget):
             self.ask(self.u_under(event.position()))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Go on asking."""
+        """Go on asking; over the marker the pointer shows that it can be dragged."""
         if self._scrubbing:
             self.ask(self.u_under(event.position()))
+        elif not event.buttons():
+            shapes = Qt.CursorShape
+            self.setCursor(shapes.SizeHorCursor if self.over_u(event.position()) else shapes.ArrowCursor)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Ask no more."""
