@@ -302,6 +302,16 @@ def test_whatever_stands_in_a_path_is_drawn_or_refused(data: str) -> None:
         assert np.isfinite(cubics(figure)).all()
 
 
+def test_elements_copied_without_their_svg_are_read() -> None:
+    first, second = read_svg('<path d="M 0 0 L 4 2"/>\n<circle r="1" inkscape:label="c"/>', SHEET).figures
+    assert isinstance(first, Curve)
+    assert isinstance(second, Circle)
+    with pytest.raises(SvgError, match="Line 2, column 3, <path>: command 1"):
+        read_svg('<g>\n  <path d="5"/></g>', SHEET)
+    with pytest.raises(SvgError, match=r"Line 1, column 16: the XML is broken"):
+        read_svg('<path d="M 0 0"', SHEET)
+
+
 def test_entities_that_only_abbreviate_are_read() -> None:
     text = '<!DOCTYPE svg [<!ENTITY ns "http://www.w3.org/2000/svg">]><svg xmlns="&ns;"><line x2="1"/></svg>'
     assert len(read_svg(text, SHEET).figures) == 1

@@ -17,6 +17,13 @@ OWN = "https://graphics-workbench.invalid/figure"
 MOST_BYTES = 64 * 2**20
 MOST_DEPTH = 200
 _LONGEST_ENTITY = 200
+# Elements without an <svg> around them, as they are copied from a page; it is put into the line before them.
+_FRAGMENT = re.compile(r"\s*<(?:path|g|line|polyline|polygon|rect|circle|ellipse)[\s/>]")
+_AROUND = (
+    f'<svg xmlns="{SVG}" xmlns:xlink="{XLINK}" xmlns:workbench="{OWN}" '
+    'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" '
+    'xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd">\n'
+).encode()
 
 
 class SvgError(ValueError):
@@ -56,20 +63,28 @@ class Element:
 
 
 def read_tree(text: str | bytes) -> Element:
-    """The outermost element, an ``svg``. Raises: SvgError with line and column."""
+    """The outermost element, an ``svg``, which is put around elements that lack it.
+
+    Raises: SvgError with line and column.
+    """
     data = text.encode("utf-8", "replace") if isinstance(text, str) else text
     if not data.strip():
         raise SvgError(_("The SVG is empty; choose a file that holds a picture."))
     if len(data) > MOST_BYTES:
         sentence = _("The SVG has {size:,} bytes, and at most {most:,} can be read; choose a smaller one.")
         raise SvgError(sentence.format(size=len(data), most=MOST_BYTES))
-    reader = _Reader(expat.ParserCreate("utf-8" if isinstance(text, str) else None, " "))
+    begin = _FRAGMENT.match(text) if isinstance(text, str) else None
+    reader = _Reader(expat.ParserCreate("utf-8" if isinstance(text, str) else None, " "), begin is not None)
     try:
-        reader.parser.Parse(data, True)
+        if begin:
+            reader.parser.Parse(_AROUND, False)
+        reader.parser.Parse(data, not begin)
+        if begin:
+            reader.parser.Parse(b"</svg>", True)
     except expat.ExpatError as error:
         sentence = _("the XML is broken ({reason}); correct it there.")
         raise _at(
-            error.lineno, error.offset, sentence.format(reason=expat.ErrorString(error.code))
+            error.lineno - reader.added, error.offset, sentence.format(reason=expat.ErrorString(error.code))
         ) from error
     except (ValueError, LookupError) as error:
         if isinstance(error, SvgError):
@@ -88,8 +103,9 @@ def _at(line: int, column: int, sentence: str) -> SvgError:
 class _Reader:
     """Builds the tree from what the parser tells."""
 
-    def __init__(self, parser: Any) -> None:
+    def __init__(self, parser: Any, fragment: bool) -> None:
         self.parser = parser
+        self.added = int(fragment)
         self.root: Element | None = None
         self._open: list[Element] = []
         parser.StartElementHandler = self._begin
@@ -99,7 +115,7 @@ class _Reader:
 
     def _begin(self, name: str, attributes: dict[str, str]) -> None:
         namespace, _blank, local = name.rpartition(" ")
-        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber
+        line, column = self.parser.CurrentLineNumber - self.added, self.parser.CurrentColumnNumber
         if len(self._open) >= MOST_DEPTH:
             sentence = _("elements are nested more than {most} deep; ungroup some.").format(most=MOST_DEPTH)
             raise _at(line, column, sentence)
@@ -117,7 +133,7 @@ class _Reader:
     def _entity(self, name: str, parameter: bool, value: str | None, *outside: str | None) -> None:
         if parameter or value is None or len(value) > _LONGEST_ENTITY or re.search("[&%<]", value):
             sentence = _("entity {name!r} would expand into something else; write it out.")
-            line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber
+            line, column = self.parser.CurrentLineNumber - self.added, self.parser.CurrentColumnNumber
             raise _at(line, column, sentence.format(name=name[:40]))
 
 
