@@ -11,7 +11,7 @@ from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from workbench.document.curve_edits import add_points
-from workbench.document.edits import Edit, add_figure, both
+from workbench.document.edits import Edit, add_figures
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Curve, CurvePoint
 from workbench.exchange.point_lists import PointsError, read_points, write_points
@@ -131,7 +131,7 @@ class CurveExchange(QObject):
 
     def _add(self, figures: list[Curve] | tuple[AnyFigure, ...], name: str) -> bool:
         known = {figure.id for figure in self.session.sheet.figures}
-        if not self._apply(both(*(add_figure(self.session.sheet.id, each) for each in figures)), name):
+        if not self._apply(add_figures(self.session.sheet.id, figures), name):
             return False
         made = [figure.id for figure in self.session.sheet.figures if figure.id not in known]
         self.session.update_state(selection=tuple(made), active=made[-1])
