@@ -72,7 +72,7 @@ def test_as_many_as_fine_chords_show(seed: int) -> None:
         assert piece_points(pieces, [u, v]) == pytest.approx(np.stack([point, point]), abs=1e-9)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=12, deadline=None)
 @given(pieces_of_any_kind(most=3, degrees=(1, 4)))
 def test_whatever_the_curve_each_crossing_is_one_place(pieces: Pieces) -> None:
     size = max(exact.size_of(pieces.controls), 1e-300)

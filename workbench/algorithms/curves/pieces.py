@@ -69,6 +69,14 @@ def with_length(pieces: Pieces) -> Pieces:
     return Pieces(kept, controls[long], None if weights is None else weights[long])
 
 
+def with_ends(pieces: Pieces, corners: Array, ends: NDArray[np.int64]) -> Array:
+    """The corners (n, k), those of piece j before number ``ends`` (m,), with the ends of pieces put in: of the
+    last one, and of those after which the curve goes on elsewhere."""
+    last = pieces.controls[:, -1]
+    parted = np.append((last[:-1] != pieces.controls[1:, 0]).any(axis=1), True)
+    return np.insert(corners, ends[parted], last[parted], axis=0)
+
+
 def in_rows(pieces: Pieces) -> tuple[Array, Array, Array, int]:
     """Knots, control points (m (degree + 1), k) and weights, piece after piece, and the degree: what a text
     takes that is stepped and compiled."""

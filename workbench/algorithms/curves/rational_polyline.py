@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.curves.cubic_pieces import MOST_HALVINGS, MOST_PARTS, NEAREST, refuse_tolerance
 from workbench.algorithms.curves.halving import balanced, halves, lengths, lifted
-from workbench.algorithms.curves.pieces import Pieces
+from workbench.algorithms.curves.pieces import Pieces, with_ends, with_length
 
 Array = NDArray[np.float64]
 
@@ -19,7 +19,8 @@ def nurbs_to_polyline(pieces: Pieces, tolerance: float) -> tuple[Array, float]:
     not above 0.
     """
     refuse_tolerance(tolerance)
-    waiting, order = lifted(pieces), np.arange(len(pieces.controls), dtype=float)
+    kept = with_length(pieces)
+    waiting, order = lifted(kept), np.arange(len(kept.controls), dtype=float)
     least = max(tolerance, NEAREST * float(np.abs(pieces.controls).max()))
     most = max(MOST_PARTS, 8 * len(waiting))
     found: list[tuple[Array, Array, Array]] = []
@@ -34,8 +35,8 @@ def nurbs_to_polyline(pieces: Pieces, tolerance: float) -> tuple[Array, float]:
             break
         order = np.stack([order, order + 0.5 ** (halving + 1)], axis=1).ravel()
     places, corners, errors = (np.concatenate(parts) for parts in zip(*found, strict=True))
-    last = pieces.controls[-1, -1:]
-    return np.concatenate([corners[np.argsort(places)], last]), float(errors.max())
+    ends = np.cumsum(np.bincount(places.astype(int)))
+    return with_ends(kept, corners[np.argsort(places)], ends), float(errors.max())
 
 
 def _from_chords(points: Array) -> Array:
