@@ -28,12 +28,14 @@ def _thumbnail(example: Example, ratio: float) -> QPixmap:
     room = THUMBNAIL * ratio
     made = QPixmap(room)
     made.fill(Qt.GlobalColor.transparent)
-    cells = max(1.0, min(room.width() // width, room.height() // height))
+    largest = min(room.width() / width, room.height() / height)
+    cells = largest if largest < 1 else float(int(largest))
+    smooth = Qt.TransformationMode.SmoothTransformation
     scaled = image.scaled(
         round(width * cells),
         round(height * cells),
         Qt.AspectRatioMode.KeepAspectRatio,
-        Qt.TransformationMode.FastTransformation,
+        smooth if cells < 1 else Qt.TransformationMode.FastTransformation,
     )
     painter = QPainter(made)
     painter.drawImage((room.width() - scaled.width()) // 2, (room.height() - scaled.height()) // 2, scaled)
