@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from workbench.algorithms.curves import bernstein
-from workbench.widgets.canvas_drawing import Region, Stroke
+from workbench.widgets.canvas_drawing import Region, Spot, Stroke, paint_drawn
 from workbench.widgets.canvas_lines import paint_lines
 from workbench.widgets.canvas_marks import GRAB
 from workbench.widgets.canvas_overlay import Handle, Overlay
@@ -241,6 +241,24 @@ def test_a_stroke_lies_over_what_was_drawn_before_it(canvas):
         wanted = LIGHT.data[int(second[-1]) - 1]
         assert around(canvas, 20, 14)[7][7] == around(canvas, 20, 19)[7][7] == wanted
         assert around(canvas, 10, 19)[7][7] == LIGHT.data[int(first[-1]) - 1]
+
+
+@pytest.mark.parametrize("shape", ["dot", "ring", "square", "cross"])
+@given(st.floats(1, 38), st.floats(1, 26), st.sampled_from([6.0, 8.0, 13.0]))
+def test_a_spot_is_where_the_painter_would_put_it(scene, shape, x, y, size):
+    def seen(vector):
+        image = QImage(*SIZE, QImage.Format.Format_RGB32)
+        image.fill(QColor("white"))
+        painter = QPainter(image)
+        paint_drawn(painter, replace(scene, vector=vector), (Spot(x, y, "text", shape, size),))
+        painter.end()
+        shades = np.frombuffer(image.constBits(), np.uint8).reshape(SIZE[1], -1, 4)[:, :, 0]
+        return shades.astype(float)
+
+    once, anew = seen(False), seen(True)
+    # Placed to a quarter of a pixel, a side may be an eighth of a pixel off.
+    assert np.abs(once - anew).max() <= 0.3 * 255
+    assert (once < 128).any()
 
 
 def test_strokes_and_regions_reach_the_picture(canvas):

@@ -6,14 +6,16 @@ or "data 1" to "data 6". A pattern or a shape stands beside every colour.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import groupby
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 
 from workbench.widgets.canvas_lines import on_screen, paint_lines
 from workbench.widgets.polygons import polygon
@@ -33,6 +35,7 @@ PATTERNS = {
 }
 _SPOT = 8
 _FAR = 1e6
+_PHASES = 4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -129,22 +132,50 @@ def _strokes(painter: QPainter, scene: Scene, style: Stroke, lines: list[Points]
 
 def _spot(painter: QPainter, scene: Scene, spot: Spot) -> None:
     x, y = scene.view.to_screen(spot.x, spot.y)
-    half = spot.size * scene.unit / 2
-    box = QRectF(x - half, y - half, 2 * half, 2 * half)
-    ink, ground = QColor(ink_of(scene.tokens, spot.ink)), QColor(scene.tokens.canvas)
+    inks = ink_of(scene.tokens, spot.ink), scene.tokens.canvas
+    if scene.vector or not (abs(x) < _FAR and abs(y) < _FAR):
+        _paint_spot(painter, QPointF(x, y), spot.shape, spot.size, inks, scene.unit)
+        return
+    phases = round(x * _PHASES), round(y * _PHASES)
+    image = _spot_image(spot.shape, spot.size, inks, scene.unit, phases[0] % _PHASES, phases[1] % _PHASES)
+    half = image.width() // 2
+    painter.drawImage(phases[0] // _PHASES - half, phases[1] // _PHASES - half, image)
+
+
+@lru_cache(maxsize=512)
+def _spot_image(
+    shape: Shape, size: float, inks: tuple[str, str], unit: float, across: int, down: int
+) -> QImage:
+    """A spot painted once for every place that lies alike between pixels: a picture may hold hundreds."""
+    half = math.ceil((size / 2 + 4) * unit) + 1
+    image = QImage(2 * half, 2 * half, QImage.Format.Format_ARGB32_Premultiplied)
+    image.fill(0)
+    painter = QPainter(image)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    _paint_spot(painter, QPointF(half + across / _PHASES, half + down / _PHASES), shape, size, inks, unit)
+    painter.end()
+    return image
+
+
+def _paint_spot(
+    painter: QPainter, place: QPointF, shape: Shape, size: float, inks: tuple[str, str], unit: float
+) -> None:
+    half = size * unit / 2
+    box = QRectF(place.x() - half, place.y() - half, 2 * half, 2 * half)
+    ink, ground = QColor(inks[0]), QColor(inks[1])
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    if spot.shape == "cross":
-        for pen in (QPen(ground, 4.5 * scene.unit), QPen(ink, 2 * scene.unit)):
+    if shape == "cross":
+        for pen in (QPen(ground, 4.5 * unit), QPen(ink, 2 * unit)):
             painter.setPen(pen)
             painter.drawLine(box.topLeft(), box.bottomRight())
             painter.drawLine(box.topRight(), box.bottomLeft())
         return
-    wide = 2 * scene.unit
+    wide = 2 * unit
     painter.setPen(QPen(ground, wide))
     painter.drawEllipse(box.adjusted(-wide, -wide, wide, wide))
     painter.setPen(QPen(ink, wide))
-    painter.setBrush(ground if spot.shape == "ring" else ink)
-    if spot.shape == "square":
+    painter.setBrush(ground if shape == "ring" else ink)
+    if shape == "square":
         painter.drawRect(box)
     else:
         painter.drawEllipse(box)
