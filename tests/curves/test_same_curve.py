@@ -165,3 +165,11 @@ def test_a_closed_curve_goes_round_smoothly(degree: int) -> None:
         found = piece_points(pieces, [first, last])
         assert np.abs(found[0] - found[1]).max() <= 1e-9
         pieces = piece_derivative(pieces)
+
+
+def test_a_narrow_span_between_far_knots_bears_one_degree_more() -> None:
+    points = np.array([[0.0, 0]] * 5 + [[0, 1], [0, 0]])
+    knots = np.array([0.0] * 6 + [1.0] + [1 + 1e-9] * 3 + [2 + 1e-9] * 4)
+    raised, new_knots = elevate_b_spline(points, knots, 6)
+    where = places(knots, 6)
+    assert_same(b_spline_point(raised, new_knots, 7, where), b_spline_point(points, knots, 6, where), points)

@@ -53,6 +53,9 @@ def elevate_b_spline(points: ArrayLike, knots: ArrayLike, degree: int) -> tuple[
     spans = _full_spans(t, degree)
     span = _widest_spans(t, spans, raised[new], raised[new + degree + 2])
     own = raised[new[:, None] + np.arange(1, degree + 2)]
+    # The order is free; with the nearest on the last level, which is the narrowest, the least is lost
+    away = np.maximum(t[span, None] - own, own - t[span + 1, None])
+    own = np.take_along_axis(own, np.argsort(-away, axis=1, kind="stable"), axis=1)
     total = np.zeros((len(new), controls.shape[1]))
     for left_out in range(degree + 1):
         total += blossom(controls, t, degree, span, np.delete(own, left_out, axis=1))

@@ -70,8 +70,8 @@ def with_length(pieces: Pieces) -> Pieces:
 
 
 def with_ends(pieces: Pieces, corners: Array, ends: NDArray[np.int64]) -> Array:
-    """The corners (n, k), those of piece j before number ``ends`` (m,), with the ends of pieces put in: of the
-    last one, and of those after which the curve goes on elsewhere."""
+    """The corners (n, k), those of piece j before number ``ends`` (m,), with the last end of the curve put in,
+    and those where it is parted."""
     last = pieces.controls[:, -1]
     parted = np.append((last[:-1] != pieces.controls[1:, 0]).any(axis=1), True)
     return np.insert(corners, ends[parted], last[parted], axis=0)
