@@ -70,7 +70,7 @@ def with_length(pieces: Pieces) -> Pieces:
 
 
 def with_ends(pieces: Pieces, corners: Array, ends: NDArray[np.int64]) -> Array:
-    """The corners (n, k), those of piece j before number ``ends`` (m,), with the last end of the curve put in,
+    """The corners (n, k), those of piece j before number ``ends`` (m,), with the end of the curve put in,
     and those where it is parted."""
     last = pieces.controls[:, -1]
     parted = np.append((last[:-1] != pieces.controls[1:, 0]).any(axis=1), True)
