@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from tests.document.made_curves import curve_edit_of, documents_with_curves
 from tests.document.test_addresses import everything
@@ -195,6 +196,15 @@ def test_a_knot_may_not_pass_its_neighbour() -> None:
     assert resolve(moved, f"s1/f1/{knot.id}/u") == 1.5
     with pytest.raises(DocumentError, match="choose a knot"):
         curve_edits.set_knot("s1/f1/p1/x", 1.5)(document)
+
+
+def test_two_knots_of_one_id_are_refused() -> None:
+    document = curve_edits.set_knot_rule("f1", "free")(curve_of(POINTS, spline="b_spline"))
+    curve = the_curve(document)
+    twice = replace(curve, knots=(*curve.knots[:-1], replace(curve.knots[-1], id=curve.knots[0].id)))
+    sheet = replace(document.sheets[0], figures=(twice,))
+    with pytest.raises(DocumentError, match="which another has too"):
+        check(replace(document, sheets=(sheet,)), document)
 
 
 def test_a_point_behind_the_last_leaves_what_was_drawn() -> None:

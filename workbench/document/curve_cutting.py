@@ -29,7 +29,15 @@ from workbench.document.curve_paths import (
     sound,
 )
 from workbench.document.curve_pieces import goes_round, knots_of, pieces_of
-from workbench.document.curve_turns import Rows, one_turn, period_of, rows_of, turns_of, with_rows
+from workbench.document.curve_turns import (
+    Rows,
+    middle_turn,
+    one_turn,
+    period_of,
+    rows_of,
+    turns_of,
+    with_rows,
+)
 from workbench.document.errors import DocumentError
 from workbench.document.model import Curve, CurvePoint, Document, Knot
 from workbench.language import _
@@ -124,12 +132,13 @@ def _with_knot(curve: Curve, u: float) -> Curve:
     place_of(pieces.knots, u)
     made = rows_of(curve)
     if curve.closed:
-        period = period_of(curve)
-        span = min(int(np.searchsorted(knots, u, side="right")) - 1, count - 1)
-        for turn in range(turns_of(curve)):
-            made = _one_more(made, u + turn * period)
-        made = one_turn(curve, made)
-        new = (span - degree + 1 + degree // 2) % (count + 1)
+        period, turn = period_of(curve), middle_turn(curve)
+        u = u if u < knots[-1] else float(knots[0])
+        span = int(np.searchsorted(knots, u, side="right")) - 1
+        for k in range(turns_of(curve)):
+            made = _one_more(made, u + k * period)
+        made = one_turn(curve, made, degree + turn * (count + 1), count + 1)
+        new = min(span + 1 + degree // 2, count)
     else:
         span = min(int(np.searchsorted(knots, u, side="right")) - 1, count - 1)
         made = _one_more(made, u)
@@ -228,8 +237,9 @@ def _cut(curve: Curve, u: float) -> tuple[Curve, Curve | None]:
     open_curve = replace(curve, closed=False)
     if curve.closed:
         period = period_of(curve)
-        _before, after = curves.split_b_spline(whole.rows, whole.knots, whole.degree, u + period)
-        (rows, knots), _rest = curves.split_b_spline(*after, whole.degree, u + 2 * period)
+        turn = middle_turn(curve)
+        _before, after = curves.split_b_spline(whole.rows, whole.knots, whole.degree, u + turn * period)
+        (rows, knots), _rest = curves.split_b_spline(*after, whole.degree, u + (turn + 1) * period)
         made = Rows(rows, knots, whole.degree)
         kept: list[CurvePoint | None] = [None] * len(rows)
         at = int(np.searchsorted(knots_of(curve), u, side="right")) - 1

@@ -41,7 +41,12 @@ def rows_of(curve: Curve) -> Rows:
 
 def turns_of(curve: Curve) -> int:
     """How many turns of a closed curve are enough for whatever is done to one of them."""
-    return 3 + math.ceil(2 * (curve.degree + 1) / len(curve.points_world))
+    return 2 * middle_turn(curve) + 1
+
+
+def middle_turn(curve: Curve) -> int:
+    """Number of the turn, from 0, that the ends of ``rows_of`` have no part in."""
+    return 1 + math.ceil((curve.degree + 1) / len(curve.points_world))
 
 
 def period_of(curve: Curve) -> float:
@@ -50,15 +55,20 @@ def period_of(curve: Curve) -> float:
     return float(knots[-1] - knots[0])
 
 
-def one_turn(curve: Curve, turned: Rows) -> Rows:
-    """Rows (n, k) and knots (n+1,) of the second turn of a closed curve, which ``turned`` is several of."""
-    first, period = float(knots_of(curve)[0]), period_of(curve)
-    begin, end = (
-        int(np.searchsorted(turned.knots, first + turn * period + 1e-9 * period, side="right")) - 1
-        for turn in (1, 2)
-    )
+def one_turn(curve: Curve, turned: Rows, begin: int = -1, count: int = 0) -> Rows:
+    """Rows (n, k) and knots (n+1,) of the middle turn of a closed curve, which ``turned`` is several of.
+
+    It begins at the knot number ``begin`` and has ``count`` points; if none is given, at the last knot there.
+    """
+    first, period, turn = float(knots_of(curve)[0]), period_of(curve), middle_turn(curve)
+    end = begin + count
+    if begin < 0:
+        begin, end = (
+            int(np.searchsorted(turned.knots, first + k * period + 1e-9 * period, side="right")) - 1
+            for k in (turn, turn + 1)
+        )
     rows = turned.rows[begin - turned.degree : end - turned.degree]
-    return Rows(rows, turned.knots[begin : end + 1] - period, turned.degree)
+    return Rows(rows, turned.knots[begin : end + 1] - turn * period, turned.degree)
 
 
 def with_rows(
