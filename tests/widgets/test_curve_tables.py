@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QFontMetrics, QGuiApplication
-from PySide6.QtWidgets import QAbstractButton, QApplication, QTableView
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QFontMetrics, QGuiApplication, QMouseEvent
+from PySide6.QtWidgets import QAbstractButton, QApplication, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
 from workbench.algorithms.curves import continuity
@@ -166,6 +166,15 @@ def test_a_column_widens_when_a_value_outgrows_it_and_not_before(table: Continui
     assert table.view.columnWidth(3) >= QFontMetrics(code_font(12)).horizontalAdvance(text) + 8
 
 
+def hover(part: QWidget, place: QPoint) -> None:
+    """Move the pointer with no button down, whatever a test before left down."""
+    spot, none = QPointF(place), Qt.MouseButton.NoButton
+    plain = Qt.KeyboardModifier.NoModifier
+    QApplication.sendEvent(
+        part, QMouseEvent(QEvent.Type.MouseMove, spot, part.mapToGlobal(spot), none, none, plain)
+    )
+
+
 # Measures
 
 MEASURES = [
@@ -244,8 +253,8 @@ def test_pointing_choosing_and_entering_a_kind_is_told(qtbot: QtBot, measures: M
     measures.kind_pointed.connect(pointed.append)
     measures.kind_activated.connect(activated.append)
     place = measures.view.visualRect(measures.model.index(1, 2)).center()
-    qtbot.mouseMove(measures.view.viewport(), place)
-    qtbot.mouseMove(measures.view.viewport(), place + QPoint(1, 0))
+    hover(measures.view.viewport(), place)
+    hover(measures.view.viewport(), place + QPoint(1, 0))
     assert pointed[-1:] == [1]
     click(qtbot, measures.view, 2, 1, double=True)
     assert activated == [2]
@@ -266,11 +275,11 @@ def test_pointing_choosing_and_entering_a_kind_is_told(qtbot: QtBot, measures: M
 def test_leaving_points_at_nothing(qtbot: QtBot, measures: MeasureTable):
     pointed = []
     measures.kind_pointed.connect(pointed.append)
-    qtbot.mouseMove(measures.view.viewport(), measures.view.visualRect(measures.model.index(1, 2)).center())
+    hover(measures.view.viewport(), measures.view.visualRect(measures.model.index(1, 2)).center())
     QApplication.sendEvent(measures, QEvent(QEvent.Type.Leave))
     assert pointed == [1, -1]
-    qtbot.mouseMove(measures.view.viewport(), measures.view.visualRect(measures.model.index(0, 2)).center())
-    qtbot.mouseMove(measures.view.viewport(), QPoint(40, measures.view.viewport().height() - 3))
+    hover(measures.view.viewport(), measures.view.visualRect(measures.model.index(0, 2)).center())
+    hover(measures.view.viewport(), QPoint(40, measures.view.viewport().height() - 3))
     assert pointed == [1, -1, 0, -1]
 
 
