@@ -78,8 +78,8 @@ def test_stepping_builds_the_construction_point_by_point(qtbot):
 
 
 def test_every_switch_draws_something_and_takes_it_away(qtbot):
-    curve = curve_through(*PLACES, spline="catmull_rom")
-    panel = with_docks(qtbot, curve)
+    loop = ((24.0, 10.0), (58.0, 40.0), (58.0, 10.0), (24.0, 40.0), (22.0, 20.0))
+    panel = with_docks(qtbot, curve_through(*loop, spline="catmull_rom"))
     panel.focus.choose({the_curve(panel).points_world[2].id})
     for name, _title, _meaning in switches():
         if name == "pixels":

@@ -23,6 +23,7 @@ def switches() -> list[tuple[str, str, str]]:
         ("box", _("Bounding box"), _("The smallest box around the curve itself")),
         ("extrema", _("Extrema"), _("Where x or y turns back")),
         ("inflections", _("Inflections"), _("Where the curve changes the side it bends to")),
+        ("crossings", _("Self-intersections"), _("Where the curve crosses itself")),
         ("steps_u", _("Equal steps of u"), _("Points at equal steps of the parameter")),
         ("steps_length", _("Equal steps of length"), _("As many points at equal steps along the curve")),
         (

@@ -41,6 +41,8 @@ def marks(sheet: Sheet, curve: Curve, shown: frozenset[str], share: float) -> li
         drawn += extrema(pieces)
     if "inflections" in shown:
         drawn += inflections(pieces)
+    if "crossings" in shown:
+        drawn += crossings(pieces)
     if "steps_u" in shown:
         drawn += steps_of_u(pieces)
     if "steps_length" in shown:
@@ -141,6 +143,13 @@ def inflections(pieces: Pieces) -> list[Drawn]:
     """Where the curve changes the side it bends to."""
     at = piece_points(pieces, curves.inflections(pieces)[:MOST_MARKS]).reshape(-1, 2)
     return [Spot(x, y, "data 4", "ring", 11) for x, y in at.tolist()]
+
+
+def crossings(pieces: Pieces) -> list[Drawn]:
+    """Where the curve crosses itself."""
+    size = float(np.ptp(pieces.controls.reshape(-1, 2), axis=0).max())
+    found = curves.self_intersections(pieces, max(1e-9, 1e-7 * size))[:MOST_MARKS]
+    return [Spot(x, y, "data 2", "cross", 11) for x, y in (point.tolist() for _u, _v, point in found)]
 
 
 def steps_of_u(pieces: Pieces) -> list[Drawn]:

@@ -1,6 +1,7 @@
 """What the canvas shows of curves: the smooth curve, its polygon, other kinds, constructions, influence."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from msgspec.structs import replace
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.curves import Pieces, piece_points, polyline
 from workbench.document.model import Curve, Sheet
-from workbench.panels.curve_names import look_of, point_name, spline_title
+from workbench.panels.curve_names import look_of, point_name
 from workbench.panels.curve_shape import (
     SMOOTH_PX,
     device_pieces,
@@ -224,20 +225,19 @@ def influence(curve: Curve, numbers: tuple[int, ...]) -> Array:
     return np.where(way < 1e-6, 0.0, np.minimum(way, 1.0))
 
 
-def region(sheet: Sheet, curve: Curve, strength: Array) -> list[Drawn]:
+def region(sheet: Sheet, curve: Curve, strength: Array) -> list[Stroke]:
     """The pieces that follow what is moved, the wider the more they follow."""
     pieces = device_pieces(sheet, curve)
     if pieces is None or len(strength) != len(pieces.controls):
         return []
-    drawn: list[Drawn] = []
-    for k in np.flatnonzero(strength > 0.002).tolist():
-        weights = None if pieces.weights is None else pieces.weights[k : k + 1]
-        one = Pieces(pieces.knots[k : k + 2], pieces.controls[k : k + 1], weights)
-        if one.knots[1] > one.knots[0]:
-            drawn.append(Stroke(polyline(one, SMOOTH_PX), "data 5", 7.0 + 8.0 * float(strength[k])))
-    return drawn
-
-
-def legend(curve: Curve) -> str:
-    """What is drawn in which colour, for a reader of the picture."""
-    return ", ".join(spline_title(spline) for spline in (curve.spline, *curve.beside))
+    # Few widths, so that pieces side by side are one line, and lines of one width are painted at once
+    widths = np.where(strength > 0.002, 7.0 + 2.0 * np.ceil(4.0 * strength), 0.0)
+    widths[np.diff(pieces.knots) <= 0] = 0.0
+    edges = np.flatnonzero(np.diff(widths, prepend=-1.0, append=-1.0))
+    drawn: list[Stroke] = []
+    for first, end in pairwise(edges.tolist()):
+        if widths[first] > 0:
+            weights = None if pieces.weights is None else pieces.weights[first:end]
+            run = Pieces(pieces.knots[first : end + 1], pieces.controls[first:end], weights)
+            drawn.append(Stroke(polyline(run, SMOOTH_PX), "data 5", float(widths[first])))
+    return sorted(drawn, key=lambda stroke: stroke.width)

@@ -30,13 +30,13 @@ from workbench.panels.figure_picture import packed, pale_picture, picture
 from workbench.panels.figure_tools import FigureTool
 from workbench.panels.figure_view import FigureView
 from workbench.rendering import device_map
-from workbench.widgets.canvas_drawing import Drawn, Spot
+from workbench.widgets.canvas_drawing import Drawn, Spot, Stroke
 from workbench.widgets.canvas_overlay import GripShape, Handle, Overlay
 from workbench.widgets.pixel_canvas import PixelCanvas
 from workbench.widgets.tokens import LIGHT, tokens
 
 # While something is dragged the pixels may take this long; else they follow when it is let go.
-PIXELS_MS = 4.0
+PIXELS_MS = 2.0
 STEPPED = ("de_casteljau", "de_boor")
 
 
@@ -127,7 +127,7 @@ class CurveView(FigureView):
             return len(run.moment.emitted)
         return None if run.number == 0 and not run.ask_first else run.step.emitted_to
 
-    def _region(self, curve: Curve, chosen: list[int]) -> list[Drawn]:
+    def _region(self, curve: Curve, chosen: list[int]) -> list[Stroke]:
         """What follows the points that are dragged, or, where that is switched on, those that are chosen."""
         numbers = tuple(chosen) if "influence" in self.focus.shown else ()
         if self.focus.moving:
