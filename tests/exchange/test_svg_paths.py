@@ -312,6 +312,67 @@ def test_elements_copied_without_their_svg_are_read() -> None:
         read_svg('<path d="M 0 0"', SHEET)
 
 
+def test_style_sheets_say_what_is_painted() -> None:
+    sheet = (
+        "<style>/* from a drawing program */ .a, .b { fill: none; stroke: #f00 }\n"
+        "@media print { } line { stroke: black } #x.a { stroke: #000 } g > line { stroke: red }</style>"
+    )
+    body = (
+        '<line class="a" x2="1"/><line id="x" class="c a" x2="1"/><line x2="1"/>'
+        '<polygon class="b" points="0,0 1,0 1,1"/><polygon class="c" points="0,0 1,0 1,1"/>'
+        '<line class="a" style="stroke:black" x2="1"/>'
+    )
+    figures = read_svg(svg(f"<defs>{sheet}</defs>{body}"), SHEET).figures
+    assert [figure.colour for figure in figures] == [2, 1, 1, 2, 1, 1]
+    assert [type(figure) for figure in figures[3:5]] == [Polyline, Polygon]
+
+
+def test_a_drawing_inside_a_drawing_has_a_frame_of_its_own() -> None:
+    inner = '<svg x="10" y="-20" width="40" height="20" viewBox="0 0 2 2"{}><path d="M 0 0 L 2 2"/></svg>'
+    (fitted,) = read_svg(svg(inner.format("")), SHEET).figures
+    (stretched,) = read_svg(svg(inner.format(' preserveAspectRatio="none"')), SHEET).figures
+    assert np.allclose(cubics(fitted)[0, [0, -1]], [[20, -20], [40, 0]])
+    assert np.allclose(cubics(stretched)[0, [0, -1]], [[10, -20], [50, 0]])
+
+
+def test_uses_that_nest_without_end_are_refused() -> None:
+    groups = "".join(f'<g id="g{k}">{"<g>" * 90}<use href="#g{k + 1}"/>{"</g>" * 90}</g>' for k in range(20))
+    with pytest.raises(SvgError, match="nested more than 200 deep"):
+        read_svg(svg(f'{groups}<g id="g20"><line x2="1"/></g>'), SHEET)
+
+
 def test_entities_that_only_abbreviate_are_read() -> None:
     text = '<!DOCTYPE svg [<!ENTITY ns "http://www.w3.org/2000/svg">]><svg xmlns="&ns;"><line x2="1"/></svg>'
     assert len(read_svg(text, SHEET).figures) == 1
+
+
+WHOLE = svg(
+    '<style>.a{fill:none}</style><g transform="rotate(10) translate(3,4) matrix(1 0 0 1 2 3)" class="a">'
+    '<path id="p" d="M 1,1 a 2 3 4 0 1 5 5 q 1 2 3 4 t 1 1 z" style="stroke:#123;stroke-width:2"/>'
+    '<rect x="1mm" y="10%" width="5" height="4" rx="1"/><use href="#p" x="3"/><svg viewBox="0 0 1 1" '
+    'width="3" height="4"><circle r="1"/></svg><polyline points="1,2 3,4"/><text>a &amp; b</text></g>'
+)
+
+
+@settings(max_examples=150)
+@given(
+    st.lists(
+        st.tuples(
+            st.integers(0, len(WHOLE)),
+            st.integers(0, 5),
+            st.text("<>\"'/&;#%(){},.-0 9eazM\x00é", max_size=4),
+        ),
+        max_size=3,
+    )
+)
+def test_a_damaged_file_is_read_or_refused_in_one_sentence(damages: list[tuple[int, int, str]]) -> None:
+    text, said = WHOLE, "."
+    for at, length, other in damages:
+        text = text[:at] + other + text[at + length :]
+    for data in (text, text.encode()):
+        try:
+            read_svg(data, SHEET)
+        except SvgError as error:
+            said = str(error)
+        assert said.endswith(".")
+        assert "\n" not in said

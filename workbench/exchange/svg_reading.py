@@ -24,7 +24,8 @@ from workbench.exchange.svg_colours import nearest_colour
 from workbench.exchange.svg_figures import Shape, figures_of
 from workbench.exchange.svg_originals import GEOMETRY, fault_in, moved, original
 from workbench.exchange.svg_outlines import length_of, transform_of
-from workbench.exchange.svg_tree import Element, read_tree
+from workbench.exchange.svg_styles import StyleSheet
+from workbench.exchange.svg_tree import MOST_DEPTH, Element, read_tree
 from workbench.language import _, ngettext
 from workbench.rendering.mapping import device_map
 
@@ -124,11 +125,14 @@ class _Walk:
         self.found: list[Shape] = []
         self._left_out: Counter[str] = Counter()
         self._named: dict[str, Element] = {}
-        for element in _all(root):
+        elements = _all(root)
+        rules = StyleSheet("\n".join(element.text for element in elements))
+        for element in elements:
             element.viewport = viewport
+            element.sheet = rules.style_of(element.tag, element.attributes)
             self._named.setdefault(element.attributes.get("id", ""), element)
         self._using: list[Element] = []
-        self._steps = 0
+        self._steps = self._depth = 0
 
     def into(self, element: Element, matrix: Array, style: dict[str, str]) -> None:
         """Go through one element and those in it, under ``matrix`` and an inherited ``style``."""
@@ -152,11 +156,18 @@ class _Walk:
         elif element.tag == "use":
             self._used(element, matrix, merged)
         else:
-            if element.tag == "svg" and self._steps > 1:
-                x, y = length_of(element, "x"), length_of(element, "y")
-                matrix = _after(matrix, np.array([[1.0, 0.0, x], [0.0, 1.0, y]]))
-            for child in element.children:
-                self.into(child, matrix, merged)
+            if element.tag == "svg" and self._depth:
+                matrix = _after(matrix, _inner_frame(element))
+            self._inside(element.children, matrix, merged)
+
+    def _inside(self, elements: list[Element], matrix: Array, style: dict[str, str]) -> None:
+        self._depth += 1
+        for element in elements:
+            if self._depth > MOST_DEPTH:
+                sentence = _("what it uses is nested more than {most} deep; ungroup some.")
+                raise element.refusal(sentence.format(most=MOST_DEPTH))
+            self.into(element, matrix, style)
+        self._depth -= 1
 
     def _used(self, element: Element, matrix: Array, style: dict[str, str]) -> None:
         name = element.attributes.get("href", "").strip()
@@ -170,8 +181,9 @@ class _Walk:
         x, y = length_of(element, "x"), length_of(element, "y")
         matrix = _after(matrix, np.array([[1.0, 0.0, x], [0.0, 1.0, y]]))
         self._using.append(target)
-        for each in target.children if target.tag == "symbol" else [target]:
-            self.into(each, matrix, style)
+        if target.tag == "symbol":
+            self._left_out["symbol viewBox"] += "viewBox" in target.attributes
+        self._inside(target.children if target.tag == "symbol" else [target], matrix, style)
         self._using.pop()
 
     def notes(self) -> list[str]:
@@ -183,6 +195,22 @@ class _Walk:
             for tag, count in self._left_out.items()
             if count
         ]
+
+
+def _inner_frame(element: Element) -> Array:
+    """The matrix (2, 3) from the inside of a nested svg to its outside. Raises: SvgError."""
+    x, y = length_of(element, "x"), length_of(element, "y")
+    found = np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
+    inner = _frame(element) if "viewBox" in element.attributes else None
+    width = length_of(element, "width", element.viewport[0])
+    height = length_of(element, "height", element.viewport[1])
+    if inner is None or not (width > 0 and height > 0):
+        return found
+    sx, sy = width / inner[2], height / inner[3]
+    if "none" not in element.attributes.get("preserveAspectRatio", ""):
+        sx = sy = min(sx, sy)
+    left, top = 0.5 * (width - sx * inner[2]), 0.5 * (height - sy * inner[3])
+    return _after(found, np.array([[sx, 0.0, left - sx * inner[0]], [0.0, sy, top - sy * inner[1]]]))
 
 
 def _all(root: Element) -> list[Element]:

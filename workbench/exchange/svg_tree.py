@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 from xml.parsers import expat
 
+from workbench.exchange.svg_styles import declarations
 from workbench.language import _
 
 SVG = "http://www.w3.org/2000/svg"
@@ -35,7 +36,8 @@ class Element:
     """One element: its local name (empty outside SVG), attributes and children; line and column from 1.
 
     Attributes without a namespace have their plain names, XLink's ``href`` too; our own begin with ``own:``.
-    ``viewport`` is what 100 % of width and height mean, 0 where that is not known.
+    ``viewport`` is what 100 % of width and height mean, 0 where that is not known; ``sheet`` what the style
+    sheet of the file says about it; ``text`` what stands in a ``style`` element.
     """
 
     tag: str
@@ -44,13 +46,13 @@ class Element:
     column: int
     children: list["Element"] = field(default_factory=list)
     viewport: tuple[float, float] = (0.0, 0.0)
+    sheet: dict[str, str] = field(default_factory=dict)
+    text: str = ""
 
     @property
     def style(self) -> dict[str, str]:
-        """Presentation attributes, those of the ``style`` attribute first."""
-        written = (part.partition(":") for part in self.attributes.get("style", "").split(";"))
-        inline = {name.strip(): value.strip() for name, colon, value in written if colon}
-        return {**self.attributes, **inline}
+        """Presentation attributes; those of the ``style`` attribute win, then those of the style sheet."""
+        return {**self.attributes, **self.sheet, **declarations(self.attributes.get("style", ""))}
 
     def refusal(self, sentence: str) -> SvgError:
         """The error with ``sentence``, after where this element begins."""
@@ -110,6 +112,7 @@ class _Reader:
         self._open: list[Element] = []
         parser.StartElementHandler = self._begin
         parser.EndElementHandler = self._end
+        parser.CharacterDataHandler = self._text
         parser.EntityDeclHandler = self._entity
         parser.SetParamEntityParsing(expat.XML_PARAM_ENTITY_PARSING_NEVER)
 
@@ -129,6 +132,10 @@ class _Reader:
 
     def _end(self, name: str) -> None:
         self._open.pop()
+
+    def _text(self, text: str) -> None:
+        if self._open and self._open[-1].tag == "style":
+            self._open[-1].text += text
 
     def _entity(self, name: str, parameter: bool, value: str | None, *outside: str | None) -> None:
         if parameter or value is None or len(value) > _LONGEST_ENTITY or re.search("[&%<]", value):
