@@ -202,12 +202,15 @@ def _paint_grip(painter: QPainter, scene: Scene, kind: tuple[GripShape, str, boo
     half = HANDLE * unit / 2
     grip = QRectF(place.x() - half, place.y() - half, 2 * half, 2 * half)
     if shape == "square":
-        painter.drawRect(grip.adjusted(unit, unit, -unit, -unit))
+        inset = 0 if selected else unit
+        painter.drawRect(grip.adjusted(inset, inset, -inset, -inset))
     elif shape == "diamond":
-        ends = ((0, -1), (1, 0), (0, 1), (-1, 0))
-        painter.drawPolygon([QPointF(place.x() + dx * half, place.y() + dy * half) for dx, dy in ends])
+        far = half + 1.25 * unit
+        ends = ((0, -far), (far, 0), (0, far), (-far, 0))
+        painter.drawPolygon([place + QPointF(*end) for end in ends])
     else:
-        painter.drawEllipse(grip)
+        more = 0.75 * unit if selected else 0.0  # its edge has the colour of the ground
+        painter.drawEllipse(grip.adjusted(-more, -more, more, more))
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
