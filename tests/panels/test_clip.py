@@ -16,6 +16,7 @@ from workbench.panels.clip import ClipPanel
 from workbench.panels.clip_run import clip_moment, edge_points
 from workbench.panels.clip_scene import outcomes, tally
 from workbench.rendering import frame_buffer
+from workbench.rendering.clipping import segments_of
 from workbench.session.session import Session
 from workbench.widgets.canvas_drawing import Stroke, Word
 from workbench.widgets.option_buttons import OptionButtons
@@ -330,3 +331,12 @@ def test_a_point_outside_the_window_is_not_in_the_picture(qtbot, session, panel)
     assert columns.max() <= 38
     assert rows.min() >= 10
     assert rows.max() <= 30
+
+
+def test_each_chord_of_a_curve_is_accepted_clipped_or_rejected():
+    sheet = set_clip("s1", Rectangle(100, 40, 220, 170))(example("curve-bezier").document).sheets[0]
+    counted = tally(sheet)
+    assert counted["accepted"] > 3
+    assert counted["clipped"] == 2
+    assert counted["rejected"] > 1
+    assert sum(counted.values()) == len(segments_of(sheet, sheet.figures[0]))

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.clipping.degenerate_edges import degenerate_edges
 from workbench.algorithms.clipping.edges import region_code
-from workbench.document.model import AnyFigure, Circle, Line, Polygon, Polyline, Sheet
-from workbench.rendering.clipping import Segment, clip_box, clipped_segment, clipper_calls
-from workbench.rendering.mapping import Box, device_segments
+from workbench.document.model import AnyFigure, Circle, Curve, Line, Polygon, Polyline, Sheet
+from workbench.rendering.clipping import Segment, clip_box, clipped_segment, clipper_calls, segments_of
+from workbench.rendering.mapping import Box
 from workbench.rendering.raster import emitted
 from workbench.widgets.canvas_drawing import Drawn, Pattern, Region, Spot, Stroke, Word
 
@@ -45,8 +45,8 @@ def outcomes(sheet: Sheet, figure: AnyFigure) -> list[Outcome]:
     window = clip_box(sheet)
     if window is None:
         return []
-    if isinstance(figure, Line | Polyline):
-        return [_line_outcome(sheet, segment, window) for segment in device_segments(sheet, figure)]
+    if isinstance(figure, Line | Polyline | Curve):
+        return [_line_outcome(sheet, segment, window) for segment in segments_of(sheet, figure)]
     found = []
     for call in clipper_calls(sheet, figure):
         rows = emitted(call).tolist()
@@ -125,7 +125,7 @@ def _regions(sheet: Sheet, window: Box) -> Iterator[Drawn]:
 def end_codes(sheet: Sheet, figure: Line | Polyline, window: Box, carded: bool) -> Iterator[Drawn]:
     """The code of each end point, beside it."""
     seen: set[tuple[float, float]] = set()
-    for x0, y0, x1, y1 in device_segments(sheet, figure)[:MOST_CODED]:
+    for x0, y0, x1, y1 in segments_of(sheet, figure)[:MOST_CODED]:
         for x, y, other_x in ((x0, y0, x1), (x1, y1, x0)):
             if (x, y) not in seen:
                 seen.add((x, y))
@@ -135,7 +135,7 @@ def end_codes(sheet: Sheet, figure: Line | Polyline, window: Box, carded: bool) 
 
 def _figure(sheet: Sheet, figure: AnyFigure, window: Box) -> Iterator[Drawn]:
     for outcome in outcomes(sheet, figure):
-        if isinstance(figure, Line | Polyline):
+        if isinstance(figure, Line | Polyline | Curve):
             yield from line_marks(outcome)
         elif isinstance(figure, Polygon):
             yield from _ring_marks(outcome, window)

@@ -12,6 +12,7 @@ from workbench.algorithms import catalogue
 from workbench.document.model import (
     LINE_CLIPPERS,
     AnyFigure,
+    Curve,
     Line,
     Polygon,
     Polyline,
@@ -209,7 +210,7 @@ def _painted(job: Job, slug: str) -> Cells:
 
 
 def _ties(job: Job) -> Cells | None:
-    if job.clipping or not all(isinstance(figure, Line | Polyline) for figure in job.figures):
+    if job.clipping or not all(isinstance(figure, Line | Polyline | Curve) for figure in job.figures):
         return None
     found = [compare(job.sheet, figure, job.first, job.second) for figure in job.figures]
     tied = [cells for each in found for cells in (each.tied_first, each.tied_second)]

@@ -1,6 +1,5 @@
 """From the world to the device, before anything is clipped or rounded."""
 
-import itertools
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -9,7 +8,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.viewing import window_to_viewport
-from workbench.document.model import Circle, Ellipse, Line, Polygon, Polyline, Rectangle, Sheet
+from workbench.document.model import Circle, Ellipse, Polygon, Rectangle, Sheet
 
 Box = tuple[float, float, float, float]
 """A rectangle as (xmin, ymin, xmax, ymax)."""
@@ -53,15 +52,6 @@ def _device_map(window: Box, viewport: Box) -> DeviceMap:
 def device_map(sheet: Sheet) -> DeviceMap:
     """The map from the sheet's window (world) to its viewport (device)."""
     return _device_map(box(sheet.window_world), box(sheet.viewport_device))
-
-
-def device_segments(sheet: Sheet, figure: Line | Polyline) -> list[tuple[float, float, float, float]]:
-    """The segments (x0, y0, x1, y1) of a line or polyline, device coordinates."""
-    scale = device_map(sheet)
-    points = [scale.point(point.x, point.y) for point in figure.points_world]
-    if isinstance(figure, Polyline) and figure.closed and len(points) > 2:
-        points.append(points[0])
-    return [(*a, *b) for a, b in itertools.pairwise(points)]
 
 
 def device_rings(sheet: Sheet, figure: Polygon) -> list[NDArray[np.float64]]:
