@@ -20,8 +20,10 @@ def blossom(controls: Array, knots: Array, degree: int, spans: NDArray[np.int64]
     for r in range(1, degree + 1):
         left = knots[spans[:, None] + np.arange(r - degree, 1)]
         right = knots[spans[:, None] + np.arange(1, degree + 2 - r)]
+        # Not 1 - alpha: where that is tiny its rounding error counts, with weights that differ
         alpha = ((us[:, r - 1, None] - left) / (right - left))[..., None]
-        level = (1.0 - alpha) * level[:, :-1] + alpha * level[:, 1:]
+        rest = ((right - us[:, r - 1, None]) / (right - left))[..., None]
+        level = rest * level[:, :-1] + alpha * level[:, 1:]
     return level[:, 0]
 
 

@@ -7,6 +7,7 @@ start       number of the first point of the level above, r - 1
 r           level
 i           number of a point, counted as the control points are
 alpha       how far u lies from t_i to t_{i+p+1-r}, as a part of 1
+rest        1 - alpha, not rounded where alpha is nearly 1: a heavy weight makes much of little
 share       how far the new point lies along its leg: alpha, drawn to the end that weighs more
 """
 
@@ -63,10 +64,11 @@ def de_boor_rational(
             alpha = (u - left) / (right - left)
             x0, y0, w0 = triangle[start + i - first - r]
             x1, y1, w1 = triangle[start + i - first - r + 1]
-            w = (1.0 - alpha) * w0 + alpha * w1
+            rest = (right - u) / (right - left)
+            w = rest * w0 + alpha * w1
             share = alpha * w1 / w
-            x = (1.0 - share) * x0 + share * x1
-            y = (1.0 - share) * y0 + share * y1
+            x = rest * w0 / w * x0 + share * x1
+            y = rest * w0 / w * y0 + share * y1
             triangle.append((x, y, w))
             yield x, y
 
