@@ -207,3 +207,35 @@ def test_what_a_point_moves_is_local_for_a_b_spline_and_everything_for_a_natural
     assert np.flatnonzero(local).tolist() == [3, 4, 5, 6]
     everywhere = influence(curve_through(*many, spline="natural_cubic"), (6,))
     assert (everywhere > 0).sum() >= 10
+
+
+@pytest.mark.parametrize("spline", ["b_spline", "natural_cubic", "bezier_path"])
+def test_a_long_curve_looks_the_same_while_dragged_and_when_let_go(qtbot, spline):
+    """What stays is painted once; nothing of it may be missing, or stand where it no longer is."""
+    turn = np.linspace(0, 12 * np.pi, 601)
+    far = np.linspace(3, 20, 601)
+    places_ = np.column_stack([42 + far * np.cos(turn), 24 + far * np.sin(turn)]).round(2).tolist()
+    panel = opened(qtbot, curve_through(*map(tuple, places_), spline=spline))
+    panel.focus.switch("construction", False)
+    panel.focus.switch("influence", False)
+    x, y = places_[450]
+    send(panel, QEvent.Type.MouseButtonPress, x, y)
+    send(panel, QEvent.Type.MouseMove, x + 3, y + 2)
+    assert panel.canvas.overlay.still is not None
+    kept = panel.canvas.overlay.still
+    dragged = panel.canvas.grab().toImage()
+    send(panel, QEvent.Type.MouseMove, x + 2, y + 2)
+    assert panel.canvas.overlay.still is kept
+    send(panel, QEvent.Type.MouseMove, x + 3, y + 2)
+    assert panel.canvas.grab().toImage() == dragged
+    send(panel, QEvent.Type.MouseButtonRelease, x + 3, y + 2)
+    assert panel.canvas.overlay.still is None
+    whole = panel.canvas.grab().toImage()
+    one, other = (
+        np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1).astype(int)
+        for image in (dragged, whole)
+    )
+    # The pixels beneath follow when the point is let go, so only what is dark is compared: curve and grips.
+    ink = (other.reshape(*other.shape[:1], -1, 4)[..., 2] < 60).sum()
+    was = (one.reshape(*one.shape[:1], -1, 4)[..., 2] < 60).sum()
+    assert was > 0.9 * ink

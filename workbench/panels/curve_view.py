@@ -22,6 +22,7 @@ from workbench.panels.curve_scene import (
     region,
 )
 from workbench.panels.curve_shape import Array, device_points, tangent_ends
+from workbench.panels.curve_still import Parting, moving_part, parted, with_handles
 from workbench.panels.curve_tools import CurveSelectTool
 from workbench.panels.figure_compose import Composition, with_asked, with_band
 from workbench.panels.figure_gesture import HandleDrag, Tool
@@ -57,6 +58,7 @@ class CurveView(FigureView):
         self.focus = focus
         self.docks = docks
         self._pixels_ms = 0.0
+        self._parted: tuple[tuple[object, ...], Parting | None] | None = None
         self._probe: list[Drawn] = []
         self._influence: tuple[tuple[object, ...], Array] = ((), np.zeros(0))
         self._kept: tuple[tuple[object, ...], list[CurvePoint], list[Handle]] = ((), [], [])
@@ -66,7 +68,10 @@ class CurveView(FigureView):
         session, sheet = self.session, self.session.sheet
         self.focus.cell_px = self.canvas.view.cell / self.canvas.devicePixelRatioF()
         busy = tool.busy
-        if not busy or self._pixels_ms < PIXELS_MS:
+        parting = self._parting(tool) if busy else None
+        if not busy:
+            self._parted = None
+        if not busy or (parting is None and self._pixels_ms < PIXELS_MS):
             before = time.perf_counter()
             now = tokens()
             shown = picture if "pixels" in self.focus.shown else pale_picture
@@ -82,8 +87,9 @@ class CurveView(FigureView):
                 for line in outline(sheet, figure)
             ),
             outlined=tuple(line for f in selected if not isinstance(f, Curve) for line in outline(sheet, f)),
-            handles=tuple(self._grips(tool, len(selected) == 1)),
-            drawn=tuple(self.drawn()),
+            handles=tuple(self._grips(parting is not None)) if len(selected) == 1 else (),
+            drawn=tuple(self.drawn() if parting is None else self._moving(parting)),
+            still=None if parting is None else parting.still,
         )
         overlay = with_asked(with_band(overlay, tool.band), session.state.pixel)
         self.canvas.set_overlay(replace(overlay, right=self._right, wrong=self._wrong))
@@ -94,6 +100,41 @@ class CurveView(FigureView):
     def refresh_probe(self, drawn: list[Drawn]) -> None:
         """Show what a tool that only looks has to show, over what is there."""
         self._probe = drawn
+
+    def _parting(self, tool: Tool) -> Parting | None:
+        """While points of a long curve are dragged: what stays, painted once, and what moves."""
+        curve, moving = self.focus.curve, self.focus.moving
+        if curve is None or not moving or not isinstance(tool, CurveSelectTool):
+            return None
+        if self._parted is None or self._parted[0] != (curve.id, moving, self.canvas.view):
+            sheet = self.session.sheet
+            numbers = tuple(k for k, point in enumerate(curve.points_world) if point.id in set(moving))
+            self._region(curve, [])
+            below = [*others(sheet, curve), *beside(sheet, curve)]
+            made = parted(
+                sheet,
+                curve,
+                numbers,
+                self._influence[1],
+                below,
+                self._grips(False),
+                "polygon" in self.focus.shown,
+            )
+            self._parted = (curve.id, moving, self.canvas.view), made
+        return self._parted[1]
+
+    def _moving(self, parting: Parting) -> list[Drawn]:
+        """What is drawn anew at every step of a drag."""
+        sheet, curve, shown = self.session.sheet, self.focus.curve, self.focus.shown
+        if curve is None:
+            return []
+        drawn: list[Drawn] = [*self._region(curve, [])]
+        if curve.spline == "bezier_path" and "polygon" in shown:
+            drawn += control_polygon(sheet, curve, self.focus.numbers(curve))
+        drawn += moving_part(sheet, curve, parting)
+        if "construction" in shown:
+            drawn += construction(sheet, curve, self.focus.u)
+        return drawn
 
     def drawn(self) -> list[Drawn]:
         """The curves and what is shown of the one that is worked on, from back to front."""
@@ -142,13 +183,17 @@ class CurveView(FigureView):
             self._influence = key, influence(curve, numbers)
         return region(self.session.sheet, curve, self._influence[1])
 
-    def _grips(self, tool: Tool, alone: bool) -> list[Handle]:
-        """The points, handles and tangents that can be dragged; of other figures their outline is enough."""
+    def _grips(self, moving: bool) -> list[Handle]:
+        """The points, handles and tangents of the selected curve, or only those that are being dragged."""
         curve = self.focus.selected
-        if curve is None or not alone:
+        if curve is None:
             return []
         sheet, place = self.session.sheet, f"{self.session.sheet.id}/{curve.id}"
         shown = np.flatnonzero(handles_shown(curve, self.focus.numbers(curve))).tolist()
+        if moving:
+            held = frozenset(self.focus.moving)
+            numbers = tuple(k for k, point in enumerate(curve.points_world) if point.id in held)
+            shown = [k for k in with_handles(curve, numbers) if k in set(shown)]
         points = [curve.points_world[k] for k in shown]
         scale = device_map(sheet)
         path = curve.spline == "bezier_path"

@@ -32,6 +32,14 @@ class Handle:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Still:
+    """What stays while something else is dragged over it: painted once, kept as long as it is the same."""
+
+    drawn: tuple[Drawn, ...] = ()
+    handles: tuple[Handle, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Overlay:
     """Marks over the picture.
 
@@ -40,7 +48,7 @@ class Overlay:
     compares two algorithms: 0 neither, ONLY_FIRST, ONLY_SECOND, BOTH, and TIE_FIRST, TIE_SECOND where the
     ideal curve passes exactly half way. ``ideal`` are open polylines, each (n, 2), thin in muted;
     ``outlined`` the same in accent for what is selected. ``snap`` is the cell the pointer has snapped to.
-    ``drawn`` is an algorithm's construction, under the marks and over the picture.
+    ``drawn`` is an algorithm's construction, under the marks and over the picture; ``still`` lies under it.
     """
 
     candidates: tuple[Cell, ...] = ()
@@ -55,6 +63,7 @@ class Overlay:
     classes: NDArray[np.uint8] | None = None
     snap: Cell | None = None
     drawn: tuple[Drawn, ...] = ()
+    still: Still | None = None
 
 
 def compare_classes(

@@ -103,6 +103,15 @@ def paint_scene(painter: QPainter, picture: Picture, scene: Scene) -> None:
             _paint_classes(painter, scene.overlay.classes, scene, seen)
         _paint_grid(painter, scene, seen)
     _paint_edge(painter, scene)
+    painter.restore()
+    paint_over(painter, scene)
+
+
+def paint_over(painter: QPainter, scene: Scene) -> None:
+    """What lies over the picture inside ``scene.area``: ideal geometry, constructions, marks, handles."""
+    area = scene.area
+    painter.save()
+    painter.setClipRect(QRect(area.left, area.top, area.width, area.height))
     _paint_curves(painter, scene)
     paint_drawn(painter, scene, scene.overlay.drawn)
     paint_marks(painter, scene)

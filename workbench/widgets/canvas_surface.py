@@ -12,8 +12,15 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.language import _
 from workbench.widgets.canvas_marks import paint_label, ring
-from workbench.widgets.canvas_overlay import Cell, Overlay
-from workbench.widgets.canvas_painter import Picture, Scene, paint_rulers, paint_scene, ruler_sizes
+from workbench.widgets.canvas_overlay import Cell, Overlay, Still
+from workbench.widgets.canvas_painter import (
+    Picture,
+    Scene,
+    paint_over,
+    paint_rulers,
+    paint_scene,
+    ruler_sizes,
+)
 from workbench.widgets.canvas_view import Area, CanvasView, centred, fitted
 from workbench.widgets.tokens import theme_changed, tokens
 
@@ -40,6 +47,7 @@ class CanvasSurface(QWidget):
         self.worthwhile = WORTHWHILE
         self._stale = True
         self._frame = QImage()
+        self._kept: tuple[tuple[object, ...], QImage] | None = None
         self._describe: Callable[[int, int], str] | None = None
         self._tag = ""
         self._hover: Cell | None = None
@@ -243,9 +251,16 @@ class CanvasSurface(QWidget):
         """Picture, marks, rulers, cursor and tag."""
         scene = self.scene()
         area, unit = scene.area, scene.unit
-        self._frame.fill(QColor(scene.tokens.window))
-        painter = QPainter(self._frame)
-        paint_scene(painter, self._picture, scene)
+        still = scene.overlay.still
+        if still is None:
+            self._kept = None
+            self._frame.fill(QColor(scene.tokens.window))
+            painter = QPainter(self._frame)
+            paint_scene(painter, self._picture, scene)
+        else:
+            painter = QPainter(self._frame)
+            painter.drawImage(0, 0, self._still_frame(scene, still))
+            paint_over(painter, scene)
         paint_rulers(painter, scene, self._cursor or self._hover)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if self._pointed is not None:
@@ -261,6 +276,19 @@ class CanvasSurface(QWidget):
             painter.setPen(QPen(QColor(scene.tokens.accent), 2 * unit))
             painter.drawRect(QRectF(area.left + unit, unit, area.width - 2 * unit, area.height - 2 * unit))
         painter.end()
+
+    def _still_frame(self, scene: Scene, still: Still) -> QImage:
+        """The picture under what stays; painted anew only when one of them or the view is another."""
+        key = still, self._picture, scene.view, scene.tokens, self._frame.size()
+        if self._kept is None or self._kept[0] != key:
+            image = QImage(self._frame.size(), self._frame.format())
+            image.fill(QColor(scene.tokens.window))
+            painter = QPainter(image)
+            paint_scene(painter, self._picture, replace(scene, overlay=Overlay(drawn=still.drawn)))
+            paint_over(painter, replace(scene, overlay=Overlay(handles=still.handles)))
+            painter.end()
+            self._kept = key, image
+        return self._kept[1]
 
     def scene(self) -> Scene:
         """What is painted now."""
