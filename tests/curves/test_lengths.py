@@ -14,6 +14,7 @@ from workbench.algorithms.curves import (
     Pieces,
     arc_length,
     at_length,
+    curvature,
     derivatives,
     equal_lengths,
     piece_points,
@@ -101,3 +102,17 @@ def test_what_is_not_on_the_curve_is_refused() -> None:
         arc_length(whole_circle(), 1, 5)
     with pytest.raises(ValueError, match="1 points make no step; ask for 2 or more"):
         equal_lengths(whole_circle(), 1)
+
+
+@given(pieces_of_any_kind(most=2), st.floats(-3, 3), st.sampled_from([1e-6, 0.5, 1e6]))
+def test_measures_go_with_what_is_done_to_the_points(pieces: Pieces, angle: float, scale: float) -> None:
+    turn = scale * np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
+    turned = pieces._replace(controls=pieces.controls @ turn)
+    size = max(exact.size_of(pieces.controls), 1e-90)
+    before, after = arc_length(pieces), arc_length(turned)
+    assert after == pytest.approx(scale * before, rel=1e-8, abs=1e-9 * scale * size)
+    u = 0.37 * float(pieces.knots[-1])
+    speed = float(np.hypot(*derivatives(pieces, u)[1]))
+    if speed > 1e-3 * size:
+        bend = float(curvature(pieces, u))
+        assert scale * float(curvature(turned, u)) == pytest.approx(bend, rel=1e-6, abs=1e-5 / size)
