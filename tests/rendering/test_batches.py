@@ -19,6 +19,7 @@ from workbench.rendering.emissions import emitted_by_all
 from workbench.rendering.limits import clip_segment
 from workbench.rendering.pipeline import calls, colour_of, line_calls_table
 from workbench.rendering.raster import Composite, _blend, emitted, pixels, seen_bounds
+from workbench.rendering.segments import FEW
 
 near = st.floats(-40, 110) | st.integers(-5, 70).map(float)
 places = st.tuples(near, near)
@@ -50,6 +51,8 @@ def sheets(draw: st.DrawFn) -> Sheet:
     figures = []
     for colour in range(1, draw(st.integers(1, 3)) + 1):
         points = draw(st.lists(places, min_size=2, max_size=9))
+        if draw(st.booleans()):
+            points = [(x + 3 * k, y - 2 * k) for k in range(FEW) for x, y in points][: FEW + 7]
         figure = polyline(points, colour, "", draw(st.booleans()))
         figures.append(replace(figure, algorithm=draw(st.sampled_from(Line.algorithms))))
     if draw(st.booleans()):

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure, Circle, Curve, Line, Polygon, Polyline, Sheet
-from workbench.rendering.limits import clip_ring
+from workbench.geometry.conventions import round_half_up
+from workbench.rendering.limits import clip_ring, clip_segment, reach
 from workbench.rendering.mapping import Box, Call, device_map, device_rings
 from workbench.rendering.segments import (
     Lines,
@@ -20,7 +21,9 @@ from workbench.rendering.segments import (
     Table,
     clipped_segment,
     clipped_table,
-    reaching,
+    cut_table,
+    few,
+    few_segments,
     rounded,
     segment_table,
 )
@@ -31,12 +34,13 @@ __all__ = [
     "clipped_segment",
     "clipper_calls",
     "clipper_of",
+    "line_ends",
     "line_table",
     "polygon_values",
     "ring_strokes",
     "segments_of",
     "visible_rings",
-    "visible_table",
+    "visible_segments",
 ]
 
 Ring = NDArray[np.float64]
@@ -81,7 +85,22 @@ def clipper_calls(sheet: Sheet, figure: AnyFigure, clipper: str | None = None) -
 
 def segments_of(sheet: Sheet, figure: Lines) -> list[Segment]:
     """The segments (x0, y0, x1, y1) that a figure is made of, device coordinates."""
+    if few(figure):
+        return few_segments(sheet, figure)
     return [(x0, y0, x1, y1) for x0, y0, x1, y1 in segment_table(sheet, figure).tolist()]
+
+
+def visible_segments(sheet: Sheet, figure: Lines, window: Box) -> list[Segment]:
+    """What of each segment is left to be drawn and lies in a ``window``, device coordinates."""
+    if not few(figure):
+        return [
+            (x0, y0, x1, y1) for x0, y0, x1, y1 in cut_table(visible_table(sheet, figure), window).tolist()
+        ]
+    clip, found = clip_box(sheet), few_segments(sheet, figure)
+    if clip is not None:
+        found = [part for segment in found for part in clipped_segment(sheet.line_clipper, segment, clip)]
+    parts = (clip_segment(*segment, *window) for segment in found)
+    return [part for part in parts if part is not None]
 
 
 def visible_table(sheet: Sheet, figure: Lines) -> Table:
@@ -119,7 +138,16 @@ def polygon_values(sheet: Sheet, figure: Polygon) -> dict[str, Any] | None:
 
 def line_table(sheet: Sheet, figure: Lines) -> NDArray[np.int64]:
     """The ends (n, 4), rounded, of each segment that a line's algorithm is to draw."""
-    return rounded(reaching(visible_table(sheet, figure), sheet.width_px, sheet.height_px))
+    return rounded(cut_table(visible_table(sheet, figure), reach(sheet.width_px, sheet.height_px)))
+
+
+def line_ends(sheet: Sheet, figure: Lines) -> list[tuple[int, int, int, int]]:
+    """The rows of ``line_table``."""
+    if not few(figure):
+        return [(x0, y0, x1, y1) for x0, y0, x1, y1 in line_table(sheet, figure).tolist()]
+    near = visible_segments(sheet, figure, reach(sheet.width_px, sheet.height_px))
+    nearest = round_half_up
+    return [(nearest(x0), nearest(y0), nearest(x1), nearest(y1)) for x0, y0, x1, y1 in near]
 
 
 def ring_strokes(ring: Ring) -> list[Segment]:

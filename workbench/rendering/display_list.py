@@ -20,11 +20,10 @@ from workbench.document.model import (
     Sheet,
 )
 from workbench.language import _
-from workbench.rendering.clipping import clip_box, ring_strokes, visible_rings, visible_table
+from workbench.rendering.clipping import clip_box, ring_strokes, visible_rings, visible_segments
 from workbench.rendering.limits import clip_segment
 from workbench.rendering.mapping import Box, box, device_map, device_radii
 from workbench.rendering.pipeline import colour_of
-from workbench.rendering.segments import cut_table
 
 FLATNESS_PX = 0.05
 """Largest distance between a curve and the chords that stand for it."""
@@ -83,8 +82,7 @@ def display_list(sheet: Sheet, flatness_px: float = FLATNESS_PX) -> list[Stroke]
             continue
         colour = colour_of(sheet, figure)
         if isinstance(figure, Line | Polyline | Curve):
-            seen_rows = cut_table(visible_table(sheet, figure), bounds).tolist()
-            strokes += [Stroke(x0, y0, x1, y1, colour, index) for x0, y0, x1, y1 in seen_rows]
+            strokes += [Stroke(*ends, colour, index) for ends in visible_segments(sheet, figure, bounds)]
             continue
         for segment in _segments(sheet, figure, flatness_px):
             seen = clip_segment(*segment, *bounds)

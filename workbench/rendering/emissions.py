@@ -4,10 +4,10 @@ The plain reading serves for short runs and until a kernel is ready; nothing her
 """
 
 import sys
-from collections import deque
 from collections.abc import Callable, Iterator
 from functools import lru_cache
 from hashlib import blake2b
+from threading import Lock
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,8 +30,11 @@ _MOST_COLUMNS = 3
 _MANY_CALLS = 64
 """Calls from which one run of a kernel for all of them is worth it."""
 
+_KEPT = 64
+"""Tables of calls of which everything emitted is kept."""
+
 _RECENT = 8
-"""Tables of calls of which everything emitted is kept; a drag changes a few rows of one."""
+"""The last of these are looked through for one that is nearly the same: a drag changes a few rows of one."""
 
 
 def _expected_length(arguments: tuple[Any, ...]) -> int:
@@ -110,7 +113,8 @@ class _Batch(NamedTuple):
     ends: NDArray[np.int64]
 
 
-_batches: dict[Function, deque[_Batch]] = {}
+_batches: dict[Function, dict[bytes, _Batch]] = {}
+_keeping = Lock()
 
 
 def emitted_by_all(entry: Entry, table: NDArray[np.int64]) -> tuple[Emitted, NDArray[np.int64]]:
@@ -119,47 +123,54 @@ def emitted_by_all(entry: Entry, table: NDArray[np.int64]) -> tuple[Emitted, NDA
     Returns the rows, read-only, and for each call (n,) how many there are up to its end. Only calls that an
     earlier table did not have at the same place, counted from its begin or its end, are run.
     """
-    recent = _batches.setdefault(entry.function, deque(maxlen=_RECENT))
-    best, front, back = _nearest(recent, table)
-    if best is not None and front == len(table) == len(best.table):
-        return best.rows, best.ends
-    stop = len(table) - back
-    middle, ends = _run_all(entry, table[front:stop])
-    parts, until = [middle], ends
-    if best is not None and front + back:
-        head = int(best.ends[front - 1]) if front else 0
+    key = table.tobytes()
+    with _keeping:
+        known = _batches.setdefault(entry.function, {})
+        found = known.get(key)
+        recent = [] if found else list(known.items())[-_RECENT:]
+    if found is None:
+        old, found = _made_from(entry, recent, table)
+        with _keeping:
+            known.pop(old, None)
+            known[key] = found
+            if len(known) > _KEPT:
+                del known[next(iter(known))]
+    return found.rows, found.ends
+
+
+def _made_from(
+    entry: Entry, recent: list[tuple[bytes, _Batch]], table: NDArray[np.int64]
+) -> tuple[bytes, _Batch]:
+    """What a table emits, and the key of the recent one that it is made from and takes the place of."""
+    old, best, front, back = _nearest(recent, table)
+    middle, ends = _run_all(entry, table[front : len(table) - back])
+    parts = [middle]
+    if best is not None:
         after = len(best.table) - back
-        tail = int(best.ends[after - 1]) if after else 0
+        head, tail = (int(best.ends[count - 1]) if count else 0 for count in (front, after))
         shift = head + len(middle) - tail
         parts = [best.rows[:head], middle, best.rows[tail:]]
-        until = np.concatenate([best.ends[:front], ends + head, best.ends[after:] + shift])
+        ends = np.concatenate([best.ends[:front], ends + head, best.ends[after:] + shift])
     rows: Emitted = np.concatenate([part for part in parts if len(part)] or parts[:1])
     rows.setflags(write=False)
-    if best is not None and front + back and any(best is one for one in recent):
-        _forget(recent, best)
-    recent.append(_Batch(table, rows, until))
-    return rows, until
+    return old, _Batch(table, rows, ends)
 
 
-def _forget(recent: deque[_Batch], gone: _Batch) -> None:
-    kept = [one for one in recent if one is not gone]
-    recent.clear()
-    recent.extend(kept)
-
-
-def _nearest(recent: deque[_Batch], table: NDArray[np.int64]) -> tuple[_Batch | None, int, int]:
-    """The table that has most rows in common, and how many of them at its begin and at its end."""
-    best, most = None, (0, 0)
-    for batch in list(recent):
+def _nearest(
+    recent: list[tuple[bytes, _Batch]], table: NDArray[np.int64]
+) -> tuple[bytes, _Batch | None, int, int]:
+    """The table with most rows in common, its key, and how many they are at its begin and at its end."""
+    found: tuple[bytes, _Batch | None, int, int] = (b"", None, 0, 0)
+    for key, batch in recent:
         shorter = min(len(batch.table), len(table))
         differs = (batch.table[:shorter] != table[:shorter]).any(axis=1)
         front = int(differs.argmax()) if differs.any() else shorter
         rest = shorter - front
         again = (batch.table[len(batch.table) - rest :] != table[len(table) - rest :]).any(axis=1)[::-1]
         back = int(again.argmax()) if again.any() else rest
-        if best is None or front + back > sum(most):
-            best, most = batch, (front, back)
-    return best, *most
+        if front + back > found[2] + found[3]:
+            found = key, batch, front, back
+    return found
 
 
 def _run_all(entry: Entry, table: NDArray[np.int64]) -> tuple[Emitted, NDArray[np.int64]]:

@@ -34,11 +34,9 @@ def clip_segment(
     return (*start, *end)
 
 
-def within_reach(
-    x0: float, y0: float, x1: float, y1: float, width: int, height: int
-) -> tuple[float, float, float, float] | None:
-    """A device segment, cut where it leaves the reach of a picture ; None when it never comes near."""
-    return clip_segment(x0, y0, x1, y1, -REACH_PX, -REACH_PX, width + REACH_PX, height + REACH_PX)
+def reach(width: int, height: int) -> tuple[float, float, float, float]:
+    """How far lines are drawn around a picture of this size: (xmin, ymin, xmax, ymax), device coordinates."""
+    return -REACH_PX, -REACH_PX, width + REACH_PX, height + REACH_PX
 
 
 def clip_ring(ring: NDArray[np.float64], width: int, height: int) -> NDArray[np.float64]:

@@ -24,7 +24,7 @@ from workbench.document.model import (
     Sheet,
 )
 from workbench.geometry.conventions import round_half_up
-from workbench.rendering.clipping import line_table, polygon_values
+from workbench.rendering.clipping import line_ends, line_table, polygon_values
 from workbench.rendering.limits import REACH_PX
 from workbench.rendering.mapping import Call, device_map, device_radii
 from workbench.rendering.segments import Lines
@@ -100,9 +100,9 @@ def calls(
     entry = catalogue.get(algorithm or figure.algorithm)
     if isinstance(figure, Line | Polyline | Curve):
         places = [_ENDS.index(p.name) if p.name in _ENDS else -1 for p in entry.parameters]
-        ends = line_table(sheet, figure).tolist()
+        ends = line_ends(sheet, figure)
         if places == [0, 1, 2, 3]:
-            return [Call(entry, (x0, y0, x1, y1)) for x0, y0, x1, y1 in ends]
+            return [Call(entry, row) for row in ends]
         given = [(*row, *(p.example for p in entry.parameters)) for row in ends]
         chosen_of = [place if place >= 0 else number + 4 for number, place in enumerate(places)]
         return [Call(entry, tuple(row[at] for at in chosen_of)) for row in given]

@@ -14,6 +14,7 @@ from workbench.rendering.clipping import clip_box, clipper_of
 from workbench.rendering.emissions import Emitted, emitted, emitted_by_all
 from workbench.rendering.mapping import Call
 from workbench.rendering.pipeline import calls, colour_of, fills, line_calls_table
+from workbench.rendering.segments import few
 
 __all__ = [
     "Bounds",
@@ -101,7 +102,7 @@ def _paint(sheet: Sheet, index: int, figure: AnyFigure, onto: Composite) -> None
     below = onto.image if fills(figure) else None
     colour = colour_of(sheet, figure)
     bounds = seen_bounds(sheet, figure)
-    if isinstance(figure, Line | Polyline | Curve):
+    if isinstance(figure, Line | Polyline | Curve) and not few(figure):
         entry, table = line_calls_table(sheet, figure)
         rows, ends = emitted_by_all(entry, table)
         of = np.repeat(np.arange(len(table)), np.diff(ends, prepend=0))

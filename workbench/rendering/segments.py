@@ -5,6 +5,7 @@ only the others are given to a text, one by one; the rows are the same as if all
 """
 
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,12 +13,30 @@ from numpy.typing import NDArray
 from workbench.algorithms import catalogue
 from workbench.document.model import Curve, Line, Polyline, Sheet
 from workbench.rendering.curves import polyline_of
-from workbench.rendering.limits import REACH_PX, clip_segment
+from workbench.rendering.limits import clip_segment
 from workbench.rendering.mapping import Box, device_map
 
 Segment = tuple[float, float, float, float]
 Table = NDArray[np.float64]
 Lines = Line | Polyline | Curve
+
+
+FEW = 16
+"""Points up to which segments are reckoned one by one, which is sooner done then than to lay out a table."""
+
+
+def few(figure: Lines) -> bool:
+    """Whether a figure has so few segments that no table is made of them."""
+    return not isinstance(figure, Curve) and len(figure.points_world) <= FEW
+
+
+def few_segments(sheet: Sheet, figure: Lines) -> list[Segment]:
+    """The rows of ``segment_table`` of a figure that has ``few`` of them."""
+    scale = device_map(sheet)
+    points = [scale.point(point.x, point.y) for point in figure.points_world]
+    if isinstance(figure, Polyline) and figure.closed and len(points) > 2:
+        points.append(points[0])
+    return [(*a, *b) for a, b in pairwise(points)]
 
 
 def segment_table(sheet: Sheet, figure: Lines) -> Table:
@@ -79,11 +98,6 @@ def cut_table(table: Table, window: Box) -> Table:
         for whole, (x0, y0, x1, y1) in zip(kept.tolist(), table.tolist(), strict=True)
     )
     return _table([part for part in parts if part is not None])
-
-
-def reaching(table: Table, width: int, height: int) -> Table:
-    """The segments (n, 4) that come near a picture, cut where they leave its reach."""
-    return cut_table(table, (-REACH_PX, -REACH_PX, width + REACH_PX, height + REACH_PX))
 
 
 def rounded(table: Table) -> NDArray[np.int64]:
