@@ -72,6 +72,8 @@ def inserted(curve: Curve, u: float) -> Curve:
     if curve.spline in ("b_spline", "nurbs"):
         return _with_knot(curve, u)
     piece, v = place_of(pieces.knots, u)
+    if min(v, 1.0 - v) <= _ROUNDING:
+        raise ValueError(_("There is a point at this place already; choose one between two points."))
     if curve.spline in ("bezier", "bezier_path"):
         path = converted(curve, "bezier_path")[0]
         return _subdivided(path, piece, v)
