@@ -239,3 +239,38 @@ def test_a_long_curve_looks_the_same_while_dragged_and_when_let_go(qtbot, spline
     ink = (other.reshape(*other.shape[:1], -1, 4)[..., 2] < 60).sum()
     was = (one.reshape(*one.shape[:1], -1, 4)[..., 2] < 60).sum()
     assert was > 0.9 * ink
+
+
+@pytest.mark.parametrize("spline", ["b_spline", "natural_cubic", "bezier_path"])
+@pytest.mark.parametrize("end", [-1, 0])
+def test_the_pen_goes_on_from_the_end_of_an_open_curve(qtbot, spline, end):
+    seven = (*ZIGZAG, (54.0, 40.0), (30.0, 44.0))
+    panel = opened(qtbot, curve_through(*seven, spline=spline))
+    panel.choose_tool("pen")
+    click(panel, *seven[end])
+    click(panel, 56, 4)
+    click(panel, 60, 20)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
+    settle()
+    found = places(panel)
+    assert len(found) == 7 + 2 * (3 if spline == "bezier_path" else 1)
+    assert found[end] == (60, 20)
+    assert panel.session.undo_stack.count() == 1
+    panel.session.undo_stack.undo()
+    assert places(panel) == list(seven)
+
+
+def test_the_text_that_is_stepped_is_chosen_on_the_card(qtbot):
+    panel = opened(qtbot, curve_through(*ZIGZAG))
+    assert panel.card.steps.currentData() == "de_boor"
+    panel.card.steps.setCurrentIndex(panel.card.steps.findData("flatten_bezier"))
+    panel.card.steps.activated.emit(panel.card.steps.currentIndex())
+    settle()
+    qtbot.waitUntil(lambda: panel.session.run.entry.slug == "flatten_bezier", timeout=5000)
+    assert panel.card.tolerance.isVisible()
+    panel.card.tolerance.edited.emit(0.5)
+    assert the_curve(panel).tolerance_px == 0.5
+    panel.card.spline.setCurrentIndex(panel.card.spline.findData("nurbs"))
+    panel.card.spline.activated.emit(panel.card.spline.currentIndex())
+    settle()
+    assert the_curve(panel).spline == "nurbs"

@@ -22,8 +22,9 @@ from workbench.document.curve_edits import (
 from workbench.document.edits import Edit, both, set_attributes
 from workbench.document.errors import DocumentError
 from workbench.document.model import CONSTRUCTIONS, ENDS, JOINTS, KNOT_RULES, SPLINES, AnyFigure, Curve, Sheet
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.panels.curve_focus import CurveFocus
+from workbench.panels.curve_freehand import FreehandTool
 from workbench.panels.curve_names import (
     WITH_DEGREE,
     WITH_ENDS,
@@ -45,6 +46,7 @@ from workbench.widgets.number_field import NumberField
 from workbench.widgets.tokens import tokens
 
 _MOST_CHOSEN = 2
+FLATTENING = "flatten_bezier"
 _EDITS: dict[str, Callable[[str, Any], Edit]] = {
     "spline": set_spline,
     "beside": set_beside,
@@ -60,6 +62,7 @@ class CurveCard(ParameterCard):
     def __init__(self, focus: CurveFocus, parent: QWidget) -> None:
         self.focus = focus
         self._pen: PenTool | None = None
+        self._freehand: FreehandTool | None = None
         super().__init__(focus.session, parent)
         body = self._body.layout()
         assert body is not None
@@ -106,9 +109,13 @@ class CurveCard(ParameterCard):
         self.steps = QComboBox()
         self.steps.setAccessibleName(_("What is stepped"))
         self.steps.setToolTip(_("The text that is stepped and shown as source"))
-        self.steps.activated.connect(
-            lambda: self._session.update_state(construction=self.steps.currentData(), step=0)
+        self.steps.activated.connect(self._choose_steps)
+        self.tolerance = NumberField(
+            _("tolerance"), "px", low=1e-3, high=20, step=0.05, meaning=_("Tolerance")
         )
+        self.tolerance.edited.connect(self._put_tolerance)
+        self.tolerance.scrubbed.connect(lambda value: self._put_tolerance(value, "scrub"))
+        self.tolerance.scrub_ended.connect(self._session.end_merge)
         first = QWidget()
         row = QHBoxLayout(first)
         row.setContentsMargins(0, 0, 0, 0)
@@ -119,7 +126,7 @@ class CurveCard(ParameterCard):
         row.addStretch(1)
         row.addWidget(self.beside)
         kinds: list[QWidget] = [self.spline, first, self.rule, self.ends, *self.shape.values(), self.joint]
-        return [*kinds, self.legend, self.count, self.fault, self.steps]
+        return [*kinds, self.legend, self.count, self.fault, self.steps, self.tolerance]
 
     def _choice(self, name: str, choices: Sequence[tuple[str, str]]) -> QComboBox:
         box = QComboBox()
@@ -189,6 +196,7 @@ class CurveCard(ParameterCard):
     def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
         """Show the one curve that is selected, or what the pen draws next."""
         self._pen = tool if isinstance(tool, PenTool) else None
+        self._freehand = tool if isinstance(tool, FreehandTool) and not figures else None
         one = figures[0] if len(figures) == 1 else None
         curve = one if isinstance(one, Curve) else None
         model = curve or (self._pen.model if self._pen is not None and not figures else None)
@@ -204,6 +212,12 @@ class CurveCard(ParameterCard):
             widget.setVisible(model is not None)
         for widget in (*self.shape.values(), self.joint, self.legend, self.count, self.fault, self.steps):
             widget.setVisible(False)
+        flattened = curve is not None and self._session.state.construction == FLATTENING
+        self.tolerance.setVisible(flattened or self._freehand is not None)
+        if self._freehand is not None:
+            self.tolerance.set_value(self._freehand.tolerance)
+        elif curve is not None:
+            self.tolerance.set_value(curve.tolerance_px)
         if model is not None:
             self._show_model(model)
         if curve is not None:
@@ -266,6 +280,20 @@ class CurveCard(ParameterCard):
 
     # What is set
 
+    def _choose_steps(self) -> None:
+        """Step another text; that of the curve's own kind goes with its kind."""
+        curve, slug = self.focus.curve, self.steps.currentData()
+        if curve is not None:
+            own = slug == construction_of(curve)
+            self._session.update_state(construction="" if own else slug, step=0)
+
+    def _put_tolerance(self, value: float, merge: str = "") -> None:
+        """How far the chords of a curve, or the fit of a freehand line, may be off."""
+        if self._freehand is not None:
+            self._freehand.tolerance = value
+        else:
+            self._put("tolerance_px", value, merge)
+
     def _put(self, attribute: str, value: Any, merge: str = "") -> None:
         """Set an attribute of the selected curves, or of what is drawn next."""
         sheet, chosen = self._session.sheet, set(self._session.state.selection)
@@ -307,7 +335,11 @@ def countings(curve: Curve) -> str:
         except ValueError:
             return ""
         course = _("n + 1 = {points}, d = {d}, n + d + 1 = {knots} knots")
-        usual = _("{points} points, degree {degree}, {spans} pieces")
+        usual = ngettext(
+            "{points} points, degree {degree}, {spans} piece",
+            "{points} points, degree {degree}, {spans} pieces",
+            found.spans,
+        )
         return (
             course.format(points=found.points, d=found.d, knots=found.knots)
             + "<br>"
@@ -318,8 +350,18 @@ def countings(curve: Curve) -> str:
         return _("n + 1 = {points} points, degree n = {degree}").format(points=points, degree=degree)
     if curve.spline == "bezier_path":
         pieces = points // 3 if curve.closed else (points - 1) // 3
-        return _("{points} points and handles, {pieces} cubic pieces").format(points=points, pieces=pieces)
+        text = ngettext(
+            "{points} points and handles, {pieces} cubic piece",
+            "{points} points and handles, {pieces} cubic pieces",
+            pieces,
+        )
+        return text.format(points=points, pieces=pieces)
     pieces = points if curve.closed or curve.spline == "periodic_cubic" else points - 1
     if curve.ends == "inner" and curve.spline in WITH_ENDS and not curve.closed:
         pieces = max(points - 3, 0)
-    return _("n + 1 = {points} points, {pieces} cubic pieces").format(points=points, pieces=pieces)
+    text = ngettext(
+        "n + 1 = {points} points, {pieces} cubic piece",
+        "n + 1 = {points} points, {pieces} cubic pieces",
+        pieces,
+    )
+    return text.format(points=points, pieces=pieces)

@@ -6,12 +6,13 @@ from itertools import pairwise
 import numpy as np
 from msgspec.structs import replace
 
-from workbench.document.edits import add_figure
+from workbench.document.curve_edits import add_path_point, add_points, curve_with
+from workbench.document.edits import Edit, add_figure, both
 from workbench.document.model import Curve, CurvePoint
 from workbench.language import _
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_names import WITH_TANGENTS
-from workbench.panels.curve_shape import TANGENT_SHARE
+from workbench.panels.curve_shape import TANGENT_SHARE, device_points
 from workbench.panels.figure_gesture import Modifiers
 from workbench.panels.figure_tools import FigureTool
 from workbench.rendering import device_map
@@ -32,6 +33,8 @@ class Node:
 class PenTool(FigureTool):
     """Draws curves: a click adds a point, a drag pulls out its tangent; Enter ends, the first point closes.
 
+    A first click on the end of an open curve goes on with that one.
+
     ``model`` is a curve without points that new ones are like: its kind, degree and so on.
     """
 
@@ -44,6 +47,7 @@ class PenTool(FigureTool):
         self._nodes: list[Node] = []
         self._held = False
         self._reach = 0.75
+        self._continued: tuple[str, bool] | None = None
 
     @property
     def title(self) -> str:
@@ -55,12 +59,16 @@ class PenTool(FigureTool):
         self._reach = reach
         place = self.focus.placed(x, y)
         if not self.busy:
+            self._continued = self._end_at(x, y)
             self._nodes = [Node(place)]
             self.begin()
+            if self._continued is not None:
+                self._held = False
+                return
         elif self._near(self._nodes[-1].at, x, y):
             self.finish()
             return
-        elif len(self._nodes) > 2 and self._near(self._nodes[0].at, x, y):
+        elif self._continued is None and len(self._nodes) > 2 and self._near(self._nodes[0].at, x, y):
             self.model = replace(self.model, closed=True)
             self.finish()
             self.model = replace(self.model, closed=False)
@@ -69,6 +77,30 @@ class PenTool(FigureTool):
             self._nodes.append(Node(place))
         self._held = True
         self._grow(None)
+
+    def _end_at(self, x: float, y: float) -> tuple[str, bool] | None:
+        """The open curve that ends there, and whether that is its begin; None where none does."""
+        for figure in reversed(self.session.sheet.figures):
+            if isinstance(figure, Curve) and figure.visible and not figure.closed:
+                points = device_points(self.session.sheet, figure)
+                for number, first in ((-1, False), (0, True)):
+                    if self._near(tuple(points[number].tolist()), x, y):
+                        return figure.id, first
+        return None
+
+    def _added(self, figure: str, first: bool, nodes: list[Node]) -> Edit:
+        """The edit that goes on with a curve by all nodes but the one that it ends at."""
+        curve = curve_with(self.session.document, figure)
+        world = [self.focus.world(*node.at) for node in nodes[1:]]
+        if curve.spline != "bezier_path":
+            return add_points(figure, world[::-1] if first else world, 0 if first else None)
+        pulled = [None if n.pulled is None else self.focus.world(*n.pulled) for n in nodes[1:]]
+        return both(
+            *(
+                add_path_point(figure, x, y, handle, first)
+                for (x, y), handle in zip(world, pulled, strict=True)
+            )
+        )
 
     def _near(self, place: Place, x: float, y: float) -> bool:
         return float(np.hypot(place[0] - x, place[1] - y)) <= self._reach
@@ -85,7 +117,7 @@ class PenTool(FigureTool):
                 last.pulled = place
             self._grow(None)
         else:
-            closes = len(self._nodes) > 2 and self._near(self._nodes[0].at, x, y)
+            closes = self._continued is None and len(self._nodes) > 2 and self._near(self._nodes[0].at, x, y)
             self.tag = _("Click to close the curve") if closes else self._place_text(place)
             self._grow(None if closes or self._near(last.at, x, y) else place, closes)
 
@@ -109,6 +141,12 @@ class PenTool(FigureTool):
 
     def _grow(self, pointer: Place | None, closes: bool = False) -> None:
         nodes = [*self._nodes, Node(pointer)] if pointer is not None else list(self._nodes)
+        if self._continued is not None:
+            figure, first = self._continued
+            if len(nodes) > 1:
+                self.show(self._added(figure, first, nodes), _("Go on with the curve"))
+            self.session.update_state(selection=(figure,), active=figure)
+            return
         made = self._curve(nodes, self.model.closed or closes)
         if self.show(add_figure(self.session.sheet.id, made), _("Draw {what}").format(what=self.title)):
             last = self.session.sheet.figures[-1].id

@@ -7,9 +7,9 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves import Pieces, piece_points, polyline
+from workbench.algorithms.curves import Pieces, homogeneous, knot_spans, piece_points, polyline
 from workbench.document.model import Curve, Sheet
-from workbench.panels.curve_names import look_of, point_name
+from workbench.panels.curve_names import WITH_DEGREE, look_of, point_name
 from workbench.panels.curve_shape import (
     SMOOTH_PX,
     device_pieces,
@@ -18,7 +18,7 @@ from workbench.panels.curve_shape import (
     smooth_line,
     tangent_ends,
 )
-from workbench.rendering.curves import pieces_of
+from workbench.rendering.curves import b_spline_of, pieces_of
 from workbench.widgets.canvas_drawing import Drawn, Spot, Stroke, Word
 
 Array = NDArray[np.float64]
@@ -122,35 +122,27 @@ def levels(curve: Curve, pieces: Pieces, share: float, controls: Array) -> list[
     """The points of each level of the construction at u, control points first, the curve's point last.
 
     A Bézier curve is de Casteljau's triangle over all its points, a B-spline de Boor's over those of the
-    span; every other curve has that of the piece that u lies in. ``controls`` are the curve's own points.
+    span, divided as their weights say; every other curve has that of the piece that u lies in. ``controls``
+    are the curve's own points.
     """
-    if curve.spline == "b_spline":
+    if curve.spline in WITH_DEGREE:
         return _de_boor_levels(curve, controls, share)
     u = parameter(pieces, share)
     number = int(np.clip(np.searchsorted(pieces.knots, u, side="right") - 1, 0, len(pieces.controls) - 1))
     first, last = pieces.knots[number : number + 2]
     v = (u - first) / (last - first) if last > first else 0.0
-    level = pieces.controls[number]
-    if pieces.weights is not None:
-        pulls = pieces.weights[number][:, None]
-        whole = np.hstack([level * pulls, pulls])
-        return [one[:, :2] / one[:, 2:] for one in _halving(whole, v)]
-    return _halving(level, v)
-
-
-def _halving(level: Array, v: float) -> list[Array]:
-    made = [level]
+    made = [pieces.controls[number]]
     while len(made[-1]) > 1:
         made.append((1.0 - v) * made[-1][:-1] + v * made[-1][1:])
     return made
 
 
 def _de_boor_levels(curve: Curve, controls: Array, share: float) -> list[Array]:
-    from workbench.algorithms.curves import knot_spans
-    from workbench.rendering.curves import b_spline_of
-
-    around, knots, _weights = b_spline_of(curve)
+    around, knots, weights = b_spline_of(curve)
     points = controls[np.arange(len(around)) % len(controls)]
+    rational = curve.spline == "nurbs"
+    if rational:
+        points = homogeneous(points, weights)
     degree = curve.degree
     u = knots[degree] + share * (knots[-degree - 1] - knots[degree])
     span = int(knot_spans(knots, degree, u))
@@ -159,7 +151,7 @@ def _de_boor_levels(curve: Curve, controls: Array, share: float) -> list[Array]:
         i = np.arange(span - degree + r, span + 1)
         alpha = ((u - knots[i]) / (knots[i + degree + 1 - r] - knots[i]))[:, None]
         made.append((1.0 - alpha) * made[-1][:-1] + alpha * made[-1][1:])
-    return made
+    return [level[:, :2] / level[:, 2:] for level in made] if rational else made
 
 
 def construction(sheet: Sheet, curve: Curve, share: float, reached: int | None = None) -> list[Drawn]:

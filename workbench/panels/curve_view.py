@@ -38,7 +38,7 @@ from workbench.widgets.tokens import LIGHT, tokens
 
 # While something is dragged the pixels may take this long; else they follow when it is let go.
 PIXELS_MS = 2.0
-STEPPED = ("de_casteljau", "de_boor")
+STEPPED = ("de_casteljau", "de_boor", "de_boor_rational")
 
 
 class CurveView(FigureView):

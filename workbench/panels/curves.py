@@ -23,6 +23,7 @@ from workbench.panels.curve_pen import PenTool
 from workbench.panels.curve_tools import CurveSelectTool
 from workbench.panels.curve_view import CurveView
 from workbench.panels.figure_stepped import SteppedPanel
+from workbench.rendering.curve_runs import construction_fault
 from workbench.session.session import Session
 
 EXAMPLE = "curve-interpolation"
@@ -172,6 +173,9 @@ class CurvesPanel(SteppedPanel):
 
     def refresh(self) -> None:
         """Show the session as it is now; a sheet without curves asks for one."""
+        curve, chosen = self.focus.curve, self.session.state.construction
+        if curve is not None and chosen and self.isVisible() and construction_fault(curve, chosen):
+            self.session.update_state(construction="")
         super().refresh()
         self.empty.setVisible(not self._has_curves and not self.gesturing)
 
