@@ -148,7 +148,7 @@ def inflections(pieces: Pieces) -> list[Drawn]:
 def crossings(pieces: Pieces) -> list[Drawn]:
     """Where the curve crosses itself."""
     size = float(np.ptp(pieces.controls.reshape(-1, 2), axis=0).max())
-    found = curves.self_intersections(pieces, max(1e-9, 1e-7 * size))[:MOST_MARKS]
+    found = curves.self_intersections(pieces, max(1e-9, 1e-7 * size), MOST_MARKS)
     return [Spot(x, y, "data 2", "cross", 11) for x, y in (point.tolist() for _u, _v, point in found)]
 
 
