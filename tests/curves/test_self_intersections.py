@@ -91,3 +91,11 @@ def test_a_curve_along_itself_gives_no_more_than_was_asked_for() -> None:
     assert len(found) == 20
     with pytest.raises(ValueError, match="tolerance is 0; it must be above 0"):
         self_intersections(whole_circle(), 0.0)
+
+
+def test_neighbours_that_leave_their_corner_side_by_side_may_cross_later() -> None:
+    there = [[3, 3], [1.5, 1.5], [0, 0]]
+    back = [[0, 0], [3, 0], [3, 5]]
+    ((u, v, point),) = self_intersections(Pieces(np.arange(3.0), np.array([there, back], float)), 1e-9)
+    assert (u, v) == pytest.approx((1 - 2.8125 / 3, 1.75), abs=1e-9)
+    assert point == pytest.approx([2.8125, 2.8125], abs=1e-9)
