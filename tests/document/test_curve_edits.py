@@ -15,9 +15,9 @@ from workbench.document.addresses import changed, resolve
 from workbench.document.check import check, ids, needed_knots
 from workbench.document.curve_paths import natural_joint, place
 from workbench.document.curve_pieces import fault_of, pieces_of
-from workbench.document.edits import move_points
+from workbench.document.edits import add_figure, move_points
 from workbench.document.files import Stored, decode, encode
-from workbench.document.model import Curve, CurvePoint, Document
+from workbench.document.model import Curve, CurvePoint, Document, Knot
 from workbench.document.sample_figures import document_of
 
 
@@ -248,3 +248,20 @@ def test_what_would_not_be_sound_is_refused_in_one_sentence(edit: curve_edits.Ed
     with pytest.raises(DocumentError, match=words) as refusal:
         edit(curve_of(POINTS, spline="nurbs"))
     assert str(refusal.value).endswith(".")
+
+
+def test_numbers_of_any_type_become_plain() -> None:
+    point = CurvePoint("", np.float64(1), np.int64(2), weight=np.float32(2), tangent_x=np.float64(3))
+    knots = tuple(Knot("", np.float64(k)) for k in range(4))
+    made = Curve(
+        "",
+        (point, replace(point, x=5)),
+        "bresenham_line",
+        degree=1,
+        knot_rule="free",
+        knots=knots,
+        alpha=np.float64(1),
+    )
+    document = add_figure("s1", made)(document_of("Empty", 10, 10, []))
+    assert decode(encode(Stored(document))).document == document
+    assert the_curve(document).points_world[0].weight == 2.0

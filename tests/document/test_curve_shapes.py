@@ -214,6 +214,20 @@ def test_a_degree_that_is_raised_leaves_the_curve_and_comes_down_again(document:
         assert len(down.points_world) >= len(curve.points_world) or curve.spline != "bezier"
 
 
+@settings(max_examples=60)
+@given(whole_curves(("bezier", "b_spline", "nurbs"), True))
+def test_a_degree_that_is_lowered_is_no_farther_off_than_is_said(document: Document) -> None:
+    curve = the_curve(document)
+    try:
+        down, error = lowered(curve)
+    except ValueError:
+        assert pieces_of(curve).degree == 1 or curve.spline == "nurbs"
+        return
+    assert pieces_of(down).degree == pieces_of(curve).degree - 1
+    size = float(np.abs(points_of(curve)).max()) or 1.0
+    assert float(np.abs(dense(curve) - dense(down)).max()) <= error + 1e-9 * size
+
+
 @settings(max_examples=30)
 @given(whole_curves(), st.sampled_from(["bezier_path", "b_spline", "nurbs", "hermite"]))
 def test_a_curve_of_another_kind_is_no_farther_off_than_is_said(document: Document, kind: str) -> None:

@@ -13,6 +13,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import (
     AnyFigure,
     Curve,
+    CurvePoint,
     Document,
     Knot,
     Polygon,
@@ -191,11 +192,25 @@ def position(index: int, most: int, field: str) -> int:
 
 def plain(figure: AnyFigure) -> AnyFigure:
     """``figure`` with Python's own numbers, whatever number type it was made with."""
-    points = tuple(replace(p, x=number(p.x), y=number(p.y)) for p in figure.points_world)
-    radii = {
-        name: number(getattr(figure, name)) for name in figure.__struct_fields__ if name.startswith("radius")
-    }
-    return replace(figure, points_world=points, **radii)
+    points = tuple(_plain_point(point) for point in figure.points_world)
+    names = (
+        _CURVE_NUMBERS
+        if isinstance(figure, Curve)
+        else [name for name in figure.__struct_fields__ if name.startswith("radius")]
+    )
+    numbers = {name: number(getattr(figure, name)) for name in names}
+    made = replace(figure, points_world=points, **numbers)
+    if isinstance(made, Curve):
+        made = replace(made, knots=tuple(replace(knot, u=number(knot.u)) for knot in made.knots))
+    return made
+
+
+_CURVE_NUMBERS = ("tension", "continuity", "bias", "alpha", "tolerance_px")
+
+
+def _plain_point(point: WorldPoint) -> WorldPoint:
+    fields = ("x", "y", "weight", "tangent_x", "tangent_y") if isinstance(point, CurvePoint) else ("x", "y")
+    return replace(point, **{name: number(getattr(point, name)) for name in fields})
 
 
 def plain_rectangle(rectangle: Rectangle) -> Rectangle:

@@ -54,8 +54,9 @@ def lowered(curve: Curve) -> tuple[Curve, float]:
     if curve.spline == "nurbs":
         if not (rows[:, 2] > 0).all():
             raise ValueError(_("One degree lower a weight would not be above 0; convert the curve instead."))
-        near = np.abs(pieces_of(curve).controls).max()
-        error = error * (1.0 + float(near)) / float(rows[:, 2].min())
+        # |A / w - A' / w'| is at most (|A - A'| + |A / w| |w - w'|) / w'.
+        far = float(np.linalg.norm(pieces_of(curve).controls, axis=-1).max())
+        error = error * (1.0 + far) / float(rows[:, 2].min())
     return _fitted(curve, Rows(rows, knots, curve.degree - 1)), error
 
 
