@@ -5,7 +5,7 @@ import time
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent
-from PySide6.QtWidgets import QApplication, QMainWindow
+from PySide6.QtWidgets import QApplication, QMainWindow, QVBoxLayout, QWidget
 
 from tests.bench.test_canvas_bench import MOVES, Frames, mouse
 from workbench.document.edits import add_figure
@@ -36,15 +36,16 @@ def test_one_of_a_thousand_points_is_dragged(qtbot, benchmark, spline, docks):
     qtbot.addWidget(window)
     panel = CurvesPanel(session)
     window.setCentralWidget(panel.center)
+    beside = QWidget()
+    qtbot.addWidget(beside)
+    column = QVBoxLayout(beside)
+    beside.resize(360, 1200)
     if docks:
         for _name, _title, widget, _area in panel.docks():
-            widget.setParent(window)
-            widget.setGeometry(900, 60, 360, 200)
+            column.addWidget(widget)
     window.resize(1280, 680)
     window.show()
-    if docks:
-        for _name, _title, widget, _area in panel.docks():
-            widget.show()
+    beside.setVisible(docks)
     figure = session.sheet.figures[0]
     panel.choose_tool("select")
     session.update_state(selection=(figure.id,), active=figure.id)

@@ -1,5 +1,7 @@
 """The docks of the Curves panel: basis functions with knots and weights, curvature, hodograph, switches."""
 
+import time
+
 import numpy as np
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QWidget
@@ -27,6 +29,7 @@ PER_PIECE, MOST_SAMPLES = 48, 4000
 _MOST_MARKS = 200
 # While something is dragged the docks follow at most so often.
 THROTTLE_MS = 60
+LIVE_MS = 6.0
 
 
 class CurveDocks(QObject):
@@ -56,6 +59,7 @@ class CurveDocks(QObject):
         self.measured.kind_activated.connect(self._choose_kind)
         self._joints: list[Joint] = []
         self._basis: Basis = NOTHING
+        self._took_ms = 0.0
         self._made_for: tuple[object, ...] = ()
         for plot in (self.basis, self.curvature, self.hodograph):
             plot.u_dragged.connect(self._go_to)
@@ -83,13 +87,18 @@ class CurveDocks(QObject):
         ]
 
     def refresh_soon(self) -> None:
-        """Follow a drag, but not at every step of it."""
-        if not self._later.isActive():
+        """Follow a drag, but not at every step of it; what takes long waits until the drag ends."""
+        if not self._later.isActive() and self._took_ms < LIVE_MS:
             self._later.start()
 
     def refresh(self) -> None:
         """Everything that can be seen, from the session alone."""
         self._later.stop()
+        begun = time.perf_counter()
+        self._show_all()
+        self._took_ms = (time.perf_counter() - begun) * 1e3
+
+    def _show_all(self) -> None:
         curve = self.focus.curve
         pieces = None if curve is None else device_pieces(self.focus.session.sheet, curve)
         u = None if pieces is None else parameter(pieces, self.focus.u)
