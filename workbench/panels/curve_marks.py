@@ -15,6 +15,7 @@ Array = NDArray[np.float64]
 
 COMB_TEETH = 24
 COMB_CELLS = 0.1
+MOST_TEETH = 1600
 MOST_MARKS = 400
 STEPS = 16
 _FAR = 40.0
@@ -69,24 +70,20 @@ def box(pieces: Pieces) -> list[Drawn]:
 
 def comb(pieces: Pieces, size: float) -> list[Drawn]:
     """Teeth across the curve, the longer the more it bends; a usual one is a share of ``size``."""
-    bends = curves.curvature_comb(pieces, COMB_TEETH, 1.0)
-    lengths = np.hypot(*np.moveaxis(bends[..., 1, :] - bends[..., 0, :], -1, 0))
+    each = max(2, min(COMB_TEETH, MOST_TEETH // len(pieces.controls)))
+    bends = curves.curvature_comb(pieces, each, 1.0)
+    begins, way = bends[..., 0, :], bends[..., 1, :] - bends[..., 0, :]
+    lengths = np.hypot(way[..., 0], way[..., 1])
     usual = float(np.percentile(lengths, 96)) if lengths.size else 0.0
     if usual <= 0.0:
         return []
-    begins = bends[..., 0, :]
-    way = (bends[..., 1, :] - begins) * (COMB_CELLS * size / usual)
-    far = np.hypot(way[..., 0], way[..., 1])
-    way *= np.minimum(1.0, COMB_CELLS * size * 1.6 / np.maximum(far, 1e-12))[..., None]
-    ends = begins + way
-    drawn: list[Drawn] = []
-    stride = max(1, len(begins) * COMB_TEETH // 2000)
-    for start, end in zip(begins, ends, strict=True):
-        # One line there and back again for all the teeth of a piece
-        zigzag = np.stack([start, end, start], axis=1)[::stride].reshape(-1, 2)
-        drawn.append(Stroke(zigzag, "muted", 0.75))
-        drawn.append(Stroke(end, "text", 1.5))
-    return drawn
+    longest = COMB_CELLS * size
+    scale = np.minimum(longest / usual, 1.6 * longest / np.maximum(lengths, 1e-12))
+    ends = begins + scale[..., None] * way
+    # One line there and back again for all the teeth of a piece; lines of one style are painted at once.
+    teeth = np.stack([begins, ends, begins], axis=2).reshape(len(begins), -1, 2)
+    drawn: list[Drawn] = [Stroke(line, "muted", 0.75) for line in teeth]
+    return [*drawn, *(Stroke(line, "text", 1.5) for line in ends)]
 
 
 def circle(pieces: Pieces, u: float) -> list[Drawn]:
