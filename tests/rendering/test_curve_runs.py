@@ -1,5 +1,7 @@
 """The texts of a curve run in device coordinates: the last point of a construction is on the curve."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -14,7 +16,12 @@ from workbench.document.model import Curve, CurvePoint, Rectangle, Sheet
 from workbench.document.sample_figures import document_of, line
 from workbench.rendering import frame_buffer, why
 from workbench.rendering.compare import compare, distances
-from workbench.rendering.curve_runs import construction_fault, construction_of, curve_calls
+from workbench.rendering.curve_runs import (
+    construction_fault,
+    construction_levels,
+    construction_of,
+    curve_calls,
+)
 from workbench.rendering.curves import device_pieces
 from workbench.rendering.raster import figure_calls
 from workbench.rendering.why_steps import why_steps
@@ -95,3 +102,24 @@ def test_a_curve_is_drawn_as_its_chords_are() -> None:
     lines = [line((x0, y0), (x1, y1)) for x0, y0, x1, y1 in chords]
     drawn = document_of("Chords", 80, 60, lines).sheets[0]
     np.testing.assert_array_equal(frame_buffer(drawn), frame_buffer(sheet))
+
+
+@settings(max_examples=80)
+@given(curves(), st.floats(0, 1))
+def test_each_level_of_a_construction_has_a_point_less_and_lies_on_the_legs_above(
+    curve: Curve, share: float
+) -> None:
+    sheet = sheet_with(curve)
+    (made,) = sheet.figures
+    assert isinstance(made, Curve)
+    levels = construction_levels(sheet, made, share)
+    if fault_of(made):
+        assert levels == []
+        return
+    assert [len(level) for level in levels] == list(range(len(levels), 0, -1))
+    for above, level in pairwise(levels):
+        legs, along = np.diff(above, axis=0), level - above[:-1]
+        size = 1.0 + np.abs(above).max()
+        assert np.abs(legs[:, 0] * along[:, 1] - legs[:, 1] * along[:, 0]).max() <= 1e-9 * size * size
+    there = piece_points(device_pieces(sheet, made), parameter_at(made, share))
+    np.testing.assert_allclose(levels[-1][0], there, atol=1e-7)

@@ -7,9 +7,10 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves import Pieces, homogeneous, knot_spans, piece_points, polyline
+from workbench.algorithms.curves import Pieces, piece_points, polyline
+from workbench.document.curve_pieces import parameter_at
 from workbench.document.model import Curve, Sheet
-from workbench.panels.curve_names import WITH_DEGREE, look_of, point_name
+from workbench.panels.curve_names import look_of, point_name
 from workbench.panels.curve_shape import (
     SMOOTH_PX,
     device_pieces,
@@ -18,7 +19,8 @@ from workbench.panels.curve_shape import (
     smooth_line,
     tangent_ends,
 )
-from workbench.rendering.curves import b_spline_of, pieces_of
+from workbench.rendering.curve_runs import construction_levels
+from workbench.rendering.curves import pieces_of
 from workbench.widgets.canvas_drawing import Drawn, Spot, Stroke, Word
 
 Array = NDArray[np.float64]
@@ -118,51 +120,15 @@ def names(sheet: Sheet, curve: Curve) -> list[Drawn]:
 # Constructions at the parameter u
 
 
-def levels(curve: Curve, pieces: Pieces, share: float, controls: Array) -> list[Array]:
-    """The points of each level of the construction at u, control points first, the curve's point last.
-
-    A Bézier curve is de Casteljau's triangle over all its points, a B-spline de Boor's over those of the
-    span, divided as their weights say; every other curve has that of the piece that u lies in. ``controls``
-    are the curve's own points.
-    """
-    if curve.spline in WITH_DEGREE:
-        return _de_boor_levels(curve, controls, share)
-    u = parameter(pieces, share)
-    number = int(np.clip(np.searchsorted(pieces.knots, u, side="right") - 1, 0, len(pieces.controls) - 1))
-    first, last = pieces.knots[number : number + 2]
-    v = (u - first) / (last - first) if last > first else 0.0
-    made = [pieces.controls[number]]
-    while len(made[-1]) > 1:
-        made.append((1.0 - v) * made[-1][:-1] + v * made[-1][1:])
-    return made
-
-
-def _de_boor_levels(curve: Curve, controls: Array, share: float) -> list[Array]:
-    around, knots, weights = b_spline_of(curve)
-    points = controls[np.arange(len(around)) % len(controls)]
-    rational = curve.spline == "nurbs"
-    if rational:
-        points = homogeneous(points, weights)
-    degree = curve.degree
-    u = knots[degree] + share * (knots[-degree - 1] - knots[degree])
-    span = int(knot_spans(knots, degree, u))
-    made = [points[span - degree : span + 1]]
-    for r in range(1, degree + 1):
-        i = np.arange(span - degree + r, span + 1)
-        alpha = ((u - knots[i]) / (knots[i + degree + 1 - r] - knots[i]))[:, None]
-        made.append((1.0 - alpha) * made[-1][:-1] + alpha * made[-1][1:])
-    return [level[:, :2] / level[:, 2:] for level in made] if rational else made
-
-
 def construction(sheet: Sheet, curve: Curve, share: float, reached: int | None = None) -> list[Drawn]:
     """The legs of every level in a colour of its own, and the point that they lead to.
 
     Of a run that has come so far only the first ``reached`` points are there, the last of them ringed.
     """
-    pieces = device_pieces(sheet, curve)
-    if pieces is None:
+    place = point_at(sheet, curve, share)
+    if place is None:
         return []
-    made = levels(curve, pieces, share, device_points(sheet, curve))
+    made = construction_levels(sheet, curve, share)
     drawn: list[Drawn] = []
     left = reached
     for r, level in enumerate(made[:-1]):
@@ -181,9 +147,9 @@ def construction(sheet: Sheet, curve: Curve, share: float, reached: int | None =
             left -= len(level)
     if left is not None and left <= 0:
         return drawn
-    x, y = made[-1][0].tolist()
+    x, y = place
     drawn.append(Spot(x, y, "text", "ring", 13))
-    drawn.append(Word(f"C({parameter(pieces, share):.4g})", x, y, "text", 1, 1, carded=True, strong=True))
+    drawn.append(Word(f"C({parameter_at(curve, share):.4g})", x, y, "text", 1, 1, carded=True, strong=True))
     return drawn
 
 

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.curves import knot_spans
 from workbench.document.curve_pieces import b_spline_of, fault_of, parameter_at, pieces_of, weights_of
 from workbench.document.model import Curve, Sheet
 from workbench.language import _
@@ -13,6 +14,7 @@ from workbench.rendering.mapping import Call, device_map
 B_SPLINES = ("b_spline", "nurbs")
 _OF_B_SPLINES = ("de_boor", "de_boor_rational", "b_spline_curve")
 _SAMPLES_PER_SPAN = 8
+_MOST_TOLD_APART = 64
 
 
 def construction_of(curve: Curve) -> str:
@@ -55,6 +57,27 @@ def curve_calls(sheet: Sheet, curve: Curve, slug: str, share: float) -> list[Cal
     piece, v = piece_at(curve, share)
     controls: NDArray[np.float64] = np.ascontiguousarray(device_pieces(sheet, curve).controls[piece])
     return [Call(entry, (controls, v if entry.slug == "de_casteljau" else curve.tolerance_px))]
+
+
+def construction_levels(sheet: Sheet, curve: Curve, share: float) -> list[NDArray[np.float64]]:
+    """The points (k, 2) of each level of a curve's construction at a share of its parameter, device.
+
+    The control points that matter come first, the point of the curve is the last one alone; what lies between
+    is what the text emits. None where there is no curve, or where nobody could tell its points apart.
+    """
+    calls = curve_calls(sheet, curve, "", share)
+    if not calls:
+        return []
+    function, (controls, *rest) = calls[0].entry.function, calls[0].arguments
+    if construction_of(curve) != "de_casteljau":
+        *_weights, knots, degree, u = rest
+        span = int(knot_spans(knots, degree, u))
+        controls = controls[span - degree : span + 1]
+    if len(controls) > _MOST_TOLD_APART:
+        return []
+    made = np.array(list(function(*calls[0].arguments))).reshape(-1, 2)
+    ends = np.cumsum(np.arange(len(controls) - 1, 0, -1))
+    return [controls, *np.split(made, ends[:-1])]
 
 
 def piece_at(curve: Curve, share: float) -> tuple[int, float]:
