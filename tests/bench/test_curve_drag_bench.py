@@ -1,4 +1,4 @@
-"""A drag without a window: one of 1,000 points of a B-spline, one of 2,001 corners of a polyline.
+"""A drag without a window: one of 1,000 points of a curve of each kind, one of 2,001 corners of a polyline.
 
 Each move is an edit, the frame buffer, the display list and the outline; printed are the median and the 99th
 percentile. Garbage is collected between the moves, as the program does while it is idle.
@@ -6,19 +6,19 @@ percentile. Garbage is collected between the moves, as the program does while it
 
 import gc
 import math
-from collections.abc import Callable
 from time import perf_counter, thread_time
 
 import numpy as np
 import pytest
 
 from workbench.document import edits
-from workbench.document.model import Curve, CurvePoint, Document, Polyline
+from workbench.document.curve_settings import set_spline
+from workbench.document.model import SPLINES, Curve, CurvePoint, Document, Polyline
 from workbench.document.sample_figures import document_of, polyline
 from workbench.rendering import display_list, frame_buffer
 from workbench.rendering.curves import polyline_of
 
-MOVES = 200
+MOVES = 100
 
 
 def spiral(count: int) -> list[tuple[float, float]]:
@@ -27,18 +27,17 @@ def spiral(count: int) -> list[tuple[float, float]]:
     return list(zip(x.tolist(), y.tolist(), strict=True))
 
 
-def b_spline() -> Document:
+def drawn(kind: str) -> Document:
+    """The spiral as a polyline, or by one kind of curve."""
+    if kind == "polyline":
+        return document_of("Polyline", 320, 200, [polyline(spiral(2001), 1, "", False)])
     points = tuple(CurvePoint("", x, y) for x, y in spiral(1000))
-    return document_of("B-spline", 320, 200, [Curve("", points, "bresenham_line", spline="b_spline")])
+    return set_spline("f1", kind)(document_of("Curve", 320, 200, [Curve("", points, "bresenham_line")]))
 
 
-def segments() -> Document:
-    return document_of("Polyline", 320, 200, [polyline(spiral(2001), 1, "", False)])
-
-
-@pytest.mark.parametrize("made", [b_spline, segments], ids=["b_spline of 1,000", "polyline of 2,000"])
-def test_one_point_is_dragged(made: Callable[[], Document]) -> None:
-    document = made()
+@pytest.mark.parametrize("kind", ["polyline", *(kind for kind in SPLINES if kind != "bezier")])
+def test_one_point_is_dragged(kind: str) -> None:
+    document = drawn(kind)
     figure = document.sheets[0].figures[0]
     assert isinstance(figure, Curve | Polyline)
     point = figure.points_world[500]
@@ -61,5 +60,5 @@ def test_one_point_is_dragged(made: Callable[[], Document]) -> None:
     finally:
         gc.enable()
     (middle, own), (late, _own) = np.percentile(np.array(taken[5:]) * 1000, [50, 99], axis=0)
-    print(f"\n{made.__name__}: {middle:.1f} ms, of the processor {own:.1f}; 99th percentile {late:.1f} ms")
+    print(f"\n{kind}: {middle:.1f} ms, of the processor {own:.1f}; 99th percentile {late:.1f} ms")
     assert own < 12.0
