@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent
+from PySide6.QtGui import QKeySequence
 
 from tests.panels.curves_by_hand import (
     SHIFT,
@@ -22,6 +23,7 @@ from workbench.document.curve_pieces import pieces_of
 from workbench.document.model import SPLINES, Curve
 from workbench.panels.curve_menu import canvas_menu
 from workbench.panels.curve_scene import point_at
+from workbench.shell.actions import commands
 
 SEVEN = ((26.0, 10.0), (28.0, 24.0), (36.0, 40.0), (44.0, 20.0), (50.0, 10.0), (56.0, 12.0), (60.0, 30.0))
 
@@ -206,3 +208,11 @@ def test_what_a_path_cannot_be_is_said_and_nothing_is_lost(qtbot):
     panel.commands.joint("smooth")
     assert said
     assert isinstance(the_curve(panel), Curve)
+
+
+def test_no_key_of_the_panel_is_taken_twice_or_is_the_windows(qtbot):
+    panel = opened(qtbot)
+    keys = [action.shortcut().toString() for action in panel.actions() if not action.shortcut().isEmpty()]
+    assert len(keys) == len(set(keys))
+    windows = {QKeySequence(key).toString() for command in commands() for key in command.keys}
+    assert not windows.intersection(keys)

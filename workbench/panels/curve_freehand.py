@@ -86,7 +86,7 @@ def fit_words(curve: Curve, count: int, error: float) -> str:
 class ProbeTool(Tool):
     """Shows the point of the active curve that is nearest to the pointer."""
 
-    name, icon, key, shape = "probe", "crosshair-simple", "D", Qt.CursorShape.CrossCursor
+    name, icon, key, shape = "probe", "crosshair-simple", "M", Qt.CursorShape.CrossCursor
 
     def __init__(self, focus: CurveFocus) -> None:
         super().__init__(focus.session)

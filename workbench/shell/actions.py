@@ -279,7 +279,7 @@ def commands() -> tuple[Command, ...]:
 def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
     """Keys that one part of the window answers while it has the focus: part, key, what it does."""
     stepping = _("Step bar, or canvas with nothing selected")
-    canvas = _("Canvas")
+    canvas, curves = _("Canvas"), _("Canvas of Curves")
     return (
         (stepping, "Space", _("Play or pause")),
         (stepping, "Left", _("Step back")),
@@ -305,4 +305,18 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (canvas, "Ctrl+Shift+C", _("Copy the picture")),
         (canvas, "Delete", _("Remove what is selected")),
         (canvas, "Esc", _("Let go of what is being drawn or selected")),
+        (curves, "P", _("Pen; from the end of an open curve it goes on")),
+        (curves, "F", _("Draw freehand, and fit a curve")),
+        (curves, "M", _("Nearest point of the curve")),
+        (curves, "Backspace", _("Take back the last point of the pen")),
+        (curves, "Ctrl", _("Held while dragging: along eight directions only")),
+        (curves, "Shift", _("Held while clicking: choose several points")),
+        (curves, "Insert", _("Insert a point at u; so does a double click on the curve")),
+        (curves, "X, J", _("Split at u; join two curves")),
+        (curves, "], [", _("Raise, lower the degree")),
+        (curves, "Shift+C, Shift+S, Shift+Y", _("Make the joint a corner, smooth, symmetric")),
+        (curves, "Shift+O, Shift+R", _("Close or open; reverse the direction")),
+        (curves, "Shift+H, Shift+V", _("Mirror left to right, upside down")),
+        (curves, "Ctrl+C, Ctrl+V", _("Copy and paste points, or paste SVG")),
+        (curves, "U, K, N", _("Construction at u; curvature comb; snap to pixels")),
     )
