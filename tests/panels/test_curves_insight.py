@@ -57,7 +57,9 @@ def test_the_plotted_functions_add_up_to_the_curve(spline):
 @pytest.mark.parametrize("spline", SPLINES)
 @pytest.mark.parametrize("share", [0.0, 0.37, 0.5, 1.0])
 def test_the_construction_ends_on_the_curve(qtbot, spline, share):
-    panel = opened(qtbot, curve_through(*PLACES, spline=spline))
+    curve = curve_through(*PLACES, spline=spline)
+    weighted = tuple(replace(p, weight=1.0 + k % 3) for k, p in enumerate(curve.points_world))
+    panel = opened(qtbot, replace(curve, points_world=weighted))
     sheet, curve = panel.session.sheet, the_curve(panel)
     (last,) = [each for each in construction(sheet, curve, share) if isinstance(each, Spot)][-1:]
     assert (last.x, last.y) == pytest.approx(piece_points(pieces_of(curve), parameter_at(curve, share)))
@@ -124,6 +126,10 @@ def test_a_weight_is_dragged_as_one_step_of_undo(qtbot):
         panel.beside.basis.weight_dragged.emit(1, weight)
     panel.beside.basis.weight_released.emit(1)
     settle()
+    assert the_curve(panel).points_world[1].weight == 4.0
+    panel.beside.basis.weight_dragged.emit(2, 5.0)
+    panel.beside.basis.weight_released.emit(2)
+    panel.session.undo_stack.undo()
     assert the_curve(panel).points_world[1].weight == 4.0
     panel.session.undo_stack.undo()
     assert the_curve(panel).points_world[1].weight == 1.0
@@ -214,3 +220,22 @@ def test_the_same_points_through_several_kinds_are_compared(qtbot):
     settle()
     assert the_curve(panel).beside == ("catmull_rom",)
     assert [kind.name for kind in table.kinds] == ["B-spline", "Catmull-Rom spline"]
+
+
+@pytest.mark.parametrize("spline", ["bezier", "b_spline", "nurbs", "catmull_rom", "bezier_path"])
+def test_the_functions_of_closed_curves_add_up_too(spline):
+    places = PLACES[:6]
+    curve = replace(curve_through(*places, spline=spline), closed=True, alpha=0.0)
+    found = basis_of(curve, 0.5)
+    made = found.values @ np.array(places)[list(found.numbers)]
+    assert made == pytest.approx(piece_points(pieces_of(curve), found.us), abs=1e-6)
+
+
+@pytest.mark.parametrize("spline", ["bezier", "b_spline", "nurbs", "catmull_rom", "bezier_path"])
+def test_the_construction_of_closed_curves_ends_on_them(qtbot, spline):
+    panel = opened(qtbot, replace(curve_through(*PLACES[:6], spline=spline), closed=True))
+    sheet, curve = panel.session.sheet, the_curve(panel)
+    for share in (0.05, 0.6, 0.97):
+        (last,) = [each for each in construction(sheet, curve, share) if isinstance(each, Spot)][-1:]
+        at = piece_points(pieces_of(curve), parameter_at(curve, share))
+        assert (last.x, last.y) == pytest.approx(at)
