@@ -274,3 +274,13 @@ def test_the_text_that_is_stepped_is_chosen_on_the_card(qtbot):
     panel.card.spline.activated.emit(panel.card.spline.currentIndex())
     settle()
     assert the_curve(panel).spline == "nurbs"
+
+
+def test_control_keeps_the_pen_to_eight_directions(qtbot):
+    panel = opened(qtbot)
+    click(panel, 28, 10)
+    send(panel, QEvent.Type.MouseMove, 40, 11, CTRL)
+    click(panel, 40, 11, CTRL)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
+    settle()
+    assert places(panel) == [(28, 10), (40, 10)]

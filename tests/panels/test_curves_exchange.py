@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication
 
 from tests.panels.curves_by_hand import ZIGZAG, click, curve_through, drag, opened, places, settle, the_curve
 from workbench.rendering.curves import polyline_of
+from workbench.widgets.canvas_drawing import Spot
 
 CIRCLE = [(40 + 12 * np.cos(a), 24 + 12 * np.sin(a)) for a in np.linspace(0, 2 * np.pi, 90)]
 
@@ -143,3 +144,12 @@ def test_the_nearest_point_is_shown_and_a_click_goes_to_its_u(zigzag):
     zigzag.probe.move(at[0] + 3, at[1])
     settle()
     assert zigzag.probe.drawn()
+
+
+def test_every_page_of_a_run_has_the_points_made_so_far(qtbot, zigzag):
+    qtbot.waitUntil(lambda: zigzag.session.run.done, timeout=15000)
+    pages = [zigzag.view.on_paper(number) for number in range(len(zigzag.session.run.steps) + 1)]
+    dots = [sum(isinstance(d, Spot) and d.shape == "dot" for d in page.overlay.drawn) for page in pages]
+    assert dots[0] == 0
+    assert dots == sorted(dots)
+    assert dots[-1] >= 5

@@ -10,6 +10,7 @@ from workbench.document.curve_edits import add_path_point, add_points, curve_wit
 from workbench.document.edits import Edit, add_figure, both
 from workbench.document.model import Curve, CurvePoint
 from workbench.language import _
+from workbench.panels.curve_drags import constrained
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_names import WITH_TANGENTS
 from workbench.panels.curve_shape import TANGENT_SHARE, device_points
@@ -47,6 +48,8 @@ class PenTool(FigureTool):
         self._nodes: list[Node] = []
         self._held = False
         self._reach = 0.75
+        self._pressed = (0.0, 0.0)
+        self.modifiers = Modifiers.NoModifier
         self._continued: tuple[str, bool] | None = None
 
     @property
@@ -57,7 +60,8 @@ class PenTool(FigureTool):
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """Another point; on the first one the curve is closed, on the last one it ends."""
         self._reach = reach
-        place = self.focus.placed(x, y)
+        self.modifiers, self._pressed = modifiers, (x, y)
+        place = self._placed(x, y)
         if not self.busy:
             self._continued = self._end_at(x, y)
             self._nodes = [Node(place)]
@@ -77,6 +81,14 @@ class PenTool(FigureTool):
             self._nodes.append(Node(place))
         self._held = True
         self._grow(None)
+
+    def _placed(self, x: float, y: float) -> Place:
+        """Where a point or handle is put; with Ctrl in one of eight directions from the last point."""
+        if self.modifiers & Modifiers.ControlModifier and self.busy and self._nodes:
+            ax, ay = self._nodes[-1].at
+            dx, dy = constrained(x - ax, y - ay)
+            return round(ax + dx, 4), round(ay + dy, 4)
+        return self.focus.placed(x, y)
 
     def _end_at(self, x: float, y: float) -> tuple[str, bool] | None:
         """The open curve that ends there, and whether that is its begin; None where none does."""
@@ -110,9 +122,9 @@ class PenTool(FigureTool):
         if not self.busy:
             return
         last = self._nodes[-1]
-        place = self.focus.placed(x, y)
+        place = self._placed(x, y)
         if self._held:
-            far = float(np.hypot(x - last.at[0], y - last.at[1])) > PULL
+            far = float(np.hypot(x - self._pressed[0], y - self._pressed[1])) > PULL
             if (far or last.pulled is not None) and self._has_handles:
                 last.pulled = place
             self._grow(None)
@@ -126,8 +138,8 @@ class PenTool(FigureTool):
         if not self.busy or not self._held:
             return
         self._held = False
-        place = self.focus.placed(x, y)
-        if not self._has_handles and not self._near(self._nodes[-1].at, x, y):
+        place = self._placed(x, y)
+        if not self._has_handles and not self._near(self._pressed, x, y):
             self._nodes.append(Node(place))
         self._grow(None)
 

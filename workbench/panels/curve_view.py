@@ -11,6 +11,8 @@ from workbench.panels.curve_docks import CurveDocks
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_marks import marks
 from workbench.panels.curve_scene import (
+    CURVE_INK,
+    MANY,
     beside,
     construction,
     control_polygon,
@@ -136,8 +138,8 @@ class CurveView(FigureView):
             drawn += construction(sheet, curve, self.focus.u)
         return drawn
 
-    def drawn(self) -> list[Drawn]:
-        """The curves and what is shown of the one that is worked on, from back to front."""
+    def drawn(self, number: int | None = None) -> list[Drawn]:
+        """The curves and what is shown of the one that is worked on, from back to front, now or at a step."""
         sheet, curve, shown = self.session.sheet, self.focus.curve, self.focus.shown
         drawn = others(sheet, curve)
         if curve is None or not curve.visible:
@@ -152,18 +154,20 @@ class CurveView(FigureView):
         if "names" in shown and self.focus.selected is not None:
             drawn += names(sheet, curve)
         if "construction" in shown:
-            drawn += construction(sheet, curve, self.focus.u, self._reached())
+            drawn += construction(sheet, curve, self.focus.u, self._reached(number))
         drawn += self._probe
         if 0 <= self.focus.hovered < len(curve.points_world):
             x, y = device_points(sheet, curve)[self.focus.hovered].tolist()
             drawn.append(Spot(x, y, f"data {self.focus.hovered % 6 + 1}", "ring", 17))
         return drawn
 
-    def _reached(self) -> int | None:
-        """How many points of the construction its run has made; None before it is stepped."""
+    def _reached(self, number: int | None = None) -> int | None:
+        """How many points of the construction its run has made, now or at a step; None before the first."""
         run = self.stepped_run()
         if run is None or run.step is None or run.entry is None or run.entry.slug not in STEPPED:
             return None
+        if number is not None:
+            return run.steps[number].emitted_to if run.steps is not None and number else 0
         if run.detail and run.moment is not None:
             return len(run.moment.emitted)
         return None if run.number == 0 and not run.ask_first else run.step.emitted_to
@@ -227,8 +231,10 @@ class CurveView(FigureView):
         return f"({x}, {y})" if self.focus.moving else super().describe(x, y)
 
     def on_paper(self, number: int | None = None) -> Composition:
-        """What is shown, in the light theme and without handles."""
+        """What is shown, or one step of the run, in the light theme, with plain spots for the points."""
+        sheet, curve = self.session.sheet, self.focus.curve
         shown = picture if "pixels" in self.focus.shown else pale_picture
-        return Composition(
-            shown(self.session.sheet, LIGHT), packed(LIGHT.canvas), Overlay(drawn=tuple(self.drawn()))
-        )
+        drawn = self.drawn(number)
+        if curve is not None and "polygon" in self.focus.shown and len(curve.points_world) < MANY:
+            drawn += [Spot(x, y, CURVE_INK, "ring", 7) for x, y in device_points(sheet, curve).tolist()]
+        return Composition(shown(sheet, LIGHT), packed(LIGHT.canvas), Overlay(drawn=tuple(drawn)))

@@ -196,8 +196,10 @@ class CurvesPanel(SteppedPanel):
         self.canvas.takes_handles = False
 
     def _move(self, x: float, y: float, modifiers: Any) -> None:
-        self.select.modifiers = modifiers
+        self.select.modifiers = self.pen.modifiers = modifiers
         super()._move(x, y, modifiers)
+        if self.select.held:
+            self.canvas.set_tag(self.tool.tag)
         if self.tool is self.select and not self.canvas.dragging:
             over = self.select.over(x, y)
             curve = self.focus.selected

@@ -60,10 +60,12 @@ def _curves(
 
 
 def _pen(window: MainWindow) -> None:
+    from PySide6.QtCore import Qt
+
     _empty(window)
     panel = window.panels("curves")[0]
     for x, y in ((6.0, 10.0), (20.0, 36.0), (36.0, 8.0), (46.0, 12.0)):
-        panel.pen.press(x, y, None, 0.75)
+        panel.pen.press(x, y, Qt.KeyboardModifier.NoModifier, 0.75)
         panel.pen.release(x, y)
     panel.pen.move(58.0, 34.0)
 
