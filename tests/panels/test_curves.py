@@ -284,3 +284,13 @@ def test_control_keeps_the_pen_to_eight_directions(qtbot):
     qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
     settle()
     assert places(panel) == [(28, 10), (40, 10)]
+
+
+def test_with_snap_points_go_to_pixels_and_it_is_seen(zigzag):
+    zigzag._toggle_snap()
+    send(zigzag, QEvent.Type.MouseButtonPress, *ZIGZAG[1])
+    send(zigzag, QEvent.Type.MouseMove, 35.3, 30.8)
+    assert places(zigzag)[1] == (35, 31)
+    assert zigzag.canvas.overlay.snap == (35, 31)
+    send(zigzag, QEvent.Type.MouseButtonRelease, 35.3, 30.8)
+    assert zigzag.canvas.overlay.snap is None

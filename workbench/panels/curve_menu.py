@@ -6,6 +6,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
 from workbench.language import _
+from workbench.panels.curve_insight import switches
 
 _PARTED = ""
 
@@ -59,7 +60,7 @@ def groups() -> list[tuple[str, tuple[str, ...]]]:
                 "paste_fitted",
             ),
         ),
-        (_("Show"), ("construction", "comb", "why")),
+        (_("Show"), (*(f"show_{name}" for name, _title, _meaning in switches()), _PARTED, "why")),
         (
             _("In and out"),
             (

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from workbench.document.model import Curve, CurvePoint
+from workbench.geometry.conventions import round_half_up
 from workbench.panels.curve_card import CurveCard
 from workbench.panels.curve_docks import CurveDocks
 from workbench.panels.curve_focus import CurveFocus
@@ -34,7 +35,7 @@ from workbench.panels.figure_tools import FigureTool
 from workbench.panels.figure_view import FigureView
 from workbench.rendering import device_map
 from workbench.widgets.canvas_drawing import Drawn, Spot, Stroke
-from workbench.widgets.canvas_overlay import GripShape, Handle, Overlay
+from workbench.widgets.canvas_overlay import Cell, GripShape, Handle, Overlay
 from workbench.widgets.pixel_canvas import PixelCanvas
 from workbench.widgets.tokens import LIGHT, tokens
 
@@ -92,6 +93,7 @@ class CurveView(FigureView):
             handles=tuple(self._grips(parting is not None)) if len(selected) == 1 else (),
             drawn=tuple(self.drawn() if parting is None else self._moving(parting)),
             still=None if parting is None else parting.still,
+            snap=self._snapped(),
         )
         overlay = with_asked(with_band(overlay, tool.band), session.state.pixel)
         self.canvas.set_overlay(replace(overlay, right=self._right, wrong=self._wrong))
@@ -171,6 +173,17 @@ class CurveView(FigureView):
         if run.detail and run.moment is not None:
             return len(run.moment.emitted)
         return None if run.number == 0 and not run.ask_first else run.step.emitted_to
+
+    def _snapped(self) -> Cell | None:
+        """The pixel that a dragged point has snapped to."""
+        curve, moving = self.focus.curve, self.focus.moving
+        if curve is None or not moving or not self.focus.snaps:
+            return None
+        held = next((point for point in curve.points_world if point.id == moving[0]), None)
+        if held is None:
+            return None
+        x, y = device_map(self.session.sheet).point(held.x, held.y)
+        return round_half_up(x), round_half_up(y)
 
     def _region(self, curve: Curve, chosen: list[int]) -> list[Stroke]:
         """What follows the points that are dragged, or, where that is switched on, those that are chosen."""

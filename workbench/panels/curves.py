@@ -17,11 +17,13 @@ from workbench.panels.curve_docks import CurveDocks
 from workbench.panels.curve_exchange import CurveExchange
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_freehand import FreehandTool, ProbeTool
+from workbench.panels.curve_insight import switches
 from workbench.panels.curve_menu import canvas_menu
 from workbench.panels.curve_operations import CurveOperations
 from workbench.panels.curve_pen import PenTool
 from workbench.panels.curve_tools import CurveSelectTool
 from workbench.panels.curve_view import CurveView
+from workbench.panels.figure_actions import Row
 from workbench.panels.figure_stepped import SteppedPanel
 from workbench.rendering.curve_runs import construction_fault
 from workbench.session.session import Session
@@ -71,8 +73,7 @@ class CurvesPanel(SteppedPanel):
         self.start(
             _("Click on the canvas, point after point; Enter ends the curve."),
             [
-                ("construction", _("Construction at u"), "triangle", "U", self._switch("construction")),
-                ("comb", _("Curvature comb"), "chart-line", "K", self._switch("comb")),
+                *self._show_rows(),
                 ("snap", _("Snap to pixels"), "magnet", "N", self._toggle_snap),
                 *self.commands.rows(),
                 *self.exchange.rows(),
@@ -151,6 +152,14 @@ class CurvesPanel(SteppedPanel):
     def _end_nudging(self) -> None:
         super()._end_nudging()
         self.session.end_merge(NUDGE)
+
+    def _show_rows(self) -> list[Row]:
+        keys = {"construction": ("triangle", "U"), "comb": ("chart-line", "K")}
+        named = _("Show or hide: {what}")
+        return [
+            (f"show_{name}", named.format(what=title), *keys.get(name, ("eye", "")), self._switch(name))
+            for name, title, _meaning in switches()
+        ]
 
     def _switch(self, name: str) -> Callable[[], None]:
         return lambda: self.focus.switch(name, name not in self.focus.shown)
@@ -236,8 +245,3 @@ class CurvesPanel(SteppedPanel):
         if name != "select":
             self.focus.choose(())
         super().choose_tool(name)
-
-    @property
-    def curve(self) -> Curve | None:
-        """The curve that is worked on."""
-        return self.focus.curve
