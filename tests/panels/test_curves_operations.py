@@ -20,7 +20,7 @@ from tests.panels.curves_by_hand import (
 )
 from workbench.algorithms.curves import joints, piece_points
 from workbench.document.curve_pieces import pieces_of
-from workbench.document.model import SPLINES, Curve
+from workbench.document.model import SPLINES, Curve, Polyline
 from workbench.panels.curve_menu import canvas_menu
 from workbench.panels.curve_scene import point_at
 from workbench.shell.actions import commands
@@ -164,6 +164,23 @@ def test_the_button_of_the_table_smooths_and_says_what_moved(qtbot):
     panel = opened(qtbot, curve_through(*SEVEN, spline="bezier_path"))
     panel.beside.smoothing_wanted.emit(0, "C1")
     assert "H1" in panel.beside.continuity.words.text()
+
+
+def test_a_curve_becomes_a_polyline_within_its_tolerance(qtbot):
+    panel = opened(qtbot, replace(curve_through(*SEVEN, spline="nurbs"), tolerance_px=0.25))
+    before = on_curve(the_curve(panel), 2001)
+    said = sentences(panel)
+    panel.commands.flatten()
+    (line,) = panel.session.sheet.figures
+    assert isinstance(line, Polyline)
+    corners = np.array([(p.x, p.y) for p in line.points_world])
+    start, along = corners[:-1], np.diff(corners, axis=0)
+    share = np.clip(((before[:, None] - start) * along).sum(-1) / (along**2).sum(-1), 0, 1)
+    away = np.hypot(*np.moveaxis(before[:, None] - start - share[..., None] * along, -1, 0)).min(axis=1)
+    assert away.max() <= 0.25
+    assert any("0.25 px" in text for text in said)
+    panel.session.undo_stack.undo()
+    assert places(panel) == list(SEVEN)
 
 
 def test_reversed_it_runs_the_other_way(qtbot):

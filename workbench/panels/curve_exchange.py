@@ -18,7 +18,7 @@ from workbench.exchange.point_lists import PointsError, read_points, write_point
 from workbench.exchange.svg_paths import SvgError, read_svg, write_svg
 from workbench.language import _, ngettext
 from workbench.panels.curve_focus import CurveFocus
-from workbench.panels.curve_freehand import fit_words, fitted
+from workbench.panels.curve_freehand import FIT_PX, fit_words, fitted
 from workbench.panels.figure_actions import Row
 from workbench.panels.figure_export import Exporter, paint_page
 from workbench.rendering import device_map
@@ -87,7 +87,7 @@ class CurveExchange(QObject):
             world = read_points(QGuiApplication.clipboard().text())
             scale = device_map(self.session.sheet)
             points = world * (scale.sx, scale.sy) + (scale.tx, scale.ty)
-            made, error = fitted(self.focus, points, 0.6, self._model().colour)
+            made, error = fitted(self.focus, points, FIT_PX, self._model().colour)
         except ValueError as problem:
             self.said.emit(str(problem))
             return

@@ -56,6 +56,7 @@ def groups() -> list[tuple[str, tuple[str, ...]]]:
                 "convert_b_spline",
                 "convert_nurbs",
                 "convert_hermite",
+                "flatten",
                 _PARTED,
                 "paste_fitted",
             ),

@@ -10,11 +10,14 @@ from workbench.document.curve_degrees import lower_degree, lowered, raise_degree
 from workbench.document.curve_joining import ALIGNMENTS, align, join, mirror, reverse
 from workbench.document.curve_pieces import parameter_at, pieces_of
 from workbench.document.curve_shaping import SMOOTHNESS, smooth_joint, smoothing_moves
-from workbench.document.model import Curve
+from workbench.document.edits import add_figure, both, remove_figures
+from workbench.document.model import Curve, Polyline, WorldPoint
 from workbench.language import _
 from workbench.panels.curve_commands import CurveCommands
 from workbench.panels.curve_names import point_name, spline_title
 from workbench.panels.figure_actions import Row
+from workbench.rendering import device_map
+from workbench.rendering.curves import fault_of, polyline_of
 
 _ALIGN_ICONS = {
     "left": "align-left",
@@ -79,6 +82,7 @@ class CurveOperations(CurveCommands):
                 )
                 for kind in CONVERSIONS
             ),
+            ("flatten", _("Convert to a polyline"), "polygon", "", self.flatten),
         ]
 
     # Points on the curve
@@ -175,6 +179,28 @@ class CurveOperations(CurveCommands):
                 self.said.emit(_("{kind}, exactly the same curve.").format(kind=kind))
 
         self.with_curve(make)
+
+    def flatten(self) -> None:
+        """Put the chords that the curve is drawn by in its place, and say how far they are off at most."""
+
+        def replace_by_chords(curve: Curve) -> None:
+            scale, sheet = device_map(self.session.sheet), self.session.sheet
+            corners = (polyline_of(sheet, curve) - (scale.tx, scale.ty)) / (scale.sx, scale.sy)
+            if len(corners) < 2:
+                self.said.emit(fault_of(curve))
+                return
+            kept = corners[:-1] if curve.closed else corners
+            points = tuple(WorldPoint("", x, y) for x, y in np.round(kept, 9).tolist())
+            line = Polyline("", points, curve.algorithm, curve.colour, curve.name, closed=curve.closed)
+            place = sheet.figures.index(curve)
+            edit = both(add_figure(sheet.id, line, place), remove_figures([curve.id]))
+            if self.apply(edit, _("Convert the curve")):
+                made = self.session.sheet.figures[place].id
+                self.session.update_state(selection=(made,), active=made)
+                text = _("A polyline of {count} corners, at most {error:.2g} px off.")
+                self.said.emit(text.format(count=len(points), error=curve.tolerance_px))
+
+        self.with_curve(replace_by_chords)
 
     # Joints
 
