@@ -41,7 +41,7 @@ def test_the_box_holds_the_curve_and_touches_it(pieces: Pieces) -> None:
     assert np.abs(touching.max(axis=0) - high).max() <= 1e-9 * size
 
 
-@given(st.lists(st.floats(-5, 5, allow_subnormal=False), min_size=3, max_size=8))
+@given(st.lists(st.floats(-5, 5).filter(lambda v: v == 0 or abs(v) > 1e-60), min_size=3, max_size=8))
 def test_roots_are_where_the_sign_of_the_exact_value_changes(values: list[float]) -> None:
     coefficients = np.array([values])
     _rows, found = roots(coefficients, np.abs(coefficients))

@@ -39,6 +39,8 @@ class Parts(NamedTuple):
 def arc_length(pieces: Pieces, u0: float | None = None, u1: float | None = None) -> float:
     """The length from u0 to u1, to a relative 1e-9; by default of the whole curve. Jumps do not count.
 
+    Beside weights of a billion a piece may run to its end within one step of u: that counts as a jump.
+
     Raises: ValueError where u0 or u1 is not on the curve, or u1 is less than u0.
     """
     begin, end = float(pieces.knots[0]), float(pieces.knots[-1])
