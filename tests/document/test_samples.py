@@ -88,4 +88,4 @@ def test_every_curve_of_an_example_can_be_drawn_and_the_circle_is_one() -> None:
     assert isinstance(circle, Curve)
     pieces = pieces_of(circle)
     points = piece_points(pieces, np.linspace(pieces.knots[0], pieces.knots[-1], 1000))
-    np.testing.assert_allclose(np.hypot(*(points - (160.0, 100.0)).T), 78.0, rtol=1e-12)
+    np.testing.assert_allclose(np.hypot(*(points - (120.0, 75.0)).T), 58.0, rtol=1e-12)

@@ -12,8 +12,11 @@ from workbench.language import _
 
 Places = Sequence[tuple[float, float]]
 
-# The points of the course, P_0 to P_5, thirty times as large.
-COURSE = ((36, 20), (66, 140), (156, 170), (216, 50), (282, 26), (300, 150))
+# Small enough that a whole sheet is seen beside the card.
+SIZE_PX = (240, 150)
+
+# The points of the course, P_0 to P_5, spread over the sheet.
+COURSE = ((27, 15), (50, 105), (117, 128), (162, 38), (212, 20), (225, 112))
 
 
 def curve_examples() -> list[Example]:
@@ -37,7 +40,7 @@ def curve_examples() -> list[Example]:
             "bezier",
             _("A cubic Bézier curve"),
             _("Four points and de Casteljau's construction: drag u, and watch the legs divide."),
-            [_curve(((40, 30), (70, 170), (230, 175), (285, 45)), "bezier", 1, _("Bézier curve"))],
+            [_curve(((30, 22), (52, 128), (172, 131), (214, 34)), "bezier", 1, _("Bézier curve"))],
         ),
         _example(
             "local-control",
@@ -67,7 +70,7 @@ def curve_examples() -> list[Example]:
 
 
 def _example(slug: str, title: str, description: str, figures: Sequence[Curve]) -> Example:
-    document: Document = document_of(title, 320, 200, figures)
+    document: Document = document_of(title, *SIZE_PX, figures)
     return Example(f"curve-{slug}", title, description, "curves", document)
 
 
@@ -77,12 +80,12 @@ def _curve(places: Places, spline: str, colour: int, name: str, **how: Any) -> C
 
 
 def _wave() -> Places:
-    places = [(24.0 + 30.0 * k, 100.0 + (58.0 if k % 2 else -58.0)) for k in range(10)]
-    return [(24.0, 60.0), *places[1:-1], (296.0, 140.0)]
+    places = [(21.0 + 22.0 * k, 75.0 + (44.0 if k % 2 else -44.0)) for k in range(10)]
+    return [(21.0, 45.0), *places[1:-1], (219.0, 105.0)]
 
 
 def _circle() -> Curve:
-    points, weights, knots, degree = curves.circle(160.0, 100.0, 78.0)
+    points, weights, knots, degree = curves.circle(120.0, 75.0, 58.0)
     return Curve(
         "",
         tuple(CurvePoint("", x, y, w) for (x, y), w in zip(points.tolist(), weights.tolist(), strict=True)),
@@ -97,17 +100,17 @@ def _circle() -> Curve:
 
 
 def _alphas() -> list[Curve]:
-    places = ((6, 30), (156, 150), (164, 150), (314, 30))
+    places = ((5, 22), (117, 112), (123, 112), (235, 22))
     kinds = ((0.0, 2, _("Uniform")), (0.5, 1, _("Centripetal")), (1.0, 3, _("Chordal")))
     return [_curve(places, "catmull_rom", colour, name, alpha=alpha) for alpha, colour, name in kinds]
 
 
 def _leaf() -> list[Curve]:
     blade = [
-        *((96, 14), (34, 34), (14, 104)),
-        *((60, 146), (76, 160), (86, 172)),
-        *((96, 190), (106, 172), (116, 160)),
-        *((132, 146), (178, 104), (158, 34)),
+        *((72, 10), (26, 26), (10, 78)),
+        *((45, 110), (55.5, 119.6), (64, 129)),
+        *((72, 142), (80, 129), (88.5, 119.6)),
+        *((99, 110), (134, 78), (118, 26)),
     ]
     kinds = {0: "corner", 3: "smooth", 6: "corner", 9: "smooth"}
     points = [(float(x), float(y)) for x, y in blade]
@@ -120,9 +123,9 @@ def _leaf() -> list[Curve]:
         spline="bezier_path",
         closed=True,
     )
-    midrib = _curve(((96, 4), (94, 50), (98, 110), (96, 178)), "bezier_path", 3, _("Midrib"))
+    midrib = _curve(((72, 3), (70.5, 37), (73.5, 82), (72, 133)), "bezier_path", 3, _("Midrib"))
     veins = [
-        _curve(((96, 40 + 34 * k), (96 + s * 16, 52 + 34 * k), (96 + s * 32, 62 + 33 * k)), "bezier", 3, name)
+        _curve(((72, 30 + 25 * k), (72 + s * 12, 39 + 25 * k), (72 + s * 24, 46 + 25 * k)), "bezier", 3, name)
         for k in range(3)
         for s, name in ((-1, _("Left vein")), (1, _("Right vein")))
     ]
@@ -131,6 +134,6 @@ def _leaf() -> list[Curve]:
 
 def _letter() -> Curve:
     """An S, drawn through its turning points and turned into a path."""
-    places = ((286, 146), (256, 172), (226, 144), (254, 104), (290, 66), (256, 28), (220, 56))
+    places = ((214, 110), (192, 129), (170, 108), (190, 78), (218, 50), (192, 21), (165, 42))
     through = _curve(places, "natural_cubic", 2, _("Letter S"))
     return path_through(through, pieces_of(through))
