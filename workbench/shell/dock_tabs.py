@@ -38,7 +38,9 @@ class DockTabs(QObject):
             elif bare and not tabbed:
                 dock.setTitleBarWidget(None)  # type: ignore[arg-type]
         only_ours = Qt.FindChildOption.FindDirectChildrenOnly
-        for bar in self._window.findChildren(QTabBar, options=only_ours):
+        bars = self._window.findChildren(QTabBar, options=only_ours)
+        self._hide_forgotten([bar for bar in bars if bar.isVisible()])
+        for bar in bars:
             if bar not in self._bars:
                 self._bars.add(bar)
                 bar.destroyed.connect(lambda _gone=None, bar=bar: self._bars.discard(bar))
@@ -47,6 +49,13 @@ class DockTabs(QObject):
                 bar.setToolTip(_("Drag a tab to move its view; right-click to float or close it"))
                 bar.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
                 bar.customContextMenuRequested.connect(lambda at, bar=bar: self._show_menu(bar, at))
+
+    def _hide_forgotten(self, bars: list[QTabBar]) -> None:
+        """Docks put together one by one leave Qt with a bar of the first ones, which it may never hide."""
+        titles = {bar: {bar.tabText(k) for k in range(bar.count())} for bar in bars}
+        for bar in bars:
+            if any(titles[bar] < others for others in titles.values()):
+                bar.hide()
 
     def menu(self, dock: QDockWidget) -> QMenu:
         """What can be done with one dock."""
