@@ -63,6 +63,14 @@ def test_a_length_is_never_less_than_the_chords_nor_more_than_the_polygons(piece
     assert found >= chords * (1 - 1e-9) - 1e-12 * size
 
 
+@given(st.floats(1e-6, 1e6), st.floats(0, 1))
+def test_a_curve_that_turns_back_is_measured_there_and_back(height: float, where: float) -> None:
+    turning = Pieces(np.array([0.0, 1.0]), np.array([[[0.0, 0.0], [0.0, -where], [0.0, height]]]))
+    # y = a u^2 - 2 w u falls to -w^2 / a, and rises from there
+    low = where**2 / (height + 2 * where)
+    assert arc_length(turning) == pytest.approx(height + 2 * low, rel=1e-9)
+
+
 @settings(max_examples=40)
 @given(pieces_of_any_kind(), st.integers(2, 9))
 def test_equal_steps_are_equally_long(pieces: Pieces, count: int) -> None:

@@ -134,6 +134,22 @@ def test_the_construction_is_saved_as_a_picture(zigzag, tmp_path, ending):
         assert shapes.count("polyline") + shapes.count("path") > 5
 
 
+def test_a_long_svg_is_read_beside_and_comes_in_as_one_step_of_undo(qtbot):
+    panel = opened(qtbot)
+    said = told(panel)
+    paths = "".join(f'<path d="M {k} 0 C {k} 20 {k + 9} 20 {k + 9} 0"/>' for k in range(500))
+    panel.exchange.take_svg(f'<svg xmlns="http://www.w3.org/2000/svg">{paths}</svg>')
+    assert panel.session.sheet.figures == ()
+    assert said[-1].startswith("Reading")
+    qtbot.waitUntil(lambda: len(panel.session.sheet.figures) == 500, timeout=15000)
+    assert said[-1].startswith("500 figures")
+    panel.session.undo_stack.undo()
+    assert panel.session.sheet.figures == ()
+    panel.exchange.take_svg(f'<svg xmlns="http://www.w3.org/2000/svg">{paths}</svg')
+    qtbot.waitUntil(lambda: "XML is broken" in said[-1], timeout=15000)
+    assert panel.session.sheet.figures == ()
+
+
 def test_the_nearest_point_is_shown_and_a_click_goes_to_its_u(zigzag):
     zigzag.choose_tool("probe")
     from workbench.panels.curve_scene import point_at

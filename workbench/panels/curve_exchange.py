@@ -1,6 +1,7 @@
 """Curves in and out: points by clipboard and CSV, paths by SVG, the construction as a picture."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -13,9 +14,10 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from workbench.document.curve_edits import add_points
 from workbench.document.edits import Edit, add_figures
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Curve, CurvePoint
+from workbench.document.model import AnyFigure, Curve, CurvePoint, Sheet
+from workbench.engine import background
 from workbench.exchange.point_lists import PointsError, read_points, write_points
-from workbench.exchange.svg_paths import SvgError, read_svg, write_svg
+from workbench.exchange.svg_paths import Imported, SvgError, read_svg, write_svg
 from workbench.language import _, ngettext
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_freehand import FIT_PX, fit_words, fitted
@@ -25,6 +27,7 @@ from workbench.rendering import device_map
 
 PICTURE = QSize(1080, 840)
 _SVG = "SVG (*.svg)"
+_READ_AT_ONCE = 20_000
 _POINTS = "CSV (*.csv);;" + "TXT (*.txt)"
 
 
@@ -35,6 +38,7 @@ class CurveExchange(QObject):
     """
 
     said = Signal(str)
+    _read = Signal(object, object)
 
     def __init__(
         self, focus: CurveFocus, exporter: Callable[[], Exporter], model: Callable[[], Curve], owner: QWidget
@@ -42,6 +46,7 @@ class CurveExchange(QObject):
         super().__init__(owner)
         self.focus, self._exporter, self._model, self._owner = focus, exporter, model, owner
         self.session = focus.session
+        self._read.connect(self._take_found)
 
     def rows(self) -> list[Row]:
         """Name, text, icon, key and what it does."""
@@ -113,11 +118,27 @@ class CurveExchange(QObject):
         self.said.emit(text.format(n=len(places)))
 
     def take_svg(self, text: str | bytes) -> None:
-        """The figures of an SVG come onto the sheet; what is not exact is said."""
-        try:
-            found = read_svg(text, self.session.sheet)
-        except SvgError as problem:
-            self.said.emit(str(problem))
+        """The figures of an SVG come onto the sheet; a long one is read beside, meanwhile one may go on."""
+        sheet = self.session.sheet
+        if len(text) <= _READ_AT_ONCE:
+            self._take_found(sheet, _found_in(text, sheet))
+            return
+        self.said.emit(_("Reading {size:,} kB of SVG ...").format(size=len(text) // 1000))
+
+        def read() -> None:
+            found = _found_in(text, sheet)
+            with suppress(RuntimeError):  # this panel is gone
+                self._read.emit(sheet, found)
+
+        background.thread(read, "read SVG").start()
+
+    def _take_found(self, sheet: Sheet, found: Imported | str) -> None:
+        """What an SVG held, or the sentence that says why nothing."""
+        if isinstance(found, str):
+            self.said.emit(found)
+            return
+        if self.session.sheet.id != sheet.id:
+            self.said.emit(_("Another sheet was opened before the SVG was read; bring it in again here."))
             return
         if not found.figures:
             self.said.emit(" ".join(found.notes) or _("This SVG shows nothing that is a figure."))
@@ -227,3 +248,11 @@ class CurveExchange(QObject):
             self.said.emit(text.format(path=path, reason=problem.strerror or problem))
         else:
             self.said.emit(_("{path} is written.").format(path=path))
+
+
+def _found_in(text: str | bytes, sheet: Sheet) -> Imported | str:
+    """What an SVG holds, placed on the sheet, or the sentence that says what is wrong with it."""
+    try:
+        return read_svg(text, sheet)
+    except SvgError as problem:
+        return str(problem)

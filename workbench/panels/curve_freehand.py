@@ -3,13 +3,14 @@
 import numpy as np
 from PySide6.QtCore import Qt
 
-from workbench.algorithms.curves import fit_pieces, piece_points
+from workbench.algorithms.curves import closest_point, fit_pieces, in_rows
+from workbench.document.curve_pieces import share_at
 from workbench.document.edits import add_figure
 from workbench.document.model import Curve
 from workbench.exchange.svg_figures import path_of
 from workbench.language import _
 from workbench.panels.curve_focus import CurveFocus
-from workbench.panels.curve_shape import Array, device_pieces, nearest_share, parameter
+from workbench.panels.curve_shape import Array, device_pieces
 from workbench.panels.figure_gesture import Modifiers, Tool
 from workbench.panels.figure_tools import FigureTool
 from workbench.rendering import device_map
@@ -99,9 +100,9 @@ class ProbeTool(Tool):
 
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """Go to the u of the nearest point."""
-        found = self._found(x, y)
-        if found is not None:
-            self.focus.set_u(found)
+        found, curve = self._found((x, y)), self.focus.curve
+        if found is not None and curve is not None:
+            self.focus.set_u(share_at(curve, found[0]))
 
     def move(self, x: float, y: float) -> None:
         """The point follows the pointer."""
@@ -113,20 +114,19 @@ class ProbeTool(Tool):
         super().cancel()
         self.focus.probed = None
 
-    def _found(self, x: float, y: float) -> float | None:
+    def _found(self, at: tuple[float, float]) -> tuple[float, float, float, float] | None:
+        """u, x, y of the point that the text of the closest point finds, and how far it is."""
         curve = self.focus.curve
         pieces = None if curve is None else device_pieces(self.session.sheet, curve)
-        return None if pieces is None else nearest_share(pieces, x, y)[0]
+        return None if pieces is None else list(closest_point(*in_rows(pieces), *at))[-1]
 
     def drawn(self) -> list[Drawn]:
         """The way from the pointer to the curve, its length and the u there."""
-        curve, at = self.focus.curve, self.focus.probed
-        pieces = None if curve is None else device_pieces(self.session.sheet, curve)
-        if pieces is None or at is None:
+        at = self.focus.probed
+        found = None if at is None else self._found(at)
+        if at is None or found is None:
             return []
-        share, away = nearest_share(pieces, *at)
-        u = parameter(pieces, share)
-        x, y = piece_points(pieces, u).tolist()
+        u, x, y, away = found
         words = _("{away:.3g} px, u = {u:.4g}").format(away=away, u=u)
         return [
             Stroke(np.array([at, (x, y)]), "data 2", 1.75, "dash", haloed=True),

@@ -1,6 +1,7 @@
 """Lengths along curves in pieces.
 
-A piece is halved until its length by 16 points of Gauss and Legendre agrees with that of its halves.
+A part is halved until its length by 16 points of Gauss and Legendre agrees with that of its halves, and
+neither of these stops or turns back: beside a cusp the points may all lie on one side.
 Source: Guenter and Parent, Computing the arc length of parametric curves, 1990.
 """
 
@@ -20,6 +21,7 @@ Array = NDArray[np.float64]
 
 _MEASURED = 2.5e-10
 _DEEPEST = 40
+_SLOWEST = 0.05
 _MOST = 2**18
 WHOLE = np.ones(1)
 _NODES, _SHARES = (0.5 * (leggauss(16)[0] + 1.0), 0.5 * leggauss(16)[1])
@@ -79,8 +81,9 @@ def measured_parts(pieces: Pieces) -> Parts:
         piece, low = np.repeat(piece, 2), np.repeat(low, 2)
         low[1::2] += width
         part = length_up_to(controls, WHOLE)
-        done = np.abs(part[::2] + part[1::2] - length) <= least[piece[::2]]
-        done = np.repeat(done | (depth == _DEEPEST or len(part) > _MOST), 2)
+        whole_part, small = part[::2] + part[1::2], least[piece[::2]]
+        done = (np.abs(whole_part - length) <= small) & (one_way(controls).reshape(-1, 2).all(axis=1))
+        done = np.repeat(done | (whole_part <= small) | (depth == _DEEPEST or len(part) > _MOST), 2)
         found.append(Parts(piece[done], low[done], np.full(done.sum(), width), part[done], controls[done]))
         piece, low, length, controls = piece[~done], low[~done], part[~done], controls[~done]
         if not len(piece):
@@ -88,6 +91,17 @@ def measured_parts(pieces: Pieces) -> Parts:
     whole = Parts(*(np.concatenate(columns) for columns in zip(*found, strict=True)))
     order = np.lexsort((whole.low, whole.piece))
     return Parts(*[column[order] for column in whole])  # type: ignore[arg-type]
+
+
+def one_way(controls: Array) -> NDArray[np.bool_]:
+    """Whether each part (r,) certainly goes one way, nowhere much slower than elsewhere."""
+    points, weights = projected(controls)
+    tops = derivative_numerator(points, None if (weights == 1.0).all() else weights)[0]
+    mean = tops.sum(axis=-1, keepdims=True)
+    along = (tops * mean).sum(axis=1).min(axis=-1)
+    fastest = np.sqrt((tops * tops).sum(axis=1)).max(axis=-1)
+    found: NDArray[np.bool_] = along >= _SLOWEST * fastest * np.sqrt((mean[..., 0] ** 2).sum(axis=-1))
+    return found
 
 
 def length_up_to(controls: Array, end: Array) -> Array:

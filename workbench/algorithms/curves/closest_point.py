@@ -142,6 +142,7 @@ ENTRY = Entry(
         "No point of the curve is closer than the last one.",
         "Each point lies on the curve, at its u, and is closer than the one before.",
     ),
+    not_laws=("Also beside weights a million apart: the last 1e-9 of u at an end is not searched.",),
     questions=(8,),
     labs=("Curves: Bézier",),
 )
