@@ -68,7 +68,7 @@ class FigurePanel(QWidget):
         card.move(left + CARD_GAP_PX, CARD_GAP_PX)
         self._card = card
         self.leave_room(False)
-        self.empty = EmptyState(self.canvas, invitation, self.show_example)
+        self.empty = EmptyState(self.canvas, invitation, self._example_wanted)
         self._bar = QFrame()
         self._bar.setFixedWidth(TOOL_BAR_PX)
         column = QVBoxLayout(self._bar)
@@ -106,6 +106,11 @@ class FigurePanel(QWidget):
 
     def clicked(self, x: int, y: int) -> None:
         """A cell was clicked."""
+
+    def _example_wanted(self) -> None:
+        """Open the example with what takes hold of it, rather than draw on it."""
+        self.choose_tool("select")
+        self.show_example()
 
     # What the window places
 
