@@ -35,12 +35,13 @@ STEP = np.array([[0, 0], [1, 0], [2, 0], [3, 4], [4, 4], [5, 4]], float)
 
 @given(pieces_of_any_kind(), point_lists(1, 4))
 def test_distances_are_those_that_the_stepped_text_finds(pieces: Pieces, points: np.ndarray) -> None:
+    if pieces.weights is not None:
+        # Beside weights a million apart half of a piece may lie in the last steps of u, which no one searches.
+        pieces = pieces._replace(weights=np.clip(pieces.weights, 1e-3, 1e3))
     size = max(exact.size_of(pieces.controls), exact.size_of(points), 1e-300)
     found = distances(pieces, points)
     stepped = [compiled.collect(closest_point, *in_rows(pieces), *point)[-1, 3] for point in points.tolist()]
-    # Beside weights a million apart half of a piece may lie in the last steps of u, which are not searched.
-    if pieces.weights is None or np.ptp(np.log10(pieces.weights), axis=1).max() < 6:
-        assert np.abs(found - stepped).max() <= 1e-9 * size
+    assert np.abs(found - stepped).max() <= 1e-9 * size
     for place, distance in zip(points, found, strict=True):
         assert np.hypot(*(dense_points(pieces) - place).T).min() >= distance - 1e-9 * size
 
