@@ -36,7 +36,7 @@ STEP = np.array([[0, 0], [1, 0], [2, 0], [3, 4], [4, 4], [5, 4]], float)
 @given(pieces_of_any_kind(), point_lists(1, 4))
 def test_distances_are_those_that_the_stepped_text_finds(pieces: Pieces, points: np.ndarray) -> None:
     if pieces.weights is not None:
-        # Beside weights a million apart half of a piece may lie in the last steps of u, which no one searches.
+        # Beside weights a million apart half a piece may lie in the last steps of u, which are not searched.
         pieces = pieces._replace(weights=np.clip(pieces.weights, 1e-3, 1e3))
     size = max(exact.size_of(pieces.controls), exact.size_of(points), 1e-300)
     found = distances(pieces, points)
