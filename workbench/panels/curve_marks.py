@@ -99,7 +99,7 @@ def circle(pieces: Pieces, u: float) -> list[Drawn]:
         Stroke(around, "data 5", 1.5, "dash"),
         Stroke(np.array([(cx, cy), (x, y)]), "data 5", 1.0),
         Spot(cx, cy, "data 5", "cross", 8),
-        Word(f"r = {radius:.4g}", (cx + x) / 2, (cy + y) / 2, "text", 0, 1, carded=True),
+        Word(f"r = {radius:.4g}", cx, cy, "text", 0, -1, carded=True),
         Spot(x, y, "data 5", "dot", 7),
     ]
 
@@ -108,6 +108,8 @@ def tangent(pieces: Pieces, u: float) -> list[Drawn]:
     """The derivative by u at the point, as an arrow a third of its length, which is the handle's."""
     (x, y), (dx, dy) = curves.derivatives(pieces, u, 1).tolist()
     length = math.hypot(dx, dy)
+    # Of a part without meaning beside the other 0 is shown.
+    shown = [part if abs(part) > 1e-9 * length else 0.0 for part in (dx, dy)]
     if length <= 0.0:
         return [Spot(x, y, "data 2", "cross", 9)]
     shown = min(length / 3, _FAR) / length
@@ -119,7 +121,9 @@ def tangent(pieces: Pieces, u: float) -> list[Drawn]:
         Stroke(np.array([(x, y), tip]), "data 2", 2.0, haloed=True),
         Stroke(barb, "data 2", 2.0),
         Spot(x, y, "data 2", "dot", 7),
-        Word(f"C′ = ({dx:.4g}, {dy:.4g}), {angle:.0f}°", tip[0], tip[1], "text", 1, 1, carded=True),
+        Word(
+            f"C′ = ({shown[0]:.4g}, {shown[1]:.4g}), {angle:.0f}°", tip[0], tip[1], "text", 1, 1, carded=True
+        ),
     ]
 
 
