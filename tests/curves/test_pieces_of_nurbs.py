@@ -23,7 +23,9 @@ def test_in_pieces_it_is_the_same_curve(run: tuple[Any, ...]) -> None:
     points, weights, knots, degree, u = run
     whole = b_spline_to_bezier(homogeneous(points, weights), knots, degree)
     pieces = Pieces(whole.knots, *projected(whole.controls))
-    exact.close(piece_points(pieces, u), exact.nurbs(*run), exact.size_of(points))
+    # A rounding of u within its piece counts as often as the weights are apart.
+    uncertain = exact.size_of(points) * weights.max() / weights.min()
+    exact.close(piece_points(pieces, u), exact.nurbs(*run), uncertain)
     low, high = bounding_box(pieces)
     slack = 1e-12 * exact.size_of(points)
     assert (points.min(axis=0) - slack <= low).all()

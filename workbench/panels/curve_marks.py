@@ -109,7 +109,7 @@ def tangent(pieces: Pieces, u: float) -> list[Drawn]:
     (x, y), (dx, dy) = curves.derivatives(pieces, u, 1).tolist()
     length = math.hypot(dx, dy)
     # Of a part without meaning beside the other 0 is shown.
-    shown = [part if abs(part) > 1e-9 * length else 0.0 for part in (dx, dy)]
+    said_x, said_y = (part if abs(part) > 1e-9 * length else 0.0 for part in (dx, dy))
     if length <= 0.0:
         return [Spot(x, y, "data 2", "cross", 9)]
     shown = min(length / 3, _FAR) / length
@@ -121,9 +121,7 @@ def tangent(pieces: Pieces, u: float) -> list[Drawn]:
         Stroke(np.array([(x, y), tip]), "data 2", 2.0, haloed=True),
         Stroke(barb, "data 2", 2.0),
         Spot(x, y, "data 2", "dot", 7),
-        Word(
-            f"C′ = ({shown[0]:.4g}, {shown[1]:.4g}), {angle:.0f}°", tip[0], tip[1], "text", 1, 1, carded=True
-        ),
+        Word(f"C′ = ({said_x:.4g}, {said_y:.4g}), {angle:.0f}°", tip[0], tip[1], "text", 1, 1, carded=True),
     ]
 
 
