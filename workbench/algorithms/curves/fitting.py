@@ -40,11 +40,13 @@ def fit_pieces(
     given = np.asarray(points, float)
     refuse(faults(given))
     refuse_tolerance(tolerance)
-    kept = np.append(True, lengths(np.diff(given, axis=0)) > 0)
-    through = given[kept]
-    if len(through) < 2:
+    way = np.append(0.0, np.cumsum(lengths(np.diff(given, axis=0))))
+    if way[-1] <= 0.0:
         raise ValueError("All points are in one place; draw a line that has a length.")
-    way = np.append(0.0, np.cumsum(lengths(np.diff(through, axis=0))))
+    # A step that the way is too long to feel leads nowhere; the last point stays.
+    kept = np.append(np.diff(way) > 0, True)
+    kept[0], kept[way == way[0]] = True, np.arange(len(way))[way == way[0]] == 0
+    through, way = given[kept], way[kept]
     reach = 2.0 * tolerance
     turns = corners(through, reach, corner_angle)
     ends = [0, *turns, len(through) - 1]
