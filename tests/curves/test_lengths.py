@@ -1,6 +1,7 @@
 """Lengths against SciPy's quadrature and curves whose lengths are known."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -46,7 +47,14 @@ def test_the_length_is_the_integral_of_the_speed(pieces: Pieces, one: float, oth
     def speed(u: float) -> float:
         return float(np.hypot(*derivatives(pieces, u, 1)[1]))
 
-    spans = zip([first, *inner], [*inner, last], strict=True)
+    # A curve may turn back near an end of a piece, where an integrator at large would not see it.
+    nearer = 0.5 ** np.arange(1, 16)
+    grades = np.unique([0.0, *nearer, *(1.0 - nearer), 1.0])
+    spans = [
+        span
+        for a, b in zip([first, *inner], [*inner, last], strict=True)
+        for span in pairwise((a + (b - a) * grades).tolist())
+    ]
     truth, slack = np.sum([quad(speed, a, b, limit=400, epsabs=1e-12 * size) for a, b in spans], axis=0)
     assert arc_length(pieces, first, last) == pytest.approx(truth, rel=2e-9, abs=2 * slack + 1e-11 * size)
 

@@ -32,11 +32,10 @@ def test_the_box_holds_the_curve_and_touches_it(pieces: Pieces) -> None:
     low, high = bounding_box(pieces)
     size = max(exact.size_of(pieces.controls), 1e-300)
     places = dense_points(pieces)
-    # Between weights a billion apart a bump as low as that may lie within the last steps of u.
-    far = pieces.weights is not None and np.ptp(np.log10(pieces.weights), axis=1).max() > 6
-    slack = (1e-8 if far else 1e-12) * size
-    assert (places >= low - slack).all()
-    assert (places <= high + slack).all()
+    assert (places >= low - 1e-12 * size).all()
+    assert (places <= high + 1e-12 * size).all()
+    if pieces.weights is not None and np.ptp(np.log10(pieces.weights), axis=1).max() > 6:
+        return  # what turns back within the last steps of u is reached, but has no u to be named by
     sides = [pieces.controls[np.diff(pieces.knots) > 0][:, [0, -1]].reshape(-1, 2)]
     sides += [point[None] for _u, _axis, point in extrema(pieces)]
     touching = np.concatenate(sides)

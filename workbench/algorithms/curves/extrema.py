@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves.derivatives import local_derivatives
+from workbench.algorithms.curves.halving import evening
 from workbench.algorithms.curves.pieces import Pieces, piece_points, with_length
 from workbench.algorithms.curves.polynomials import derivative_numerator
 from workbench.algorithms.curves.roots import roots, sign_changes
@@ -24,7 +25,8 @@ def piece_boxes(pieces: Pieces) -> tuple[Array, Array]:
     low, high = ends.min(axis=1), ends.max(axis=1)
     # A piece whose control points all lie in the box of its ends cannot leave it
     beyond = np.flatnonzero(((controls < low[:, None]) | (controls > high[:, None])).any(axis=(1, 2)))
-    pulls = None if weights is None else weights[beyond]
+    # Balanced, a piece reaches as far, and its extrema are not crowded where no u tells them apart
+    pulls = None if weights is None else weights[beyond] * evening(weights[beyond])
     tops, sizes = derivative_numerator(controls[beyond], pulls)
     for axis in range(controls.shape[2]):
         rows, v = roots(tops[:, axis], sizes[:, axis])

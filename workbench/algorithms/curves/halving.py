@@ -28,10 +28,15 @@ def balanced(whole: Array) -> Array:
     Between ends of very unequal weights a curve runs through nearly everything near one of them; balanced,
     half of u is about half of the curve.
     """
-    degree = whole.shape[1] - 1
-    first, last = whole[:, :1, -1:], whole[:, -1:, -1:]
-    share = np.arange(degree + 1)[:, None] / max(degree, 1)
-    found: Array = whole * ((first / last) ** share / first)
+    found: Array = whole * evening(whole[..., -1])[..., None]
+    return found
+
+
+def evening(weights: Array) -> Array:
+    """What the weights (m, n+1) of pieces are multiplied by to balance them: 1 at both ends of each."""
+    first, last = weights[:, :1], weights[:, -1:]
+    share = np.arange(weights.shape[1]) / max(weights.shape[1] - 1, 1)
+    found: Array = (first / last) ** share / first
     return found
 
 
