@@ -9,8 +9,6 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.bernstein import bernstein
-
 Array = NDArray[np.float64]
 
 
@@ -20,9 +18,11 @@ def binomials(degree: int) -> Array:
 
 
 def value(coefficients: Array, v: Array) -> Array:
-    """The values at v (...,), one for each row (..., degree + 1)."""
-    found: Array = (bernstein(coefficients.shape[-1] - 1, v) * coefficients).sum(axis=-1)
-    return found
+    """The values at v (...,), one for each row (..., degree + 1), by de Casteljau's construction."""
+    level, share = coefficients, v[..., None]
+    while level.shape[-1] > 1:
+        level = (1.0 - share) * level[..., :-1] + share * level[..., 1:]
+    return level[..., 0]
 
 
 def wronskian(degree: int, term: Callable[[int, int], Array]) -> Array:
