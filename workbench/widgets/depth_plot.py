@@ -1,33 +1,30 @@
-"""Plots how deep a stack is over the steps of a run; the library for it is loaded when seen."""
+"""Plots how deep a stack is over the steps of a run."""
 
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QPen, QShowEvent
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QColor, QPen
+from PySide6.QtWidgets import QWidget
 
 from workbench.language import _
-from workbench.widgets.tokens import theme_changed, tokens
+from workbench.widgets.late_plot import LatePlot
+from workbench.widgets.tokens import tokens
 
 MOST_POINTS = 4000
 
 
-class DepthPlot(QWidget):
+class DepthPlot(LatePlot):
     """Depth over the number of the step; a line marks the present step.
 
-    ``step_wanted`` sends a step that was clicked, ``shown`` that the plot came into view.
+    ``step_wanted`` sends a step that was clicked.
     """
 
     step_wanted = Signal(int)
-    shown = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setMinimumHeight(90)
-        self.setAccessibleName(_("Depth of the stack"))
-        self._plot: Any = None
+        super().__init__(_("Depth of the stack"), parent)
         self._curve: Any = None
         self._line: Any = None
         self._limit_line: Any = None
@@ -35,14 +32,6 @@ class DepthPlot(QWidget):
         self._cursor = 0
         self._limit = 0
         self._calls = False
-        column = QVBoxLayout(self)
-        column.setContentsMargins(4, 4, 8, 4)
-        self.caption = QLabel()
-        self.caption.setProperty("role", "caption")
-        self.caption.setWordWrap(True)
-        column.addWidget(self.caption)
-        self._column = column
-        theme_changed.connect(self._restyle)
         self._say()
 
     @property
@@ -79,45 +68,18 @@ class DepthPlot(QWidget):
         )
         self.caption.setText(text.format(now=f"{now:,}", deepest=f"{deepest:,}", first=f"{first:,}"))
 
-    def showEvent(self, event: QShowEvent) -> None:
-        """Load the plot when it is seen for the first time, in a turn of its own."""
-        super().showEvent(event)
-        if self._plot is None:
-            QTimer.singleShot(0, self._make)
-        self.shown.emit()
-
-    def _make(self) -> None:
-        """The plot, unless another dock has come before it meanwhile."""
-        if self._plot is not None or not self.isVisible():
-            return
+    def _begin(self) -> None:
         import pyqtgraph
 
-        self._plot = pyqtgraph.PlotWidget()
-        self._plot.setMenuEnabled(False)
-        for side in ("left", "bottom"):
-            self._plot.getAxis(side).enableAutoSIPrefix(False)
-        self._plot.hideButtons()
-        self._plot.setMouseEnabled(x=False, y=False)
-        self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._plot.scene().sigMouseClicked.connect(self._clicked)
         self._curve = self._plot.plot([], [], antialias=True)
         self._line = pyqtgraph.InfiniteLine(angle=90)
         self._limit_line = pyqtgraph.InfiniteLine(angle=0)
         self._plot.addItem(self._line)
         self._plot.addItem(self._limit_line, ignoreBounds=True)
-        self._column.addWidget(self._plot, 1)
-        self._restyle()
 
     def _restyle(self) -> None:
-        if self._plot is None:
-            return
         now = tokens()
-        self._plot.setBackground(QColor(now.surface))
-        for side, text in (("left", _("depth")), ("bottom", _("step"))):
-            axis = self._plot.getAxis(side)
-            axis.setPen(QPen(QColor(now.muted), 1))
-            axis.setTextPen(QPen(QColor(now.muted), 1))
-            self._plot.setLabel(side, text, color=now.muted)
+        self._label_axes(_("depth"), _("step"))
         self._curve.setPen(QPen(QColor(now.data[0]), 0))
         self._line.setPen(QPen(QColor(now.text), 0))
         self._limit_line.setPen(QPen(QColor(now.error), 0, Qt.PenStyle.DashLine))
@@ -147,7 +109,6 @@ class DepthPlot(QWidget):
         if self._line is not None:
             self._line.setValue(self._cursor)
 
-    def _clicked(self, event: Any) -> None:
-        if len(self._depths) and event.button() == Qt.MouseButton.LeftButton:
-            at = self._plot.getPlotItem().vb.mapSceneToView(event.scenePos()).x()
-            self.step_wanted.emit(min(len(self._depths) - 1, max(0, round(at))))
+    def _chosen(self, x: float) -> None:
+        if len(self._depths):
+            self.step_wanted.emit(min(len(self._depths) - 1, max(0, round(x))))

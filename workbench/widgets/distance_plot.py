@@ -1,45 +1,36 @@
-"""Plots how far each painted pixel lies from the ideal curve; the library for it is loaded when seen."""
+"""Plots how far each painted pixel lies from the ideal curve."""
 
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QPen, QShowEvent
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QColor, QPen
+from PySide6.QtWidgets import QWidget
 
 from workbench.language import _
-from workbench.widgets.tokens import theme_changed, tokens
+from workbench.widgets.late_plot import LatePlot
+from workbench.widgets.tokens import tokens
 
 Curves = Sequence[tuple[str, NDArray[np.float64]]]
 _SYMBOLS, _SIZES = ("o", "s"), (9, 5)
 
 
-class DistancePlot(QWidget):
+class DistancePlot(LatePlot):
     """Distance over the number of the pixel, for one or two algorithms; a line marks the pixel painted last.
 
-    ``pixel_wanted`` sends the number of a pixel that was clicked, ``shown`` that the plot came into view.
+    ``pixel_wanted`` sends the number of a pixel that was clicked.
     """
 
     pixel_wanted = Signal(int)
-    shown = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setMinimumHeight(90)
-        self.setAccessibleName(_("Distance from the ideal curve"))
-        self._plot: Any = None
+        super().__init__(_("Distance from the ideal curve"), parent)
         self._curves: list[tuple[str, NDArray[np.float64]]] = []
         self._cursor: int | None = None
         self._line: Any = None
-        self._column = QVBoxLayout(self)
-        self._column.setContentsMargins(4, 4, 8, 4)
-        self.caption = QLabel(_("Select a figure to see how far its pixels lie from the ideal curve."))
-        self.caption.setProperty("role", "caption")
-        self.caption.setWordWrap(True)
-        self._column.addWidget(self.caption)
-        theme_changed.connect(self._draw)
+        self.caption.setText(_("Select a figure to see how far its pixels lie from the ideal curve."))
 
     def show_distances(self, curves: Curves) -> None:
         """Plot these (title, distances in pixels, in the order of painting)."""
@@ -57,28 +48,8 @@ class DistancePlot(QWidget):
             self._cursor = pixel
             self._place_cursor()
 
-    def showEvent(self, event: QShowEvent) -> None:
-        """Load the plot when it is seen for the first time, in a turn of its own."""
-        super().showEvent(event)
-        if self._plot is None:
-            QTimer.singleShot(0, self._make)
-        self.shown.emit()
-
-    def _make(self) -> None:
-        """The plot, unless another dock has come before it meanwhile."""
-        if self._plot is not None or not self.isVisible():
-            return
-        import pyqtgraph
-
-        self._plot = pyqtgraph.PlotWidget()
-        self._plot.setMenuEnabled(False)
-        for side in ("left", "bottom"):
-            self._plot.getAxis(side).enableAutoSIPrefix(False)
-        self._plot.hideButtons()
-        self._plot.setMouseEnabled(x=False, y=False)
-        self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._plot.scene().sigMouseClicked.connect(self._clicked)
-        self._column.addWidget(self._plot, 1)
+    def _restyle(self) -> None:
+        self._label_axes(_("distance (px)"), _("pixel k"))
         self._draw()
 
     def _draw(self) -> None:
@@ -89,14 +60,8 @@ class DistancePlot(QWidget):
         now = tokens()
         plot = self._plot
         plot.clear()
-        plot.setBackground(QColor(now.surface))
         self._line = None
         plot.setVisible(bool(self._curves))
-        for side, text in (("left", _("distance (px)")), ("bottom", _("pixel k"))):
-            axis = plot.getAxis(side)
-            axis.setPen(QPen(QColor(now.muted), 1))
-            axis.setTextPen(QPen(QColor(now.muted), 1))
-            plot.setLabel(side, text, color=now.muted)
         plot.addItem(pyqtgraph.InfiniteLine(0, angle=0, pen=QPen(QColor(now.grid_strong), 0)))
         said = []
         for k, (title, values) in enumerate(self._curves):
@@ -129,8 +94,7 @@ class DistancePlot(QWidget):
         if self._cursor is not None:
             self._line.setValue(self._cursor)
 
-    def _clicked(self, event: Any) -> None:
-        if self._curves and event.button() == Qt.MouseButton.LeftButton:
-            at = self._plot.getPlotItem().vb.mapSceneToView(event.scenePos()).x()
+    def _chosen(self, x: float) -> None:
+        if self._curves:
             last = len(self._curves[0][1]) - 1
-            self.pixel_wanted.emit(min(last, max(0, round(at))))
+            self.pixel_wanted.emit(min(last, max(0, round(x))))
