@@ -188,7 +188,7 @@ def fault_of(curve: Curve, spline: str = "") -> str:
 def parameter_at(curve: Curve, share: float) -> float:
     """The parameter u at a share, 0 to 1, of the range of u. Raises: ValueError where there is no curve."""
     knots = pieces_of(curve).knots
-    return float(knots[0] + min(max(share, 0.0), 1.0) * (knots[-1] - knots[0]))
+    return float(knots[-1] if share >= 1.0 else knots[0] + max(share, 0.0) * (knots[-1] - knots[0]))
 
 
 def share_at(curve: Curve, u: float) -> float:

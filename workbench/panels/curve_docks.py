@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces, piece_points
+from workbench.document.curve_pieces import parameter_at
 from workbench.document.model import Curve
 from workbench.language import _
 from workbench.panels.curve_basis import NOTHING, Basis, basis_of
@@ -15,7 +16,7 @@ from workbench.panels.curve_compare import compared, measures, rows
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_insight import CurveInsight
 from workbench.panels.curve_joints import joint_point, joints
-from workbench.panels.curve_shape import device_pieces, parameter
+from workbench.panels.curve_shape import device_pieces
 from workbench.rendering.curves import fault_of
 from workbench.widgets.basis_plot import BasisPlot
 from workbench.widgets.continuity_table import ContinuityTable, Joint
@@ -101,7 +102,7 @@ class CurveDocks(QObject):
     def _show_all(self) -> None:
         curve = self.focus.curve
         pieces = None if curve is None else device_pieces(self.focus.session.sheet, curve)
-        u = None if pieces is None else parameter(pieces, self.focus.u)
+        u = None if curve is None or pieces is None else parameter_at(curve, self.focus.u)
         if self.basis.isVisible():
             self._show_basis(curve, u)
         if self.curvature.isVisible():

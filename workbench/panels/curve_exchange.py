@@ -22,7 +22,7 @@ from workbench.language import _, ngettext
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_freehand import FIT_PX, fit_words, fitted
 from workbench.panels.figure_actions import Row
-from workbench.panels.figure_export import Exporter, paint_page
+from workbench.panels.figure_export import Exporter, ask_and_write, paint_page
 from workbench.rendering import device_map
 
 PICTURE = QSize(1080, 840)
@@ -90,8 +90,7 @@ class CurveExchange(QObject):
         """Fit a Bézier path to the points on the clipboard."""
         try:
             world = read_points(QGuiApplication.clipboard().text())
-            scale = device_map(self.session.sheet)
-            points = world * (scale.sx, scale.sy) + (scale.tx, scale.ty)
+            points = device_map(self.session.sheet).points(world)
             made, error = fitted(self.focus, points, FIT_PX, self._model().colour)
         except ValueError as problem:
             self.said.emit(str(problem))
@@ -235,19 +234,9 @@ class CurveExchange(QObject):
             self.said.emit(text.format(path=chosen, reason=problem.strerror or problem))
 
     def _save(self, title: str, name: str, kinds: str, write: Callable[[Path], None]) -> None:
-        chosen, kind = QFileDialog.getSaveFileName(self._owner, title, name, kinds)
-        if not chosen:
-            return
-        path = Path(chosen)
-        if not path.suffix:
-            path = path.with_suffix("." + kind.partition(" ")[0].lower())
-        try:
-            write(path)
-        except OSError as problem:
-            text = _("{path} was not written: {reason}. Choose another folder.")
-            self.said.emit(text.format(path=path, reason=problem.strerror or problem))
-        else:
-            self.said.emit(_("{path} is written.").format(path=path))
+        said = ask_and_write(self._owner, title, name, kinds, write)
+        if said:
+            self.said.emit(said)
 
 
 def _found_in(text: str | bytes, sheet: Sheet) -> Imported | str:

@@ -71,8 +71,7 @@ class FreehandTool(FigureTool):
 def fitted(focus: CurveFocus, points: Array, tolerance: float, colour: int) -> tuple[Curve, float]:
     """The Bézier path that passes device ``points`` (n, 2) within ``tolerance`` pixels, and its error."""
     pieces, error = fit_pieces(points, tolerance)
-    scale = device_map(focus.session.sheet)
-    world = (pieces.controls - (scale.tx, scale.ty)) / (scale.sx, scale.sy)
+    world = device_map(focus.session.sheet).world(pieces.controls)
     closed = bool((points[0] == points[-1]).all())
     return path_of(np.round(world, 6), closed, colour), error
 

@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces, piece_points
+from workbench.document.curve_pieces import parameter_at
 from workbench.document.model import Curve, Sheet
-from workbench.panels.curve_shape import device_pieces, device_points, parameter
+from workbench.panels.curve_shape import device_pieces, device_points
 from workbench.widgets.canvas_drawing import Drawn, Region, Spot, Stroke, Word
 
 Array = NDArray[np.float64]
@@ -26,7 +27,7 @@ def marks(sheet: Sheet, curve: Curve, shown: frozenset[str], share: float) -> li
     pieces = device_pieces(sheet, curve)
     if pieces is None:
         return []
-    u = parameter(pieces, share)
+    u = parameter_at(curve, share)
     drawn: list[Drawn] = []
     if "hull" in shown:
         drawn += hull(device_points(sheet, curve))

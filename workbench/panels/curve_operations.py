@@ -184,8 +184,8 @@ class CurveOperations(CurveCommands):
         """Put the chords that the curve is drawn by in its place, and say how far they are off at most."""
 
         def replace_by_chords(curve: Curve) -> None:
-            scale, sheet = device_map(self.session.sheet), self.session.sheet
-            corners = (polyline_of(sheet, curve) - (scale.tx, scale.ty)) / (scale.sx, scale.sy)
+            sheet = self.session.sheet
+            corners = device_map(sheet).world(polyline_of(sheet, curve))
             if len(corners) < 2:
                 self.said.emit(fault_of(curve))
                 return

@@ -15,7 +15,6 @@ from workbench.panels.curve_shape import (
     SMOOTH_PX,
     device_pieces,
     device_points,
-    parameter,
     smooth_line,
     tangent_ends,
 )
@@ -158,7 +157,7 @@ def point_at(sheet: Sheet, curve: Curve, share: float) -> tuple[float, float] | 
     pieces = device_pieces(sheet, curve)
     if pieces is None:
         return None
-    x, y = piece_points(pieces, parameter(pieces, share)).tolist()
+    x, y = piece_points(pieces, parameter_at(curve, share)).tolist()
     return x, y
 
 

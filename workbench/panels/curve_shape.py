@@ -8,9 +8,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.curves import Pieces, piece_points, polyline
 from workbench.document.model import Curve, Sheet
 from workbench.panels.curve_names import WITH_TANGENTS
-from workbench.rendering import device_map
-from workbench.rendering.curves import pieces_of
-from workbench.rendering.mapping import DeviceMap
+from workbench.rendering import curves, device_map
 
 Array = NDArray[np.float64]
 
@@ -22,39 +20,14 @@ TANGENT_SHARE = 1 / 3
 def device_pieces(sheet: Sheet, curve: Curve, spline: str = "") -> Pieces | None:
     """The pieces of a curve, device coordinates; None while something is missing for it."""
     try:
-        world = pieces_of(curve, spline)
+        return curves.device_pieces(sheet, curve, spline)
     except ValueError:
         return None
-    return _device(_Same(world), device_map(sheet))
-
-
-class _Same:
-    """Pieces as a key of a cache, equal when they are the same object."""
-
-    __slots__ = ("pieces",)
-
-    def __init__(self, pieces: Pieces) -> None:
-        self.pieces = pieces
-
-    def __hash__(self) -> int:
-        return id(self.pieces.controls)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and self.pieces.controls is other.pieces.controls
-
-
-@lru_cache(maxsize=64)
-def _device(key: _Same, scale: DeviceMap) -> Pieces:
-    knots, controls, weights = key.pieces
-    return Pieces(knots, controls * (scale.sx, scale.sy) + (scale.tx, scale.ty), weights)
 
 
 def device_points(sheet: Sheet, curve: Curve) -> Array:
     """The control points (n, 2), device coordinates."""
-    scale = device_map(sheet)
-    points = np.array([(p.x, p.y) for p in curve.points_world], np.float64).reshape(-1, 2)
-    shown: Array = points * (scale.sx, scale.sy) + (scale.tx, scale.ty)
-    return shown
+    return device_map(sheet).points(curves.points_of(curve))
 
 
 def smooth_line(sheet: Sheet, curve: Curve, spline: str = "", tolerance: float = SMOOTH_PX) -> Array:
@@ -85,7 +58,7 @@ def tangent_ends(sheet: Sheet, curve: Curve) -> dict[int, tuple[float, float]]:
 def nearest_share(pieces: Pieces, x: float, y: float) -> tuple[float, float]:
     """The share 0 to 1 of the parameter whose point is nearest to (x, y), and its distance, by sampling."""
     count = max(24, min(4000, 16 * len(pieces.controls)))
-    shares, line = _samples(_Same(pieces), count)
+    shares, line = _samples(curves.Same(pieces), count)
     start, along = line[:-1], np.diff(line, axis=0)
     square = np.maximum((along**2).sum(axis=1), 1e-300)
     part = np.clip((((x, y) - start) * along).sum(axis=1) / square, 0.0, 1.0)
@@ -95,13 +68,7 @@ def nearest_share(pieces: Pieces, x: float, y: float) -> tuple[float, float]:
 
 
 @lru_cache(maxsize=8)
-def _samples(key: _Same, count: int) -> tuple[Array, Array]:
+def _samples(key: curves.Same, count: int) -> tuple[Array, Array]:
     knots = key.pieces.knots
     shares = np.linspace(0.0, 1.0, count + 1)
     return shares, piece_points(key.pieces, knots[0] + shares * (knots[-1] - knots[0]))
-
-
-def parameter(pieces: Pieces, share: float) -> float:
-    """The parameter at a share, 0 to 1, of its range."""
-    first, last = float(pieces.knots[0]), float(pieces.knots[-1])
-    return last if share >= 1.0 else first + share * (last - first)

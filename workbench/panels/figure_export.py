@@ -33,6 +33,25 @@ class Page:
     caption: str
 
 
+def ask_and_write(owner: QWidget, title: str, name: str, kinds: str, write: Callable[[Path], None]) -> str:
+    """Ask for a file, write it, and return the sentence that says so; empty when none was chosen.
+
+    ``kinds`` are as in "PNG (*.png);;PDF (*.pdf)": a name without an ending gets that of the chosen kind.
+    """
+    chosen, kind = QFileDialog.getSaveFileName(owner, title, name, kinds)
+    if not chosen:
+        return ""
+    path = Path(chosen)
+    if not path.suffix:
+        path = path.with_suffix("." + (kind or kinds).partition(" ")[0].lower())
+    try:
+        write(path)
+    except OSError as problem:
+        text = _("{path} was not written: {reason}. Choose another folder.")
+        return text.format(path=path, reason=problem.strerror or problem)
+    return _("{path} is written.").format(path=path)
+
+
 def write_pdf(path: Path, title: str, pages: Iterator[Page], font: QFont) -> int:
     """Write one page per picture, with lines and cells as vectors; returns how many. Raises OSError."""
     path.write_bytes(b"")
@@ -125,19 +144,9 @@ class Exporter(QObject):
         self._ask(_("Save hand table"), _("table"), "CSV (*.csv)", self.write_table)
 
     def _ask(self, title: str, name: str, kinds: str, write: Callable[[Path], None]) -> None:
-        chosen, kind = QFileDialog.getSaveFileName(self._owner, title, name, kinds)
-        if not chosen:
-            return
-        path = Path(chosen)
-        if not path.suffix:
-            path = path.with_suffix(".pdf" if "pdf" in kind else ".csv" if "csv" in kind else ".png")
-        try:
-            write(path)
-        except OSError as problem:
-            text = _("{path} was not written: {reason}. Choose another folder.")
-            self.said.emit(text.format(path=path, reason=problem.strerror or problem))
-        else:
-            self.said.emit(_("{path} is written.").format(path=path))
+        said = ask_and_write(self._owner, title, name, kinds, write)
+        if said:
+            self.said.emit(said)
 
     def write_step(self, path: Path) -> None:
         """Write this step as PDF or PNG, by the file's ending. Raises OSError."""

@@ -46,8 +46,7 @@ def curve_calls(sheet: Sheet, curve: Curve, slug: str, share: float) -> list[Cal
     u = parameter_at(curve, share)
     if entry.slug in _OF_B_SPLINES:
         points, knots, weights = b_spline_of(curve)
-        scale = device_map(sheet)
-        device = points * np.array([scale.sx, scale.sy]) + np.array([scale.tx, scale.ty])
+        device = device_map(sheet).points(points)
         spans = len(points) - curve.degree
         if entry.slug == "de_boor_rational":
             pulls = weights if curve.spline == "nurbs" else np.ones(len(points))

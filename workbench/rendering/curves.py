@@ -32,15 +32,29 @@ __all__ = [
 Array = NDArray[np.float64]
 
 
+class Same:
+    """Pieces as a key of a cache, equal when they are the same object."""
+
+    __slots__ = ("pieces",)
+
+    def __init__(self, pieces: Pieces) -> None:
+        self.pieces = pieces
+
+    def __hash__(self) -> int:
+        return id(self.pieces.controls)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Same) and self.pieces.controls is other.pieces.controls
+
+
 def device_pieces(sheet: Sheet, curve: Curve, spline: str = "") -> Pieces:
-    """The Bézier pieces of a curve, device coordinates. Raises: ValueError as ``pieces_of``."""
-    return _mapped(device_map(sheet), curve, spline)
+    """The Bézier pieces of a curve, device coordinates; remembered. Raises: ValueError as ``pieces_of``."""
+    return _device(Same(pieces_of(curve, spline)), device_map(sheet))
 
 
-def _mapped(scale: DeviceMap, curve: Curve, spline: str) -> Pieces:
-    knots, controls, weights = pieces_of(curve, spline)
-    device = controls * np.array([scale.sx, scale.sy]) + np.array([scale.tx, scale.ty])
-    return Pieces(knots, device, weights)
+@lru_cache(maxsize=64)
+def _device(key: Same, scale: DeviceMap) -> Pieces:
+    return key.pieces._replace(controls=scale.points(key.pieces.controls))
 
 
 def polyline_of(sheet: Sheet, curve: Curve, spline: str = "", tolerance_px: float | None = None) -> Array:
@@ -56,6 +70,6 @@ def polyline_of(sheet: Sheet, curve: Curve, spline: str = "", tolerance_px: floa
 def _polyline(scale: DeviceMap, curve: Curve, spline: str, tolerance_px: float) -> Array:
     if fault_of(curve, spline):
         return np.empty((0, 2))
-    corners = curves.polyline(_mapped(scale, curve, spline), tolerance_px)
+    corners = curves.polyline(_device(Same(pieces_of(curve, spline)), scale), tolerance_px)
     corners.setflags(write=False)
     return corners

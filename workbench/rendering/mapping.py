@@ -26,6 +26,16 @@ class DeviceMap(NamedTuple):
         """Device coordinates of a world point, not yet rounded."""
         return self.sx * x + self.tx, self.sy * y + self.ty
 
+    def points(self, world: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Device coordinates of world points (..., 2)."""
+        device: NDArray[np.float64] = world * (self.sx, self.sy) + (self.tx, self.ty)
+        return device
+
+    def world(self, device: NDArray[np.float64]) -> NDArray[np.float64]:
+        """World coordinates of device points (..., 2)."""
+        found: NDArray[np.float64] = (device - (self.tx, self.ty)) / (self.sx, self.sy)
+        return found
+
 
 class Call(NamedTuple):
     """One run of an algorithm: the entry and what its function is given, in device coordinates.
