@@ -10,12 +10,12 @@ from workbench.document.building import Edit, checked, number
 from workbench.document.curve_changes import changing
 from workbench.document.curve_paths import Joint, natural_joint, points_from
 from workbench.document.curve_pieces import goes_round, pieces_of, points_of, weights_of
-from workbench.document.model import KNOT_RULES, Curve, CurvePoint, Knot
+from workbench.document.model import B_SPLINES, KNOT_RULES, Curve, CurvePoint, Knot
 from workbench.language import _
 
 Array = NDArray[np.float64]
 
-CONVERSIONS = ("bezier_path", "bezier", "b_spline", "nurbs", "hermite")
+CONVERSIONS = ("bezier_path", "bezier", *B_SPLINES, "hermite")
 TOLERANCE_WORLD = 0.01
 
 
@@ -36,7 +36,7 @@ def converted(curve: Curve, spline: str, tolerance_world: float = TOLERANCE_WORL
         return _as_path(curve, tolerance_world)
     if spline == "bezier":
         return _as_bezier(curve), 0.0
-    if spline in ("b_spline", "nurbs"):
+    if spline in B_SPLINES:
         return _as_b_spline(curve, spline, tolerance_world)
     if spline == "hermite":
         return _as_hermite(curve, tolerance_world)
@@ -116,7 +116,7 @@ def _as_bezier(curve: Curve) -> Curve:
 
 def _as_b_spline(curve: Curve, spline: str, tolerance: float) -> tuple[Curve, float]:
     """A B-spline with every knot between pieces as often as its degree."""
-    if curve.spline in ("b_spline", "nurbs") and np.ptp(weights_of(curve)) == 0:
+    if curve.spline in B_SPLINES and np.ptp(weights_of(curve)) == 0:
         return replace(curve, spline=spline), 0.0
     if curve.spline == "b_spline":
         even = (replace(p, weight=1.0) for p in curve.points_world)

@@ -28,7 +28,7 @@ from workbench.document.curve_paths import (
     points_from,
     sound,
 )
-from workbench.document.curve_pieces import goes_round, knots_of, pieces_of
+from workbench.document.curve_pieces import ends_steer, goes_round, knots_of, pieces_of
 from workbench.document.curve_turns import (
     Rows,
     middle_turn,
@@ -39,7 +39,7 @@ from workbench.document.curve_turns import (
     with_rows,
 )
 from workbench.document.errors import DocumentError
-from workbench.document.model import Curve, CurvePoint, Document, Knot
+from workbench.document.model import B_SPLINES, Curve, CurvePoint, Document, Knot
 from workbench.language import _
 
 Array = NDArray[np.float64]
@@ -54,7 +54,7 @@ def insert_on_curve(figure: str, u: float) -> Edit:
 
 def insertion_note(curve: Curve) -> str:
     """The sentence that says how a point more changes a curve; empty where it stays."""
-    if curve.spline in ("bezier", "bezier_path", "b_spline", "nurbs"):
+    if curve.spline in ("bezier", "bezier_path", *B_SPLINES):
         return ""
     return _("This curve goes through its points by a rule, so a point more on it changes it slightly.")
 
@@ -69,7 +69,7 @@ def inserted(curve: Curve, u: float) -> Curve:
     pieces = pieces_of(curve)
     if curve.spline == "bezier" and pieces.degree > 3:
         return raised(curve)
-    if curve.spline in ("b_spline", "nurbs"):
+    if curve.spline in B_SPLINES:
         return _with_knot(curve, u)
     piece, v = place_of(pieces.knots, u)
     if min(v, 1.0 - v) <= _ROUNDING:
@@ -78,15 +78,12 @@ def inserted(curve: Curve, u: float) -> Curve:
         path = converted(curve, "bezier_path")[0]
         return _subdivided(path, piece, v)
     where = curves.piece_points(pieces, u)
-    index = piece + 1 + (curve.ends == "inner" and not curve.closed and curve.spline in STEERED)
+    index = piece + 1 + ends_steer(curve)
     point = CurvePoint("", float(where[0]), float(where[1]))
     if curve.spline == "hermite":
         slope = 0.5 * curves.piece_points(curves.piece_derivative(pieces), u)
         point = replace(point, tangent_x=float(slope[0]), tangent_y=float(slope[1]))
     return with_point(curve, min(index, len(curve.points_world)), point)
-
-
-STEERED = ("cardinal", "catmull_rom", "kochanek_bartels")
 
 
 def place_of(knots: Array, u: float) -> tuple[int, float]:
@@ -193,7 +190,7 @@ def parts(curve: Curve, u: float) -> tuple[Curve, Curve | None]:
             return _halves(curve, v)
         end = replace(curve.points_world[0], id="")
         return refitted(replace(curve, closed=False, points_world=(*curve.points_world, end))), None
-    if curve.spline in ("b_spline", "nurbs"):
+    if curve.spline in B_SPLINES:
         return _cut(curve, u)
     path = converted(curve, "bezier_path")[0]
     if min(v, 1.0 - v) > _ROUNDING:

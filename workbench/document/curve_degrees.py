@@ -10,7 +10,7 @@ from workbench.document.check import MAX_DEGREE
 from workbench.document.curve_changes import changing
 from workbench.document.curve_pieces import pieces_of
 from workbench.document.curve_turns import Rows, one_turn, rows_of, spread, spread_knots, with_rows
-from workbench.document.model import Curve, CurvePoint
+from workbench.document.model import B_SPLINES, Curve, CurvePoint
 from workbench.language import _
 
 Array = NDArray[np.float64]
@@ -61,7 +61,7 @@ def lowered(curve: Curve) -> tuple[Curve, float]:
 
 
 def _refuse_others(curve: Curve) -> None:
-    if curve.spline not in ("b_spline", "nurbs"):
+    if curve.spline not in B_SPLINES:
         raise ValueError(_("This kind of curve has one degree only; convert it to a B-spline before."))
 
 

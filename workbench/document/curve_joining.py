@@ -16,12 +16,11 @@ from workbench.document.curve_knots import refitted, with_knot_rule
 from workbench.document.curve_paths import Place, is_path, joints_of, place, points_from, sound
 from workbench.document.curve_pieces import goes_round, knots_of, pieces_of
 from workbench.document.errors import DocumentError
-from workbench.document.model import Curve, CurvePoint, Document, Knot
+from workbench.document.model import B_SPLINES, THROUGH, Curve, CurvePoint, Document, Knot
 from workbench.language import _
 
 Array = NDArray[np.float64]
 _TOGETHER = 1e-9
-THROUGH = ("hermite", "natural_cubic", "clamped_cubic", "cardinal", "catmull_rom", "kochanek_bartels")
 
 
 @checked
@@ -59,7 +58,7 @@ def joined(one: Curve, other: Curve) -> Curve:
         gap = math.dist(place(points[-1]), place(other.points_world[0]))
         rest = other.points_world[1:] if gap <= _TOGETHER else other.points_world
         return replace(one, points_world=(*points, *rest), knot_rule="open_uniform", knots=())
-    plain = one.spline in ("b_spline", "nurbs") and one.degree == other.degree
+    plain = one.spline in B_SPLINES and one.degree == other.degree
     if plain and one.spline == other.spline and _clamped(one) and _clamped(other):
         return _joined_b_splines(one, other)
     return _joined_paths(converted(one, "bezier_path")[0], converted(other, "bezier_path")[0])
@@ -141,7 +140,7 @@ def reversed_curve(curve: Curve) -> Curve:
         both = knots[0].u + knots[-1].u
         knots = tuple(replace(knot, u=both - knot.u) for knot in reversed(knots))
     if goes_round(curve) and points:
-        knotted = curve.knots and curve.spline in ("b_spline", "nurbs")
+        knotted = curve.knots and curve.spline in B_SPLINES
         points = _turned(points, curve.degree if knotted else 1)
     return replace(curve, points_world=(*points, *waiting), knots=knots, bias=0.0 - curve.bias)
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces
 from workbench.algorithms.curves.sections import Ends
-from workbench.document.model import Curve
+from workbench.document.model import NEIGHBOUR_SPLINES, Curve
 
 Array = NDArray[np.float64]
 
@@ -174,6 +174,11 @@ def _path(points: Array, closed: bool) -> Pieces:
 def goes_round(curve: Curve) -> bool:
     """Whether the curve comes back to its begin: some kinds always do, and some never."""
     return curve.spline == "periodic_cubic" or (curve.closed and curve.spline not in _NEVER_CLOSED)
+
+
+def ends_steer(curve: Curve) -> bool:
+    """Whether the first and the last point only steer, and the curve joins those between."""
+    return curve.spline in NEIGHBOUR_SPLINES and curve.ends == "inner" and not curve.closed
 
 
 def fault_of(curve: Curve, spline: str = "") -> str:

@@ -10,10 +10,8 @@ from workbench.document.building import Edit, checked, number, whole_number, wit
 from workbench.document.curve_changes import changing, curve_with
 from workbench.document.curve_knots import with_degree, with_knot_rule
 from workbench.document.errors import DocumentError
-from workbench.document.model import Curve, Document, Knot
+from workbench.document.model import TANGENT_SPLINES, Curve, Document, Knot
 from workbench.language import _
-
-TANGENT_SPLINES = ("hermite", "clamped_cubic")
 
 
 @checked

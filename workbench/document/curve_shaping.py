@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from workbench.algorithms import curves
 from workbench.document.building import Edit, checked, number
 from workbench.document.curve_changes import changing
-from workbench.document.curve_cutting import STEERED, place_of
+from workbench.document.curve_cutting import place_of
 from workbench.document.curve_paths import (
     Places,
     handles_of,
@@ -24,13 +24,14 @@ from workbench.document.curve_paths import (
 )
 from workbench.document.curve_pieces import (
     b_spline_of,
+    ends_steer,
     goes_round,
     knots_of,
     pieces_of,
     points_of,
     weights_of,
 )
-from workbench.document.model import Curve
+from workbench.document.model import B_SPLINES, Curve
 from workbench.language import _
 
 Array = NDArray[np.float64]
@@ -38,7 +39,7 @@ Array = NDArray[np.float64]
 SMOOTHNESS = ("G1", "C1", "G2", "C2")
 _NEAR_END = 0.1
 _ROUNDS = 30
-_LINEAR = ("bezier", "b_spline", "nurbs")
+_LINEAR = ("bezier", *B_SPLINES)
 
 
 @checked
@@ -95,7 +96,7 @@ def _shares(curve: Curve, u: float, piece: int, v: float) -> Array:
         return share
     if curve.spline == "bezier":
         _fold(share, curves.bernstein(pieces_of(curve).degree, v), 0)
-    elif curve.spline in ("b_spline", "nurbs"):
+    elif curve.spline in B_SPLINES:
         _points, knots, weights = b_spline_of(curve)
         spans, part = curves.basis_functions(knots, curve.degree, u)
         span = int(spans)
@@ -104,7 +105,7 @@ def _shares(curve: Curve, u: float, piece: int, v: float) -> Array:
             part = part / part.sum()
         _fold(share, part, span - curve.degree)
     else:
-        first = piece + (curve.ends == "inner" and not curve.closed and curve.spline in STEERED)
+        first = piece + ends_steer(curve)
         share[first % len(share)] += 1.0 - v
         share[(first + 1) % len(share)] += v
     return share
@@ -146,7 +147,7 @@ def smoothing_moves(curve: Curve, joint: int, kind: str) -> Places:
         raise ValueError(sentence.format(number=joint, count=count))
     if is_path(curve):
         return _handle_moves(curve, 3 * ((joint + 1) % len(joints_of(curve)[0])), kind)
-    if curve.spline == "bezier" or (curve.spline in ("b_spline", "nurbs") and _even(curve)):
+    if curve.spline == "bezier" or (curve.spline in B_SPLINES and _even(curve)):
         return _least_moves(curve, joint, int(kind[1]))
     raise ValueError(_("The joints of this curve follow a rule; convert it to a path to change one of them."))
 

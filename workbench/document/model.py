@@ -155,6 +155,11 @@ SPLINES = (
     "catmull_rom",
     "kochanek_bartels",
 )
+# Over knots, with a degree; with a derivative at points; with a tangent made of the neighbours of a point.
+B_SPLINES = ("b_spline", "nurbs")
+TANGENT_SPLINES = ("hermite", "clamped_cubic")
+NEIGHBOUR_SPLINES = ("cardinal", "catmull_rom", "kochanek_bartels")
+THROUGH = (*TANGENT_SPLINES, "natural_cubic", "periodic_cubic", *NEIGHBOUR_SPLINES)
 JOINTS = ("corner", "smooth", "symmetric")
 KNOT_RULES = ("open_uniform", "uniform", "free")
 ENDS = ("through", "inner")

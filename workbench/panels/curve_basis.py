@@ -7,8 +7,8 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import basis_table, bernstein, piece_points
-from workbench.document.model import Curve
-from workbench.panels.curve_names import WITH_DEGREE, is_handle, point_name
+from workbench.document.model import B_SPLINES, Curve
+from workbench.panels.curve_names import is_handle, point_name
 from workbench.rendering.curves import b_spline_of, pieces_of
 
 Array = NDArray[np.float64]
@@ -54,7 +54,7 @@ def basis_of(curve: Curve, share: float) -> Basis:
         degree = count if curve.closed else count - 1
         values = _wrapped(bernstein(degree, us), count)
         return _chosen(curve, us, values, "B", (), None, share)
-    if curve.spline in WITH_DEGREE:
+    if curve.spline in B_SPLINES:
         _around, knots, weights = b_spline_of(curve)
         values = basis_table(knots, curve.degree, us)
         if curve.spline == "nurbs":

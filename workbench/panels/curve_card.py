@@ -19,15 +19,25 @@ from workbench.document.curve_edits import (
     set_knot_rule,
     set_spline,
 )
+from workbench.document.curve_pieces import ends_steer
 from workbench.document.edits import Edit, both, set_attributes
 from workbench.document.errors import DocumentError
-from workbench.document.model import CONSTRUCTIONS, ENDS, JOINTS, KNOT_RULES, SPLINES, AnyFigure, Curve, Sheet
+from workbench.document.model import (
+    B_SPLINES,
+    CONSTRUCTIONS,
+    ENDS,
+    JOINTS,
+    KNOT_RULES,
+    NEIGHBOUR_SPLINES,
+    SPLINES,
+    AnyFigure,
+    Curve,
+    Sheet,
+)
 from workbench.language import _, ngettext
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_freehand import FreehandTool
 from workbench.panels.curve_names import (
-    WITH_DEGREE,
-    WITH_ENDS,
     is_handle,
     look_of,
     mark_of,
@@ -231,14 +241,14 @@ class CurveCard(ParameterCard):
 
     def _show_model(self, model: Curve) -> None:
         self.spline.setCurrentIndex(self.spline.findData(model.spline))
-        with_degree = model.spline in WITH_DEGREE
+        with_degree = model.spline in B_SPLINES
         self.degree.setVisible(with_degree)
         self.degree.set_value(model.degree)
         self.closed.setChecked(model.closed or model.spline == "periodic_cubic")
         self.closed.setEnabled(model.spline != "periodic_cubic")
         self.rule.setVisible(with_degree)
         self.rule.setCurrentIndex(self.rule.findData(model.knot_rule))
-        self.ends.setVisible(model.spline in WITH_ENDS and not model.closed)
+        self.ends.setVisible(model.spline in NEIGHBOUR_SPLINES and not model.closed)
         self.ends.setCurrentIndex(self.ends.findData(model.ends))
         wanted = {
             "cardinal": ("tension",),
@@ -328,7 +338,7 @@ def edit_of(sheet: Sheet, curves: Sequence[Curve], attribute: str, value: Any) -
 def countings(curve: Curve) -> str:
     """Points, degree, order and knots as the course counts them, and as most books do."""
     points = len(curve.points_world)
-    if curve.spline in WITH_DEGREE:
+    if curve.spline in B_SPLINES:
         around = points + curve.degree if curve.closed and curve.knot_rule != "free" else points
         try:
             found = counting(around, curve.degree)
@@ -357,7 +367,7 @@ def countings(curve: Curve) -> str:
         )
         return text.format(points=points, pieces=pieces)
     pieces = points if curve.closed or curve.spline == "periodic_cubic" else points - 1
-    if curve.ends == "inner" and curve.spline in WITH_ENDS and not curve.closed:
+    if ends_steer(curve):
         pieces = max(points - 3, 0)
     text = ngettext(
         "n + 1 = {points} points, {pieces} cubic piece",

@@ -18,10 +18,9 @@ from workbench.document.curve_edits import (
 )
 from workbench.document.edits import Edit, both, move_points
 from workbench.document.errors import DocumentError
-from workbench.document.model import Curve, Document
+from workbench.document.model import B_SPLINES, Curve, Document
 from workbench.language import _
 from workbench.panels.curve_focus import CurveFocus
-from workbench.panels.curve_names import WITH_DEGREE
 from workbench.panels.figure_actions import Row
 from workbench.panels.figure_gesture import Gesture
 from workbench.rendering import device_map
@@ -152,7 +151,7 @@ class CurveCommands(QObject):
     def pull_knot(self, knot: str, u: float) -> None:
         """Put a knot to u; knots that a rule makes become free with it."""
         curve = self.focus.curve
-        if curve is None or curve.spline not in WITH_DEGREE:
+        if curve is None or curve.spline not in B_SPLINES:
             return
         if not self._pull.busy:
             self._pull.begin()

@@ -4,16 +4,18 @@ import math
 from functools import lru_cache
 
 from workbench.algorithms import curves
-from workbench.document.model import Curve, Sheet
+from workbench.document.model import THROUGH, Curve, Sheet
 from workbench.language import _
 from workbench.panels.curve_joints import MOST_JOINTS, TOLERANCE
-from workbench.panels.curve_names import GLOBAL, THROUGH, is_handle, look_of, spline_title
+from workbench.panels.curve_names import is_handle, look_of, spline_title
 from workbench.panels.curve_shape import Array, device_pieces, device_points
 from workbench.widgets.measure_table import Measure, Measured
 
 # What stands in the table while no other kind is shown beside the curve.
 USUAL = ("natural_cubic", "catmull_rom", "bezier", "b_spline")
 MOST_POINTS = 200
+# Where one point moves the whole curve.
+_GLOBAL = ("bezier", "natural_cubic", "clamped_cubic", "periodic_cubic")
 # A curve that passes a point this near, in pixels, passes through it.
 _ON = 1e-6
 
@@ -61,7 +63,7 @@ def _rows(sheet: Sheet, curve: Curve) -> tuple[Measured, ...]:
             math.degrees(turns.turning),
             float(turns.inflections),
             float(curves.arc_length(pieces)),
-            _("all of it") if kind in GLOBAL else _("a part of it"),
+            _("all of it") if kind in _GLOBAL else _("a part of it"),
             _smoothness(pieces, curve.closed),
             str(pieces.degree),
         )

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces, piece_points
 from workbench.document.curve_pieces import parameter_at
-from workbench.document.model import Curve
+from workbench.document.model import B_SPLINES, Curve
 from workbench.language import _
 from workbench.panels.curve_basis import NOTHING, Basis, basis_of
 from workbench.panels.curve_compare import compared, measures, rows
@@ -126,7 +126,7 @@ class CurveDocks(QObject):
             self._basis = NOTHING if curve is None else basis_of(curve, self.focus.u)
             made = self._basis
             inks = [f"data {k % 6 + 1}" for k in made.numbers]
-            movable = curve is not None and curve.spline in ("b_spline", "nurbs")
+            movable = curve is not None and curve.spline in B_SPLINES
             self.basis.set_domain(made.domain)
             self.basis.set_functions(made.us, made.values, made.names, inks)
             self.basis.set_knots(list(made.knots), movable)

@@ -3,8 +3,9 @@
 import numpy as np
 
 from workbench.algorithms import curves
-from workbench.document.model import Curve, Sheet
-from workbench.panels.curve_names import GLOBAL, THROUGH, point_name
+from workbench.document.curve_pieces import ends_steer
+from workbench.document.model import THROUGH, Curve, Sheet
+from workbench.panels.curve_names import point_name
 from workbench.panels.curve_shape import device_pieces
 from workbench.widgets.continuity_table import Joint
 
@@ -37,6 +38,5 @@ def joint_point(curve: Curve, number: int) -> int | None:
     if curve.spline == "bezier_path":
         return 3 * (number + 1) % points if curve.closed else 3 * (number + 1)
     if curve.spline in THROUGH:
-        inner = curve.ends == "inner" and not curve.closed and curve.spline not in ("hermite", *GLOBAL)
-        return (number + (2 if inner else 1)) % points
+        return (number + 1 + ends_steer(curve)) % points
     return None

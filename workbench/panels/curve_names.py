@@ -4,12 +4,6 @@ from workbench.document.model import Curve
 from workbench.language import _
 from workbench.widgets.canvas_drawing import Pattern
 
-WITH_DEGREE = ("b_spline", "nurbs")
-WITH_TANGENTS = ("hermite", "clamped_cubic")
-WITH_ENDS = ("cardinal", "catmull_rom", "kochanek_bartels")
-GLOBAL = ("bezier", "natural_cubic", "clamped_cubic", "periodic_cubic")
-THROUGH = ("hermite", "natural_cubic", "clamped_cubic", "periodic_cubic", *WITH_ENDS)
-
 _LOOKS: dict[str, tuple[str, Pattern]] = {
     "bezier": ("data 2", "solid"),
     "bezier_path": ("data 2", "dash"),

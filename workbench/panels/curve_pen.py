@@ -8,11 +8,10 @@ from msgspec.structs import replace
 
 from workbench.document.curve_edits import add_path_point, add_points, curve_with
 from workbench.document.edits import Edit, add_figure, both
-from workbench.document.model import Curve, CurvePoint
+from workbench.document.model import TANGENT_SPLINES, Curve, CurvePoint
 from workbench.language import _
 from workbench.panels.curve_drags import constrained
 from workbench.panels.curve_focus import CurveFocus
-from workbench.panels.curve_names import WITH_TANGENTS
 from workbench.panels.curve_shape import TANGENT_SHARE, device_points
 from workbench.panels.figure_gesture import Modifiers
 from workbench.panels.figure_tools import FigureTool
@@ -145,7 +144,7 @@ class PenTool(FigureTool):
 
     @property
     def _has_handles(self) -> bool:
-        return self.model.spline == "bezier_path" or self.model.spline in WITH_TANGENTS
+        return self.model.spline == "bezier_path" or self.model.spline in TANGENT_SPLINES
 
     def _place_text(self, place: Place) -> str:
         count = len(self._nodes)
@@ -174,7 +173,9 @@ class PenTool(FigureTool):
             ]
             return replace(model, points_world=tuple(made))
         scale = device_map(self.session.sheet)
-        tangents = tangents_of(nodes, closed) if model.spline in WITH_TANGENTS else [(0.0, 0.0)] * len(nodes)
+        tangents = (
+            tangents_of(nodes, closed) if model.spline in TANGENT_SPLINES else [(0.0, 0.0)] * len(nodes)
+        )
         made = [
             CurvePoint(
                 "",

@@ -6,8 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import Pieces, piece_points, polyline
-from workbench.document.model import Curve, Sheet
-from workbench.panels.curve_names import WITH_TANGENTS
+from workbench.document.model import TANGENT_SPLINES, Curve, Sheet
 from workbench.rendering import curves, device_map
 
 Array = NDArray[np.float64]
@@ -38,14 +37,14 @@ def smooth_line(sheet: Sheet, curve: Curve, spline: str = "", tolerance: float =
 
 def has_tangent(curve: Curve, index: int) -> bool:
     """Whether the derivative at a point is given and may be dragged."""
-    if curve.spline not in WITH_TANGENTS:
+    if curve.spline not in TANGENT_SPLINES:
         return False
     return curve.spline == "hermite" or index in (0, len(curve.points_world) - 1)
 
 
 def tangent_ends(sheet: Sheet, curve: Curve) -> dict[int, tuple[float, float]]:
     """For each point with a tangent the end of its handle, device coordinates."""
-    if curve.spline not in WITH_TANGENTS:
+    if curve.spline not in TANGENT_SPLINES:
         return {}
     scale = device_map(sheet)
     return {

@@ -6,12 +6,11 @@ from numpy.typing import NDArray
 from workbench.algorithms import catalogue
 from workbench.algorithms.curves import knot_spans
 from workbench.document.curve_pieces import b_spline_of, fault_of, parameter_at, pieces_of, weights_of
-from workbench.document.model import Curve, Sheet
+from workbench.document.model import B_SPLINES, Curve, Sheet
 from workbench.language import _
 from workbench.rendering.curves import device_pieces
 from workbench.rendering.mapping import Call, device_map
 
-B_SPLINES = ("b_spline", "nurbs")
 _OF_B_SPLINES = ("de_boor", "de_boor_rational", "b_spline_curve")
 _SAMPLES_PER_SPAN = 8
 _MOST_TOLD_APART = 64
