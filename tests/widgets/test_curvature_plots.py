@@ -104,8 +104,12 @@ def test_one_cusp_leaves_the_rest_readable(curvature: CurvaturePlot):
     low, high = (float(curvature._ys(np.array(v))) for v in (-0.02, 0.02))
     assert low - high > curvature.area.height() / 3
     assert all(curvature.rect().contains(*map(int, p)) for p in inked(curvature, LIGHT.data[0]).tolist())
+    assert curvature.heading == "Curvature (1/px); peaks are cut off"
     curvature.set_u(float(US[100]))
     assert "no curvature here" in curvature.reading
+    assert curvature.heading == curvature.reading + "; peaks are cut off"
+    curvature.set_curvature(US, BEND)
+    assert curvature.heading == curvature.reading
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ def switches() -> list[tuple[str, str, str]]:
         ("circle", _("Osculating circle"), _("The circle that bends like the curve at u")),
         ("comb", _("Curvature comb"), _("Teeth across the curve as long as it bends; a jump is a jump (K)")),
         ("polygon", _("Control polygon"), _("The legs between the control points, and handles")),
-        ("hull", _("Convex hull"), _("The curve stays within the hull of its points, where it says so")),
+        ("hull", _("Convex hull"), _("The hull of the points; a Bézier curve or B-spline stays within it")),
         ("box", _("Bounding box"), _("The smallest box around the curve itself")),
         ("extrema", _("Extrema"), _("Where x or y turns back")),
         ("inflections", _("Inflections"), _("Where the curve changes the side it bends to")),

@@ -100,7 +100,7 @@ class BasisCurves(ParameterPlot):
     @property
     def words(self) -> str:
         """What is said instead."""
-        return _("Select a Bézier curve, a B-spline or NURBS: its basis functions are plotted here.")
+        return _("Select a curve: its basis functions are plotted here.")
 
     @property
     def reading(self) -> str:

@@ -92,6 +92,12 @@ class CurvaturePlot(ParameterPlot):
             u=super().reading, value=number_text(bent), radius=radius
         )
 
+    @property
+    def heading(self) -> str:
+        """What stands above the plot."""
+        said = self.reading or _("Curvature (1/px)")
+        return _("{what}; peaks are cut off").format(what=said) if self._beyond else said
+
     def sizeHint(self) -> QSize:
         """A thin plot."""
         return QSize(420, 110)
@@ -139,9 +145,7 @@ class CurvaturePlot(ParameterPlot):
         """u, with the curvature there in words and as a spot."""
         super().paint_marks(painter)
         now = tokens()
-        said = self.reading or self.accessibleName() + _(" (1/px)")
-        if self._beyond and self._u is None:
-            said += "; " + _("peaks are cut off")
+        said = self.heading
         painter.setPen(colour(now.muted))
         box = QRectF(6, 0, self.width() - 6 - RIGHT_PX, ROW_PX + 2)
         said = painter.fontMetrics().elidedText(said, Qt.TextElideMode.ElideRight, int(box.width()))
