@@ -304,8 +304,9 @@ def test_values_change_without_losing_the_place(qtbot: QtBot, measures: MeasureT
 
 
 def test_with_nothing_to_compare_one_sentence_and_one_button(qtbot: QtBot, measures: MeasureTable):
-    measures.set_rows(MEASURES, [])
+    measures.set_rows(MEASURES, [], "This curve is too long to be compared.")
     assert measures.state.empty
+    assert measures.state.sentence.text() == "This curve is too long to be compared."
     with qtbot.waitSignal(measures.example_wanted):
         qtbot.mouseClick(measures.state.button, LEFT)
     measures.set_rows(MEASURES, KINDS)

@@ -15,7 +15,7 @@ from workbench.document.model import NEIGHBOUR_SPLINES, Curve
 Array = NDArray[np.float64]
 
 _WORTH_KEEPING = 50
-_NEVER_CLOSED = ("natural_cubic", "clamped_cubic")
+_NEVER_ROUND, _ALWAYS_ROUND = ("natural_cubic", "clamped_cubic"), ("periodic_cubic",)
 
 
 @lru_cache(maxsize=64)
@@ -173,7 +173,12 @@ def _path(points: Array, closed: bool) -> Pieces:
 
 def goes_round(curve: Curve) -> bool:
     """Whether the curve comes back to its begin: some kinds always do, and some never."""
-    return curve.spline == "periodic_cubic" or (curve.closed and curve.spline not in _NEVER_CLOSED)
+    return curve.closed if may_be_closed(curve) else curve.spline in _ALWAYS_ROUND
+
+
+def may_be_closed(curve: Curve) -> bool:
+    """Whether a curve of this kind is open or closed as one likes."""
+    return curve.spline not in (*_NEVER_ROUND, *_ALWAYS_ROUND)
 
 
 def ends_steer(curve: Curve) -> bool:

@@ -3,12 +3,16 @@
 import math
 from functools import lru_cache
 
+from msgspec.structs import replace
+
 from workbench.algorithms import curves
+from workbench.document.curve_pieces import ends_steer, fault_of, goes_round
 from workbench.document.model import THROUGH, Curve, Sheet
 from workbench.language import _
 from workbench.panels.curve_joints import MOST_JOINTS, TOLERANCE
 from workbench.panels.curve_names import is_handle, look_of, spline_title
 from workbench.panels.curve_shape import Array, device_pieces, device_points
+from workbench.widgets.canvas_drawing import Pattern
 from workbench.widgets.measure_table import Measure, Measured
 
 # What stands in the table while no other kind is shown beside the curve.
@@ -53,9 +57,9 @@ def _rows(sheet: Sheet, curve: Curve) -> tuple[Measured, ...]:
         away = curves.distances(pieces, points)
         swing = curves.overshoot(pieces, points)
         turns = curves.wiggle(pieces, points)
-        ink = "accent" if kind == curve.spline else look_of(kind)[0] if kind in curve.beside else ""
+        alike = replace(curve, spline=kind)
         values = (
-            kind in THROUGH or float(away.max()) < _ON,
+            (kind in THROUGH and not ends_steer(alike)) or float(away.max()) < _ON,
             float(away.max()),
             float(away.mean()),
             swing.box,
@@ -64,16 +68,33 @@ def _rows(sheet: Sheet, curve: Curve) -> tuple[Measured, ...]:
             float(turns.inflections),
             float(curves.arc_length(pieces)),
             _("all of it") if kind in _GLOBAL else _("a part of it"),
-            _smoothness(pieces, curve.closed),
+            _smoothness(pieces, goes_round(alike)),
             str(pieces.degree),
         )
-        found.append(Measured(spline_title(kind), ink, values))
+        ink, pattern = _look_beside(curve, kind)
+        found.append(Measured(spline_title(kind), ink, values, pattern))
     return tuple(found)
 
 
 def rows(sheet: Sheet, curve: Curve) -> tuple[Measured, ...]:
     """A row for each kind that there is over these points; none for very many points."""
     return () if len(curve.points_world) > MOST_POINTS else _rows(sheet, curve)
+
+
+def why_none(curve: Curve | None) -> str:
+    """The sentence that stands in place of ``rows`` where there is none."""
+    if curve is None:
+        return _("Select a curve to measure it beside other kinds.")
+    if len(curve.points_world) > MOST_POINTS:
+        return _("Curves of more than {most} points are not compared.").format(most=MOST_POINTS)
+    return fault_of(curve)
+
+
+def _look_beside(curve: Curve, kind: str) -> tuple[str, Pattern]:
+    """Ink and pattern of a kind's line on the canvas; no ink where it is not there."""
+    if kind == curve.spline:
+        return "accent", "solid"
+    return look_of(kind) if kind in curve.beside else ("", "solid")
 
 
 def _through(sheet: Sheet, curve: Curve) -> Array:

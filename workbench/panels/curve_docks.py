@@ -12,7 +12,7 @@ from workbench.document.curve_pieces import parameter_at
 from workbench.document.model import B_SPLINES, Curve
 from workbench.language import _
 from workbench.panels.curve_basis import NOTHING, Basis, basis_of
-from workbench.panels.curve_compare import compared, measures, rows
+from workbench.panels.curve_compare import compared, measures, rows, why_none
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_insight import CurveInsight
 from workbench.panels.curve_joints import joint_point, joints
@@ -113,7 +113,7 @@ class CurveDocks(QObject):
             self._show_joints(curve)
         if self.measured.isVisible():
             found = () if curve is None else rows(self.focus.session.sheet, curve)
-            self.measured.set_rows(measures(), found)
+            self.measured.set_rows(measures(), found, "" if found else why_none(curve))
         if self.insight.isVisible():
             self.insight.say(_measures(pieces, u))
 

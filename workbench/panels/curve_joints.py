@@ -3,7 +3,7 @@
 import numpy as np
 
 from workbench.algorithms import curves
-from workbench.document.curve_pieces import ends_steer
+from workbench.document.curve_pieces import ends_steer, goes_round
 from workbench.document.model import THROUGH, Curve, Sheet
 from workbench.panels.curve_names import point_name
 from workbench.panels.curve_shape import device_pieces
@@ -18,7 +18,7 @@ def joints(sheet: Sheet, curve: Curve) -> list[Joint]:
     pieces = device_pieces(sheet, curve)
     if pieces is None:
         return []
-    found = curves.joints(pieces, curve.closed, TOLERANCE)
+    found = curves.joints(pieces, goes_round(curve), TOLERANCE)
     kept = pieces.knots[np.append(np.diff(pieces.knots) > 0, True)]
     return [
         Joint(joint_name(curve, number), float(kept[number + 1]), one)

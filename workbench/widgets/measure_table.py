@@ -244,8 +244,10 @@ class MeasureTable(QWidget):
         self.view.verticalHeader().viewport().update()
         self.update()
 
-    def set_rows(self, measures: Sequence[Measure], kinds: Sequence[Measured]) -> None:
-        """Show these kinds, each with a value for every measure."""
+    def set_rows(self, measures: Sequence[Measure], kinds: Sequence[Measured], without: str = "") -> None:
+        """Show these kinds, each with a value for every measure; without any the sentence ``without``."""
+        if without:
+            self.state.sentence.setText(without)
         self.model.take(tuple(measures), tuple(kinds))
         self.state.set_empty(not self.model.kinds)
         self._turn()
