@@ -18,6 +18,7 @@ from tests.panels.curves_by_hand import (
     settle,
     the_curve,
 )
+from workbench.widgets.canvas_drawing import Stroke
 
 
 @pytest.fixture
@@ -294,3 +295,65 @@ def test_with_snap_points_go_to_pixels_and_it_is_seen(zigzag):
     assert zigzag.canvas.overlay.snap == (35, 31)
     send(zigzag, QEvent.Type.MouseButtonRelease, 35.3, 30.8)
     assert zigzag.canvas.overlay.snap is None
+
+
+@pytest.mark.parametrize(
+    ("spline", "round_", "choice"),
+    [("natural_cubic", False, False), ("clamped_cubic", False, False), ("periodic_cubic", True, False),
+     ("catmull_rom", True, True)],
+)  # fmt: skip
+def test_only_what_may_be_closed_is_offered_to_be(qtbot, spline, round_, choice):
+    panel = opened(qtbot, curve_through(*ZIGZAG, spline=spline, closed=spline != "periodic_cubic"))
+    said = []
+    panel.hover_text.connect(said.append)
+    assert (panel.card.closed.isChecked(), panel.card.closed.isEnabled()) == (round_, choice)
+    before = the_curve(panel)
+    panel.commands.toggle_closed()
+    assert (the_curve(panel) == before) == bool(said) == (not choice)
+
+
+def test_a_curve_with_two_ends_is_not_closed_by_a_click_on_its_first_point(qtbot):
+    panel = opened(qtbot)
+    panel.pen.model = replace(panel.pen.model, spline="natural_cubic")
+    for place in (*ZIGZAG, ZIGZAG[0]):
+        click(panel, *place)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
+    assert places(panel) == [*ZIGZAG, ZIGZAG[0]]
+    assert not the_curve(panel).closed
+
+
+def test_knots_are_freed_of_a_curve_that_is_there(qtbot):
+    """What the pen draws next has no knots yet that could be freed."""
+    panel = opened(qtbot)
+    rule = panel.card.rule
+    free = rule.model().index(rule.findData("free"), 0)
+    offered = Qt.ItemFlag.ItemIsEnabled
+    assert rule.isVisible()
+    assert not free.flags() & offered
+    for place in ZIGZAG:
+        click(panel, *place)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
+    settle()
+    assert free.flags() & offered
+    rule.setCurrentIndex(free.row())
+    rule.activated.emit(free.row())
+    settle()
+    assert the_curve(panel).knot_rule == "free"
+
+
+@pytest.mark.parametrize("rule", ["uniform", "free"])
+def test_a_closed_b_spline_is_counted_as_it_goes_round(qtbot, rule):
+    panel = opened(qtbot, curve_through(*ZIGZAG, closed=True))
+    panel.card.rule.setCurrentIndex(panel.card.rule.findData(rule))
+    panel.card.rule.activated.emit(panel.card.rule.currentIndex())
+    settle()
+    assert the_curve(panel).knot_rule == rule
+    assert f"{len(ZIGZAG)} pieces" in panel.card.count.text()
+
+
+@pytest.mark.parametrize(("spline", "pieces"), [("natural_cubic", 4), ("periodic_cubic", 5)])
+def test_pieces_are_counted_and_legs_drawn_as_the_curve_goes(qtbot, spline, pieces):
+    panel = opened(qtbot, curve_through(*ZIGZAG, spline=spline, closed=spline == "natural_cubic"))
+    assert f"{pieces} cubic pieces" in panel.card.count.text()
+    (legs,) = [each for each in panel.view.drawn() if isinstance(each, Stroke) and each.pattern == "dash"]
+    assert len(legs.points) == pieces + 1

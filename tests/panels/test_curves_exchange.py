@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QFileDialog
 
 from tests.panels.curves_by_hand import ZIGZAG, click, curve_through, drag, opened, places, settle, the_curve
 from workbench.rendering.curves import polyline_of
@@ -115,11 +115,24 @@ def test_curves_are_written_as_svg_and_come_back(qtbot, zigzag, tmp_path):
     assert places(other) == pytest.approx(np.array(ZIGZAG))
 
 
-def test_points_are_written_as_csv(zigzag, tmp_path):
-    zigzag.exchange.write_points(tmp_path / "points.csv")
-    rows = (tmp_path / "points.csv").read_text().splitlines()
-    assert rows[0] == "x,y"
-    assert len(rows) == 6
+def test_points_are_saved_as_csv_and_come_back(qtbot, zigzag, tmp_path, monkeypatch):
+    path = tmp_path / "points.csv"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_asked: (str(path), ""))
+    said = told(zigzag)
+    zigzag.exchange.ask_export_points()
+    assert path.name in said[-1]
+    assert path.read_text().splitlines()[0] == "x,y"
+    other = opened(qtbot)
+    other.exchange.take_points(path.read_text())
+    assert places(other) == list(ZIGZAG)
+
+
+def test_without_a_curve_there_are_no_points_to_save(qtbot, monkeypatch):
+    panel = opened(qtbot)
+    said = told(panel)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_asked: pytest.fail("nothing to save"))
+    panel.exchange.ask_export_points()
+    assert said == ["Select one curve first."]
 
 
 @pytest.mark.parametrize("ending", ["svg", "png", "pdf"])

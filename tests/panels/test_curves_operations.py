@@ -183,6 +183,18 @@ def test_a_curve_becomes_a_polyline_within_its_tolerance(qtbot):
     assert places(panel) == list(SEVEN)
 
 
+@pytest.mark.parametrize(("spline", "around"), [("natural_cubic", False), ("periodic_cubic", True)])
+def test_a_polyline_goes_round_where_the_curve_does(qtbot, spline, around):
+    panel = opened(qtbot, curve_through(*SEVEN, spline=spline, closed=not around))
+    ends = on_curve(the_curve(panel))[[0, -1]]
+    panel.commands.flatten()
+    (line,) = panel.session.sheet.figures
+    assert line.closed == around
+    corners = np.array([(p.x, p.y) for p in line.points_world])
+    assert corners[0] == pytest.approx(ends[0])
+    assert (np.hypot(*(corners[-1] - ends[1])) > 0.1) == around
+
+
 def test_reversed_it_runs_the_other_way(qtbot):
     panel = opened(qtbot, curve_through(*SEVEN))
     before = on_curve(the_curve(panel))

@@ -6,7 +6,7 @@ from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QStandardItemModel
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 
 from workbench.algorithms import catalogue
@@ -19,7 +19,7 @@ from workbench.document.curve_edits import (
     set_knot_rule,
     set_spline,
 )
-from workbench.document.curve_pieces import ends_steer
+from workbench.document.curve_pieces import ends_steer, goes_round, may_be_closed
 from workbench.document.edits import Edit, both, set_attributes
 from workbench.document.errors import DocumentError
 from workbench.document.model import (
@@ -209,6 +209,7 @@ class CurveCard(ParameterCard):
         self._freehand = tool if isinstance(tool, FreehandTool) and not figures else None
         one = figures[0] if len(figures) == 1 else None
         curve = one if isinstance(one, Curve) else None
+        self._offer_free_knots(curve is not None)
         model = curve or (self._pen.model if self._pen is not None and not figures else None)
         first: tuple[QWidget, ...] = (
             self.spline,
@@ -244,8 +245,8 @@ class CurveCard(ParameterCard):
         with_degree = model.spline in B_SPLINES
         self.degree.setVisible(with_degree)
         self.degree.set_value(model.degree)
-        self.closed.setChecked(model.closed or model.spline == "periodic_cubic")
-        self.closed.setEnabled(model.spline != "periodic_cubic")
+        self.closed.setChecked(goes_round(model))
+        self.closed.setEnabled(may_be_closed(model))
         self.rule.setVisible(with_degree)
         self.rule.setCurrentIndex(self.rule.findData(model.knot_rule))
         self.ends.setVisible(model.spline in NEIGHBOUR_SPLINES and not model.closed)
@@ -264,6 +265,12 @@ class CurveCard(ParameterCard):
         number = sum(name != model.spline for name in model.beside)
         self.beside.setText(str(number) if number else "")
         set_icon(self.beside, "stack")
+
+    def _offer_free_knots(self, offered: bool) -> None:
+        """Knots are freed of a curve that has some: what the pen draws next has none."""
+        items = self.rule.model()
+        assert isinstance(items, QStandardItemModel)
+        items.item(KNOT_RULES.index("free")).setEnabled(offered)
 
     def _show_curve(self, curve: Curve) -> None:
         kinds = [name for name in curve.beside if name != curve.spline]
@@ -339,7 +346,7 @@ def countings(curve: Curve) -> str:
     """Points, degree, order and knots as the course counts them, and as most books do."""
     points = len(curve.points_world)
     if curve.spline in B_SPLINES:
-        around = points + curve.degree if curve.closed and curve.knot_rule != "free" else points
+        around = points + curve.degree if curve.closed else points
         try:
             found = counting(around, curve.degree)
         except ValueError:
@@ -366,7 +373,7 @@ def countings(curve: Curve) -> str:
             pieces,
         )
         return text.format(points=points, pieces=pieces)
-    pieces = points if curve.closed or curve.spline == "periodic_cubic" else points - 1
+    pieces = points if goes_round(curve) else points - 1
     if ends_steer(curve):
         pieces = max(points - 3, 0)
     text = ngettext(

@@ -16,6 +16,7 @@ from workbench.document.curve_edits import (
     set_knot_rule,
     set_weights,
 )
+from workbench.document.curve_pieces import goes_round, may_be_closed
 from workbench.document.edits import Edit, both, move_points
 from workbench.document.errors import DocumentError
 from workbench.document.model import B_SPLINES, Curve, Document
@@ -138,13 +139,18 @@ class CurveCommands(QObject):
             self.apply(set_beside(curve.id, kinds), _("Kinds shown beside"))
 
     def toggle_closed(self) -> None:
-        """Close the curve, or open it."""
-        self.with_curve(
-            lambda curve: self.apply(
-                set_curve_closed(curve.id, not curve.closed),
-                _("Open the curve") if curve.closed else _("Close the curve"),
-            )
-        )
+        """Close the curve, or open it, where its kind leaves that open."""
+
+        def toggle(curve: Curve) -> None:
+            if may_be_closed(curve):
+                name = _("Open the curve") if curve.closed else _("Close the curve")
+                self.apply(set_curve_closed(curve.id, not curve.closed), name)
+            elif goes_round(curve):
+                self.said.emit(_("A curve of this kind always goes round; choose another kind to open it."))
+            else:
+                self.said.emit(_("A curve of this kind has two ends; choose another kind to close it."))
+
+        self.with_curve(toggle)
 
     # Knots and weights, pulled in their plots
 

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
-import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QPainter
@@ -12,6 +12,7 @@ from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from workbench.document.curve_edits import add_points
+from workbench.document.curve_pieces import goes_round
 from workbench.document.edits import Edit, add_figures
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Curve, CurvePoint, Sheet
@@ -108,7 +109,7 @@ class CurveExchange(QObject):
             self.said.emit(str(problem))
             return
         curve = self.focus.selected
-        if curve is not None and not curve.closed:
+        if curve is not None and not goes_round(curve):
             self._apply(add_points(curve.id, [(x, y) for x, y in places]), _("Paste points"))
         else:
             points = tuple(CurvePoint("", x, y) for x, y in places)
@@ -183,7 +184,12 @@ class CurveExchange(QObject):
 
     def ask_export_points(self) -> None:
         """Ask for a file and save the points of the curve."""
-        self._save(_("Save the points"), _("points") + ".csv", _POINTS, self.write_points)
+        curve = self.focus.curve
+        if curve is None:
+            self.said.emit(_("Select one curve first."))
+            return
+        write = partial(self.write_points, curve)
+        self._save(_("Save the points"), _("points") + ".csv", _POINTS, write)
 
     def ask_picture(self) -> None:
         """Ask for a file and save what the canvas shows, as SVG, PNG or PDF."""
@@ -198,11 +204,9 @@ class CurveExchange(QObject):
             text = _("What SVG cannot say exactly is at most {error:.2g} off.").format(error=made.error)
             self.said.emit(text)
 
-    def write_points(self, path: Path) -> None:
-        """Write the points of the curve as CSV. Raises OSError."""
-        curve = self.focus.curve
-        places = np.empty((0, 2)) if curve is None else np.array(self._places(curve))
-        path.write_text(write_points(places), encoding="utf-8", newline="")
+    def write_points(self, curve: Curve, path: Path) -> None:
+        """Write the chosen points of the curve, or all of them, as CSV. Raises OSError."""
+        path.write_text(write_points(self._places(curve)), encoding="utf-8", newline="")
 
     def write_picture(self, path: Path) -> None:
         """Write what the canvas shows, by the file's ending, in the light theme. Raises OSError."""

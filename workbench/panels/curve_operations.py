@@ -8,7 +8,7 @@ from workbench.document.curve_conversions import CONVERSIONS, convert, converted
 from workbench.document.curve_cutting import insert_on_curve, insertion_note, split
 from workbench.document.curve_degrees import lower_degree, lowered, raise_degree
 from workbench.document.curve_joining import ALIGNMENTS, align, join, mirror, reverse
-from workbench.document.curve_pieces import parameter_at, pieces_of
+from workbench.document.curve_pieces import goes_round, parameter_at, pieces_of
 from workbench.document.curve_shaping import SMOOTHNESS, smooth_joint, smoothing_moves
 from workbench.document.edits import add_figure, both, remove_figures
 from workbench.document.model import Curve, Polyline, WorldPoint
@@ -189,9 +189,10 @@ class CurveOperations(CurveCommands):
             if len(corners) < 2:
                 self.said.emit(fault_of(curve))
                 return
-            kept = corners[:-1] if curve.closed else corners
+            around = goes_round(curve)
+            kept = corners[:-1] if around else corners
             points = tuple(WorldPoint("", x, y) for x, y in np.round(kept, 9).tolist())
-            line = Polyline("", points, curve.algorithm, curve.colour, curve.name, closed=curve.closed)
+            line = Polyline("", points, curve.algorithm, curve.colour, curve.name, closed=around)
             place = sheet.figures.index(curve)
             edit = both(add_figure(sheet.id, line, place), remove_figures([curve.id]))
             if self.apply(edit, _("Convert the curve")):

@@ -7,6 +7,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from workbench.document.curve_edits import add_path_point, add_points, curve_with
+from workbench.document.curve_pieces import goes_round
 from workbench.document.edits import Edit, add_figure, both
 from workbench.document.model import TANGENT_SPLINES, Curve, CurvePoint
 from workbench.language import _
@@ -71,7 +72,7 @@ class PenTool(FigureTool):
         elif self._near(self._nodes[-1].at, x, y):
             self.finish()
             return
-        elif self._continued is None and len(self._nodes) > 2 and self._near(self._nodes[0].at, x, y):
+        elif self._closes_at(x, y):
             self.model = replace(self.model, closed=True)
             self.finish()
             self.model = replace(self.model, closed=False)
@@ -92,7 +93,7 @@ class PenTool(FigureTool):
     def _end_at(self, x: float, y: float) -> tuple[str, bool] | None:
         """The open curve that ends there, and whether that is its begin; None where none does."""
         for figure in reversed(self.session.sheet.figures):
-            if isinstance(figure, Curve) and figure.visible and not figure.closed:
+            if isinstance(figure, Curve) and figure.visible and not goes_round(figure):
                 points = device_points(self.session.sheet, figure)
                 for number, first in ((-1, False), (0, True)):
                     if self._near(tuple(points[number].tolist()), x, y):
@@ -116,6 +117,12 @@ class PenTool(FigureTool):
     def _near(self, place: Place, x: float, y: float) -> bool:
         return float(np.hypot(place[0] - x, place[1] - y)) <= self._reach
 
+    def _closes_at(self, x: float, y: float) -> bool:
+        """Whether a click there comes back to the first point of a curve that can go round."""
+        if self._continued is not None or len(self._nodes) < 3:
+            return False
+        return goes_round(replace(self.model, closed=True)) and self._near(self._nodes[0].at, x, y)
+
     def move(self, x: float, y: float) -> None:
         """Pull out a handle while the button is down; else show how the curve would go on."""
         if not self.busy:
@@ -128,7 +135,7 @@ class PenTool(FigureTool):
                 last.pulled = place
             self._grow(None)
         else:
-            closes = self._continued is None and len(self._nodes) > 2 and self._near(self._nodes[0].at, x, y)
+            closes = self._closes_at(x, y)
             self.tag = _("Click to close the curve") if closes else self._place_text(place)
             self._grow(None if closes or self._near(last.at, x, y) else place, closes)
 

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import Pieces, piece_points, polyline
-from workbench.document.curve_pieces import parameter_at
+from workbench.document.curve_pieces import goes_round, parameter_at
 from workbench.document.model import Curve, Sheet
 from workbench.panels.curve_names import look_of, point_name
 from workbench.panels.curve_shape import (
@@ -74,7 +74,7 @@ def control_polygon(sheet: Sheet, curve: Curve, numbers: Sequence[int] = ()) -> 
                 drawn.append(Stroke(points[[anchor, k]], "muted", 1.0))
         return drawn
     if len(points) > 1:
-        legs = np.vstack([points, points[:1]]) if curve.closed else points
+        legs = np.vstack([points, points[:1]]) if goes_round(curve) else points
         drawn.append(Stroke(legs, "muted", 1.0, "dash" if len(legs) < MANY else "solid"))
     for k, end in tangent_ends(sheet, curve).items():
         drawn.append(Stroke(np.array([points[k], end]), "data 5", 1.25))

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import Pieces, polyline
+from workbench.document.curve_pieces import goes_round
 from workbench.document.model import Curve, Sheet
 from workbench.panels.curve_scene import CURVE_INK, MANY
 from workbench.panels.curve_shape import SMOOTH_PX, Array, device_pieces, device_points
@@ -75,7 +76,7 @@ def moving_part(sheet: Sheet, curve: Curve, parting: Parting) -> list[Drawn]:
 def _legs(sheet: Sheet, curve: Curve, chosen: NDArray[np.bool_]) -> list[Drawn]:
     """The legs of the polygon that are chosen: leg k begins at point k, and the last closes a closed one."""
     points = device_points(sheet, curve)
-    around = np.vstack([points, points[:1]]) if curve.closed else points
+    around = np.vstack([points, points[:1]]) if goes_round(curve) else points
     chosen = chosen[: len(around) - 1]
     return [Stroke(around[a : b + 1], "muted", 1.0) for a, b in _spans(chosen)]
 
