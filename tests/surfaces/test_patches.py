@@ -1,4 +1,4 @@
-"""Patches against exact fractions, SciPy and the surfaces they must be; nothing depends on the frame."""
+"""Patches against SciPy and the surfaces they must be."""
 
 import math
 
@@ -9,15 +9,13 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
-from tests.curves.exact import bezier, close
+from tests.surfaces.scipy_points import patch_points
 from workbench.algorithms.curves import Nurbs, open_uniform_knots, uniform_knots
 from workbench.algorithms.surfaces import (
     EXAMPLES,
     b_spline_patch,
     bezier_patch,
     cylinder,
-    patch_normals,
-    patch_points,
     revolved,
     sphere,
     torus,
@@ -33,14 +31,6 @@ def nets(seed: int, a: int, b: int) -> Array:
 
 seeds = st.integers(0, 2**32 - 1)
 inside = st.floats(0, 1)
-
-
-@given(seeds, st.integers(2, 5), st.integers(2, 5), inside, inside)
-def test_a_bezier_patch_is_a_curve_of_curves(seed: int, a: int, b: int, u: float, v: float) -> None:
-    net = nets(seed, a, b)
-    rows = [bezier(row, v) for row in net]
-    exact = bezier(np.array([[float(x) for x in row] for row in rows]), u)
-    close(patch_points(bezier_patch(net), u, v), exact, 9.0)
 
 
 @settings(max_examples=40)
@@ -62,39 +52,11 @@ def test_sphere_cylinder_and_torus_are_exact(a: float, b: float, size: float) ->
     u, v = 4 * a, 2 * b
     x, y, z = patch_points(sphere(size), u, v)
     assert math.hypot(x, y, z) == pytest.approx(size, rel=1e-12)
-    assert np.allclose(patch_normals(sphere(size), u, v), np.array([x, y, z]) / size, atol=2e-5)
     x, y, z = patch_points(cylinder(size, 3 * size), u, b)
     assert math.hypot(x, z) == pytest.approx(size, rel=1e-12)
     assert y == pytest.approx(3 * size * b, abs=1e-12 * size)
     x, y, z = patch_points(torus(2 * size, size), u, 4 * b)
     assert math.hypot(math.hypot(x, z) - 2 * size, y) == pytest.approx(size, rel=1e-11)
-
-
-@given(seeds, inside, inside)
-def test_a_patch_moves_with_the_frame(seed: int, u: float, v: float) -> None:
-    rng = np.random.default_rng(seed)
-    net, weights = nets(seed, 4, 3), rng.uniform(0.2, 5, (4, 3))
-    matrix, shift = rng.uniform(-2, 2, (3, 3)), rng.uniform(-9, 9, 3)
-    moved = patch_points(bezier_patch(net @ matrix.T + shift, weights), u, v)
-    assert np.allclose(moved, matrix @ patch_points(bezier_patch(net, weights), u, v) + shift, atol=1e-10)
-
-
-@given(seeds, st.floats(0.05, 0.95), st.floats(0.05, 0.95))
-def test_normals_stand_on_the_surface(seed: int, u: float, v: float) -> None:
-    rng = np.random.default_rng(seed)
-    patch = bezier_patch(nets(seed, 4, 4), rng.uniform(0.5, 2, (4, 4)))
-    normal = patch_normals(patch, u, v)
-    h = 1e-6
-    by_u = (patch_points(patch, u + h, v) - patch_points(patch, u - h, v)) / (2 * h)
-    by_v = (patch_points(patch, u, v + h) - patch_points(patch, u, v - h)) / (2 * h)
-    truth = np.cross(by_u, by_v)
-    size = float(np.linalg.norm(truth))
-    if size > 1e-2:
-        assert np.allclose(normal, truth / size, atol=1e-3)
-
-
-def test_a_pole_has_the_normal_of_its_surroundings() -> None:
-    assert np.allclose(patch_normals(sphere(), [0.3, 2.7], [0.0, 2.0]), [[0, -1, 0], [0, 1, 0]], atol=1e-4)
 
 
 def test_each_example_is_a_surface() -> None:
@@ -103,7 +65,6 @@ def test_each_example_is_a_surface() -> None:
         us = patches.u_knots[0] + PARTS * (patches.u_knots[-1] - patches.u_knots[0])
         vs = patches.v_knots[0] + PARTS * (patches.v_knots[-1] - patches.v_knots[0])
         assert np.isfinite(patch_points(patches, us[:, None], vs)).all()
-        assert np.allclose(np.linalg.norm(patch_normals(patches, us[:, None], vs), axis=-1), 1.0)
 
 
 def test_what_makes_no_surface_is_said() -> None:

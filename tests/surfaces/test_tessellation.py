@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from tests.surfaces.scipy_points import patch_points
 from workbench.algorithms.surfaces import (
     Patches,
     bezier_patch,
     cylinder,
-    patch_points,
     sphere,
     tessellate,
     torus,

@@ -1,13 +1,7 @@
 """Surfaces: Bézier and B-spline patches, rational ones too, and their triangles."""
 
 from workbench.algorithms.surfaces.examples import EXAMPLES, cylinder, sphere, torus
-from workbench.algorithms.surfaces.patches import (
-    Patches,
-    b_spline_patch,
-    bezier_patch,
-    patch_normals,
-    patch_points,
-)
+from workbench.algorithms.surfaces.patches import Patches, b_spline_patch, bezier_patch
 from workbench.algorithms.surfaces.revolution import revolved
 from workbench.algorithms.surfaces.tessellation import tessellate
 
@@ -17,8 +11,6 @@ __all__ = [
     "b_spline_patch",
     "bezier_patch",
     "cylinder",
-    "patch_normals",
-    "patch_points",
     "revolved",
     "sphere",
     "tessellate",

@@ -9,7 +9,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from workbench.algorithms.curves.bernstein import bernstein
 from workbench.algorithms.curves.blossom import b_spline_to_bezier
 from workbench.algorithms.curves.conditions import faults, refuse
 from workbench.algorithms.curves.rational import homogeneous
@@ -58,70 +57,6 @@ def b_spline_patch(
     along_v = b_spline_to_bezier(columns.reshape(len(columns), -1), v_knots, q)
     nets = along_v.controls.reshape(-1, q + 1, m, p + 1, 4)
     return Patches(along_u.knots, along_v.knots, np.ascontiguousarray(nets.transpose(2, 0, 3, 1, 4)))
-
-
-def patch_points(patches: Patches, u: ArrayLike, v: ArrayLike) -> Array:
-    """The points (..., 3) of the surface at each u and v, which are broadcast together."""
-    whole = _evaluated(patches, u, v, 0, 0)
-    found: Array = whole[..., :3] / whole[..., 3:]
-    return found
-
-
-def patch_normals(patches: Patches, u: ArrayLike, v: ArrayLike) -> Array:
-    """Unit normals (..., 3): the derivative by u times (cross) that by v.
-
-    Where there is none, as at the poles of a sphere, that of a place nearby, towards the middle of the patch;
-    0 where there is none there either.
-    """
-    us, vs = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
-    found = _crosses(patches, us, vs)
-    corners = patches.nets[..., :3] / patches.nets[..., 3:]
-    extent = float(np.ptp(corners.reshape(-1, 3), axis=0).max())
-    usual = extent**2 / float(np.ptp(patches.u_knots) * np.ptp(patches.v_knots))
-    for share in (1e-6, 1e-3):
-        size = np.sqrt((found * found).sum(axis=-1))
-        none = size <= 1e-9 * usual
-        if not none.any():
-            break
-        nearer = [
-            at + share * (0.5 * (knots[0] + knots[-1]) - at)
-            for at, knots in ((us, patches.u_knots), (vs, patches.v_knots))
-        ]
-        found = np.where(none[..., None], _crosses(patches, *nearer), found)
-    size = np.sqrt((found * found).sum(axis=-1, keepdims=True))
-    unit: Array = np.divide(found, size, out=np.zeros_like(found), where=size > 0)
-    return unit
-
-
-def _crosses(patches: Patches, u: Array, v: Array) -> Array:
-    whole = _evaluated(patches, u, v, 0, 0)
-    points, weight = whole[..., :3] / whole[..., 3:], whole[..., 3:]
-    along_u, along_v = _evaluated(patches, u, v, 1, 0), _evaluated(patches, u, v, 0, 1)
-    by_u = (along_u[..., :3] - points * along_u[..., 3:]) / weight
-    by_v = (along_v[..., :3] - points * along_v[..., 3:]) / weight
-    return np.cross(by_u, by_v)
-
-
-def _evaluated(patches: Patches, u: ArrayLike, v: ArrayLike, by_u: int, by_v: int) -> Array:
-    """Homogeneous points (..., 4), or their derivative once by u or by v."""
-    us, vs = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
-    i, s, width = _places(patches.u_knots, us)
-    j, t, height = _places(patches.v_knots, vs)
-    nets = patches.nets
-    if by_u:
-        nets = np.diff(nets, axis=2) * (nets.shape[2] - 1)
-    if by_v:
-        nets = np.diff(nets, axis=3) * (nets.shape[3] - 1)
-    rows, columns = bernstein(nets.shape[2] - 1, s), bernstein(nets.shape[3] - 1, t)
-    found: Array = np.einsum("...a,...b,...abk->...k", rows, columns, nets[i, j])
-    return found / (width**by_u * height**by_v)[..., None]
-
-
-def _places(knots: Array, where: Array) -> tuple[NDArray[np.int64], Array, Array]:
-    """The patch of each parameter, the parameter within it from 0 to 1, and how long the patch is."""
-    number = np.clip(np.searchsorted(knots, where, side="right") - 1, 0, len(knots) - 2)
-    length = knots[number + 1] - knots[number]
-    return number, (where - knots[number]) / length, length
 
 
 def _lifted(net: ArrayLike, weights: ArrayLike | None) -> Array:

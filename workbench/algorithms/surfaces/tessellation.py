@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.cubic_pieces import refuse_tolerance
 from workbench.algorithms.curves.halving import halves, lengths
+from workbench.algorithms.curves.refusals import refuse_tolerance
 from workbench.algorithms.surfaces.patches import Patches
 
 Array = NDArray[np.float64]
