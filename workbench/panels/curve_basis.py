@@ -56,10 +56,7 @@ def basis_of(curve: Curve, share: float) -> Basis:
         return _chosen(curve, us, values, "B", (), None, share)
     if curve.spline in B_SPLINES:
         _around, knots, weights = b_spline_of(curve)
-        values = basis_table(knots, curve.degree, us)
-        if curve.spline == "nurbs":
-            values = values * weights
-            values /= values.sum(axis=1, keepdims=True)
+        values = basis_table(knots, curve.degree, us, weights if curve.spline == "nurbs" else None)
         ids = [knot.id for knot in curve.knots]
         named = tuple((ids[k] if k < len(ids) else f"#{k}", float(u)) for k, u in enumerate(knots.tolist()))
         shown = _wrapped(values, count)

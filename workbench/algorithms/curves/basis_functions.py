@@ -29,14 +29,17 @@ def knot_spans(knots: ArrayLike, degree: int, u: ArrayLike) -> NDArray[np.int64]
     return found
 
 
-def basis_functions(knots: ArrayLike, degree: int, u: ArrayLike) -> tuple[NDArray[np.int64], Array]:
+def basis_functions(
+    knots: ArrayLike, degree: int, u: ArrayLike, weights: ArrayLike | None = None
+) -> tuple[NDArray[np.int64], Array]:
     """The knot span of each u, and the values of the degree + 1 basis functions that are not 0 there.
 
-    Args: knots (m,), degree, u of any shape (...,). Returns: spans (...,) and values (..., degree + 1), those
-    of N_{span - degree} to N_{span}. They are never negative, and their sum is 1. Raises: ValueError.
+    Args: knots (m,), degree, u of any shape (...,); ``weights`` (m - degree - 1,) above 0 make the functions
+    rational. Returns: spans (...,) and values (..., degree + 1), those of N_{span - degree} to N_{span}. They
+    are never negative, and their sum is 1. Raises: ValueError.
     """
     t, where = np.asarray(knots, float), np.asarray(u, float)
-    refuse(faults(np.zeros((max(t.size - degree - 1, 0), 1)), t, degree))
+    refuse(faults(np.zeros((max(t.size - degree - 1, 0), 1)), t, degree, weights))
     spans = knot_spans(t, degree, where)
     values = np.zeros((*where.shape, degree + 1))
     values[..., 0] = 1.0
@@ -49,25 +52,28 @@ def basis_functions(knots: ArrayLike, degree: int, u: ArrayLike) -> tuple[NDArra
             values[..., j] = saved + (right - where) * part
             saved = (where - left) * part
         values[..., p] = saved
+    if weights is not None:
+        values *= np.asarray(weights, float)[_numbers(spans, degree)]
+        values /= values.sum(axis=-1, keepdims=True)
     return spans, values
 
 
-def basis_table(knots: ArrayLike, degree: int, u: ArrayLike) -> Array:
+def _numbers(spans: NDArray[np.int64], degree: int) -> NDArray[np.int64]:
+    """The numbers (..., degree + 1) of the points that matter in each span."""
+    return spans[..., None] + np.arange(-degree, 1)
+
+
+def basis_table(knots: ArrayLike, degree: int, u: ArrayLike, weights: ArrayLike | None = None) -> Array:
     """Every basis function at each u, for plotting: (..., number of points)."""
-    spans, values = basis_functions(knots, degree, u)
+    spans, values = basis_functions(knots, degree, u, weights)
     table = np.zeros((*spans.shape, np.size(knots) - degree - 1))
-    np.put_along_axis(table, spans[..., None] + np.arange(-degree, 1), values, axis=-1)
+    np.put_along_axis(table, _numbers(spans, degree), values, axis=-1)
     return table
 
 
 def b_spline_point(points: ArrayLike, knots: ArrayLike, degree: int, u: ArrayLike) -> Array:
     """The points of a B-spline at each u: (..., k) for points (n, k). Raises: ValueError."""
-    controls = np.asarray(points, float)
-    refuse(faults(controls, knots, degree))
-    spans, values = basis_functions(knots, degree, u)
-    around = controls[spans[..., None] + np.arange(-degree, 1)]
-    found: Array = (values[..., None] * around).sum(axis=-2)
-    return found
+    return _point(points, knots, degree, u, None)
 
 
 def nurbs_point(points: ArrayLike, weights: ArrayLike, knots: ArrayLike, degree: int, u: ArrayLike) -> Array:
@@ -76,11 +82,15 @@ def nurbs_point(points: ArrayLike, weights: ArrayLike, knots: ArrayLike, degree:
     Args: points (n, k), weights (n,) above 0, knots (n + degree + 1,), u (...,). Returns: (..., k).
     Raises: ValueError for a weight that is not positive, knots that decrease, too few points.
     """
-    controls, pulls = np.asarray(points, float), np.asarray(weights, float)
-    refuse(faults(controls, knots, degree, pulls))
-    spans, values = basis_functions(knots, degree, u)
-    around = spans[..., None] + np.arange(-degree, 1)
-    shares = values * pulls[around]
-    shares /= shares.sum(axis=-1, keepdims=True)
-    found: Array = (shares[..., None] * controls[around]).sum(axis=-2)
+    return _point(points, knots, degree, u, weights)
+
+
+def _point(
+    points: ArrayLike, knots: ArrayLike, degree: int, u: ArrayLike, weights: ArrayLike | None
+) -> Array:
+    """What the control points add up to, each times its basis function."""
+    controls = np.asarray(points, float)
+    refuse(faults(controls, knots, degree, weights))
+    spans, values = basis_functions(knots, degree, u, weights)
+    found: Array = (values[..., None] * controls[_numbers(spans, degree)]).sum(axis=-2)
     return found

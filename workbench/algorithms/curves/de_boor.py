@@ -13,11 +13,11 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.conditions import refuse_b_spline, refuse_parameter
-from workbench.algorithms.curves.knot_views import basis_rows, knot_rows
-from workbench.algorithms.curves.parameters import B_SPLINE
+from workbench.algorithms.curves.knot_views import IN_SPAN, KNOT_TABLES, NEXT_SPAN, basis_rows, knot_rows
+from workbench.algorithms.curves.parameters import B_SPLINE, B_SPLINE_U
+from workbench.algorithms.curves.refusals import refuse_b_spline, refuse_parameter
 from workbench.algorithms.curves.triangle import level_rows
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, View
 
 
 def de_boor(
@@ -68,8 +68,7 @@ _LEG = "Divide a leg"
 _ROW = "(r, i, alpha, (x0, y0), (x1, y1), (x, y))"
 _TABLES = {
     "Triangle": ("level_rows(triangle, degree + 1)", ("r", "points")),
-    "Basis values": ("basis_rows(knots, degree, span, u)", ("i", "N_{i,p}(u)")),
-    "Knot span": ("knot_rows(knots, degree, span)", ("i", "t_i", "in the span")),
+    **KNOT_TABLES,
 }
 
 ENTRY = Entry(
@@ -77,7 +76,7 @@ ENTRY = Entry(
     topic="curves",
     title="De Boor's construction",
     summary="Finds the knot span of u and divides the legs of degree + 1 control points down to one point.",
-    parameters=(*B_SPLINE, Parameter("u", "u", "float", 1.25, meaning="from knot t_p to knot t_{n+1}")),
+    parameters=(*B_SPLINE, B_SPLINE_U),
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 10-9",
     columns=("r", "i", "α", "d_{i-1}^{r-1}", "d_i^{r-1}", "d_i^r"),
@@ -88,16 +87,8 @@ ENTRY = Entry(
             sentence="{len(points)} points of degree {degree} have {len(knots)} knots; in the course's words "
             "n = {len(points) - 1}, d = {degree + 1}, and n + d + 1 knots. Is u in span {span}?",
         ),
-        View(
-            block="Go on to the next knot span",
-            sentence="u = {u} is not before {knots[span]}: go on to span {span}.",
-        ),
-        View(
-            block="Begin with the control points that matter",
-            tables=_TABLES,
-            sentence="u = {u} lies in span {span}, {knots[span]} to {knots[span + 1]}: only the points "
-            "{span - degree} to {span} matter.",
-        ),
+        NEXT_SPAN,
+        View(block="Begin with the control points that matter", tables=_TABLES, sentence=IN_SPAN),
         View(
             block=_LEG,
             when="r == degree",

@@ -1,10 +1,11 @@
-"""Knots and basis values around one knot span, as they are shown."""
+"""What is shown of knots and basis values around one knot span while de Boor's construction is stepped."""
 
 from typing import Any
 
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves.basis_functions import basis_functions
+from workbench.algorithms.entry import View
 
 
 def knot_rows(knots: NDArray[Any], degree: int, span: int) -> list[tuple[int, float, str]]:
@@ -17,3 +18,17 @@ def basis_rows(knots: NDArray[Any], degree: int, span: int, u: float) -> list[tu
     """The basis functions that are not 0 in the span: (i, N_i(u))."""
     _span, values = basis_functions(knots, degree, u)
     return [(span - degree + j, float(value)) for j, value in enumerate(values)]
+
+
+KNOT_TABLES = {
+    "Basis values": ("basis_rows(knots, degree, span, u)", ("i", "N_{i,p}(u)")),
+    "Knot span": ("knot_rows(knots, degree, span)", ("i", "t_i", "in the span")),
+}
+NEXT_SPAN = View(
+    block="Go on to the next knot span",
+    sentence="u = {u} is not before {knots[span]}: go on to span {span}.",
+)
+IN_SPAN = (
+    "u = {u} lies in span {span}, {knots[span]} to {knots[span + 1]}: only the points {span - degree} to "
+    "{span} matter."
+)

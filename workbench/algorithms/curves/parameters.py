@@ -31,6 +31,7 @@ B_SPLINE = (
         "degree", "p", "int", 3, low=1, high=7, meaning="degree of the curve; the course's d is one more"
     ),
 )
+B_SPLINE_U = Parameter("u", "u", "float", 1.25, meaning="from knot t_p to knot t_{n+1}")
 WEIGHTS = Parameter(
     "weights", "w_i", "floats", np.array([1, 1, 3, 1, 0.5, 1], np.float64), meaning="their weights, above 0"
 )
