@@ -39,6 +39,7 @@ REFUSED: list[tuple[Callable[..., Any], tuple[Any, ...], str]] = [
         (KNOTS[2:4], POINTS, np.ones(4), 2, 0.0, 0.0),
         "needs degree . 1 points",
     ),
+    (curves.closest_point, (KNOTS[2:4], POINTS, np.ones(3), 3, 0.0, 0.0), "one weight for each point"),
     (curves.closest_point, (KNOTS[2:4], NAN, np.ones(4), 3, 0.0, 0.0), "not a finite number"),
     (curves.closest_point, (BACK[3:5], POINTS, np.ones(4), 3, 0.0, 0.0), "knots decrease"),
     (curves.closest_point, (KNOTS[2:4], POINTS, np.zeros(4), 3, 0.0, 0.0), "weight is not a finite number"),
@@ -64,6 +65,7 @@ def test_a_text_refuses_at_the_door(
     [
         (lambda: curves.nurbs_point(POINTS, [1, 0, 1, 1], KNOTS, 2, 1), "Weight 1 is 0; it must be"),
         (lambda: curves.nurbs_point(POINTS, [1, 1, -2, 1], KNOTS, 2, 1), "Weight 2 is -2; it must be"),
+        (lambda: curves.basis_table(KNOTS, 2, 1, [1, 1, 0, 1]), "Weight 2 is 0; it must be"),
         (lambda: curves.nurbs_point(POINTS, [1, 1], KNOTS, 2, 1), "2 weights for 4 points; give each"),
         (lambda: curves.b_spline_point(POINTS, BACK, 2, 1), "Knot 4 is 1, less than knot 3, 2; raise it"),
         (

@@ -8,7 +8,6 @@ from hypothesis import strategies as st
 from tests.curves import exact
 from tests.curves.made_curves import Array, Curve, b_splines, inside, part_of_one, point_lists
 from workbench.algorithms.curves import (
-    b_spline_derivative,
     b_spline_point,
     b_spline_to_bezier,
     bezier_point,
@@ -17,7 +16,6 @@ from workbench.algorithms.curves import (
     counting,
     elevate_b_spline,
     elevate_degree,
-    hodograph,
     homogeneous,
     insert_knot,
     multiplicity,
@@ -122,26 +120,6 @@ def test_a_circle_stays_when_degree_and_knots_are_changed() -> None:
     new, new_knots = elevate_b_spline(new, new_knots, degree)
     found, _weights = projected(b_spline_point(new, new_knots, degree + 1, np.linspace(0, 4, 301)))
     assert np.abs(np.hypot(found[:, 0] - 1, found[:, 1] - 2) - 3).max() <= 1e-13
-
-
-@few
-@given(b_splines((2, 7), repeated=1))
-def test_the_derivative_is_that_of_the_bezier_pieces(curve: Curve) -> None:
-    points, knots, degree = curve
-    assume(np.diff(knots).min() > 0.01 or np.diff(knots[degree:-degree]).min() > 0.01)
-    found = b_spline_point(*b_spline_derivative(points, knots, degree), degree - 1, places(knots, degree))
-    pieces = piece_derivative(b_spline_to_bezier(points, knots, degree))
-    step = np.diff(knots[degree : len(points) + 1]).min()
-    size = degree * np.array([max(exact.size_of(points), 1e-300)]) / step
-    assert_same(found, piece_points(pieces, places(knots, degree)), size, slack=4)
-
-
-def test_the_hodograph_is_the_derivative() -> None:
-    points = np.array([[0, 1], [2, 5], [3, -1], [7, 2]], float)
-    u = np.linspace(0, 1, 9)
-    step = 1e-6
-    slope = (bezier_point(points, u + step) - bezier_point(points, u - step)) / (2 * step)
-    assert np.abs(bezier_point(hodograph(points), u) - slope).max() <= 1e-8
 
 
 def test_both_countings() -> None:

@@ -89,7 +89,7 @@ def test_a_curve_along_itself_gives_no_more_than_was_asked_for() -> None:
     back = np.array([[[0, 0], [8, 1]], [[8, 1], [4, 5]], [[4, 5], [0, 0]], [[0, 0], [8, 1]]], float)
     found = self_intersections(Pieces(np.arange(5.0), back), 1e-3, most=20)
     assert len(found) == 20
-    with pytest.raises(ValueError, match="tolerance is 0; it must be above 0"):
+    with pytest.raises(ValueError, match="tolerance is 0; choose a finite one above 0"):
         self_intersections(whole_circle(), 0.0)
 
 

@@ -91,9 +91,8 @@ def place_of(knots: Array, u: float) -> tuple[int, float]:
     if not knots[0] <= u <= knots[-1]:
         sentence = _("There is no u = {u:g} on this curve; choose it from {low:g} to {high:g}.")
         raise ValueError(sentence.format(u=u, low=knots[0], high=knots[-1]))
-    last = int(np.searchsorted(knots, knots[-1], side="left")) - 1
-    piece = min(int(np.searchsorted(knots, u, side="right")) - 1, last)
-    return piece, float((u - knots[piece]) / (knots[piece + 1] - knots[piece]))
+    piece, v, _length = curves.located(knots, u)
+    return int(piece), float(v)
 
 
 def _subdivided(path: Curve, piece: int, v: float) -> Curve:

@@ -66,8 +66,7 @@ def dragged(curve: Curve, u: float, dx: float, dy: float) -> Places:
     places = _pulled(curve, share, pulled, shift)
     for _round in range(_ROUNDS if curve.spline not in _LINEAR else 0):
         now = pieces_of(moved(curve, places))
-        at = now.knots[piece] + v * (now.knots[piece + 1] - now.knots[piece])
-        missing = target - curves.piece_points(now, at)
+        missing = target - curves.piece_points(now, now.u_at(piece, v))
         if float(np.abs(missing).max()) <= 1e-12 * size:
             break
         shift = shift + gain * missing
@@ -98,12 +97,9 @@ def _shares(curve: Curve, u: float, piece: int, v: float) -> Array:
         _fold(share, curves.bernstein(pieces_of(curve).degree, v), 0)
     elif curve.spline in B_SPLINES:
         _points, knots, weights = b_spline_of(curve)
-        spans, part = curves.basis_functions(knots, curve.degree, u)
-        span = int(spans)
-        if curve.spline == "nurbs":
-            part = part * weights[span - curve.degree : span + 1]
-            part = part / part.sum()
-        _fold(share, part, span - curve.degree)
+        pulls = weights if curve.spline == "nurbs" else None
+        span, part = curves.basis_functions(knots, curve.degree, u, pulls)
+        _fold(share, part, int(span) - curve.degree)
     else:
         first = piece + ends_steer(curve)
         share[first % len(share)] += 1.0 - v

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.algorithms.curves import knot_spans
+from workbench.algorithms.curves import knot_spans, located
 from workbench.document.curve_pieces import b_spline_of, fault_of, parameter_at, pieces_of, weights_of
 from workbench.document.model import B_SPLINES, Curve, Sheet
 from workbench.language import _
@@ -80,8 +80,5 @@ def construction_levels(sheet: Sheet, curve: Curve, share: float) -> list[NDArra
 
 def piece_at(curve: Curve, share: float) -> tuple[int, float]:
     """Number of the piece at a share of the range of u, and where in it, 0 to 1. Raises: ValueError."""
-    knots, u = pieces_of(curve).knots, parameter_at(curve, share)
-    last = int(np.searchsorted(knots, knots[-1], side="left")) - 1
-    number = min(int(np.searchsorted(knots, u, side="right")) - 1, max(last, 0))
-    length = float(knots[number + 1] - knots[number])
-    return number, min(max((u - float(knots[number])) / length, 0.0), 1.0) if length > 0 else 0.0
+    piece, v, _length = located(pieces_of(curve).knots, parameter_at(curve, share))
+    return int(piece), float(v)

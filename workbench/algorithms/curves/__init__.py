@@ -29,7 +29,7 @@ from workbench.algorithms.curves.de_boor import de_boor
 from workbench.algorithms.curves.de_boor_rational import de_boor_rational
 from workbench.algorithms.curves.de_casteljau import de_casteljau
 from workbench.algorithms.curves.degree_lowering import lower_b_spline, lower_degree
-from workbench.algorithms.curves.derivatives import derivatives, hodograph, piece_derivative
+from workbench.algorithms.curves.derivatives import derivatives, piece_derivative
 from workbench.algorithms.curves.distances import distances
 from workbench.algorithms.curves.extrema import bounding_box, extrema
 from workbench.algorithms.curves.fitting import fit_pieces
@@ -37,7 +37,7 @@ from workbench.algorithms.curves.flatten_bezier import flatten_bezier
 from workbench.algorithms.curves.flatten_cubic import flatten_cubic
 from workbench.algorithms.curves.hermite import hermite
 from workbench.algorithms.curves.inflections import inflections
-from workbench.algorithms.curves.knot_insertion import b_spline_derivative, insert_knot, split_b_spline
+from workbench.algorithms.curves.knot_insertion import insert_knot, split_b_spline
 from workbench.algorithms.curves.knots import (
     Counting,
     closed_b_spline,
@@ -47,7 +47,7 @@ from workbench.algorithms.curves.knots import (
     uniform_knots,
 )
 from workbench.algorithms.curves.kochanek_bartels import kochanek_bartels
-from workbench.algorithms.curves.pieces import Pieces, in_rows, piece_points
+from workbench.algorithms.curves.pieces import Pieces, in_rows, located, piece_points
 from workbench.algorithms.curves.polyline import chord_counts, polyline
 from workbench.algorithms.curves.rational import Nurbs, circle, homogeneous, projected
 from workbench.algorithms.curves.rational_polyline import nurbs_to_polyline
@@ -64,7 +64,6 @@ __all__ = [
     "arc_length",
     "at_length",
     "b_spline_curve",
-    "b_spline_derivative",
     "b_spline_point",
     "b_spline_to_bezier",
     "basis_functions",
@@ -97,7 +96,6 @@ __all__ = [
     "flatten_bezier",
     "flatten_cubic",
     "hermite",
-    "hodograph",
     "homogeneous",
     "in_rows",
     "inflections",
@@ -105,6 +103,7 @@ __all__ = [
     "joints",
     "knot_spans",
     "kochanek_bartels",
+    "located",
     "lower_b_spline",
     "lower_degree",
     "multiplicity",

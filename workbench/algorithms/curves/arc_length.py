@@ -5,10 +5,10 @@ neither of these stops or turns back: beside a cusp the points may all lie on on
 Source: Guenter and Parent, Computing the arc length of parametric curves, 1990.
 """
 
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves.bernstein import bernstein, subdivide
@@ -24,7 +24,6 @@ _DEEPEST = 40
 _SLOWEST = 0.05
 _MOST = 2**18
 WHOLE = np.ones(1)
-_NODES, _SHARES = (0.5 * (leggauss(16)[0] + 1.0), 0.5 * leggauss(16)[1])
 
 
 class Parts(NamedTuple):
@@ -57,10 +56,10 @@ def _between(pieces: Pieces, u0: float, u1: float) -> Pieces:
     kept = with_length(pieces)
     if u0 <= kept.knots[0] and u1 >= kept.knots[-1]:
         return kept
-    first, last = (int(number) for number in located(kept, [u0, u1])[0])
+    first, last = (int(number) for number in located(kept.knots, [u0, u1])[0])
     whole = lifted(kept)[first : last + 1]
     knots = kept.knots[first : last + 2].copy()
-    whole[-1] = subdivide(whole[-1], float(located(kept, u1)[1]))[0]
+    whole[-1] = subdivide(whole[-1], float(located(kept.knots, u1)[1]))[0]
     share = (u0 - knots[0]) / ((u1 if first == last else knots[1]) - knots[0]) if u0 > knots[0] else 0.0
     whole[0] = subdivide(whole[0], share)[1]
     knots[0], knots[-1] = u0, u1
@@ -104,9 +103,20 @@ def one_way(controls: Array) -> NDArray[np.bool_]:
     return found
 
 
+@cache
+def _gauss_points() -> tuple[Array, Array]:
+    """Gauss and Legendre's 16 points between 0 and 1, and the share (16,) that each has in a mean.
+
+    NumPy loads its polynomials when they are first asked for, which is not before a length is.
+    """
+    nodes, shares = np.polynomial.legendre.leggauss(16)
+    return 0.5 * (nodes + 1.0), 0.5 * shares
+
+
 def length_up_to(controls: Array, end: Array) -> Array:
     """The lengths (r,) of curves (r, n+1, k+1) from 0 to each ``end`` (r,), or to one for all (1,)."""
-    found: Array = end * (speeds_of(controls, end[:, None] * _NODES) @ _SHARES)
+    nodes, shares = _gauss_points()
+    found: Array = end * (speeds_of(controls, end[:, None] * nodes) @ shares)
     return found
 
 

@@ -44,8 +44,7 @@ def _at(pieces: Pieces, parts: Parts, along: Array) -> Array:
         # What ``balanced`` did to the parameter is undone
         ratio = (pieces.weights[piece, 0] / pieces.weights[piece, -1]) ** (1.0 / max(pieces.degree, 1))
         v = ratio * v / (1.0 - v + ratio * v)
-    u: Array = pieces.knots[piece] + v * (pieces.knots[piece + 1] - pieces.knots[piece])
-    return u.reshape(along.shape)
+    return pieces.u_at(piece, v).reshape(along.shape)
 
 
 def _reached(controls: Array, along: Array) -> Array:

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.conditions import refuse_b_spline
 from workbench.algorithms.curves.parameters import B_SPLINE
+from workbench.algorithms.curves.refusals import refuse_b_spline
 from workbench.algorithms.curves.span_polynomial import span_polynomial
 from workbench.algorithms.entry import Entry, Parameter, View
 

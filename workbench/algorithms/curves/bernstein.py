@@ -39,13 +39,6 @@ def bezier_point(points: ArrayLike, u: ArrayLike) -> Array:
     return found
 
 
-def hodograph(points: ArrayLike) -> Array:
-    """Control points of the derivative by u, one fewer: the legs of the control polygon, times the degree."""
-    controls = _checked(points)
-    found: Array = (len(controls) - 1) * np.diff(controls, axis=0)
-    return found
-
-
 def subdivide(points: ArrayLike, u: float) -> tuple[Array, Array]:
     """The control points of the two parts of a curve, before and after u, by de Casteljau's construction."""
     level = _checked(points)

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.conditions import refuse_pieces
 from workbench.algorithms.curves.distance_bottom import bottom, closest_end
 from workbench.algorithms.curves.distance_polynomial import box_distance, halve, outlook, set_coefficients
 from workbench.algorithms.curves.parameters import PIECES
+from workbench.algorithms.curves.refusals import refuse_pieces
 from workbench.algorithms.entry import Entry, Parameter, View
 
 # A part is 2^-30 of its piece then, and has one valley but for rounding

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from workbench.algorithms.curves.conditions import faults, refuse
 from workbench.algorithms.curves.derivatives import local_derivatives
+from workbench.algorithms.curves.halving import lengths
 from workbench.algorithms.curves.pieces import Pieces, with_length
 
 Array = NDArray[np.float64]
@@ -19,9 +20,9 @@ Array = NDArray[np.float64]
 class Continuity(NamedTuple):
     """What is left between the two sides of a joint, and what may be said of it.
 
-    c0: distance of the points; c1, c2: lengths of the differences of first and second derivatives; g1: angle
-    between the tangents in radians; g2: length of the difference of the curvature vectors. A number that does
-    not exist is nan. ``parametric`` is "C2", "C1", "C0" or "", ``geometric`` "G2", "G1", "G0" or "".
+    c0 and g0: distance of the points; c1, c2: lengths of the differences of first and second derivatives;
+    g1: angle between the tangents in radians; g2: length of the difference of the curvature vectors. A number
+    that does not exist is nan. ``parametric`` is "C2", "C1", "C0" or "", ``geometric`` likewise.
     """
 
     c0: float
@@ -76,7 +77,7 @@ def joints(pieces: Pieces, closed: bool = False, tolerance: float = 1e-9) -> lis
     A piece without length in the parameter is passed over: its neighbours join.
     """
     knots, controls, weights = with_length(pieces)
-    lengths = np.diff(knots)
+    length = np.diff(knots)
     before = np.arange(len(controls) if closed else len(controls) - 1)
     if not len(before):
         return []
@@ -84,9 +85,9 @@ def joints(pieces: Pieces, closed: bool = False, tolerance: float = 1e-9) -> lis
     low, high = controls.min(axis=1), controls.max(axis=1)
     size = (np.maximum(high[before], high[after]) - np.minimum(low[before], low[after])).max(axis=1)
     turned, begun = (None, None) if weights is None else (weights[before, ::-1], weights[after])
-    end = _ends(controls[before, ::-1], turned, -lengths[before], tolerance * size)
-    begin = _ends(controls[after], begun, lengths[after], tolerance * size)
-    return _compared(end, begin, size, np.minimum(lengths[before], lengths[after]), tolerance)
+    end = _ends(controls[before, ::-1], turned, -length[before], tolerance * size)
+    begin = _ends(controls[after], begun, length[after], tolerance * size)
+    return _compared(end, begin, size, np.minimum(length[before], length[after]), tolerance)
 
 
 def _ends(points: Array, weights: Array | None, length: Array, nothing: Array) -> _Sides:
@@ -100,8 +101,8 @@ def _ends(points: Array, weights: Array | None, length: Array, nothing: Array) -
     leg = np.take_along_axis(legs, apart.argmax(axis=1)[:, None, None], axis=1)[:, 0]
     directions = np.where(apart.any(axis=1)[:, None], leg, np.nan)
     directions = directions / np.abs(directions).max(axis=1, keepdims=True)
-    directions = directions / _lengths(directions)[:, None]
-    speed = _lengths(first)[:, None]
+    directions = directions / lengths(directions)[:, None]
+    speed = lengths(first)[:, None]
     across = second - (second * directions).sum(axis=1, keepdims=True) * directions
     moving = speed > nothing[:, None]
     curvatures = np.divide(across, speed, out=np.full_like(across, np.nan), where=moving)
@@ -112,12 +113,12 @@ def _ends(points: Array, weights: Array | None, length: Array, nothing: Array) -
 
 def _compared(end: _Sides, begin: _Sides, size: Array, short: Array, tolerance: float) -> list[Continuity]:
     """What is left between ends and begins of curves of this ``size`` (m,), and what may be said of it."""
-    c0, c1, c2 = (_lengths(a - b) for a, b in zip(end[:3], begin[:3], strict=True))
+    c0, c1, c2 = (lengths(a - b) for a, b in zip(end[:3], begin[:3], strict=True))
     g1 = _angles(-end.directions, begin.directions)
-    g2 = _lengths(end.curvatures - begin.curvatures)
-    firsts = np.maximum(_lengths(end.firsts), _lengths(begin.firsts))
-    seconds = np.maximum(_lengths(end.seconds), _lengths(begin.seconds))
-    bends = np.maximum(_lengths(end.curvatures), _lengths(begin.curvatures))
+    g2 = lengths(end.curvatures - begin.curvatures)
+    firsts = np.maximum(lengths(end.firsts), lengths(begin.firsts))
+    seconds = np.maximum(lengths(end.seconds), lengths(begin.seconds))
+    bends = np.maximum(lengths(end.curvatures), lengths(begin.curvatures))
     joined = c0 <= tolerance * size
     same_first = joined & (c1 <= tolerance * np.maximum(firsts, size / short))
     same_second = same_first & (c2 <= tolerance * np.maximum(seconds, size / short**2))
@@ -130,13 +131,7 @@ def _compared(end: _Sides, begin: _Sides, size: Array, short: Array, tolerance: 
     return [Continuity(*row) for row in zip(*columns, *told, strict=True)]
 
 
-def _lengths(vectors: Array) -> Array:
-    """The length of each vector (m, k)."""
-    lengths: Array = np.sqrt((vectors * vectors).sum(axis=1))
-    return lengths
-
-
 def _angles(one: Array, other: Array) -> Array:
     """The angles between unit vectors (m, k), exact for small ones too."""
-    angles: Array = 2.0 * np.arctan2(_lengths(one - other), _lengths(one + other))
+    angles: Array = 2.0 * np.arctan2(lengths(one - other), lengths(one + other))
     return angles

@@ -7,20 +7,15 @@ out than its farthest control point.
 Source: Farin, Curves and Surfaces for CAGD, sections 6.5 (the hull) and 13.7 (rational derivatives).
 """
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves.conic_cubics import conic_cubics
-from workbench.algorithms.curves.halving import balanced, halves, lengths, lifted, product
+from workbench.algorithms.curves.halving import halved_until_near, lengths, product
 from workbench.algorithms.curves.pieces import Pieces
+from workbench.algorithms.curves.refusals import refuse_tolerance
 
 Array = NDArray[np.float64]
-
-MOST_HALVINGS = 24
-MOST_PARTS = 50_000  # that still wait to be halved
-NEAREST = 1e-13  # of the size of the curve: nearer than this rounding errors are all that is left
 
 
 def to_cubic_pieces(pieces: Pieces, tolerance: float) -> tuple[Pieces, float]:
@@ -28,36 +23,18 @@ def to_cubic_pieces(pieces: Pieces, tolerance: float) -> tuple[Pieces, float]:
 
     Plain curves up to degree 3 are the same curve, error 0, at every u. Of others the knots stay, the
     points there and the directions; between two knots the way in u may differ. The error exceeds the
-    tolerance only where that is below 1e-13 of the curve's size, or takes more than 100,000 parts. Raises:
-    ValueError for a tolerance that is not above 0, or points that are not finite.
+    tolerance only where that is below 1e-13 of the curve's size, or more than 50,000 parts wait to be halved.
+    Raises: ValueError for a tolerance that is not above 0, or points that are not finite.
     """
     refuse_tolerance(tolerance)
     if not np.isfinite(pieces.controls).all():
         raise ValueError("A control point is not finite; give it numbers.")
     if pieces.weights is None and pieces.degree <= 3:
         return Pieces(pieces.knots, raised_to_cubic(pieces.controls)), 0.0
-    waiting = lifted(pieces)
-    places = np.arange(
-        len(waiting), dtype=float
-    )  # of a part: the number of its piece, and the share before it
-    least = max(tolerance, NEAREST * float(np.abs(pieces.controls).max()))
-    most = max(MOST_PARTS, 8 * len(waiting))
-    found: list[tuple[Array, Array, Array]] = []
-    for halving in range(MOST_HALVINGS + 1):
-        waiting = balanced(waiting)
-        cubics, off = _nearest_cubics(waiting)
-        done = (off <= least) | (halving == MOST_HALVINGS) | (len(waiting) > most)
-        found.append((places[done], cubics[done], off[done]))
-        waiting, places = halves(waiting[~done]), places[~done]
-        if not len(waiting):
-            break
-        places = np.stack([places, places + 0.5 ** (halving + 1)], axis=1).ravel()
-    starts, controls, errors = (np.concatenate(parts) for parts in zip(*found, strict=True))
-    order = np.argsort(starts)
-    number = starts[order].astype(np.int64)
-    lengths_in_u = np.diff(pieces.knots)[number]
-    begins = pieces.knots[number] + (starts[order] - number) * lengths_in_u
-    return Pieces(np.append(begins, pieces.knots[-1]), controls[order]), float(errors.max())
+    starts, controls, errors = halved_until_near(pieces, tolerance, _nearest_cubics)
+    number = starts.astype(np.intp)
+    begins = pieces.u_at(number, starts - number)
+    return Pieces(np.append(begins, pieces.knots[-1]), controls), float(errors.max())
 
 
 def raised_to_cubic(controls: Array) -> Array:
@@ -65,12 +42,6 @@ def raised_to_cubic(controls: Array) -> Array:
     while controls.shape[1] < 4:
         controls = product(controls, np.ones((len(controls), 2, 1)))
     return controls
-
-
-def refuse_tolerance(tolerance: float) -> None:
-    """Raise ValueError unless the tolerance is a finite number above 0."""
-    if not (math.isfinite(tolerance) and tolerance > 0):
-        raise ValueError(f"The tolerance is {tolerance:g}; choose a finite one above 0.")
 
 
 def _nearest_cubics(whole: Array) -> tuple[Array, Array]:

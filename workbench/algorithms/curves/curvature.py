@@ -19,9 +19,7 @@ _STILL = 2.0**-48
 
 def curvature(pieces: Pieces, u: ArrayLike) -> Array:
     """The signed curvature at each u (...,), of pieces in the plane; nan where the curve stands still."""
-    number, v, _length = located(pieces, u)
-    weights = None if pieces.weights is None else pieces.weights[number]
-    return _bend(pieces.controls[number], weights, v)[2]
+    return _bend_at(pieces, u)[2]
 
 
 def curvature_comb(pieces: Pieces, per_piece: int = 16, scale: float = 1.0) -> Array:
@@ -48,13 +46,18 @@ def osculating_circle(pieces: Pieces, u: float) -> tuple[Array, float]:
     A straight place has no centre (nan) and an infinite radius; a place where the curve stands still has
     neither (nan).
     """
-    number, v, _length = located(pieces, u)
-    weights = None if pieces.weights is None else pieces.weights[number]
-    point, direction, bend = _bend(pieces.controls[number], weights, v)
+    point, direction, bend = _bend_at(pieces, u)
     if not np.abs(bend) > 0.0:
         return np.full(2, np.nan), float("inf") if bend == 0.0 else float("nan")
     radius = 1.0 / float(bend)
     return point + radius * np.array([-direction[1], direction[0]]), abs(radius)
+
+
+def _bend_at(pieces: Pieces, u: ArrayLike) -> tuple[Array, Array, Array]:
+    """As ``_bend``, at each u (...,)."""
+    number, v, _length = located(pieces.knots, u)
+    weights = None if pieces.weights is None else pieces.weights[number]
+    return _bend(pieces.controls[number], weights, v)
 
 
 def _bend(controls: Array, weights: Array | None, v: Array) -> tuple[Array, Array, Array]:

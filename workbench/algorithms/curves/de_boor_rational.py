@@ -16,12 +16,11 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.conditions import refuse_b_spline, refuse_parameter
-from workbench.algorithms.curves.knot_views import basis_rows, knot_rows
-from workbench.algorithms.curves.parameters import B_SPLINE, WEIGHTS
-from workbench.algorithms.curves.rational import refuse_weights
+from workbench.algorithms.curves.knot_views import IN_SPAN, KNOT_TABLES, NEXT_SPAN, basis_rows, knot_rows
+from workbench.algorithms.curves.parameters import B_SPLINE, B_SPLINE_U, WEIGHTS
+from workbench.algorithms.curves.refusals import refuse_b_spline, refuse_parameter, refuse_weights
 from workbench.algorithms.curves.triangle import level_rows, weight_rows
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, View
 
 
 def de_boor_rational(
@@ -81,8 +80,7 @@ _ROW = "(r, i, alpha, w0, w1, w, share, (x, y))"
 _TABLES = {
     "Triangle": ("level_rows(triangle, degree + 1)", ("r", "points")),
     "Weights": ("weight_rows(triangle, degree + 1)", ("r", "weights")),
-    "Basis values": ("basis_rows(knots, degree, span, u)", ("i", "N_{i,p}(u)")),
-    "Knot span": ("knot_rows(knots, degree, span)", ("i", "t_i", "in the span")),
+    **KNOT_TABLES,
 }
 
 ENTRY = Entry(
@@ -90,27 +88,14 @@ ENTRY = Entry(
     topic="curves",
     title="De Boor's construction with weights",
     summary="Divides the legs of degree + 1 control points down to one point, as the weights pull.",
-    parameters=(
-        B_SPLINE[0],
-        WEIGHTS,
-        *B_SPLINE[1:],
-        Parameter("u", "u", "float", 1.25, meaning="from knot t_p to knot t_{n+1}"),
-    ),
+    parameters=(B_SPLINE[0], WEIGHTS, *B_SPLINE[1:], B_SPLINE_U),
     emits="points",
     source="Piegl and Tiller, The NURBS Book, section 4.2",
     columns=("r", "i", "α", "w_{i-1}^{r-1}", "w_i^{r-1}", "w_i^r", "share", "d_i^r"),
     view_functions=(level_rows, weight_rows, basis_rows, knot_rows),
     views=(
-        View(
-            block="Go on to the next knot span",
-            sentence="u = {u} is not before {knots[span]}: go on to span {span}.",
-        ),
-        View(
-            block="Begin with the control points that matter",
-            tables=_TABLES,
-            sentence="u = {u} lies in span {span}, {knots[span]} to {knots[span + 1]}: only the points "
-            "{span - degree} to {span} matter.",
-        ),
+        NEXT_SPAN,
+        View(block="Begin with the control points that matter", tables=_TABLES, sentence=IN_SPAN),
         View(
             block=_LEG,
             row=_ROW,

@@ -11,8 +11,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.conditions import refuse_bezier
 from workbench.algorithms.curves.parameters import BEZIER_POINTS, U
+from workbench.algorithms.curves.refusals import refuse_bezier
 from workbench.algorithms.curves.triangle import level_rows
 from workbench.algorithms.entry import Entry, View
 

@@ -4,13 +4,11 @@ Source: Piegl and Tiller, The NURBS Book, sections 2.3 and 4.3; Farin, Curves an
 """
 
 import math
-from typing import overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from workbench.algorithms.curves.bernstein import bernstein
-from workbench.algorithms.curves.bernstein import hodograph as scaled_legs
 from workbench.algorithms.curves.halving import product
 from workbench.algorithms.curves.pieces import Pieces, located
 from workbench.algorithms.curves.polynomials import derivative_numerator
@@ -26,11 +24,16 @@ def derivatives(pieces: Pieces, u: ArrayLike, order: int = 1) -> Array:
     """
     if order < 0:
         raise ValueError(f"The order is {order}; it must be 0 or more.")
-    number, v, length = located(pieces, u)
-    weights = None if pieces.weights is None else pieces.weights[number]
-    found = local_derivatives(pieces.controls[number], weights, v, order)
+    number, v, length = located(pieces.knots, u)
+    found = derivatives_within(pieces, number, v, order)
     powers: Array = length ** np.arange(order + 1).reshape(-1, *[1] * length.ndim)
     return found / powers[..., None]
+
+
+def derivatives_within(pieces: Pieces, number: NDArray[np.intp], v: Array, order: int) -> Array:
+    """As ``derivatives``, by v from 0 to 1 in the pieces of these numbers (...,)."""
+    weights = None if pieces.weights is None else pieces.weights[number]
+    return local_derivatives(pieces.controls[number], weights, v, order)
 
 
 def local_derivatives(controls: Array, weights: Array | None, v: ArrayLike, order: int) -> Array:
@@ -77,7 +80,7 @@ def _polynomial(controls: Array, v: Array, order: int) -> Array:
 
 
 def piece_derivative(pieces: Pieces) -> Pieces:
-    """The derivative by the parameter; 0 on a piece without length. Exact but for rounding.
+    """The hodograph: the derivative by the parameter, exact but for rounding; 0 on a piece without length.
 
     Of plain pieces it is one degree lower, of rational ones rational with twice the degree.
     """
@@ -89,15 +92,3 @@ def piece_derivative(pieces: Pieces) -> Pieces:
     below = product(pieces.weights[..., None], pieces.weights[..., None])
     raised = product(np.moveaxis(top, -1, 1), np.ones((1, 3, 1)))
     return Pieces(pieces.knots, per_length * raised / below, below[..., 0])
-
-
-@overload
-def hodograph(curve: Pieces) -> Pieces: ...
-@overload
-def hodograph(curve: ArrayLike) -> Array: ...
-def hodograph(curve: Pieces | ArrayLike) -> Pieces | Array:
-    """The derivative as a curve: of pieces by their parameter, of one Bézier curve its control points.
-
-    Raises: ValueError for fewer than two points.
-    """
-    return piece_derivative(curve) if isinstance(curve, Pieces) else scaled_legs(curve)

@@ -60,4 +60,4 @@ def _turns(pieces: Pieces) -> list[Array]:
     tops, sizes = derivative_numerator(pieces.controls, pieces.weights)
     closed = meets_itself(pieces)
     found = [sign_changes(tops[:, axis], sizes[:, axis], closed) for axis in range(tops.shape[1])]
-    return [pieces.knots[rows] + v * np.diff(pieces.knots)[rows] for rows, v in found]
+    return [pieces.u_at(rows, v) for rows, v in found]

@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from workbench.algorithms.curves.bernstein import bernstein
 from workbench.algorithms.curves.conditions import faults, refuse
-from workbench.algorithms.curves.cubic_pieces import refuse_tolerance
 from workbench.algorithms.curves.directions import corners, tangent
 from workbench.algorithms.curves.halving import lengths
 from workbench.algorithms.curves.pieces import Pieces
+from workbench.algorithms.curves.refusals import refuse_tolerance
 
 Array = NDArray[np.float64]
 
@@ -43,9 +43,10 @@ def fit_pieces(
     way = np.append(0.0, np.cumsum(lengths(np.diff(given, axis=0))))
     if way[-1] <= 0.0:
         raise ValueError("All points are in one place; draw a line that has a length.")
-    # A step that the way is too long to feel leads nowhere; the last point stays.
+    # A step that the way is too long to feel leads nowhere; the first point stays, and so does the last.
     kept = np.append(np.diff(way) > 0, True)
-    kept[0], kept[way == way[0]] = True, np.arange(len(way))[way == way[0]] == 0
+    kept[way == way[0]] = False
+    kept[0] = True
     through, way = given[kept], way[kept]
     reach = 2.0 * tolerance
     turns = corners(through, reach, corner_angle)
@@ -85,9 +86,8 @@ def _smooth_seam(
     if seam in corners(around, reach, corner_angle):
         return
     along = tangent(around, seam, 0, len(around) - 1, reach)
-    first, last = runs[0], runs[-1]
-    runs[0] = (*first[:2], along, first[3])
-    runs[-1] = (*runs[-1][:2], runs[-1][2], -along) if len(runs) > 1 else (*last[:2], along, -along)
+    runs[0] = (*runs[0][:2], along, runs[0][3])
+    runs[-1] = (*runs[-1][:3], -along)
 
 
 def _fitted(run: Array, way: Array, leaving: Array, arriving: Array, tolerance: float) -> tuple[Array, Array]:

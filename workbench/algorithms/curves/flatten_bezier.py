@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.conditions import refuse_bezier
 from workbench.algorithms.curves.parameters import BEZIER_POINTS
+from workbench.algorithms.curves.refusals import refuse_bezier
 from workbench.algorithms.curves.waiting_pieces import chord, waiting_rows
 from workbench.algorithms.entry import Entry, Parameter, View
 

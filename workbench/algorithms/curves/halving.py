@@ -4,6 +4,7 @@ Pieces are (m, n+1, k+1): rows of control points (w x, w y, ..., w); the weight 
 Source: Farin, Curves and Surfaces for CAGD, sections 12.5 and 13.7.
 """
 
+from collections.abc import Callable
 from math import comb
 
 import numpy as np
@@ -12,6 +13,10 @@ from numpy.typing import NDArray
 from workbench.algorithms.curves.pieces import Pieces
 
 Array = NDArray[np.float64]
+
+MOST_HALVINGS = 24
+MOST_PARTS = 50_000  # that still wait to be halved
+NEAREST = 1e-13  # of the size of the curve: nearer than this rounding errors are all that is left
 
 
 def lifted(pieces: Pieces) -> Array:
@@ -49,6 +54,34 @@ def halves(whole: Array) -> Array:
         seconds.append(level[:, -1])
     both = np.stack([np.stack(firsts, axis=1), np.stack(seconds[::-1], axis=1)], axis=1)
     return both.reshape(-1, *whole.shape[1:])
+
+
+def halved_until_near(
+    pieces: Pieces, tolerance: float, simpler: Callable[[Array], tuple[Array, Array]]
+) -> tuple[Array, Array, Array]:
+    """Pieces halved until something simpler in the place of each part is near enough.
+
+    ``simpler`` finds for balanced parts (m, n+1, k+1) what may stand for them (m, ...), and how far off at
+    most (m,) it is. Returns for each part (r,), in order: the number of its piece plus the share of the piece
+    that lies before it; what stands for it (r, ...); how far off that is, more than ``tolerance`` only where
+    that is below 1e-13 of the curve's size, or more than 50,000 parts wait to be halved.
+    """
+    waiting, places = lifted(pieces), np.arange(len(pieces.controls), dtype=float)
+    least = max(tolerance, NEAREST * float(np.abs(pieces.controls).max()))
+    most = max(MOST_PARTS, 8 * len(waiting))
+    found: list[tuple[Array, Array, Array]] = []
+    for halving in range(MOST_HALVINGS + 1):
+        waiting = balanced(waiting)
+        stand_ins, off = simpler(waiting)
+        done = (off <= least) | (halving == MOST_HALVINGS) | (len(waiting) > most)
+        found.append((places[done], stand_ins[done], off[done]))
+        waiting, places = halves(waiting[~done]), places[~done]
+        if not len(waiting):
+            break
+        places = np.stack([places, places + 0.5 ** (halving + 1)], axis=1).ravel()
+    starts, made, errors = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    order = np.argsort(starts)
+    return starts[order], made[order], errors[order]
 
 
 def product(one: Array, other: Array) -> Array:

@@ -33,8 +33,7 @@ def inflections(pieces: Pieces) -> Array:
     smooth = np.ones(len(rows), bool)
     smooth[at_joint] = _without_corner(kept, rows[at_joint])
     rows, v = rows[smooth], v[smooth]
-    found: Array = kept.knots[rows] + v * (kept.knots[rows + 1] - kept.knots[rows])
-    return found
+    return kept.u_at(rows, v)
 
 
 def bend_polynomial(pieces: Pieces) -> tuple[Array, Array]:

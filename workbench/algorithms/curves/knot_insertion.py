@@ -55,12 +55,3 @@ def split_b_spline(
     first = controls[:begin], np.append(t[: begin + degree], u)
     second = controls[end - degree - 1 :], np.insert(t[end - degree :], 0, u)
     return first, second
-
-
-def b_spline_derivative(points: ArrayLike, knots: ArrayLike, degree: int) -> tuple[Array, Array]:
-    """Control points and knots of the derivative by u, a B-spline one degree lower. Raises: ValueError."""
-    controls, t = np.asarray(points, float), np.asarray(knots, float)
-    refuse(faults(controls, t, degree))
-    length = (t[degree + 1 : -1] - t[1 : -degree - 1])[:, None]
-    per_length = np.divide(degree, length, out=np.zeros_like(length), where=length > 0)
-    return per_length * np.diff(controls, axis=0), t[1:-1]

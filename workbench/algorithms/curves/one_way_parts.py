@@ -5,10 +5,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.derivatives import local_derivatives
+from workbench.algorithms.curves.derivatives import derivatives_within
 from workbench.algorithms.curves.pieces import Pieces
 from workbench.algorithms.curves.polynomials import derivative_numerator
-from workbench.algorithms.curves.roots import roots
+from workbench.algorithms.curves.roots import parted, roots
 
 Array = NDArray[np.float64]
 
@@ -30,23 +30,12 @@ class Parts(NamedTuple):
         return Parts(self.piece[which], self.low[which], self.high[which], self.begin[which], self.end[which])
 
 
-def places(pieces: Pieces, piece: NDArray[np.intp], v: Array, order: int = 0) -> Array:
-    """The points and derivatives by v of these pieces (r,): (order + 1, r, 2)."""
-    weights = None if pieces.weights is None else pieces.weights[piece]
-    return local_derivatives(pieces.controls[piece], weights, v, order)
-
-
 def one_way_parts(pieces: Pieces) -> Parts:
     """The curve in parts that go one way in x and in y, in order; none for what stays in one place."""
     tops, sizes = derivative_numerator(pieces.controls, pieces.weights)
-    found = [roots(tops[:, axis], sizes[:, axis]) for axis in (0, 1)]
-    count = len(pieces.controls)
-    rows = np.concatenate([np.arange(count), *(part[0] for part in found)])
-    low = np.concatenate([np.zeros(count), *(part[1] for part in found)])
-    order = np.lexsort((low, rows))
-    rows, low = rows[order], low[order]
-    high = np.where(np.append(rows[1:] != rows[:-1], True), 1.0, np.append(low[1:], 1.0))
-    begin, end = places(pieces, rows, low)[0], places(pieces, rows, high)[0]
+    turns = [roots(tops[:, axis], sizes[:, axis]) for axis in (0, 1)]
+    rows, low, high = parted(len(pieces.controls), *turns)
+    begin, end = (derivatives_within(pieces, rows, v, 0)[0] for v in (low, high))
     parts = Parts(rows, low, high, begin, end)
     return parts.taken((begin != end).any(axis=1))
 
@@ -96,6 +85,6 @@ def closed_in(pieces: Pieces, one: Parts, other: Parts, tolerance: float) -> tup
 def _halved(pieces: Pieces, parts: Parts) -> tuple[Parts, Parts]:
     """The first and the second half of each part."""
     middle = 0.5 * (parts.low + parts.high)
-    points = places(pieces, parts.piece, middle)[0]
+    points = derivatives_within(pieces, parts.piece, middle, 0)[0]
     first = parts._replace(high=middle, end=points)
     return first, parts._replace(low=middle, begin=points)

@@ -26,15 +26,19 @@ class Pieces(NamedTuple):
         """The degree of every piece."""
         return int(self.controls.shape[1]) - 1
 
+    def u_at(self, number: int | NDArray[np.intp], v: ArrayLike) -> Array:
+        """The parameters u (...,) of the pieces of these numbers at v, from 0 to 1 in each."""
+        begin = self.knots[number]
+        return np.asarray(begin + np.asarray(v, float) * (self.knots[number + 1] - begin))
 
-def located(pieces: Pieces, u: ArrayLike) -> tuple[NDArray[np.intp], Array, Array]:
+
+def located(knots: Array, u: ArrayLike) -> tuple[NDArray[np.intp], Array, Array]:
     """For each u (...,) the number of its piece, where it is in it, from 0 to 1, and how long the piece is.
 
-    Before its begin and after its end the outer pieces go on; a piece without length is passed over, and if
-    none has a length, it is taken to be 1.
+    Piece j lies from knot j to knot j + 1. Before the first knot and after the last the outer pieces go on; a
+    piece without length is passed over, and if none has a length, it is taken to be 1.
     """
     where = np.asarray(u, float)
-    knots = pieces.knots
     last = int(np.searchsorted(knots, knots[-1], side="left")) - 1
     number = np.clip(np.searchsorted(knots, where, side="right") - 1, 0, max(last, 0))
     length = knots[number + 1] - knots[number]
@@ -45,7 +49,12 @@ def located(pieces: Pieces, u: ArrayLike) -> tuple[NDArray[np.intp], Array, Arra
 def piece_points(pieces: Pieces, u: ArrayLike) -> Array:
     """The points of the curve at each u (...,): (..., k). Before its begin and after its end the outer pieces
     go on; a piece without length is passed over."""
-    number, v, _length = located(pieces, u)
+    number, v, _length = located(pieces.knots, u)
+    return points_within(pieces, number, v)
+
+
+def points_within(pieces: Pieces, number: NDArray[np.intp], v: Array) -> Array:
+    """The points (..., k) of the pieces of these numbers (...,) at v, from 0 to 1 in each."""
     basis = bernstein(pieces.degree, v)
     if pieces.weights is not None:
         pulls = basis * pieces.weights[number]

@@ -3,11 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.bernstein import bernstein
-from workbench.algorithms.curves.cubic_pieces import refuse_tolerance
-from workbench.algorithms.curves.derivatives import local_derivatives
-from workbench.algorithms.curves.pieces import Pieces, with_ends, with_length
+from workbench.algorithms.curves.pieces import Pieces, points_within, with_ends, with_length
 from workbench.algorithms.curves.rational_polyline import nurbs_to_polyline
+from workbench.algorithms.curves.refusals import refuse_tolerance
 
 Array = NDArray[np.float64]
 
@@ -61,10 +59,4 @@ def polyline(pieces: Pieces, tolerance: float) -> Array:
     ends = np.cumsum(counts)
     number = np.repeat(np.arange(len(counts)), counts)
     share = (np.arange(ends[-1]) - (ends - counts)[number]) / counts[number]
-    if kept.weights is None:
-        corners = local_derivatives(kept.controls[number], None, share, 0)[0]
-    else:
-        pulls = bernstein(kept.degree, share) * kept.weights[number]
-        pulls /= pulls.sum(axis=1, keepdims=True)
-        corners = np.einsum("ni,nik->nk", pulls, kept.controls[number])
-    return with_ends(kept, corners, ends)
+    return with_ends(kept, points_within(kept, number, share), ends)

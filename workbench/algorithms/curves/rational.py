@@ -5,7 +5,7 @@ Source: Piegl and Tiller, The NURBS Book, sections 4.2 and 7.5.
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,15 +22,6 @@ class Nurbs(NamedTuple):
     weights: Array
     knots: Array
     degree: int
-
-
-def refuse_weights(weights: NDArray[Any], count: int) -> None:
-    """Raise ValueError unless there is a finite weight above 0 for each of ``count`` points."""
-    if len(weights) != count:
-        raise ValueError("There must be one weight for each point; add weights, or take some away.")
-    for k in range(count):
-        if not math.isfinite(weights[k]) or weights[k] <= 0.0:
-            raise ValueError("A weight is not a finite number above 0; give it one.")
 
 
 def homogeneous(points: ArrayLike, weights: ArrayLike) -> Array:

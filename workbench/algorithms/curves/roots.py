@@ -51,19 +51,25 @@ def roots(coefficients: Array, sizes: Array) -> tuple[Numbers, Array]:
     return all_rows[order], places[order]
 
 
+def parted(count: int, *found: tuple[Numbers, Array]) -> tuple[Numbers, Array, Array]:
+    """The rows 0 to ``count`` - 1 in parts between their roots: the row, the begin and the end (r,) of each.
+
+    Every one of ``found`` are rows and places as ``roots`` gives them.
+    """
+    rows = np.concatenate([np.arange(count), *(each[0] for each in found)])
+    begin = np.concatenate([np.zeros(count), *(each[1] for each in found)])
+    order = np.lexsort((begin, rows))
+    rows, begin = rows[order], begin[order]
+    last = np.append(rows[1:] != rows[:-1], True)
+    return rows, begin, np.where(last, 1.0, np.append(begin[1:], 1.0))
+
+
 def sign_changes(coefficients: Array, sizes: Array, closed: bool = False) -> tuple[Numbers, Array]:
     """Rows (r,) and places (r,) from 0 to 1 where the rows (m, degree + 1), one after the other, change sign.
 
     Between two rows, and if ``closed`` between the last and the first, the place is 0 in the later one.
     """
-    count = len(coefficients)
-    at_rows, at = roots(coefficients, sizes)
-    rows = np.concatenate([np.arange(count), at_rows])
-    begin = np.concatenate([np.zeros(count), at])
-    order = np.lexsort((begin, rows))
-    rows, begin = rows[order], begin[order]
-    last = np.append(rows[1:] != rows[:-1], True)
-    end = np.where(last, 1.0, np.append(begin[1:], 1.0))
+    rows, begin, end = parted(len(coefficients), roots(coefficients, sizes))
     middle = 0.5 * (begin + end)
     limits = _NOISE * value(sizes[rows], middle)
     found = value(coefficients[rows], middle)

@@ -8,10 +8,12 @@ Source: Koparkar and Mudur, A new class of algorithms for the processing of para
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.curves.derivatives import derivatives_within
 from workbench.algorithms.curves.extrema import meets_itself
 from workbench.algorithms.curves.halving import lengths
-from workbench.algorithms.curves.one_way_parts import Parts, closed_in, one_way_parts, overlapping, places
+from workbench.algorithms.curves.one_way_parts import Parts, closed_in, one_way_parts, overlapping
 from workbench.algorithms.curves.pieces import Pieces, piece_points, with_length
+from workbench.algorithms.curves.refusals import refuse_tolerance
 
 Array = NDArray[np.float64]
 Crossing = tuple[float, float, Array]
@@ -29,8 +31,7 @@ def self_intersections(pieces: Pieces, tolerance: float, most: int = 1000) -> li
     curve runs along itself. The closing point of a closed curve is none.
     Raises: ValueError for a tolerance that is not above 0.
     """
-    if not tolerance > 0.0:
-        raise ValueError(f"The tolerance is {tolerance:g}; it must be above 0.")
+    refuse_tolerance(tolerance)
     kept = with_length(pieces)
     parts = one_way_parts(kept)
     first, second = overlapping(parts, tolerance)
@@ -49,7 +50,8 @@ def _refined(pieces: Pieces, one: Parts, other: Parts, tolerance: float) -> list
     """The crossings in pairs of tiny parts, by Newton's steps; those that are none left out."""
     v, w = 0.5 * (one.low + one.high), 0.5 * (other.low + other.high)
     for _step in range(4):
-        (p, dp), (q, dq) = places(pieces, one.piece, v, 1), places(pieces, other.piece, w, 1)
+        p, dp = derivatives_within(pieces, one.piece, v, 1)
+        q, dq = derivatives_within(pieces, other.piece, w, 1)
         away = q - p
         area = dp[:, 1] * dq[:, 0] - dp[:, 0] * dq[:, 1]
         sure = np.abs(area) > 1e-9 * lengths(dp) * lengths(dq)
@@ -58,17 +60,15 @@ def _refined(pieces: Pieces, one: Parts, other: Parts, tolerance: float) -> list
         dw = np.where(sure, (dp[:, 0] * away[:, 1] - dp[:, 1] * away[:, 0]) / safe, 0.0)
         v = np.clip(v + dv, np.maximum(one.low - _SLACK, 0.0), np.minimum(one.high + _SLACK, 1.0))
         w = np.clip(w + dw, np.maximum(other.low - _SLACK, 0.0), np.minimum(other.high + _SLACK, 1.0))
-    p, q = places(pieces, one.piece, v)[0], places(pieces, other.piece, w)[0]
-    knots, points = pieces.knots, 0.5 * (p + q)
-    u0 = knots[one.piece] + v * (knots[one.piece + 1] - knots[one.piece])
-    u1 = knots[other.piece] + w * (knots[other.piece + 1] - knots[other.piece])
-    away = lengths(p - q)
+    (p,), (q,) = derivatives_within(pieces, one.piece, v, 0), derivatives_within(pieces, other.piece, w, 0)
+    u0, u1 = pieces.u_at(one.piece, v), pieces.u_at(other.piece, w)
+    points, away = 0.5 * (p + q), lengths(p - q)
     # What only comes near must do so beyond a turn: at a cusp both branches are near each other for a while
     size = float(np.abs(pieces.controls).max())
     far = np.where(away <= 1e-3 * tolerance, 4.0 * tolerance, np.sqrt(tolerance * size) + 4.0 * tolerance)
     kept = (away <= tolerance) & (u0 < u1) & _leaves(pieces, u0, u1, points, far)
     if meets_itself(pieces):
-        first, last = np.full(len(u0), knots[0]), np.full(len(u0), knots[-1])
+        first, last = (np.full(len(u0), pieces.knots[end]) for end in (0, -1))
         kept &= _leaves(pieces, first, u0, points, far) | _leaves(pieces, u1, last, points, far)
     return list(zip(u0[kept].tolist(), u1[kept].tolist(), points[kept], strict=True))
 

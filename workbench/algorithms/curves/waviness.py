@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from workbench.algorithms.curves.conditions import faults, refuse
-from workbench.algorithms.curves.derivatives import local_derivatives
+from workbench.algorithms.curves.derivatives import derivatives_within
 from workbench.algorithms.curves.extrema import bounding_box, meets_itself, piece_boxes
 from workbench.algorithms.curves.inflections import bend_polynomial, inflections
 from workbench.algorithms.curves.pieces import Pieces, with_length
 from workbench.algorithms.curves.polynomials import derivative_numerator
-from workbench.algorithms.curves.roots import roots
+from workbench.algorithms.curves.roots import parted, roots
 
 Array = NDArray[np.float64]
 
@@ -87,17 +87,11 @@ def _directions(pieces: Pieces) -> Array:
     found = [roots(tops[:, 0], sizes[:, 0]), roots(tops[:, 1], sizes[:, 1])]
     if pieces.degree > 1:
         found.append(roots(*bend_polynomial(pieces)))
-    count = len(controls)
-    rows = np.concatenate([np.arange(count), *(part[0] for part in found)])
-    begin = np.concatenate([np.zeros(count), *(part[1] for part in found)])
-    order = np.lexsort((begin, rows))
-    rows, begin = rows[order], begin[order]
-    last = np.append(rows[1:] != rows[:-1], True)
-    length = np.where(last, 1.0, np.append(begin[1:], 1.0)) - begin
+    rows, begin, end = parted(len(controls), *found)
+    length = end - begin
     v = np.stack([begin + _ASIDE * length, begin + (1.0 - _ASIDE) * length], axis=1)[length > 0]
     rows = np.repeat(rows[length > 0], 2)
-    pulls = None if weights is None else weights[rows]
-    return np.asarray(local_derivatives(controls[rows], pulls, v.ravel(), 1)[1])
+    return np.asarray(derivatives_within(pieces, rows, v.ravel(), 1)[1])
 
 
 def _turned(directions: Array, closed: bool) -> float:
