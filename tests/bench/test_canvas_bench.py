@@ -1,13 +1,11 @@
 """How fast the canvas answers: from a mouse event to the painted frame, and painting a million cells."""
 
-import time
-
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QMainWindow
 
+from tests.bench.drags import MOVES, measure_drag, mouse
 from workbench.document.samples import blank_sheet
 from workbench.panels.draw import DrawPanel
 from workbench.session.session import Session
@@ -15,33 +13,6 @@ from workbench.widgets.canvas_drawing import Stroke
 from workbench.widgets.canvas_overlay import Handle, Overlay
 from workbench.widgets.canvas_view import centred
 from workbench.widgets.pixel_canvas import PixelCanvas
-
-MOVES = 500
-
-
-def mouse(canvas, kind, x, y, button=Qt.MouseButton.LeftButton):
-    place = canvas.widget_position(x, y)
-    button_now = Qt.MouseButton.NoButton if kind == QEvent.Type.MouseMove else button
-    buttons = Qt.MouseButton.NoButton if kind == QEvent.Type.MouseButtonRelease else button
-    position = QPointF(place)
-    event = QMouseEvent(
-        kind, position, canvas.mapToGlobal(position), button_now, buttons, Qt.KeyboardModifier.NoModifier
-    )
-    QApplication.sendEvent(canvas, event)
-
-
-class Frames:
-    """Counts painted frames of a canvas by watching its paint events end."""
-
-    def __init__(self, canvas):
-        self.painted = 0
-        paint = canvas.paintEvent
-
-        def counted(event):
-            paint(event)
-            self.painted += 1
-
-        canvas.paintEvent = counted
 
 
 @pytest.mark.parametrize("docks", [False, True], ids=["canvas", "canvas and plot"])
@@ -58,7 +29,7 @@ def test_mouse_event_to_frame(qtbot, benchmark, docks):
     if docks:
         panel.plot.setGeometry(300, 500, 900, 160)
         panel.plot.show()
-    canvas, frames = panel.canvas, Frames(panel.canvas)
+    canvas = panel.canvas
     panel.choose_tool("line")
     mouse(canvas, QEvent.Type.MouseButtonPress, 20, 10)
     mouse(canvas, QEvent.Type.MouseMove, 180, 120)
@@ -68,31 +39,9 @@ def test_mouse_event_to_frame(qtbot, benchmark, docks):
     figure = session.sheet.figures[0]
     session.update_state(selection=(figure.id,), active=figure.id)
     QApplication.processEvents()
-    times, busy = [], []
-
-    def drag():
-        times.clear()
-        busy.clear()
-        mouse(canvas, QEvent.Type.MouseButtonPress, 180, 120)
-        angle = np.linspace(0, 6 * np.pi, MOVES)
-        for x, y in zip(110 + 70 * np.cos(angle), 80 + 60 * np.sin(angle), strict=True):
-            before, worked, seen = time.perf_counter(), time.thread_time(), frames.painted
-            mouse(canvas, QEvent.Type.MouseMove, x, y)
-            while frames.painted == seen:
-                QApplication.processEvents()
-            times.append((time.perf_counter() - before) * 1e3)
-            busy.append((time.thread_time() - worked) * 1e3)
-        mouse(canvas, QEvent.Type.MouseButtonRelease, x, y)
-        QApplication.processEvents()
-
-    benchmark.pedantic(drag, rounds=1)
-    p50, p99, worst = np.percentile(times, [50, 99, 100])
-    own = np.percentile(busy, [50, 99])
-    print(
-        f"\nevent to frame: median {p50:.1f}, 99th of {MOVES} {p99:.1f}, worst {worst:.1f} ms; 16 ms allowed"
-    )
-    print(f"of which this thread worked: median {own[0]:.1f}, 99th {own[1]:.1f} ms")
-    benchmark.extra_info.update(median_ms=p50, p99_ms=p99)
+    angle = np.linspace(0, 6 * np.pi, MOVES)
+    path = np.column_stack([110 + 70 * np.cos(angle), 80 + 60 * np.sin(angle)])
+    measure_drag(benchmark, "event to frame", canvas, (180, 120), path.tolist())
 
 
 @pytest.mark.parametrize("cell", [0.5, 1, 2, 6, 8, 16, 64])
