@@ -8,8 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDropEvent
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QFileDialog, QPushButton
 from pytestqt.qtbot import QtBot
 
@@ -213,18 +212,6 @@ def test_recent_files_are_on_home_and_in_the_menu(
     assert again.place == "draw"
     chosen.unlink()
     assert again.settings.recent() == []
-
-
-def test_a_file_dropped_on_the_window_opens(window: MainWindow, chosen: Path) -> None:
-    window.files.save_as()
-    saved(window)
-    window.session.new()
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(chosen))])
-    left = Qt.MouseButton.LeftButton
-    event = QDropEvent(QPointF(9, 9), Qt.DropAction.CopyAction, data, left, Qt.KeyboardModifier.NoModifier)
-    window.dropEvent(event)
-    assert window.session.path == chosen
 
 
 def test_an_example_opens_beside_unsaved_work(qtbot: QtBot, window: MainWindow) -> None:

@@ -170,13 +170,11 @@ class CurveExchange(QObject):
 
     def ask_svg(self) -> None:
         """Ask for an SVG and bring it in."""
-        self._open(_("Bring in SVG"), _SVG, lambda path: self.take_svg(path.read_bytes()))
+        self._open(_("Bring in SVG"), _SVG)
 
     def ask_points(self) -> None:
         """Ask for a table of points and bring it in."""
-        self._open(
-            _("Bring in points"), _POINTS, lambda path: self.take_points(path.read_text("utf-8", "replace"))
-        )
+        self._open(_("Bring in points"), _POINTS)
 
     def ask_export_svg(self) -> None:
         """Ask for a file and save every visible figure as SVG."""
@@ -227,15 +225,23 @@ class CurveExchange(QObject):
         paint_page(painter, self._exporter().page(), size, self._owner.font(), 1.5)
         painter.end()
 
-    def _open(self, title: str, kinds: str, read: Callable[[Path], object]) -> None:
-        chosen, _kind = QFileDialog.getOpenFileName(self._owner, title, "", kinds)
-        if not chosen:
-            return
+    def take_file(self, path: Path) -> None:
+        """Bring in a file: an SVG by its ending, or else a table of points."""
         try:
-            read(Path(chosen))
+            content = path.read_bytes()
         except OSError as problem:
             text = _("{path} was not read: {reason}. Choose another file.")
-            self.said.emit(text.format(path=chosen, reason=problem.strerror or problem))
+            self.said.emit(text.format(path=path, reason=problem.strerror or problem))
+            return
+        if path.suffix.lower() == ".svg":
+            self.take_svg(content)
+        else:
+            self.take_points(content.decode("utf-8", "replace"))
+
+    def _open(self, title: str, kinds: str) -> None:
+        chosen, _kind = QFileDialog.getOpenFileName(self._owner, title, "", kinds)
+        if chosen:
+            self.take_file(Path(chosen))
 
     def _save(self, title: str, name: str, kinds: str, write: Callable[[Path], None]) -> None:
         said = ask_and_write(self._owner, title, name, kinds, write)

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 PROGRAM = "Graphics Workbench"
 SUFFIX = ".gwb"
+_BROUGHT_IN = (".svg", ".csv", ".txt")
 
 
 class Files(QObject):
@@ -180,10 +181,34 @@ class Files(QObject):
         self._window.settings.add_recent(path)
         self._window.refresh_recent()
 
+    # Files dropped on the window
+
+    def offer_drop(self, event: QDropEvent) -> None:
+        """Take what is dragged over the window when it can be opened or brought in; else say what can."""
+        if self._dropped(event) is not None:
+            # Whatever the other program proposes: the file is read, and stays where it is.
+            event.setDropAction(Qt.DropAction.CopyAction)
+            event.accept()
+        elif event.mimeData().hasUrls():
+            self._window.say_status(
+                _("Drop one file here: a picture (.gwb), a drawing (.svg) or a list of points (.csv, .txt).")
+            )
+
+    def take_drop(self, event: QDropEvent) -> None:
+        """Open the picture that is dropped, or bring what it is into Curves."""
+        self.offer_drop(event)
+        path = self._dropped(event)
+        if path is None:
+            return
+        if path.suffix.lower() == SUFFIX:
+            self.open_path(path)
+        else:
+            self._window.enter("curves")
+            self._window.panels("curves")[0].exchange.take_file(path)
+
     @staticmethod
-    def dropped(event: QDropEvent) -> Path | None:
-        """The one picture of ours that is being dropped, if it is one."""
+    def _dropped(event: QDropEvent) -> Path | None:
+        """The one file that is being dropped, when it is of a kind that can be taken."""
         urls = event.mimeData().urls()
-        if len(urls) == 1 and urls[0].isLocalFile() and urls[0].toLocalFile().endswith(SUFFIX):
-            return Path(urls[0].toLocalFile())
-        return None
+        path = Path(urls[0].toLocalFile()) if len(urls) == 1 and urls[0].isLocalFile() else None
+        return path if path is not None and path.suffix.lower() in (SUFFIX, *_BROUGHT_IN) else None

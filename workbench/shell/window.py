@@ -373,12 +373,11 @@ class MainWindow(QMainWindow):
     # Dropped files, closing
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if self.session is not None and self.files.dropped(event) is not None:
-            event.acceptProposedAction()
+        if self.session is not None:
+            self.files.offer_drop(event)
 
     def dropEvent(self, event: QDropEvent) -> None:
-        if (path := self.files.dropped(event)) is not None:
-            self.files.open_path(path)
+        self.files.take_drop(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.session is not None and self.files.is_unsaved() and not self._closing:

@@ -1,0 +1,129 @@
+"""Files dropped on the window, as another program sends them."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QApplication, QPushButton
+from pytestqt.qtbot import QtBot
+
+from tests.shell.conftest import leave
+from workbench.document import save
+from workbench.document.model import Curve
+from workbench.document.samples import example_document
+from workbench.document.sheet_edits import rename_sheet
+from workbench.session.session import Session
+from workbench.shell.settings import Settings
+from workbench.shell.start import make_window
+from workbench.shell.window import MainWindow
+
+MOVE, COPY = Qt.DropAction.MoveAction, Qt.DropAction.CopyAction
+LEFT, PLAIN = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 64 48"><path d="M8 8C20 40 40 40 56 8"/></svg>'
+
+
+@pytest.fixture
+def window(qtbot: QtBot) -> Iterator[MainWindow]:
+    window = make_window(Settings())
+    window.show()
+    window.resize(1280, 680)
+    window.attach(Session(window, example_document()))
+    window.go("draw")
+    qtbot.waitExposed(window)
+    yield window
+    leave(window)
+
+
+def drop(window: MainWindow, *paths: Path) -> bool:
+    """Drag files over the middle of the window and let go of them; whether the window took them."""
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
+    place = window.rect().center()
+    under = window.childAt(place)
+    assert under is not None
+    spot = under.mapFrom(window, place)
+    entered = QDragEnterEvent(spot, MOVE | COPY, data, LEFT, PLAIN)
+    entered.ignore()
+    QApplication.sendEvent(under, entered)
+    if not entered.isAccepted():
+        return False
+    # A file that were moved would be gone from where it was.
+    assert entered.dropAction() == COPY
+    dropped = QDropEvent(QPoint(place), MOVE | COPY, data, LEFT, PLAIN)
+    dropped.ignore()
+    QApplication.sendEvent(window, dropped)
+    assert dropped.isAccepted()
+    assert dropped.dropAction() == COPY
+    QApplication.processEvents()
+    return True
+
+
+def curves(window: MainWindow) -> list[Curve]:
+    return [figure for figure in window.session.sheet.figures if isinstance(figure, Curve)]
+
+
+@pytest.mark.parametrize("ending", [".gwb", ".GWB"])
+def test_a_picture_is_opened_once_unsaved_changes_are_settled(
+    window: MainWindow, tmp_path: Path, ending: str
+) -> None:
+    path = tmp_path / f"lines{ending}"
+    save(example_document(), path)
+    session = window.session
+    session.apply(rename_sheet(session.sheet.id, "Mine"), "Rename")
+    assert drop(window, path)
+    assert session.sheet.name == "Mine"
+    next(
+        each for each in window.messages.findChildren(QPushButton) if each.text() == "Discard changes"
+    ).click()
+    assert session.path == path
+    assert session.sheet.name != "Mine"
+
+
+@pytest.mark.parametrize("place", ["home", "draw", "curves"])
+def test_a_drawing_comes_into_curves(window: MainWindow, tmp_path: Path, place: str) -> None:
+    window.go(place)
+    path = tmp_path / "wave.svg"
+    path.write_text(SVG)
+    before = window.session.sheet.figures
+    assert drop(window, path)
+    assert window.place == "curves"
+    (curve,) = curves(window)
+    assert curve.spline == "bezier_path"
+    assert "1 figure came in" in window.status.hover.text()
+    window.undo()
+    assert window.session.sheet.figures == before
+
+
+@pytest.mark.parametrize("name", ["points.csv", "points.TXT"])
+def test_a_list_of_points_becomes_a_curve(window: MainWindow, tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_bytes(b"x,y\r\n1,2\r\n30,20\r\n50,4\r\n")
+    assert drop(window, tmp_path / name)
+    (curve,) = curves(window)
+    assert [(p.x, p.y) for p in curve.points_world] == [(1, 2), (30, 20), (50, 4)]
+
+
+def test_what_is_wrong_with_a_dropped_file_is_said(window: MainWindow, tmp_path: Path) -> None:
+    before = window.session.document
+    for name, content, said in (
+        ("a.svg", "<svg", "XML"),
+        ("b.csv", "1;2\n3;four", "2"),
+        ("c.csv", None, "c.csv"),
+    ):
+        if content is not None:
+            (tmp_path / name).write_text(content)
+        assert drop(window, tmp_path / name)
+        assert said in window.status.hover.text()
+    (tmp_path / "d.gwb").write_text("{")
+    assert drop(window, tmp_path / "d.gwb")
+    assert window.session.document is before
+
+
+def test_anything_else_is_not_taken_and_that_is_said(window: MainWindow, tmp_path: Path) -> None:
+    before = window.session.document
+    for paths in ([tmp_path / "photo.png"], [tmp_path / "a.svg", tmp_path / "b.svg"], [tmp_path]):
+        window.status.hover.clear()
+        assert not drop(window, *paths)
+        assert "Drop one file" in window.status.hover.text()
+    assert window.session.document is before
