@@ -34,9 +34,7 @@ def usual_window(sheet: Sheet) -> Rectangle:
     scale = device_map(sheet)
     w, h = sheet.width_px, sheet.height_px
     x0, y0, x1, y1 = w // 4, h // 4, max(w - 1 - w // 4, w // 4 + 1), max(h - 1 - h // 4, h // 4 + 1)
-    sides = [(x0 - scale.tx) / scale.sx, (y0 - scale.ty) / scale.sy]
-    sides += [(x1 - scale.tx) / scale.sx, (y1 - scale.ty) / scale.sy]
-    return Rectangle(*(round(side, 9) for side in sides))
+    return Rectangle(*scale.world_point(x0, y0), *scale.world_point(x1, y1))
 
 
 def extent_text(window: Rectangle) -> str:

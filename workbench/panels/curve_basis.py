@@ -63,7 +63,8 @@ def basis_of(curve: Curve, share: float) -> Basis:
         return _chosen(curve, us, shown, "R" if curve.spline == "nurbs" else "N", named, (first, last), share)
     knots_shown = tuple((f"#{k}", float(u)) for k, u in enumerate(pieces.knots.tolist()))
     numbers = _near(curve, share)
-    values = np.column_stack([_followed(curve, k, us) for k in numbers])
+    places = piece_points(pieces, us)
+    values = np.column_stack([_followed(curve, k, us, places) for k in numbers])
     names = tuple(_label(curve, k, "w") for k in numbers)
     return Basis(us, values, names, numbers, knots_shown, None, ())
 
@@ -107,14 +108,16 @@ def _label(curve: Curve, number: int, letter: str) -> str:
     return f"{letter}_{{{point_name(curve, number)[1:]}}}" + ("'" if is_handle(curve, number) else "")
 
 
-def _followed(curve: Curve, number: int, us: Array) -> Array:
-    """How far the curve at each u follows a point that is moved a little, as a share of its way."""
+def _followed(curve: Curve, number: int, us: Array, places: Array) -> Array:
+    """How far the curve, at ``places`` (m, 2) at the parameters ``us`` (m,), follows a point that is moved a
+    little, as a share of its way.
+    """
     point = curve.points_world[number]
     size = max(1.0, abs(point.x)) * _SMALL
     moved = list(curve.points_world)
     moved[number] = replace(point, x=point.x + size)
-    before, after = pieces_of(curve), pieces_of(replace(curve, points_world=tuple(moved)))
-    first, last = before.knots[0], before.knots[-1]
-    stretched = after.knots[0] + (us - first) * ((after.knots[-1] - after.knots[0]) / (last - first))
-    way = (piece_points(after, stretched) - piece_points(before, us))[:, 0] / size
+    after = pieces_of(replace(curve, points_world=tuple(moved)))
+    # A kind that is chordal in its parameter gets another range of it
+    stretched = np.interp(us, us[[0, -1]], after.knots[[0, -1]])
+    way = (piece_points(after, stretched) - places)[:, 0] / size
     return np.where(np.abs(way) < 1e-9, 0.0, way)

@@ -190,11 +190,6 @@ class CurveCommands(QObject):
         if self._pull.busy:
             self._pull.commit()
 
-    @property
-    def pulling(self) -> bool:
-        """Whether a knot or a weight is held."""
-        return self._pull.busy
-
 
 def _knot_id(document: Document, figure: str, number: int) -> str:
     return curve_with(document, figure).knots[number].id

@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QWidget
 
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces, piece_points
-from workbench.document.curve_pieces import parameter_at
+from workbench.document.curve_pieces import parameter_at, share_at
 from workbench.document.model import B_SPLINES, Curve
 from workbench.language import _
-from workbench.panels.curve_basis import NOTHING, Basis, basis_of
+from workbench.panels.curve_basis import MOST, NOTHING, Basis, basis_of
 from workbench.panels.curve_compare import compared, measures, rows, why_none
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_insight import CurveInsight
@@ -19,7 +19,8 @@ from workbench.panels.curve_joints import joint_point, joints
 from workbench.panels.curve_shape import device_pieces
 from workbench.rendering.curves import fault_of
 from workbench.widgets.basis_plot import BasisPlot
-from workbench.widgets.continuity_table import ContinuityTable, Joint
+from workbench.widgets.canvas_drawing import data_ink
+from workbench.widgets.continuity_table import ContinuityTable
 from workbench.widgets.curvature_plot import CurvaturePlot
 from workbench.widgets.hodograph_plot import HodographPlot
 from workbench.widgets.measure_table import MeasureTable
@@ -58,7 +59,6 @@ class CurveDocks(QObject):
         self.continuity.smoothing_wanted.connect(self.smoothing_wanted)
         self.measured = MeasureTable()
         self.measured.kind_activated.connect(self._choose_kind)
-        self._joints: list[Joint] = []
         self._basis: Basis = NOTHING
         self._took_ms = 0.0
         self._made_for: tuple[object, ...] = ()
@@ -119,13 +119,13 @@ class CurveDocks(QObject):
 
     def _show_basis(self, curve: Curve | None, u: float | None) -> None:
         # Of a curve of few points all functions are shown, and then they do not depend on u.
-        few = curve is not None and len(curve.points_world) <= 24
+        few = curve is not None and len(curve.points_world) <= MOST
         key = (curve, None if few else round(self.focus.u, 2))
         if key != self._made_for:
             self._made_for = key
             self._basis = NOTHING if curve is None else basis_of(curve, self.focus.u)
             made = self._basis
-            inks = [f"data {k % 6 + 1}" for k in made.numbers]
+            inks = [data_ink(k) for k in made.numbers]
             movable = curve is not None and curve.spline in B_SPLINES
             self.basis.set_domain(made.domain)
             self.basis.set_functions(made.us, made.values, made.names, inks)
@@ -158,15 +158,11 @@ class CurveDocks(QObject):
         self.hodograph.set_u(u)
 
     def _show_joints(self, curve: Curve | None) -> None:
-        # Shown again only when they differ, so that what was said of the last command stays.
         found = [] if curve is None else joints(self.focus.session.sheet, curve)
-        if found != self._joints:
-            self._joints = found
-            self.continuity.set_joints(found)
+        self.continuity.set_joints(found)
 
     def _go_to_joint(self, number: int) -> None:
-        if 0 <= number < len(self._joints):
-            self._go_to(self._joints[number].u)
+        self._go_to(self.continuity.model.joints[number].u)
 
     def _choose_kind(self, number: int) -> None:
         curve = self.focus.curve
@@ -176,17 +172,13 @@ class CurveDocks(QObject):
 
     def _hover_joint(self, number: int) -> None:
         curve = self.focus.curve
-        point = None
-        if curve is not None and 0 <= number < len(self._joints):
-            point = joint_point(curve, number)
+        point = joint_point(curve, number) if curve is not None and number >= 0 else None
         self.focus.hover(-1 if point is None else point)
 
     def _go_to(self, u: float) -> None:
         curve = self.focus.curve
-        pieces = None if curve is None else device_pieces(self.focus.session.sheet, curve)
-        if pieces is not None:
-            first, last = float(pieces.knots[0]), float(pieces.knots[-1])
-            self.focus.set_u((u - first) / (last - first))
+        if curve is not None and not fault_of(curve):
+            self.focus.set_u(share_at(curve, u))
             self.focus.switch("construction", True)
 
     def _hover(self, number: int) -> None:

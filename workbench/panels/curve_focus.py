@@ -90,5 +90,4 @@ class CurveFocus(QObject):
 
     def world(self, x: float, y: float) -> tuple[float, float]:
         """World coordinates of a device point."""
-        scale = device_map(self.session.sheet)
-        return round((x - scale.tx) / scale.sx, 9), round((y - scale.ty) / scale.sy, 9)
+        return device_map(self.session.sheet).world_point(x, y)

@@ -5,7 +5,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves import Pieces, piece_points, polyline
+from workbench.algorithms.curves import Pieces, piece_points
 from workbench.document.model import TANGENT_SPLINES, Curve, Sheet
 from workbench.rendering import curves, device_map
 
@@ -29,10 +29,9 @@ def device_points(sheet: Sheet, curve: Curve) -> Array:
     return device_map(sheet).points(curves.points_of(curve))
 
 
-def smooth_line(sheet: Sheet, curve: Curve, spline: str = "", tolerance: float = SMOOTH_PX) -> Array:
-    """The curve (n, 2), device coordinates, no pixel's share of ``tolerance`` off; empty without one."""
-    pieces = device_pieces(sheet, curve, spline)
-    return np.empty((0, 2)) if pieces is None else polyline(pieces, tolerance)
+def smooth_line(sheet: Sheet, curve: Curve, spline: str = "") -> Array:
+    """The curve (n, 2), device coordinates, so close to it that nobody sees a corner; empty without one."""
+    return curves.polyline_of(sheet, curve, spline, SMOOTH_PX)
 
 
 def has_tangent(curve: Curve, index: int) -> bool:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from workbench.document.curve_pieces import parameter_at
 from workbench.document.model import Curve
 from workbench.language import _
 from workbench.panels.curve_drags import BendDrag, Drag, PointDrag, TangentDrag
@@ -166,10 +167,10 @@ class CurveSelectTool(SelectTool):
     def _slide(self, x: float, y: float) -> None:
         curve = self.focus.curve
         pieces = None if curve is None else device_pieces(self.session.sheet, curve)
-        if pieces is not None:
+        if curve is not None and pieces is not None:
             share, _away = nearest_share(pieces, x, y)
             self.focus.set_u(round(share, 4))
-            self.tag = f"u = {pieces.knots[0] + share * (pieces.knots[-1] - pieces.knots[0]):.4g}"
+            self.tag = f"u = {parameter_at(curve, share):.4g}"
 
     def _select_inside(self) -> None:
         curve = self.focus.selected

@@ -34,7 +34,7 @@ from workbench.panels.figure_picture import packed, pale_picture, picture
 from workbench.panels.figure_tools import FigureTool
 from workbench.panels.figure_view import FigureView
 from workbench.rendering import device_map
-from workbench.widgets.canvas_drawing import Drawn, Spot, Stroke
+from workbench.widgets.canvas_drawing import Drawn, Spot, Stroke, data_ink
 from workbench.widgets.canvas_overlay import Cell, GripShape, Handle, Overlay
 from workbench.widgets.pixel_canvas import PixelCanvas
 from workbench.widgets.tokens import LIGHT, tokens
@@ -160,7 +160,7 @@ class CurveView(FigureView):
         drawn += self._probe
         if 0 <= self.focus.hovered < len(curve.points_world):
             x, y = device_points(sheet, curve)[self.focus.hovered].tolist()
-            drawn.append(Spot(x, y, f"data {self.focus.hovered % 6 + 1}", "ring", 17))
+            drawn.append(Spot(x, y, data_ink(self.focus.hovered), "ring", 17))
         return drawn
 
     def _reached(self, number: int | None = None) -> int | None:

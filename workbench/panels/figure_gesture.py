@@ -75,8 +75,7 @@ class Gesture(QObject):
 
     def world(self, cell: Cell) -> tuple[float, float]:
         """World coordinates of a pixel's centre."""
-        scale = device_map(self.session.sheet)
-        return round((cell[0] - scale.tx) / scale.sx, 9), round((cell[1] - scale.ty) / scale.sy, 9)
+        return device_map(self.session.sheet).world_point(*cell)
 
 
 class Tool(Gesture):

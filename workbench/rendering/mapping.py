@@ -36,6 +36,10 @@ class DeviceMap(NamedTuple):
         found: NDArray[np.float64] = (device - (self.tx, self.ty)) / (self.sx, self.sy)
         return found
 
+    def world_point(self, x: float, y: float) -> tuple[float, float]:
+        """World coordinates of a device point, without what rounding has left in them."""
+        return round((x - self.tx) / self.sx, 9), round((y - self.ty) / self.sy, 9)
+
 
 class Call(NamedTuple):
     """One run of an algorithm: the entry and what its function is given, in device coordinates.

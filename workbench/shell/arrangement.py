@@ -85,6 +85,10 @@ class Arrangements:
         """The docks of a workspace, in the order of its panels."""
         return list(self._sets[workspace].docks) if workspace in self._sets else []
 
+    def bring_forward(self, name: str) -> None:
+        """Bring a dock before those that it shares its place with."""
+        self._docks[name].raise_()
+
     def show(self, workspace: str) -> bool:
         """Show the docks of one workspace; False when what was remembered could not be used."""
         self.leave()

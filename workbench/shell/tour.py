@@ -191,12 +191,6 @@ def _swapped(window: MainWindow) -> None:
     window.views.swap()
 
 
-def _raise(window: MainWindow, name: str) -> None:
-    """Bring a dock of the workspace to the front."""
-    docks = window.arrangements.docks(window.place)
-    next(dock for dock in docks if dock.objectName() == name).raise_()
-
-
 def _compared(window: MainWindow, beside: bool = False) -> None:
     """A line that passes half way between pixels, by two algorithms that fall to different sides."""
     from workbench.document.edits import add_figure
@@ -221,7 +215,7 @@ def _ellipse(window: MainWindow) -> None:
     session = window.session
     ellipse = next(figure.id for figure in session.sheet.figures if figure.algorithm == "midpoint_ellipse")
     session.update_state(active=ellipse, selection=(ellipse,), step=_REGION_2)
-    _raise(window, "hand_table")
+    window.arrangements.bring_forward("hand_table")
 
 
 def _drift(window: MainWindow) -> None:
@@ -238,7 +232,7 @@ def _drift(window: MainWindow) -> None:
     window.go("draw")
     session.update_state(active="f1", selection=("f1",), compare="dda_line")
     window.panels("draw")[0].card.side_by_side.setChecked(False)
-    _raise(window, "distance")
+    window.arrangements.bring_forward("distance")
 
 
 def _beam(window: MainWindow) -> None:
@@ -271,7 +265,7 @@ def _inside(window: MainWindow) -> None:
 
 def _depth(window: MainWindow) -> None:
     _fill(window, "missed", 100)
-    _raise(window, "depth")
+    window.arrangements.bring_forward("depth")
 
 
 def _why(window: MainWindow) -> None:
@@ -315,8 +309,7 @@ def _display(window: MainWindow) -> None:
 def _fill_compared(window: MainWindow) -> None:
     _fill(window, "triangle", 4)
     window.session.update_state(compare="boundary_fill_4")
-    docks = window.arrangements.docks("fill")
-    next(dock for dock in docks if dock.objectName() == "compare").raise_()
+    window.arrangements.bring_forward("compare")
 
 
 def _clip(window: MainWindow, slug: str, step: int, number: int = -1, clipper: str = "") -> None:

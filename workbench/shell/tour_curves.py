@@ -54,9 +54,7 @@ def _curves(
     wanted = (_USUAL | shown) - (hidden - shown) | {"polygon"}
     for name in panel.focus.shown | wanted:
         panel.focus.switch(name, name in wanted)
-    for each in window.arrangements.docks("curves"):
-        if each.objectName().endswith(dock):
-            each.raise_()
+    window.arrangements.bring_forward(dock)
 
 
 def _pen(window: MainWindow) -> None:

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from workbench.exchange.tables import typeset
 from workbench.language import _
-from workbench.widgets.canvas_drawing import PATTERNS, ink_of
+from workbench.widgets.canvas_drawing import DATA_INKS, PATTERNS, data_ink, ink_of
 from workbench.widgets.parameter_plot import (
     LEFT_PX,
     ROW_PX,
@@ -24,7 +24,6 @@ from workbench.widgets.polygons import polygon
 from workbench.widgets.tokens import colour, tokens
 
 _NEAR_PX = 9
-_INKS = 6
 
 
 class BasisCurves(ParameterPlot):
@@ -54,7 +53,7 @@ class BasisCurves(ParameterPlot):
         colours of the theme, by default the six data colours in turn; a pattern stands beside every colour.
         The arrays are kept, not copied.
         """
-        shown = tuple(names), tuple(inks or (f"data {k % _INKS + 1}" for k in range(len(names))))
+        shown = tuple(names), tuple(inks or map(data_ink, range(len(names))))
         if shown == (self._names, self._inks) and same(us, self._us) and same(values, self._values):
             return
         self._us, self._values = us, values
@@ -133,7 +132,7 @@ class BasisCurves(ParameterPlot):
         return float(self._ys(np.array(value)))
 
     def _pen(self, number: int, width: float) -> QPen:
-        style = PATTERNS[("solid", "dash", "dot")[number // _INKS % 3]]
+        style = PATTERNS[("solid", "dash", "dot")[number // DATA_INKS % 3]]
         return QPen(colour(ink_of(tokens(), self._inks[number])), width, style)
 
     def _line(self, painter: QPainter, number: int, width: float) -> None:

@@ -18,16 +18,15 @@ class BasisPlot(QWidget):
     """The functions (``curves``), the knot bar (``knots``) beneath, the weights (``weights``) at the foot.
 
     ``u_dragged``: the u that a hand asks for, a parameter of the curve (not a share of it). ``hovered``: the
-    number of the point that is pointed at, or -1. ``knot_dragged``, ``knot_released``, ``knot_selected``,
-    ``knot_wanted`` (a new one at u), ``weight_dragged``, ``weight_released``: what a hand wants. What is
-    shown changes only by the methods, which repaint only what differs.
+    number of the point that is pointed at, or -1. ``knot_dragged``, ``knot_released``, ``knot_wanted`` (a
+    new one at u), ``weight_dragged``, ``weight_released``: what a hand wants. What is shown changes only by
+    the methods, which repaint only what differs.
     """
 
     u_dragged = Signal(float)
     hovered = Signal(int)
     knot_dragged = Signal(str, float)
     knot_released = Signal(str)
-    knot_selected = Signal(str)
     knot_wanted = Signal(float)
     weight_dragged = Signal(int, float)
     weight_released = Signal(int)
@@ -51,7 +50,6 @@ class BasisPlot(QWidget):
             lit.hovered.connect(self._point_at)
         self.knots.knot_dragged.connect(self.knot_dragged)
         self.knots.knot_released.connect(self._knot_released)
-        self.knots.knot_selected.connect(self.knot_selected)
         self.knots.knot_wanted.connect(self.knot_wanted)
         self.weights.weight_dragged.connect(self.weight_dragged)
         self.weights.weight_released.connect(self.weight_released)
@@ -91,11 +89,6 @@ class BasisPlot(QWidget):
         """Light up the function and the weight of a point; -1 lights up none."""
         self.curves.highlight(number)
         self.weights.highlight(number)
-
-    @property
-    def range(self) -> tuple[float, float]:
-        """The parameters shown, for other plots on the same axis."""
-        return self.curves.range
 
     def _point_at(self, number: int) -> None:
         self.highlight(number)

@@ -33,6 +33,7 @@ PATTERNS = {
     "dash": Qt.PenStyle.DashLine,
     "dot": Qt.PenStyle.DotLine,
 }
+DATA_INKS = 6
 _SPOT = 8
 _FAR = 1e6
 _PHASES = 4
@@ -91,6 +92,11 @@ def ink_of(tokens: Tokens, name: str) -> str:
     if name.startswith("data "):
         return tokens.data[int(name[5:]) - 1]
     return str(getattr(tokens, name))
+
+
+def data_ink(number: int) -> str:
+    """The data colours in turn."""
+    return f"data {number % DATA_INKS + 1}"
 
 
 def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Drawn, ...]) -> None:

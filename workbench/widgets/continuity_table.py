@@ -212,13 +212,6 @@ class ContinuityTable(QWidget):
         """The number of the joint selected, or -1."""
         return next((index.row() for index in self.view.selectionModel().selectedRows()), -1)
 
-    def select(self, number: int) -> None:
-        """Select a joint; -1 selects none."""
-        if number < 0:
-            self.view.clearSelection()
-        elif number != self.selected:
-            self.view.selectRow(number)
-
     def set_joints(self, joints: Sequence[Joint]) -> None:
         """Show these joints. A sentence that was said stays while they are as many and the same is chosen."""
         before = self.model.rowCount()

@@ -22,13 +22,12 @@ class KnotBar(ParameterPlot):
     """Equal knots stand above one another. A knot is dragged between its neighbours; Ctrl: to round places.
 
     ``knot_dragged`` sends where a hand wants a knot, ``knot_released`` that it let go (after a nudge at
-    once), ``knot_selected`` an id or "", ``knot_wanted`` the u of a double click or of Insert, where a new
-    knot is asked for. The knots shown change only by ``set_knots``.
+    once), ``knot_wanted`` the u of a double click or of Insert, where a new knot is asked for. The knots
+    shown change only by ``set_knots``.
     """
 
     knot_dragged = Signal(str, float)
     knot_released = Signal(str)
-    knot_selected = Signal(str)
     knot_wanted = Signal(float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -72,14 +71,9 @@ class KnotBar(ParameterPlot):
         """The id of the knot selected, or ""."""
         return self._knots[self._selected][0] if 0 <= self._selected < len(self._knots) else ""
 
-    def select(self, name: str) -> None:
-        """Select a knot by its id; "" selects none."""
-        self._choose(next((k for k, (one, _u) in enumerate(self._knots) if one == name), -1))
-
     def _choose(self, number: int) -> None:
         if number != self._selected:
             self._selected = number
-            self.knot_selected.emit(self.selected)
             self.tell()
             self.update()
 

@@ -7,7 +7,6 @@ from typing import Any, Literal
 
 from PySide6.QtCore import (
     QAbstractTableModel,
-    QEvent,
     QMimeData,
     QModelIndex,
     QPersistentModelIndex,
@@ -188,19 +187,17 @@ class MeasureModel(QAbstractTableModel):
 
 
 class MeasureTable(QWidget):
-    """``kind_activated`` sends the number of a kind double-clicked or entered, ``kind_pointed`` that of the
-    one under the pointer or selected, or -1; ``copied`` a sentence; ``example_wanted`` the empty button.
+    """``kind_activated`` sends the number of a kind double-clicked or entered, ``copied`` a sentence;
+    ``example_wanted``: the button of the empty table was pressed.
     """
 
     kind_activated = Signal(int)
-    kind_pointed = Signal(int)
     copied = Signal(str)
     example_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.model = MeasureModel(self)
-        self._pointed = -1
         self.view = QTableView()
         self.view.setModel(self.model)
         self.view.setAccessibleName(_("Curves compared"))
@@ -209,7 +206,6 @@ class MeasureTable(QWidget):
         self.view.setSelectionMode(QTableView.SelectionMode.SingleSelection)
         self.view.setEditTriggers(QTableView.EditTrigger.NoEditTriggers)
         self.view.setTabKeyNavigation(False)
-        self.view.setMouseTracking(True)
         side = self.view.verticalHeader()
         side.setDefaultSectionSize(22)
         side.setHighlightSections(False)
@@ -230,9 +226,6 @@ class MeasureTable(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.state)
         self.setFocusProxy(self.view)
-        self.view.entered.connect(self._point)
-        self.view.selectionModel().selectionChanged.connect(self._select)
-        self.view.viewportEntered.connect(self._select)
         self.view.activated.connect(lambda index: self.kind_activated.emit(self._kind_of(index)))
         for header, across in ((self.view.horizontalHeader(), True), (side, False)):
             header.sectionDoubleClicked.connect(partial(self._enter, across))
@@ -253,25 +246,7 @@ class MeasureTable(QWidget):
         self._turn()
 
     def _kind_of(self, index: Index) -> int:
-        if not index.isValid():
-            return -1
         return index.column() if self.model.upright else index.row()
-
-    def _point(self, index: QModelIndex) -> None:
-        self._tell(self._kind_of(index))
-
-    def _select(self) -> None:
-        self._tell(next((self._kind_of(index) for index in self.view.selectedIndexes()), -1))
-
-    def _tell(self, kind: int) -> None:
-        if kind != self._pointed:
-            self._pointed = kind
-            self.kind_pointed.emit(kind)
-
-    def leaveEvent(self, event: QEvent) -> None:
-        """When the pointer leaves, what is selected is pointed at, or nothing."""
-        super().leaveEvent(event)
-        self._select()
 
     def _enter(self, across: bool, section: int) -> None:
         """A name was double-clicked: a kind, or what is measured."""

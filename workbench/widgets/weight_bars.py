@@ -9,11 +9,10 @@ from PySide6.QtWidgets import QWidget
 
 from workbench.exchange.tables import typeset
 from workbench.language import _
-from workbench.widgets.canvas_drawing import ink_of
+from workbench.widgets.canvas_drawing import data_ink, ink_of
 from workbench.widgets.parameter_plot import LEFT_PX, RIGHT_PX, ROW_PX, ParameterPlot, number_text
 from workbench.widgets.tokens import colour, tokens
 
-_INKS = 6
 _WIDEST_PX, _NARROWEST_PX = 18, 3
 _NUDGE, _FAR_NUDGE = 2**0.125, 2.0
 _DECADES = 1.0
@@ -46,7 +45,7 @@ class WeightBars(ParameterPlot):
     def set_weights(self, weights: Sequence[float], names: Sequence[str], inks: Sequence[str] = ()) -> None:
         """Show weights above 0, the names of their points ("P_{3}") and names of colours of the theme."""
         shown = tuple(float(weight) for weight in weights), tuple(names)
-        colours = tuple(inks or (f"data {k % _INKS + 1}" for k in range(len(shown[0]))))
+        colours = tuple(inks or map(data_ink, range(len(shown[0]))))
         if (*shown, colours) == (self._weights, self._names, self._inks):
             return
         self._weights, self._names, self._inks = *shown, colours
