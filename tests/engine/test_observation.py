@@ -1,5 +1,7 @@
 """Steps found in a recording: by hand on small texts, and the same whether it is whole or still growing."""
 
+import gc
+import weakref
 from collections.abc import Iterator
 from dataclasses import replace
 from types import SimpleNamespace
@@ -159,6 +161,30 @@ def test_step_numbers_are_checked() -> None:
     for number in (-1, 3):
         with pytest.raises(IndexError, match="no step"):
             steps[number]
+
+
+def test_a_row_alone_is_that_of_its_step() -> None:
+    for slug in ("bresenham_line", "midpoint_ellipse", "boundary_fill_4", "cohen_sutherland"):
+        entry = catalogue.get(slug)
+        recording = record(entry.function, *entry.example)
+        alone, steps = Steps(entry, recording), Steps(entry, recording)
+        assert alone.row(0) == ()
+        assert [alone.row(number) for number in range(len(alone) + 1)] == [step.row for step in steps]
+        with pytest.raises(IndexError):
+            alone.row(len(alone) + 1)
+
+
+def test_steps_that_nobody_looks_at_any_more_are_gone_at_once() -> None:
+    gc.disable()
+    try:
+        entry = catalogue.get("bresenham_line")
+        steps = Steps(entry, record(entry.function, 20, 10, 30, 18))
+        assert all(step.sentence for step in steps)
+        gone = weakref.ref(steps.recording)
+        del steps
+        assert gone() is None
+    finally:
+        gc.enable()
 
 
 def test_decisions_are_where_another_view_holds() -> None:

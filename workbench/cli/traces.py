@@ -41,7 +41,7 @@ def run(entry: Entry, arguments: tuple[Any, ...]) -> Recording:
 def hand(entry: Entry, recording: Recording) -> Table:
     """The hand table, one row for each step."""
     steps = Steps(entry, recording)
-    return Table(entry.columns, [tuple(steps[number].row) for number in range(1, len(steps) + 1)])
+    return Table(entry.columns, [steps.row(number) for number in range(1, len(steps) + 1)])
 
 
 def pixels(entry: Entry, recording: Recording) -> Table:

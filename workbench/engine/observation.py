@@ -11,7 +11,7 @@ from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from types import CodeType
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,7 @@ _STEPS_KEPT = 4096
 _STATES_KEPT = 16
 _LOOKED_BACK = 8
 
+T = TypeVar("T")
 Pixels = tuple[tuple[int, int], ...]
 Table = tuple[tuple[str, ...], tuple[tuple[Any, ...], ...]]
 
@@ -58,6 +59,24 @@ class Step:
     answer: Any = None
 
 
+class _Latest(OrderedDict[int, T]):
+    """What was made of a number, for the ``most`` numbers that were asked for last."""
+
+    def __init__(self, most: int) -> None:
+        super().__init__()
+        self._most = most
+
+    def recall(self, number: int, make: Callable[[int], T]) -> T:
+        """What was made of ``number``; it is made if it is not known any more."""
+        if number in self:
+            self.move_to_end(number)
+            return self[number]
+        made = self[number] = make(number)
+        if len(self) > self._most:
+            self.popitem(last=False)
+        return made
+
+
 class _Before:
     """The variables as attributes; read when first asked for, since most expressions do not ask."""
 
@@ -87,8 +106,9 @@ class Steps:
         self._tabulates = self._visits.blocks_where(lambda view: bool(view.tables))
         self._considers = self._visits.blocks_where(lambda view: bool(view.considers))
         self._length = 0
-        self._steps: OrderedDict[int, Step] = OrderedDict()
-        self._states: OrderedDict[int, dict[str, Any]] = OrderedDict()
+        self._steps: _Latest[Step] = _Latest(_STEPS_KEPT)
+        self._rows: _Latest[tuple[Any, ...]] = _Latest(_STEPS_KEPT)
+        self._states: _Latest[dict[str, Any]] = _Latest(_STATES_KEPT)
         self._decisions: list[int] = []
         self._judged = 0
         self._last_view: View | None = None
@@ -101,7 +121,7 @@ class Steps:
         self._visits.update()
         before = self._length
         self._length = self._visits.rows_left(before)
-        self._steps.pop(before, None)
+        self._steps.pop(before, None)  # it may go on with what was recorded since
         return self._length > before
 
     def __len__(self) -> int:
@@ -111,16 +131,17 @@ class Steps:
         return (self[number] for number in range(len(self) + 1))
 
     def __getitem__(self, number: int) -> Step:
+        self._refuse(number)
+        return self._steps.recall(number, self._step)
+
+    def row(self, number: int) -> tuple[Any, ...]:
+        """The row of a step alone, which is found faster than all of it; () for step 0."""
+        self._refuse(number)
+        return self._rows.recall(number, self._row) if number else ()
+
+    def _refuse(self, number: int) -> None:
         if not 0 <= number <= self._length:
             raise IndexError(f"There is no step {number}; the last so far is {self._length}.")
-        if number in self._steps:
-            self._steps.move_to_end(number)
-            return self._steps[number]
-        step = self._step(number)
-        self._steps[number] = step
-        if len(self._steps) > _STEPS_KEPT:
-            self._steps.popitem(last=False)
-        return step
 
     def step_of(self, event: int) -> int:
         """Number of the step that a line event belongs to."""
@@ -239,7 +260,7 @@ class Steps:
             candidates=self._candidates(shown, view) if shown is not None and view is not None else (),
             chosen=self._pixels(shown, view, "chosen"),
             rejected=self._pixels(shown, view, "rejected"),
-            row=tuple(map(_plain, self._value(low, view, view.row))) if view is not None and view.row else (),
+            row=self.row(number),
             tables=self._tables(low, high),
             sentence=tuple(joined(map(self._sentence_of, told))),
             emitted_from=self.recording.emitted_count(first) if self._visits.seen else 0,
@@ -250,6 +271,11 @@ class Steps:
             if shown is not None and view and view.answer
             else None,
         )
+
+    def _row(self, number: int) -> tuple[Any, ...]:
+        visit = int(self._visits.rows[number - 1])
+        view = self._view_of(visit)
+        return tuple(map(_plain, self._value(visit, view, view.row))) if view is not None else ()
 
     def _some_of(self, blocks: NDArray[np.bool_], low: int, high: int) -> list[int]:
         """The last few of the visits low to high whose block is one of these and has a view; latest first."""
@@ -277,12 +303,12 @@ class Steps:
 
     def _left_with(self, visit: int) -> dict[str, Any]:
         """Variables when the visit was left, and ``before`` those of its entering."""
-        if visit not in self._states:
-            after = self.recording.after(int(self._visits.last[visit]))
-            self._states[visit] = {**after, "before": _Before(lambda: self._before(visit))}
-            if len(self._states) > _STATES_KEPT:
-                self._states.popitem(last=False)
-        return self._states[visit]
+        return self._states.recall(visit, self._state)
+
+    def _state(self, visit: int) -> dict[str, Any]:
+        recording, entered = self.recording, int(self._visits.entered[visit])
+        after = recording.after(int(self._visits.last[visit]))
+        return {**after, "before": _Before(lambda: recording[entered].variables)}
 
     def _view_of(self, visit: int) -> View | None:
         """The first view of the visit's block that holds."""

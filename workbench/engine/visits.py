@@ -19,6 +19,7 @@ from workbench.engine.recording import Recording
 from workbench.language import _
 
 _NONE = -1
+_GROWTH = 16
 _ENTERED, _LAST, _BLOCK, _CALL = range(4)
 
 
@@ -38,18 +39,19 @@ class Viewed:
 class Visits:
     """The visits to the blocks with views, in the order of their entering. Raises ViewError on a wrong view.
 
-    ``rows`` are the numbers of those that bear a row; ``seen`` is how many line events have been looked at.
+    ``seen`` is how many line events have been looked at.
     """
 
     def __init__(self, entry: Entry, recording: Recording) -> None:
         self.recording = recording
         self.seen = 0
-        self.rows: NDArray[np.int64] = np.zeros(0, np.int64)
         self._viewed = _viewed_blocks(entry, recording)
         self._lookup = _block_of_line(self._viewed, recording)
         self._bears_row = self.blocks_where(lambda view: bool(view.row))
         self._count = 0
-        self._table = np.zeros((4, 64), np.int64)
+        self._table = np.zeros((4, 64), np.int32)
+        self._bearing = np.zeros(64, np.int32)
+        self._rows = 0
         self._block_in: NDArray[np.int64] = np.zeros(0, np.int64)
         self._visit_in: NDArray[np.int64] = np.zeros(0, np.int64)
         self._begun = False
@@ -58,12 +60,17 @@ class Visits:
         return self._count
 
     @property
-    def entered(self) -> NDArray[np.int64]:
+    def rows(self) -> NDArray[np.int32]:
+        """The visits that bear a row, in the order of their entering."""
+        return self._bearing[: self._rows]
+
+    @property
+    def entered(self) -> NDArray[np.int32]:
         """Event at which each visit was entered, ascending."""
         return self._table[_ENTERED, : self._count]
 
     @property
-    def last(self) -> NDArray[np.int64]:
+    def last(self) -> NDArray[np.int32]:
         """Last event of each visit, so far as is recorded."""
         return self._table[_LAST, : self._count]
 
@@ -83,7 +90,7 @@ class Visits:
         """Those of the visits low to high (not included) whose block is marked."""
         return low + np.flatnonzero(blocks[self._table[_BLOCK, low : min(high, self._count)]])
 
-    def left(self, visits: NDArray[np.int64]) -> NDArray[np.bool_]:
+    def left(self, visits: NDArray[np.integer[Any]]) -> NDArray[np.bool_]:
         """Which of these visits are over, as far as has been looked at."""
         recording = self.recording
         ended = recording.complete or recording.truncated or recording.error is not None
@@ -144,15 +151,26 @@ class Visits:
             self._visit_in = np.append(self._visit_in, room)
 
     def _add(self, found: NDArray[np.int64]) -> None:
-        first, needed = self._count, self._count + found.shape[1]
-        if needed > self._table.shape[1]:
-            grown = np.zeros((4, max(needed, 2 * self._table.shape[1])), np.int64)
-            grown[:, :first] = self._table[:, :first]
-            self._table = grown
-        self._table[:, first:needed] = found
-        self._count = needed
+        first = self._count
         bearing = first + np.flatnonzero(self._bears_row[found[_BLOCK]])
-        self.rows = np.append(self.rows, bearing)
+        self._count, rows = first + found.shape[1], self._rows + len(bearing)
+        self._table = _with_room(self._table, self._count)
+        self._table[:, first : self._count] = found
+        self._bearing = _with_room(self._bearing, rows)
+        self._bearing[self._rows : rows] = bearing
+        self._rows = rows
+
+
+def _with_room(kept: NDArray[np.int32], needed: int) -> NDArray[np.int32]:
+    """``kept`` with room for ``needed`` along its last axis.
+
+    Much room costs nothing: a system gives memory for zeros only where they are written over.
+    """
+    if needed <= kept.shape[-1]:
+        return kept
+    grown = np.zeros((*kept.shape[:-1], max(needed, _GROWTH * kept.shape[-1])), np.int32)
+    grown[..., : kept.shape[-1]] = kept
+    return grown
 
 
 def skip(entry: Entry, steps: int) -> Skip:

@@ -172,7 +172,7 @@ class Exporter(QObject):
         columns: tuple[str, ...] = ()
         if run is not None and run.steps is not None and run.entry is not None:
             columns = run.entry.columns
-            rows = [run.steps[number].row for number in range(1, len(run.steps) + 1)]
+            rows = [run.steps.row(number) for number in range(1, len(run.steps) + 1)]
         path.write_text(to_csv(Table(columns, rows)), encoding="utf-8", newline="")
 
     def _write(self, path: Path, pages: Iterator[Page]) -> None:
