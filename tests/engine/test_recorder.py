@@ -1,7 +1,9 @@
 """A recording gives back every state of a run exactly as copying all variables at every line does."""
 
+import gc
 import sys
 import threading
+import weakref
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -335,3 +337,36 @@ def test_the_recording_threads_settings_do_not_stay() -> None:
     assert recorder.join(60)
     assert sys.getswitchinterval() == before
     assert not any(thread.name.startswith("record") for thread in threading.enumerate())
+
+
+def failing_in_depth(n: int) -> int:
+    if n == 0:
+        raise ValueError("no further")
+    return failing_in_depth(n - 1)
+
+
+@pytest.mark.parametrize(
+    ("function", "arguments", "limit"),
+    [(bresenham_line, (0, 0, 20, 12), 10**6), (endless, (), 1000), (failing_in_depth, (9,), 10**6)],
+    ids=["complete", "truncated", "failed"],
+)
+@pytest.mark.parametrize("beside", [False, True], ids=["here", "on a thread"])
+def test_what_nobody_looks_at_any_more_is_gone_at_once(
+    function: Callable[..., Any], arguments: tuple[Any, ...], limit: int, beside: bool
+) -> None:
+    gc.disable()
+    try:
+        if beside:
+            recorder = Recorder(function, *arguments, limit=limit)
+            recorder.start()
+            assert recorder.join(60)
+            recording = recorder.recording
+            del recorder
+        else:
+            recording = record(function, *arguments, limit=limit)
+        assert len(recording) > 10
+        gone = weakref.ref(recording)
+        del recording
+        assert gone() is None
+    finally:
+        gc.enable()

@@ -110,7 +110,7 @@ def test_a_kernel_for_many_calls_gives_the_same_rows(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(
         compiled, "collect_many", lambda *given, **how: asked.append(len(given[1])) or real(*given, **how)
     )
-    monkeypatch.setitem(emissions.sys.modules, "numba", emissions.sys)
+    monkeypatch.setattr(compiled, "loaded", lambda: True)
     again, again_ends = emitted_by_all(entry, table)
     assert asked == [99]
     np.testing.assert_array_equal(again, rows)
@@ -134,3 +134,17 @@ def test_pieces_made_anew_are_the_pieces(
     wanted = algorithms.b_spline_to_bezier(controls, knots, moved.degree)
     np.testing.assert_array_equal(pieces_of(moved).controls, wanted.controls)
     np.testing.assert_array_equal(pieces_of(moved).knots, wanted.knots)
+
+
+def test_a_picture_does_not_wait_for_a_compiler_that_is_being_loaded(monkeypatch: pytest.MonkeyPatch) -> None:
+    corners = [(float(17 * k % 53), float(29 * k % 37)) for k in range(100)]
+    sheet = document_of("Lines", 60, 40, [polyline(corners, 1, "", False)]).sheets[0]
+    emissions._batches.clear()
+    emissions._remembered.cache_clear()
+    monkeypatch.setattr(compiled, "loaded", lambda: False)
+    monkeypatch.setattr(compiled, "ready", lambda *_given: True)
+    monkeypatch.setattr(compiled, "collect_many", lambda *_given, **_how: pytest.fail("waits"))
+    monkeypatch.setattr(compiled, "collect", lambda *_given, **_how: pytest.fail("waits"))
+    assert len(emitted_by_all(*line_calls_table(sheet, sheet.figures[0]))[1]) == 99  # type: ignore[arg-type]
+    far = catalogue.get("bresenham_line"), (0, 0, 10**5, 7)
+    assert len(emissions._run(far[0].function, True, far[1], 0)) == 10**5 + 1

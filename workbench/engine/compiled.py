@@ -24,6 +24,7 @@ from workbench.engine.drivers import PAINTING, drivers, ticking_drivers
 from workbench.engine.lowering import Lowered, Variant, lower
 from workbench.engine.processor import mask_short_loops
 from workbench.engine.sinks import Stop, Stopped
+from workbench.engine.turns import imports_in_turn, short_turns
 from workbench.language import _
 
 __all__ = [
@@ -34,6 +35,7 @@ __all__ = [
     "collect",
     "collect_many",
     "hits",
+    "loaded",
     "paint",
     "paint_many",
     "ready",
@@ -50,8 +52,9 @@ class NotCompilable(ValueError):  # noqa: N818 - says what the text is, as Diale
 def _numba() -> ModuleType | None:
     """numba with our ``emit`` made known to it; None when it cannot be imported."""
     try:
-        import numba
-        from numba.extending import overload, register_jitable
+        with imports_in_turn, short_turns:
+            import numba
+            from numba.extending import overload, register_jitable
     except ImportError:
         return None
     mask_short_loops()
@@ -77,6 +80,11 @@ def available() -> bool:
     if importlib.util.find_spec("numba") is None:
         return False
     return not _numba.cache_info().currsize or _numba() is not None
+
+
+def loaded() -> bool:
+    """Whether the compiler is there and at hand: nobody need wait for it to be imported."""
+    return _numba.cache_info().currsize > 0 and _numba() is not None
 
 
 @dataclass(slots=True)

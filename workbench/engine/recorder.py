@@ -25,7 +25,7 @@ from workbench.engine.effects import Effects, texts_of
 from workbench.engine.limited import frames, large_stacks
 from workbench.engine.passing import YIELD, Known, Passing, Skip
 from workbench.engine.recording import Failure, Recording
-from workbench.engine.turns import short_turns
+from workbench.engine.turns import interface, short_turns
 
 LIMIT = 1_000_000
 _SLICE = 512
@@ -152,7 +152,7 @@ class _Tracer:
             pending = effects_of(under_way.f_lineno, otherwise)
 
         def trace(frame: FrameType, event: str, arg: Any) -> Any:
-            nonlocal pending, fresh, trace
+            nonlocal pending, fresh
             if event == "line":
                 count = recording.count
                 if pending is not None:
@@ -175,10 +175,8 @@ class _Tracer:
                     for log in logs.values():
                         containers.release(log)
                     self._calls.pop(frame, None)
-                    # Without this each call would leave a cycle behind, for the garbage collector to find.
-                    done, trace = trace, None  # type: ignore[assignment]
-                    return done
-            return trace
+                    call.trace = None
+            return call.trace
 
         return trace
 
@@ -226,6 +224,13 @@ class _Tracer:
                 containers.release(logs.pop(name))
             if isinstance(held, Log):
                 logs[name] = held
+
+    def let_go(self) -> None:
+        """Let go of the calls that a run was left in, cycles that would keep all that is recorded."""
+        for call in self._calls.values():
+            call.trace = None
+        self._calls.clear()
+        self._stack.clear()
 
     def finish(self) -> None:
         """The run came to its end; where it has fewer steps than were to be passed, say how many."""
@@ -286,11 +291,8 @@ def _run(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[An
     except Exception as exception:
         recording.error = tracer.failure(exception)
         exception.__traceback__ = None
-
-
-def _run_beside(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]]) -> None:
-    with short_turns, frames.for_depth(tracer.depth_limit or 0):
-        _run(tracer, function, calls)
+    finally:
+        tracer.let_go()
 
 
 def record(
@@ -333,14 +335,23 @@ class Recorder:
         self.recording = Recording(texts_of(function))
         self._may_run = threading.Event()
         self._may_run.set()
+        self._begun = threading.Event()
         self._stopped = False
         tracer = _Tracer(self.recording, limit, depth_limit, self._pause, skip)
-        self._thread = background.thread(
-            partial(_run_beside, tracer, function, (args, *then)), f"record {function.__name__}", self.stop
-        )
+        work = partial(self._run, tracer, function, (args, *then))
+        self._thread = background.thread(work, f"record {function.__name__}", self.stop)
+
+    def _run(self, tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]]) -> None:
+        try:
+            with short_turns, frames.for_depth(tracer.depth_limit or 0):
+                _run(tracer, function, calls)
+        finally:
+            self._begun.set()
 
     def _pause(self) -> None:
+        self._begun.set()
         time.sleep(0.0002)
+        interface.wait()
         if not self._may_run.is_set():
             self._may_run.wait()
         if self._stopped:
@@ -350,6 +361,10 @@ class Recorder:
         """Begin."""
         with large_stacks():
             self._thread.start()
+
+    def wait_for_first(self, timeout: float) -> None:
+        """Wait until the first slice is recorded, or all there is; at most ``timeout`` seconds."""
+        self._begun.wait(timeout)
 
     def hold(self) -> None:
         """Wait at the end of the slice, until ``go_on``."""

@@ -3,7 +3,6 @@
 The plain reading serves for short runs and until a kernel is ready; nothing here compiles.
 """
 
-import sys
 from collections.abc import Callable, Iterator
 from functools import lru_cache
 from hashlib import blake2b
@@ -50,10 +49,10 @@ def _run(function: Function, compilable: bool, arguments: tuple[Any, ...], limit
     rows: Emitted
     if limit:
         return _as_rows(collect_limited(function, limit, *given).rows)
-    if compilable and _expected_length(given) > _LONG_RUN and "numba" in sys.modules:
-        from workbench.engine.compiled import collect, ready
+    if compilable and _expected_length(given) > _LONG_RUN:
+        from workbench.engine.compiled import collect, loaded, ready
 
-        if ready(function, "collect"):
+        if loaded() and ready(function, "collect"):
             rows = collect(function, *given, compiling=False)
             return rows
     return _as_rows(list(function(*given)))
@@ -176,10 +175,10 @@ def _nearest(
 def _run_all(entry: Entry, table: NDArray[np.int64]) -> tuple[Emitted, NDArray[np.int64]]:
     """What each row of ``table`` emits, and the ends; by one kernel where it is ready, else one by one."""
     function, compilable = entry.function, not entry.compiles
-    if compilable and len(table) >= _MANY_CALLS and "numba" in sys.modules:
-        from workbench.engine.compiled import collect_many, ready
+    if compilable and len(table) >= _MANY_CALLS:
+        from workbench.engine.compiled import collect_many, loaded, ready
 
-        if ready(function, "collect_many"):
+        if loaded() and ready(function, "collect_many"):
             return collect_many(function, table, compiling=False)
     parts = [_remembered(function, compilable, tuple(row)) for row in table.tolist()]
     ends = np.cumsum([len(part) for part in parts], dtype=np.int64)

@@ -13,6 +13,7 @@ from workbench.engine import background, compiled, counts
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import LIMIT, Recorder
 from workbench.engine.recording import Recording
+from workbench.engine.turns import interface
 from workbench.engine.visits import skip
 from workbench.language import _
 from workbench.session.collecting import collect_here
@@ -23,6 +24,7 @@ _SHOWN = QEvent.Type(QEvent.registerEventType())
 _AFTER_PAINTING = Qt.EventPriority.LowEventPriority.value - 1
 _LOOK_MS = 16
 _LONG_LOOK_MS = 60
+_FIRST_WAIT_S = 0.003
 _FIRST_LOOK_MS = 2
 _LONG = 50_000
 # A stretch begins this part of a stretch before the step that is asked for, and never more steps before it.
@@ -111,9 +113,14 @@ class RecordedRun(QObject):
         )
         self.recording = self._recorder.recording
         self.steps = Steps(entry, self.recording)
-        self._recorder.hold()
+        if self._held:
+            self._recorder.hold()
         self._abandoned = weakref.finalize(self, self._recorder.stop)
+        interface.works()
         self._recorder.start()
+        # What can be had at once is shown at once: views are laid out and painted one time instead of two.
+        self._recorder.wait_for_first(_FIRST_WAIT_S)
+        self.steps.update()
         self._look.start(_FIRST_LOOK_MS)
         self.changed.emit()
         self._laid_out.start(0)
@@ -212,7 +219,7 @@ class RecordedRun(QObject):
         if not done and self.passed and not recorder.recording.count:
             self._look.setInterval(_LONG_LOOK_MS)  # what comes before the stretch: nothing to be shown yet
             return
-        recorder.hold()
+        interface.works()
         long = recorder.recording.count > _LONG
         self._look.setInterval(_LONG_LOOK_MS if long else _LOOK_MS)
         self.steps.update()
@@ -232,19 +239,14 @@ class RecordedRun(QObject):
         self._laid_out.start(0)
 
     def _wait_for_painting(self) -> None:
-        """Let the recorder wait until everything that the event loop has to do now is done.
-
-        Beside a running recorder each call between Qt and Python may wait half a millisecond for its turn,
-        and a table makes hundreds of them. Views are laid out by timers of no time, then painted.
-        """
+        """The interface works until what the event loop has to do now is done: layouts, then paintings."""
         QCoreApplication.postEvent(self, QEvent(_SHOWN), _AFTER_PAINTING)
 
     def event(self, event: QEvent) -> bool:
-        """What was recorded has been shown: let the recorder go on, unless the run is held."""
+        """What was recorded has been shown."""
         if event.type() != _SHOWN:
             return super().event(event)
-        if self._recorder is not None and not self._held:
-            self._recorder.go_on()
+        interface.rests()
         return True
 
     def _find_total(self) -> None:

@@ -13,7 +13,7 @@ from PySide6.QtCore import (
     QTimer,
     Signal,
 )
-from PySide6.QtGui import QAction, QFont, QGuiApplication, QKeySequence, QResizeEvent
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
 from workbench.engine import background
@@ -24,9 +24,10 @@ from workbench.session.run import Run
 from workbench.widgets.empty_state import EmptyState
 from workbench.widgets.table_columns import FittedColumns
 from workbench.widgets.tokens import colour, theme, tokens
-from workbench.widgets.type_faces import code_font
+from workbench.widgets.type_faces import cell_font, code_font
 
 Index = QModelIndex | QPersistentModelIndex
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _AT_ONCE = 500
 _GROW_MS = 200
 
@@ -101,7 +102,7 @@ class HandModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return typeset(self.columns[section])
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            return _RIGHT
         return None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
@@ -111,21 +112,19 @@ class HandModel(QAbstractTableModel):
             steps = self._run.steps
             if steps is None or number > len(steps):
                 return None
-            row = steps[number].row
+            row = steps.row(number)
             return (
                 shown(row[index.column()]).replace("-", "\N{MINUS SIGN}") if index.column() < len(row) else ""
             )
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            return _RIGHT
         now = tokens()
         if role == Qt.ItemDataRole.BackgroundRole and number == self._current:
             return colour(now.selected)
         if role == Qt.ItemDataRole.ForegroundRole:
             return colour(now.muted if number > self._current else now.text)
         if role == Qt.ItemDataRole.FontRole:
-            font = code_font(12)
-            font.setWeight(QFont.Weight.DemiBold if number == self._current else QFont.Weight.Normal)
-            return font
+            return cell_font(number == self._current)
         return None
 
 
@@ -235,4 +234,4 @@ class HandTable(QWidget):
 
 
 def _table(steps: Steps, rows: int) -> Table:
-    return Table(steps.entry.columns, [tuple(steps[number].row) for number in range(1, rows + 1)])
+    return Table(steps.entry.columns, [steps.row(number) for number in range(1, rows + 1)])

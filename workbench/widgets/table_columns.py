@@ -1,6 +1,6 @@
 """How tables look: columns as wide as headings and a few rows need, rows selected as wholes."""
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, Qt
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, Qt, QTimer
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QHeaderView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QTableView
 
@@ -22,9 +22,13 @@ class FittedColumns(QObject):
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         view.setHorizontalScrollMode(QTableView.ScrollMode.ScrollPerPixel)
         view.viewport().installEventFilter(self)
-        view.model().modelReset.connect(self.fit)
+        view.model().modelReset.connect(self._reset)
         view.model().rowsInserted.connect(self._grown)
-        self._fitted_rows = 0
+        self._fitted_rows = self._fitted_columns = 0
+        # Measuring takes as long as laying out the rest of a window: it has a turn of its own.
+        self._soon = QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self.fit)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Fit again when the view's width changes."""
@@ -32,10 +36,17 @@ class FittedColumns(QObject):
             self.fit()
         return False
 
+    def _reset(self) -> None:
+        """Columns that are there already keep their widths for a moment."""
+        if self._view.model().columnCount() == self._fitted_columns:
+            self._soon.start(0)
+        else:
+            self.fit()
+
     def _grown(self) -> None:
         """Numbers grow longer as a table grows, but slowly."""
         if self._view.model().rowCount() > 2 * self._fitted_rows:
-            self.fit()
+            self._soon.start(0)
 
     def widen(self) -> None:
         """Fit again once a value in its place has outgrown its column; otherwise let nothing move."""
@@ -46,7 +57,7 @@ class FittedColumns(QObject):
     def fit(self) -> None:
         """Share the width of the view among the columns."""
         view, widths = self._view, self._widths()
-        self._fitted_rows = view.model().rowCount()
+        self._fitted_rows, self._fitted_columns = view.model().rowCount(), len(widths)
         spare = max(view.viewport().width() - sum(widths), 0)
         for column, width in enumerate(widths):
             share = spare // len(widths) + (column < spare % len(widths))

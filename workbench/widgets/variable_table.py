@@ -4,7 +4,6 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
-from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QHeaderView, QTableView, QVBoxLayout, QWidget
 
 from workbench.engine.containers import LeftOut
@@ -14,10 +13,13 @@ from workbench.session.run import Run
 from workbench.session.variables import same_value
 from workbench.widgets.empty_state import EmptyState
 from workbench.widgets.tokens import colour, theme, tokens
-from workbench.widgets.type_faces import code_font
+from workbench.widgets.type_faces import cell_font
 
 Index = QModelIndex | QPersistentModelIndex
 _LONGEST = 8
+_SIDES = tuple(
+    side | Qt.AlignmentFlag.AlignVCenter for side in (Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight)
+)
 
 
 def value_text(value: Any) -> str:
@@ -72,7 +74,7 @@ class VariableModel(QAbstractTableModel):
         if orientation == Qt.Orientation.Horizontal and role == Qt.ItemDataRole.DisplayRole:
             return (_("Variable"), _("Value"))[section]
         if orientation == Qt.Orientation.Horizontal and role == Qt.ItemDataRole.TextAlignmentRole:
-            return _side(section)
+            return _SIDES[section]
         return None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
@@ -82,24 +84,17 @@ class VariableModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return value_text(self.values[name]) if index.column() else f"{'●' if changed else ' '} {name}"
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _side(index.column())
+            return _SIDES[index.column()]
         if role == Qt.ItemDataRole.ForegroundRole:
             return colour(tokens().accent if changed else tokens().text)
         if role == Qt.ItemDataRole.FontRole:
-            font = code_font(12)
-            font.setWeight(QFont.Weight.DemiBold if changed else QFont.Weight.Normal)
-            return font
+            return cell_font(changed)
         if role == Qt.ItemDataRole.ToolTipRole and index.column():
             return shown(self.values[name])[:400] if isinstance(self.values[name], list) else None
         if role == Qt.ItemDataRole.AccessibleTextRole:
             text = value_text(self.values[name]) if index.column() else name
             return _("{text}, changed").format(text=text) if changed else text
         return None
-
-
-def _side(column: int) -> Qt.AlignmentFlag:
-    side = Qt.AlignmentFlag.AlignRight if column else Qt.AlignmentFlag.AlignLeft
-    return side | Qt.AlignmentFlag.AlignVCenter
 
 
 class VariableTable(QWidget):
