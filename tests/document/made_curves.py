@@ -84,7 +84,6 @@ def curve_edit_of(draw: st.DrawFn, document: Document) -> Edit:
         lambda: st.builds(curve_edits.set_degree, name, st.integers(1, 7)),
         lambda: st.builds(curve_edits.set_knot_rule, name, st.sampled_from(KNOT_RULES)),
         lambda: st.builds(curve_edits.set_weights, st.dictionaries(one, st.floats(1e-9, 1e9), min_size=1)),
-        lambda: st.builds(curve_edits.set_tangents, st.dictionaries(one, places, min_size=1)),
         lambda: st.builds(curve_edits.set_joint, some, st.sampled_from(JOINTS)),
         lambda: st.builds(curve_edits.set_curve_closed, name, st.booleans()),
     ]

@@ -8,14 +8,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from tests.document.made_curves import curve_edit_of, documents_with_curves
+from tests.document.made_curves import curve_edit_of, documents_with_curves, places
 from tests.document.test_addresses import everything
 from workbench.document import DocumentError, curve_edits
 from workbench.document.addresses import changed, resolve
+from workbench.document.building import both
 from workbench.document.check import check, ids, needed_knots
 from workbench.document.curve_paths import natural_joint, place
-from workbench.document.curve_pieces import fault_of, pieces_of
-from workbench.document.edits import add_figure, move_points
+from workbench.document.curve_pieces import fault_of, pieces_of, points_of
+from workbench.document.edits import add_figure, move_points, set_attribute
 from workbench.document.files import Stored, decode, encode
 from workbench.document.model import Curve, CurvePoint, Document, Knot
 from workbench.document.sample_figures import document_of
@@ -157,6 +158,52 @@ def test_a_path_that_is_opened_looks_as_before_and_closes_again(document: Docume
     np.testing.assert_array_equal(pieces_of(the_curve(again)).controls, before.controls)
 
 
+@settings(max_examples=60)
+@given(documents_with_curves("bezier_path"), st.booleans())
+def test_a_path_that_is_closed_or_opened_loses_no_point(document: Document, close: bool) -> None:
+    curve = the_curve(document)
+    new = the_curve(curve_edits.set_curve_closed(curve.id, close)(document))
+    kept = {point.id for point in new.points_world}
+    lost = [point for point in curve.points_world if point.id not in kept]
+    assert all(math.dist(place(point), place(curve.points_world[0])) <= 1e-7 for point in lost)
+    assert len(lost) <= 1
+
+
+def test_points_that_wait_become_the_handles_of_the_piece_that_closes_a_path() -> None:
+    for more in ([(70, 10)], [(70, 10), (-5, -20)]):
+        document = curve_of([*PATH, *more], spline="bezier_path")
+        closed = curve_edits.set_curve_closed("f1", True)(document)
+        assert where(closed)[: len(PATH) + len(more)] == [*PATH, *more]
+        assert len(where(closed)) == 9
+    again = curve_edits.set_curve_closed("f1", False)(curve_of([*PATH, *more], spline="bezier_path"))
+    assert where(again) == [*PATH, *more]
+
+
+def test_of_a_closed_path_without_a_piece_the_points_left_stay() -> None:
+    document = curve_of([(0, 0), (10, 10)], spline="bezier_path", closed=True)
+    assert where(curve_edits.remove_points(["s1/f1/p1/*"])(document)) == [(10, 10)]
+
+
+@settings(max_examples=60)
+@given(documents_with_curves(), st.lists(places, min_size=1, max_size=4))
+def test_points_added_at_once_are_those_added_one_by_one(
+    document: Document, more: list[tuple[float, float]]
+) -> None:
+    curve = the_curve(document)
+    spread_anew = curve.spline == "bezier_path" or len(curve.points_world) <= curve.degree
+    if curve.closed or (curve.knot_rule == "free" and spread_anew):
+        return
+    for index, order in ((None, more), (0, more[::-1])):
+        at_once = the_curve(curve_edits.add_points(curve.id, more, index)(document))
+        one_by_one = the_curve(
+            both(*(curve_edits.add_points(curve.id, [at], index) for at in order))(document)
+        )
+        np.testing.assert_array_equal(points_of(at_once), points_of(one_by_one))
+        np.testing.assert_allclose(
+            [knot.u for knot in at_once.knots], [knot.u for knot in one_by_one.knots], atol=1e-9
+        )
+
+
 def test_removing_a_point_of_a_path_takes_its_handles() -> None:
     document = curve_of(PATH, spline="bezier_path")
     assert where(curve_edits.remove_points(["s1/f1/p4/*"])(document)) == [
@@ -211,11 +258,11 @@ def test_a_point_behind_the_last_leaves_what_was_drawn() -> None:
     document = curve_edits.set_knot_rule("f1", "free")(
         curve_of(POINTS, spline="b_spline", knot_rule="uniform")
     )
-    longer = curve_edits.add_point("f1", None, 160, 60)(document)
+    longer = curve_edits.add_points("f1", [(160, 60)])(document)
     before, after = pieces_of(the_curve(document)), pieces_of(the_curve(longer))
     assert len(after.controls) == len(before.controls) + 1
     np.testing.assert_allclose(after.controls[: len(before.controls)], before.controls, rtol=1e-12)
-    front = curve_edits.add_point("f1", 0, -20, 10)(document)
+    front = curve_edits.add_points("f1", [(-20, 10)], 0)(document)
     np.testing.assert_allclose(pieces_of(the_curve(front)).controls[1:], before.controls, rtol=1e-12)
 
 
@@ -223,7 +270,7 @@ def test_tangents_are_made_from_the_neighbours_once() -> None:
     document = curve_edits.set_spline("f1", "hermite")(curve_of([(0, 0), (10, 20), (40, 20)]))
     tangents = [(p.tangent_x, p.tangent_y) for p in the_curve(document).points_world]
     assert tangents == [(10, 20), (20, 10), (30, 0)]
-    document = curve_edits.set_tangents({"s1/f1/p1/*": (5, 5)})(document)
+    document = set_attribute("s1/f1/p1/tangent_x", 5.0)(document)
     document = curve_edits.set_spline("f1", "clamped_cubic")(document)
     assert the_curve(document).points_world[0].tangent_x == 5
 

@@ -8,7 +8,7 @@ from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces
 from workbench.document.building import Edit, checked, number
 from workbench.document.curve_changes import changing
-from workbench.document.curve_paths import Joint, natural_joint, points_from
+from workbench.document.curve_paths import Joint, natural_joint, points_from, refuse_waiting
 from workbench.document.curve_pieces import goes_round, pieces_of, points_of, weights_of
 from workbench.document.model import B_SPLINES, KNOT_RULES, Curve, CurvePoint, Knot
 from workbench.language import _
@@ -28,10 +28,12 @@ def convert(figure: str, spline: str, tolerance_world: float = TOLERANCE_WORLD) 
 def converted(curve: Curve, spline: str, tolerance_world: float = TOLERANCE_WORLD) -> tuple[Curve, float]:
     """``curve`` as one of the kind ``spline``, and how far at most it is off; 0 but for rounding if exact.
 
-    Points that are still there keep their ids. Raises: ValueError where there is no curve, or no such kind.
+    Points that are still there keep their ids. Raises: ValueError where there is no curve, no such
+    kind, or a path has points that are no whole piece yet.
     """
     if spline == curve.spline:
         return curve, 0.0
+    refuse_waiting(curve)
     if spline == "bezier_path":
         return _as_path(curve, tolerance_world)
     if spline == "bezier":

@@ -18,7 +18,7 @@ from workbench.document.building import (
 from workbench.document.curve_changes import changing, curve_with
 from workbench.document.curve_conversions import converted
 from workbench.document.curve_degrees import raised
-from workbench.document.curve_knots import refitted, with_point
+from workbench.document.curve_knots import refitted, with_points
 from workbench.document.curve_paths import (
     Joint,
     joints_of,
@@ -83,7 +83,7 @@ def inserted(curve: Curve, u: float) -> Curve:
     if curve.spline == "hermite":
         slope = 0.5 * curves.piece_points(curves.piece_derivative(pieces), u)
         point = replace(point, tangent_x=float(slope[0]), tangent_y=float(slope[1]))
-    return with_point(curve, min(index, len(curve.points_world)), point)
+    return with_points(curve, min(index, len(curve.points_world)), (point,))
 
 
 def place_of(knots: Array, u: float) -> tuple[int, float]:
@@ -197,7 +197,7 @@ def parts(curve: Curve, u: float) -> tuple[Curve, Curve | None]:
         piece += 1
     elif v > 0.5:
         piece += 1
-    joints, _waiting = joints_of(path)
+    joints, waiting = joints_of(path)
     if path.closed:
         return refitted(opened_path(path, piece % len(joints))), None
     middle = joints[piece]
@@ -205,7 +205,7 @@ def parts(curve: Curve, u: float) -> tuple[Curve, Curve | None]:
     second = [middle._replace(before=None, at=replace(middle.at, id="")), *joints[piece + 1 :]]
     return (
         refitted(replace(path, points_world=points_from(first, False))),
-        _with_new_knots(refitted(replace(path, points_world=points_from(second, False)))),
+        _with_new_knots(refitted(replace(path, points_world=points_from(second, False, waiting)))),
     )
 
 

@@ -12,7 +12,6 @@ from workbench.document.building import (
     Edit,
     checked,
     number,
-    numbered,
     position,
     remembering,
     with_changed,
@@ -20,7 +19,7 @@ from workbench.document.building import (
 )
 from workbench.document.check import refuse, shown
 from workbench.document.curve_changes import changing, curve_with
-from workbench.document.curve_knots import closed, opened, refitted, with_point, without_point
+from workbench.document.curve_knots import closed, opened, refitted, with_points, without_point
 from workbench.document.curve_paths import (
     Place,
     Places,
@@ -31,7 +30,7 @@ from workbench.document.curve_paths import (
     moved,
     opened_path,
     with_followers,
-    with_joint_added,
+    with_joints_added,
     without_points,
 )
 from workbench.document.curve_settings import (
@@ -40,7 +39,6 @@ from workbench.document.curve_settings import (
     set_knot,
     set_knot_rule,
     set_spline,
-    set_tangents,
     set_weights,
 )
 from workbench.document.model import Curve, CurvePoint, Document
@@ -48,7 +46,6 @@ from workbench.language import _
 
 __all__ = [
     "add_path_point",
-    "add_point",
     "add_points",
     "curve_with",
     "joints_made",
@@ -62,7 +59,6 @@ __all__ = [
     "set_knot",
     "set_knot_rule",
     "set_spline",
-    "set_tangents",
     "set_weights",
 ]
 
@@ -118,21 +114,15 @@ def add_points(figure: str, places_world: Iterable[tuple[float, float]], index: 
     places = [(number(x), number(y)) for x, y in places_world]
 
     def change(curve: Curve) -> Curve:
-        at = position(_last(curve, index), len(curve.points_world), "points_world")
-        for number_, where in enumerate(places):
-            if is_path(curve):
-                curve = _with_joint(curve, where, None, at, number_)
-            else:
-                curve = with_point(curve, at + number_, CurvePoint("", *where))
-        return curve
+        count = len(curve.points_world)
+        at = position(count if index is None else index, count, "points_world")
+        if not is_path(curve):
+            return with_points(curve, at, tuple(CurvePoint("", *where) for where in places))
+        if 0 < at < count:
+            raise ValueError(_("A path takes points at its ends; between them, insert a point on the curve."))
+        return _grown(curve, [(where, None) for where in (places if at else places[::-1])], at == 0)
 
     return changing(figure, change)
-
-
-@checked
-def add_point(figure: str, index: int | None, x_world: float, y_world: float) -> Edit:
-    """As ``add_points``, for one point."""
-    return add_points(figure, [(x_world, y_world)], index)
 
 
 @checked
@@ -153,22 +143,15 @@ def add_path_point(
     def change(curve: Curve) -> Curve:
         if not is_path(curve):
             raise ValueError(_("This curve is no path of Bézier pieces, so its points have no handles."))
-        return _with_joint(curve, where, dragged, 0 if first else len(curve.points_world), 0)
+        return _grown(curve, [(where, dragged)], first)
 
     return changing(figure, change)
 
 
-def _with_joint(curve: Curve, where: Place, handle: Place | None, at: int, so_far: int) -> Curve:
+def _grown(curve: Curve, added: list[tuple[Place, Place | None]], first: bool) -> Curve:
     if curve.closed:
         raise ValueError(_("The path is closed, so it has no end to go on from; insert a point on it."))
-    if 0 < at < len(curve.points_world) and so_far == 0:
-        raise ValueError(_("A path takes points at its ends; between them, insert a point on the curve."))
-    grown = with_joint_added(curve, where, handle, at == 0)
-    return refitted(grown)
-
-
-def _last(curve: Curve, index: int | None) -> int:
-    return len(curve.points_world) if index is None else index
+    return refitted(with_joints_added(curve, added, first))
 
 
 @checked
@@ -191,7 +174,7 @@ def remove_points(addresses: Iterable[Address | str]) -> Edit:
                 kept = tuple(other for other in sheet.figures if other.id != figure)
                 after = with_figures(after, sheet, kept)
             else:
-                after = with_changed(after, [numbered(document, left)])
+                after = with_changed(after, [left])
         return remembering(document, after)
 
     return edit

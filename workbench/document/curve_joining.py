@@ -13,8 +13,17 @@ from workbench.document.curve_changes import changing, curve_with
 from workbench.document.curve_conversions import converted
 from workbench.document.curve_edits import move_curve_points
 from workbench.document.curve_knots import refitted, with_knot_rule
-from workbench.document.curve_paths import Place, is_path, joints_of, place, points_from, sound
-from workbench.document.curve_pieces import goes_round, knots_of, pieces_of
+from workbench.document.curve_paths import (
+    Place,
+    is_path,
+    joints_of,
+    place,
+    points_from,
+    refuse_waiting,
+    sound,
+    with_sound_joints,
+)
+from workbench.document.curve_pieces import ends_steer, goes_round, knots_of, pieces_of
 from workbench.document.errors import DocumentError
 from workbench.document.model import B_SPLINES, THROUGH, Curve, CurvePoint, Document, Knot
 from workbench.language import _
@@ -27,8 +36,8 @@ _TOGETHER = 1e-9
 def join(first: str, second: str) -> Edit:
     """Join two open curves where their ends are nearest; the figure is the ``first`` one, points keep ids.
 
-    Two B-splines of one degree and two paths stay what they are, two curves of one kind through their points
-    go on by its rule; all others become one path. Ends apart are bridged by a straight piece.
+    Two B-splines of one degree and two paths stay what they are, two curves of one kind through all of their
+    points go on by its rule; all others become one path. Ends apart are bridged by a straight piece.
     """
 
     def edit(document: Document) -> Document:
@@ -51,9 +60,12 @@ def joined(one: Curve, other: Curve) -> Curve:
     """The curve along both, from ``one`` to ``other``, reversed as needed. Raises: ValueError."""
     if goes_round(one) or goes_round(other):
         raise ValueError(_("A closed curve has no end to join; open it before."))
+    for curve in (one, other):
+        refuse_waiting(curve)
     turned = [(a, b) for a in (one, reversed_curve(one)) for b in (other, reversed_curve(other))]
     one, other = min(turned, key=lambda pair: math.dist(_ends(pair[0])[1], _ends(pair[1])[0]))
-    if one.spline == other.spline and one.spline in THROUGH:
+    goes_on = one.spline == other.spline and one.spline in THROUGH
+    if goes_on and not (ends_steer(one) or ends_steer(other)):
         points = one.points_world
         gap = math.dist(place(points[-1]), place(other.points_world[0]))
         rest = other.points_world[1:] if gap <= _TOGETHER else other.points_world
@@ -104,8 +116,7 @@ def _joined_b_splines(one: Curve, other: Curve) -> Curve:
 
 
 def _joined_paths(one: Curve, other: Curve) -> Curve:
-    first, _waiting = joints_of(one)
-    second, _more = joints_of(other)
+    first, second = joints_of(one)[0], joints_of(other)[0]
     end, begin = first[-1], second[0]
     if math.dist(place(end.at), place(begin.at)) <= _TOGETHER:
         joints = [*first[:-1], sound(end._replace(after=begin.after)), *second[1:]]
@@ -213,14 +224,6 @@ def mirror(figure: str, axis: str, points: Iterable[str] = ()) -> Edit:
             for p in which
         }
         made = replace(curve, points_world=tuple(mirrored.get(p.id, p) for p in curve.points_world))
-        return _sound(made) if chosen else made
+        return with_sound_joints(made, chosen)
 
     return changing(figure, change)
-
-
-def _sound(curve: Curve) -> Curve:
-    """``curve`` with corners where handles of a path no longer hang together."""
-    if curve.spline != "bezier_path":
-        return curve
-    joints, waiting = joints_of(curve)
-    return replace(curve, points_world=points_from([sound(joint) for joint in joints], curve.closed, waiting))

@@ -20,12 +20,13 @@ def with_knot_rule(curve: Curve, rule: str) -> Curve:
     return replace(curve, knot_rule=rule, knots=_numbered(knots_of(curve), ()))
 
 
-def with_point(curve: Curve, index: int, point: CurvePoint) -> Curve:
-    """``curve`` with one more point before the one at ``index``, and under the rule "free" one more knot.
+def with_points(curve: Curve, index: int, more: tuple[CurvePoint, ...]) -> Curve:
+    """``curve`` with points more before the one at ``index``, under the rule "free" with as many knots more.
 
-    Behind the last point the curve is longer by one span; before the first likewise; else a span is halved.
+    Behind the last point the curve is longer by a span for each; before the first likewise; else a span is
+    parted evenly.
     """
-    points = (*curve.points_world[:index], point, *curve.points_world[index:])
+    points = (*curve.points_world[:index], *more, *curve.points_world[index:])
     if curve.knot_rule != "free":
         return replace(curve, points_world=points)
     count, degree = len(curve.points_world), curve.degree
@@ -34,22 +35,24 @@ def with_point(curve: Curve, index: int, point: CurvePoint) -> Curve:
     values = knots_of(curve)
     first, last = (0, count) if curve.closed else (degree, count)
     step = float(values[last] - values[first]) / (last - first)
-    if index in (0, count) and not curve.closed:
-        at = first if index == 0 else last
-        shifted = np.where(np.arange(len(values)) >= at, values + step, values)
-        if index == 0:
-            shifted = np.where(np.arange(len(values)) <= at, values - step, values)
-        new = Knot("", float(values[at]))
-        place = at + 1 if index == 0 else at
+    number, grown = len(more), values.copy()
+    if index == count and not curve.closed:
+        at = last
+        new = values[at] + step * np.arange(number)
+        grown[at:] += step * number
+    elif index == 0 and not curve.closed:
+        at = first + 1
+        new = values[first] - step * np.arange(number)[::-1]
+        grown[:at] -= step * number
     else:
-        at = min(max(index - degree // 2 if curve.closed else index + degree // 2, first), last - 1)
-        shifted, place = values, at + 1
-        new = Knot("", float(values[at] + values[at + 1]) / 2.0)
+        at = 1 + min(max(index - degree // 2 if curve.closed else index + degree // 2, first), last - 1)
+        new = np.linspace(values[at - 1], values[at], number + 2)[1:-1]
     knots = [
         knot if knot.u == u else replace(knot, u=u)
-        for knot, u in zip(curve.knots, shifted.tolist(), strict=True)
+        for knot, u in zip(curve.knots, grown.tolist(), strict=True)
     ]
-    return replace(curve, points_world=points, knots=(*knots[:place], new, *knots[place:]))
+    fresh = [Knot("", u) for u in new.tolist()]
+    return replace(curve, points_world=points, knots=(*knots[:at], *fresh, *knots[at:]))
 
 
 def without_point(curve: Curve, index: int) -> Curve:

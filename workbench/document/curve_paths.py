@@ -5,15 +5,19 @@ it the indices before and after. Places are (x, y), world.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import NamedTuple
 
 from msgspec.structs import replace
 
 from workbench.document.model import Curve, CurvePoint
+from workbench.language import _
 
 Place = tuple[float, float]
 Places = dict[str, Place]
+
+SMOOTH_ANGLE = 1e-3  # radians between the handles of a point, up to which it counts as smooth
+_ROUNDING = 1e-9
 
 
 def is_path(curve: Curve) -> bool:
@@ -135,27 +139,28 @@ def joint_moves(curve: Curve, index: int, joint: str) -> Places:
         points[before].id: (here[0] - lengths[0] * x, here[1] - lengths[0] * y),
         points[after].id: (here[0] + lengths[1] * x, here[1] + lengths[1] * y),
     }
-    if _fits(joint, arms, lengths):
+    if _fits(joint, arms, _ROUNDING):
         return {}
     now = {points[h].id: place(points[h]) for h in (before, after)}
     return {name: where for name, where in places.items() if where != now[name]}
 
 
-def _fits(joint: str, arms: list[Place], lengths: list[float]) -> bool:
-    """Whether two arms already lie in one direction, or are each other's mirror image."""
+def _fits(joint: str, arms: list[Place], within: float) -> bool:
+    """Whether two arms lie in one direction, or are each other's mirror image, within an angle or share."""
     (ax, ay), (bx, by) = arms
+    one, other = math.hypot(ax, ay), math.hypot(bx, by)
     if joint == "symmetric":
-        return math.hypot(ax + bx, ay + by) <= 1e-9 * max(lengths) and min(lengths) > 0.0
-    return abs(ax * by - ay * bx) <= 1e-9 * lengths[0] * lengths[1] and ax * bx + ay * by < 0.0
+        return math.hypot(ax + bx, ay + by) <= within * max(one, other) and min(one, other) > 0.0
+    return abs(ax * by - ay * bx) <= within * one * other and ax * bx + ay * by < 0.0
 
 
 def natural_joint(before: Place, here: Place, after: Place) -> str:
-    """What kind of joint a point with these handles is."""
+    """What kind of joint a point with these handles is, within ``SMOOTH_ANGLE``: no file or hand is exact."""
     arms = [(before[0] - here[0], before[1] - here[1]), (after[0] - here[0], after[1] - here[1])]
     lengths = [math.hypot(*arm) for arm in arms]
-    if not all(lengths):
+    if min(lengths) <= 1e-12 * max(*lengths, abs(here[0]), abs(here[1])):
         return "corner"
-    return next((joint for joint in ("symmetric", "smooth") if _fits(joint, arms, lengths)), "corner")
+    return next((joint for joint in ("symmetric", "smooth") if _fits(joint, arms, SMOOTH_ANGLE)), "corner")
 
 
 class Joint(NamedTuple):
@@ -215,6 +220,23 @@ def sound(joint: Joint) -> Joint:
     return joint
 
 
+def with_sound_joints(curve: Curve, moved: Collection[str]) -> Curve:
+    """``curve`` with corners where points of a path that moved, by id, no longer hang together."""
+    if not is_path(curve):
+        return curve
+    joints, waiting = joints_of(curve)
+    joints = [sound(joint) if any(part and part.id in moved for part in joint) else joint for joint in joints]
+    return replace(curve, points_world=points_from(joints, curve.closed, waiting))
+
+
+def refuse_waiting(curve: Curve) -> None:
+    """Raise ValueError for a path with points that wait, where they would be lost."""
+    if is_path(curve) and joints_of(curve)[1]:
+        raise ValueError(
+            _("The last points of the path are no whole piece yet; add what is missing, or remove them.")
+        )
+
+
 def without_points(curve: Curve, gone: frozenset[str]) -> tuple[CurvePoint, ...]:
     """The points that are left of a path: a point takes its handles with it, a handle alone is drawn in.
 
@@ -233,31 +255,31 @@ def without_points(curve: Curve, gone: frozenset[str]) -> tuple[CurvePoint, ...]
         if drawn_in:
             joint = joint._replace(at=replace(joint.at, joint="corner"), **drawn_in)
         kept.append(joint)
-    if not joints or joints[-1].at.id in gone:
+    if joints and joints[-1].at.id in gone:
         waiting = ()
     return points_from(kept, curve.closed, tuple(point for point in waiting if point.id not in gone))
 
 
-def with_joint_added(curve: Curve, where: Place, handle: Place | None, first: bool) -> Curve:
-    """An open path with a point more at its end, or before its ``first`` one.
+def with_joints_added(curve: Curve, added: Iterable[tuple[Place, Place | None]], first: bool) -> Curve:
+    """An open path that goes on by points, each with its handle or None, from its end or its ``first`` point.
 
-    ``handle`` is where the one beyond the new point would be: the one towards the path is its mirror image,
+    A handle is where the one beyond the new point would be: the one towards the path is its mirror image,
     and the point symmetric. Without it the point is a corner, and its handle lies on the chord.
     """
     joints, waiting = joints_of(curve)
     if first:
-        turned = replace(
-            curve, points_world=curve.points_world[: len(curve.points_world) - len(waiting)][::-1]
-        )
-        grown = with_joint_added(turned, where, handle, False)
+        whole = curve.points_world[: len(curve.points_world) - len(waiting)]
+        grown = with_joints_added(replace(curve, points_world=whole[::-1]), added, False)
         return replace(grown, points_world=(*grown.points_world[::-1], *waiting))
-    last = joints[-1]
-    point = CurvePoint("", *where, joint="corner" if handle is None else "symmetric")
-    leaving = waiting[0] if waiting else _handle(_way_on(last, where))
-    arriving = _handle(_mirrored(handle, where) if handle is not None else _third(where, place(last.at)))
-    added = Joint(waiting[1] if len(waiting) > 1 else arriving, point, None)
-    joints[-1] = last._replace(after=leaving)
-    return replace(curve, points_world=points_from([*joints, added], False))
+    for where, handle in added:
+        last = joints[-1]
+        point = CurvePoint("", *where, joint="corner" if handle is None else "symmetric")
+        leaving = waiting[0] if waiting else _handle(_way_on(last, where))
+        arriving = _handle(_mirrored(handle, where) if handle is not None else _third(where, place(last.at)))
+        joints[-1] = last._replace(after=leaving)
+        joints.append(Joint(waiting[1] if len(waiting) > 1 else arriving, point, None))
+        waiting = ()
+    return replace(curve, points_world=points_from(joints, False, waiting))
 
 
 def _way_on(last: Joint, where: Place) -> Place:
@@ -276,30 +298,34 @@ def _mirrored(handle: Place, about: Place) -> Place:
 
 
 def closed_path(curve: Curve) -> Curve:
-    """The path with its end joined to its begin: by one point where both are the same, else by a piece."""
-    joints, _waiting = joints_of(curve)
+    """The path with its end joined to its begin: by one point where both are the same, else by a piece.
+
+    Points that wait become handles of that piece.
+    """
+    joints, waiting = joints_of(curve)
     first, last = joints[0], joints[-1]
     size = max(abs(c) for joint in joints for c in place(joint.at))
     if len(joints) > 1 and math.dist(place(first.at), place(last.at)) <= 1e-9 * max(size, 1.0):
         joints = [sound(first._replace(before=last.before)), *joints[1:-1]]
     else:
         there = place(first.at)
-        after = _way_on(last, there)
         before = (
             _mirrored(place(first.after), there)
             if first.after is not None and first.at.joint != "corner"
             else _third(there, place(last.at))
         )
-        joints[-1] = last._replace(after=_handle(after))
-        joints[0] = joints[0]._replace(before=_handle(before))
-    return replace(curve, closed=True, points_world=points_from(joints, True))
+        joints[-1] = sound(last._replace(after=waiting[0] if waiting else _handle(_way_on(last, there))))
+        arriving = waiting[1] if len(waiting) > 1 else _handle(before)
+        joints[0] = sound(joints[0]._replace(before=arriving))
+        waiting = ()
+    return replace(curve, closed=True, points_world=points_from(joints, True, waiting))
 
 
 def opened_path(curve: Curve, at: int = 0) -> Curve:
     """The closed path cut open at its joint number ``at``: it looks as before, and ends where it begins."""
-    joints, _waiting = joints_of(curve)
+    joints, waiting = joints_of(curve)
     if not joints:
         return replace(curve, closed=False)
     turned = [*joints[at:], *joints[:at]]
     end = turned[0]._replace(at=replace(turned[0].at, id=""), after=None)
-    return replace(curve, closed=False, points_world=points_from([*turned, end], False))
+    return replace(curve, closed=False, points_world=points_from([*turned, end], False, waiting))

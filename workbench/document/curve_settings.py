@@ -1,7 +1,6 @@
 """Edits of what shapes a curve besides its points: its kind, degree, knots, weights and tangents."""
 
 from collections.abc import Iterable, Mapping
-from typing import Any
 
 from msgspec.structs import replace
 
@@ -89,22 +88,10 @@ def set_knot(address: Address | str, u: float) -> Edit:
 @checked
 def set_weights(weights: Mapping[Address | str, float]) -> Edit:
     """Give control points weights, above 0, which a NURBS curve is pulled by."""
-    return _with_attributes({text: {"weight": number(weight)} for text, weight in weights.items()})
-
-
-@checked
-def set_tangents(tangents: Mapping[Address | str, tuple[float, float]]) -> Edit:
-    """Give points the derivative by u, in world units, that Hermite's curve has there."""
-    return _with_attributes(
-        {text: {"tangent_x": number(x), "tangent_y": number(y)} for text, (x, y) in tangents.items()}
-    )
-
-
-def _with_attributes(values: Mapping[Address | str, dict[str, Any]]) -> Edit:
-    wanted: dict[str, dict[str, dict[str, Any]]] = {}
-    for text, attributes in values.items():
+    wanted: dict[str, dict[str, float]] = {}
+    for text, weight in weights.items():
         where = parse(text)
-        wanted.setdefault(where.figure, {})[where.point] = attributes
+        wanted.setdefault(where.figure, {})[where.point] = number(weight)
 
     def edit(document: Document) -> Document:
         new = []
@@ -112,7 +99,9 @@ def _with_attributes(values: Mapping[Address | str, dict[str, Any]]) -> Edit:
             curve = curve_with(document, figure)
             for point in of_points:
                 point_with(curve, point)
-            points = (replace(p, **of_points[p.id]) if p.id in of_points else p for p in curve.points_world)
+            points = (
+                replace(p, weight=of_points[p.id]) if p.id in of_points else p for p in curve.points_world
+            )
             new.append(replace(curve, points_world=tuple(points)))
         return with_changed(document, new)
 

@@ -3,7 +3,6 @@
 import math
 
 import numpy as np
-from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms import curves
@@ -18,9 +17,8 @@ from workbench.document.curve_paths import (
     joints_of,
     moved,
     place,
-    points_from,
-    sound,
     with_followers,
+    with_sound_joints,
 )
 from workbench.document.curve_pieces import (
     b_spline_of,
@@ -120,12 +118,7 @@ def smooth_joint(figure: str, joint: int, kind: str) -> Edit:
 def smoothed(curve: Curve, joint: int, kind: str) -> tuple[Curve, Places]:
     """``curve`` with a joint made smooth, and which points that moved where. Raises: ValueError."""
     places = smoothing_moves(curve, joint, kind)
-    made = moved(curve, places)
-    if is_path(made):
-        joints, waiting = joints_of(made)
-        points = points_from([sound(each) for each in joints], made.closed, waiting)
-        made = replace(made, points_world=points)
-    return made, places
+    return with_sound_joints(moved(curve, places), places), places
 
 
 def smoothing_moves(curve: Curve, joint: int, kind: str) -> Places:

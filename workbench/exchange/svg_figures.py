@@ -6,12 +6,13 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
+from workbench.algorithms.curves import Pieces
 from workbench.algorithms.curves.cubic_pieces import raised_to_cubic
+from workbench.document.curve_conversions import path_through
 from workbench.document.model import (
     AnyFigure,
     Circle,
     Curve,
-    CurvePoint,
     Ellipse,
     Line,
     Polygon,
@@ -27,7 +28,6 @@ from workbench.language import _
 
 Array = NDArray[np.float64]
 
-SMOOTH_ANGLE = 1e-3  # radians between the handles of a point, up to which it counts as smooth
 _MOST_PIECES = (Curve.most_points - 1) // 3
 _IDENTITY = np.eye(2, 3)
 
@@ -222,28 +222,8 @@ def _curves(run: Outline, colour: int) -> list[AnyFigure]:
 
 def path_of(cubics: Array, closed: bool, colour: int) -> Curve:
     """The path of cubic pieces (m, 4, 2), world; ends that meet smoothly are joined so."""
-    anchors = [*cubics[:, 0], cubics[-1, 3]]
-    inner = range(0 if closed else 1, len(cubics))
-    joints = {k: _joint(cubics[k - 1, 2], anchors[k], cubics[k, 1]) for k in inner}
-    points: list[CurvePoint] = []
-    for k, (first, leaving, arriving, _last) in enumerate(cubics.tolist()):
-        points.append(CurvePoint("", first[0], first[1], joint=joints.get(k, "corner")))
-        points += [CurvePoint("", *leaving), CurvePoint("", *arriving)]
-    if not closed:
-        points.append(CurvePoint("", *cubics[-1, 3].tolist()))
-    return Curve("", tuple(points), Curve.algorithms[0], colour, spline="bezier_path", closed=closed)
-
-
-def _joint(before: Array, at: Array, after: Array) -> str:
-    """How the handles before and after a point hang together."""
-    one, other = at - before, after - at
-    sizes = float(np.hypot(*one)), float(np.hypot(*other))
-    if min(sizes) <= 1e-12 * max(float(np.abs(at).max()), *sizes):
-        return "corner"
-    apart = float(np.hypot(*(one / sizes[0] - other / sizes[1])))
-    if apart > SMOOTH_ANGLE:
-        return "corner"
-    return "symmetric" if abs(sizes[0] - sizes[1]) <= SMOOTH_ANGLE * max(sizes) else "smooth"
+    empty = Curve("", (), Curve.algorithms[0], colour, spline="bezier_path", closed=closed)
+    return path_through(empty, Pieces(np.arange(len(cubics) + 1.0), cubics))
 
 
 def _named(figure: AnyFigure, name: str, visible: bool) -> AnyFigure:
