@@ -28,6 +28,11 @@ def entry_of(function: Callable[..., Any]) -> Entry | None:
     return next((entry for entry in catalogue.entries() if entry.function is function), None)
 
 
+def considered(entry: Entry) -> tuple[tuple[str, str], ...]:
+    """Each block of an entry that considers pixels, with the expression for one."""
+    return tuple(dict.fromkeys((view.block, view.considers) for view in entry.views if view.considers))
+
+
 @functools.cache
 def kinds(function: Callable[..., Any]) -> tuple[tuple[str, Kind | None], ...]:
     """Name and kind of each parameter, from the entry or the annotations; None where neither tells."""

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Emits, Entry
+from workbench.algorithms.entry import Emits
 from workbench.engine import arguments, kernel_files, sinks
 from workbench.engine.drivers import PAINTING, drivers, ticking_drivers
 from workbench.engine.lowering import Lowered, Variant, lower
@@ -186,7 +186,7 @@ def kernel(
 @functools.cache
 def _kernel(function: Function, emits: Emits | None, flavour: str, variant: Variant) -> Kernel:
     entry = arguments.entry_of(function)
-    considers = considered(entry) if entry is not None and variant == "probing" else ()
+    considers = arguments.considered(entry) if entry is not None and variant == "probing" else ()
     lowered = lower(function, variant, considers)
     kinds = arguments.kinds(function)
     refusal = entry.compiles if entry is not None else ""
@@ -202,11 +202,6 @@ def _kernel(function: Function, emits: Emits | None, flavour: str, variant: Vari
     writes = entry is not None and bool(entry.writes)
     folder = kernel_files.folder(text, flavour)
     return Kernel(function, text, lowered, emits, writes, flavour, refusal, folder)
-
-
-def considered(entry: Entry) -> tuple[tuple[str, str], ...]:
-    """Each block of an entry that considers pixels, with the expression for one."""
-    return tuple(dict.fromkeys((view.block, view.considers) for view in entry.views if view.considers))
 
 
 def _inferred(function: Function, arity: int) -> Emits | None:
