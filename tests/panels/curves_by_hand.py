@@ -43,6 +43,16 @@ def curve_through(*places, spline="b_spline", **attributes):
     return Curve("", points, "bresenham_line", 1, spline=spline, **attributes)
 
 
+def hover(panel, x, y):
+    """Move the pointer to a device point with no button down, and let the panel follow."""
+    place = panel.canvas.widget_position(x, y)
+    where = panel.canvas.mapToGlobal(place)
+    move = QMouseEvent(QEvent.Type.MouseMove, place, where, NONE, NONE, PLAIN)
+    QApplication.sendEvent(panel.canvas, move)
+    panel.refresh()
+    settle()
+
+
 def send(panel, kind, x, y, modifiers=PLAIN):
     """A mouse event at a device point with modifiers, which qtbot.mouseMove cannot send."""
     place = panel.canvas.widget_position(x, y)

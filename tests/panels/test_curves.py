@@ -173,7 +173,7 @@ def test_u_is_dragged_along_the_curve(zigzag):
 def test_what_is_missing_is_said_on_the_card(qtbot):
     panel = opened(qtbot, curve_through((30, 10), (40, 20)))
     assert panel.card.fault.isVisible()
-    assert "2 more" in panel.card.fault.text() or "add 2" in panel.card.fault.text()
+    assert "There are 2 points, and 4 are needed; add 2." in panel.card.fault.text()
 
 
 def test_both_countings_stand_on_the_card(zigzag):
@@ -207,7 +207,7 @@ def test_what_a_point_moves_is_local_for_a_b_spline_and_everything_for_a_natural
     local = influence(curve_through(*many), (6,))
     assert np.flatnonzero(local).tolist() == [3, 4, 5, 6]
     everywhere = influence(curve_through(*many, spline="natural_cubic"), (6,))
-    assert (everywhere > 0).sum() >= 10
+    assert (everywhere > 0).sum() == len(many) - 1
 
 
 @pytest.mark.parametrize("spline", ["b_spline", "natural_cubic", "bezier_path"])

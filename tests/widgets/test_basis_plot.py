@@ -394,3 +394,8 @@ def test_a_thousand_functions_and_knots_paint_and_answer(qtbot: QtBot, plot: Bas
     assert not plot.grab().isNull()
     plot.highlight(500)
     assert not plot.grab().isNull()
+    qtbot.keyClick(plot.curves, Qt.Key.Key_Up)
+    assert plot.curves.lit == plot.weights.lit == 501
+    assert "N₅₀₁ is" in plot.curves.accessibleDescription()
+    qtbot.mouseClick(plot.knots, LEFT, pos=place(plot, 500))
+    assert plot.knots.selected in {str(k) for k in range(498, 503)}

@@ -103,7 +103,9 @@ def test_one_cusp_leaves_the_rest_readable(curvature: CurvaturePlot):
     curvature.set_u(None)
     low, high = (float(curvature._ys(np.array(v))) for v in (-0.02, 0.02))
     assert low - high > curvature.area.height() / 3
-    assert all(curvature.rect().contains(*map(int, p)) for p in inked(curvature, LIGHT.data[0]).tolist())
+    pixels = inked(curvature, LIGHT.data[0])
+    assert len(pixels) > 100
+    assert all(curvature.rect().contains(*map(int, place)) for place in pixels.tolist())
     assert curvature.heading == "Curvature (1/px); peaks are cut off"
     curvature.set_u(float(US[100]))
     assert "no curvature here" in curvature.reading
@@ -113,12 +115,22 @@ def test_one_cusp_leaves_the_rest_readable(curvature: CurvaturePlot):
 
 
 @pytest.mark.parametrize(
-    "values", [np.zeros(401), np.full(401, np.nan), np.full(401, 1e-12), np.full(401, np.inf)]
+    ("value", "said", "drawn"),
+    [
+        (0.0, "radius infinite", True),
+        (np.nan, "no curvature here", False),
+        (1e-12, "radius 1.0e12 px", True),
+        (np.inf, "no curvature here", True),
+    ],
 )
-def test_what_is_straight_or_has_no_curvature_is_plotted_too(curvature: CurvaturePlot, values):
-    curvature.set_curvature(US, values)
-    assert not curvature.grab().isNull()
-    assert curvature.reading
+def test_what_is_straight_or_has_no_curvature_is_plotted_too(curvature: CurvaturePlot, value, said, drawn):
+    curvature.set_curvature(US, np.full(401, value))
+    assert said in curvature.reading
+    curvature.set_u(None)
+    # A level line lies between rows of pixels, so none of them has its whole colour.
+    image = curvature.grab().toImage().copy(curvature.area.toRect())
+    colours = [image.pixelColor(x, y) for x in range(image.width()) for y in range(image.height())]
+    assert (sum(c.blue() - c.red() > 60 for c in colours) > 100) == drawn
 
 
 def test_the_axes_of_the_hodograph_have_one_scale_and_hold_it_all(hodograph: HodographPlot):
