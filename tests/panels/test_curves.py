@@ -40,6 +40,39 @@ def test_clicks_with_the_pen_draw_a_curve_and_enter_ends_it(qtbot):
     assert panel.session.sheet.figures == ()
 
 
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 64 48"><path d="M8 8C20 40 40 40 56 8"/></svg>'
+
+
+@pytest.mark.parametrize("ended_by", ["a drawing that comes in", "undo", "a new picture"])
+@pytest.mark.parametrize("then", ["moved", "clicked", "entered"])
+def test_what_is_done_while_a_curve_is_drawn_stays_done(qtbot, ended_by, then):
+    """It ends the curve where it is; to go on with that would take back what was done."""
+    panel = opened(qtbot)
+    session = panel.session
+    for place in ZIGZAG[:3]:
+        click(panel, *place)
+    if ended_by == "undo":
+        session.end_merge()
+        session.undo_stack.undo()
+    elif ended_by == "a new picture":
+        session.new()
+    else:
+        panel.exchange.take_svg(SVG)
+    done = session.document
+    if then == "moved":
+        send(panel, QEvent.Type.MouseMove, 40, 20)
+        assert session.document is done
+        assert not panel.gesturing
+    elif then == "clicked":
+        click(panel, 40, 20)
+        click(panel, 50, 30)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
+    settle()
+    kept = done.sheets[0].figures
+    assert session.sheet.figures[: len(kept)] == kept
+    assert len(session.sheet.figures) <= len(kept) + (then == "clicked")
+
+
 def test_a_click_on_the_first_point_closes_the_curve(qtbot):
     panel = opened(qtbot)
     for place in (*ZIGZAG, ZIGZAG[0]):

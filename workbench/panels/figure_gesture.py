@@ -37,6 +37,7 @@ class Gesture(QObject):
         super().__init__()
         self.session = session
         self._before: Document | None = None
+        self._shown: Document | None = None
         self._merge = ""
 
     @property
@@ -47,19 +48,26 @@ class Gesture(QObject):
     def begin(self) -> None:
         """What follows is one step of undo."""
         self.session.end_merge()
-        self._before = self.session.document
+        self._before = self._shown = self.session.document
         self._merge = f"gesture {next(_tokens)}"
 
     def show(self, edit: Edit, name: str) -> bool:
-        """Make ``edit`` of the document that the gesture began with. False when it was refused."""
+        """Make ``edit`` of the document that the gesture began with. False when it was refused, or when the
+        gesture is over because something else was done meanwhile.
+        """
         before = self._before
         if before is None:
+            return False
+        if self.session.document is not self._shown:
+            # Made of the document that it began with, it would take back what was done.
+            self._before = None
             return False
         try:
             self.session.apply(lambda _document: edit(before), name, self._merge)
         except DocumentError as problem:
             self.failed.emit(str(problem))
             return False
+        self._shown = self.session.document
         return True
 
     def commit(self) -> None:

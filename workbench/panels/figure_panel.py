@@ -214,8 +214,13 @@ class FigurePanel(QWidget):
         self._after_gesture()
 
     def _move(self, x: float, y: float, _modifiers: Any) -> None:
+        drawing = self.tool.busy
         self.tool.move(x, y)
-        if self.tool.busy or self.tool.band is not None:
+        if drawing and not self.tool.busy:
+            self.tool.cancel()
+            self._hold(False)
+            self._after_gesture()
+        elif self.tool.busy or self.tool.band is not None:
             self._after_gesture()
         elif isinstance(self.tool, FigureTool):
             self.canvas.set_overlay(replace(self.canvas.overlay, snap=self.tool.snap))
