@@ -129,7 +129,9 @@ def test_chosen_points_are_aligned(qtbot):
     panel = opened(qtbot, curve_through(*ZIGZAG))
     said = sentences(panel)
     panel.commands.align("left")
-    assert any("2 points" in text for text in said)
+    assert said[-1] == "Choose 2 points of the curve first."
+    panel.commands.joint("smooth")
+    assert said[-1] == "Choose a point of the curve first."
     click(panel, *ZIGZAG[1])
     click(panel, *ZIGZAG[3], SHIFT)
     panel.commands.align("left")

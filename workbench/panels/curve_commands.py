@@ -20,7 +20,7 @@ from workbench.document.curve_pieces import goes_round, may_be_closed
 from workbench.document.edits import Edit, both, move_points
 from workbench.document.errors import DocumentError
 from workbench.document.model import B_SPLINES, Curve, Document
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.figure_actions import Row
 from workbench.panels.figure_gesture import Gesture
@@ -89,7 +89,10 @@ class CurveCommands(QObject):
         def with_those(curve: Curve) -> None:
             points = self.chosen(curve)
             if len(points) < least:
-                self.said.emit(_("Choose {least} points of the curve first.").format(least=least))
+                text = ngettext(
+                    "Choose a point of the curve first.", "Choose {least} points of the curve first.", least
+                )
+                self.said.emit(text.format(least=least))
             else:
                 act(curve, points)
 

@@ -110,12 +110,13 @@ class CurveExchange(QObject):
             return
         curve = self.focus.selected
         if curve is not None and not goes_round(curve):
-            self._apply(add_points(curve.id, [(x, y) for x, y in places]), _("Paste points"))
+            done = self._apply(add_points(curve.id, [(x, y) for x, y in places]), _("Add points"))
         else:
             points = tuple(CurvePoint("", x, y) for x, y in places)
-            self._add([replace(self._model(), points_world=points)], _("Paste points"))
-        text = ngettext("{n} point pasted.", "{n} points pasted.", len(places))
-        self.said.emit(text.format(n=len(places)))
+            done = self._add([replace(self._model(), points_world=points)], _("Add points"))
+        if done:
+            text = ngettext("{n} point added.", "{n} points added.", len(places))
+            self.said.emit(text.format(n=len(places)))
 
     def take_svg(self, text: str | bytes) -> None:
         """The figures of an SVG come onto the sheet; a long one is read beside, meanwhile one may go on."""

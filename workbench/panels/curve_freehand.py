@@ -8,7 +8,7 @@ from workbench.document.curve_pieces import share_at
 from workbench.document.edits import add_figure
 from workbench.document.model import Curve
 from workbench.exchange.svg_figures import path_of
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_shape import Array, device_pieces
 from workbench.panels.figure_gesture import Modifiers, Tool
@@ -79,7 +79,11 @@ def fitted(focus: CurveFocus, points: Array, tolerance: float, colour: int) -> t
 def fit_words(curve: Curve, count: int, error: float) -> str:
     """What became of drawn or pasted points."""
     pieces = len(curve.points_world) // 3
-    text = _("{pieces} pieces pass the {count} points, none of which is more than {error:.2g} px off.")
+    text = ngettext(
+        "{pieces} piece passes the {count} points, none of which is more than {error:.2g} px off.",
+        "{pieces} pieces pass the {count} points, none of which is more than {error:.2g} px off.",
+        pieces,
+    )
     return text.format(pieces=pieces, count=count, error=error)
 
 
