@@ -66,7 +66,8 @@ def polyline_of(sheet: Sheet, curve: Curve, spline: str = "", tolerance_px: floa
     return _polyline(device_map(sheet), curve, spline, tolerance_px or curve.tolerance_px)
 
 
-@lru_cache(maxsize=64)
+# A sheet of many curves is drawn at every step of a drag, each as pixels and as a smooth line.
+@lru_cache(maxsize=256)
 def _polyline(scale: DeviceMap, curve: Curve, spline: str, tolerance_px: float) -> Array:
     if fault_of(curve, spline):
         return np.empty((0, 2))
