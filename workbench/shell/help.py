@@ -70,7 +70,10 @@ class HelpPage(Page):
             ),
             (
                 _("Keep"),
-                _("Save keeps picture and step in one .gwb file. Ctrl+K finds any command by a few letters."),
+                _(
+                    "Save keeps picture and step in one .gwb file. Drop such a file, an SVG or a list of "
+                    "points on the window to open it. Ctrl+K finds any command by a few letters."
+                ),
             ),
         ):
             heading(self.column, title)
