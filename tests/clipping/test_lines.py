@@ -87,6 +87,8 @@ def test_inside_outside_across_and_along_an_edge(clip: Clipper, line: Line, left
 @given(case=cases())
 @example(case=EXAMPLE)
 @example(case=((-1.0000000000000002, 0.0, -1.0, -2.0), (-1.0, -2.0, 0.0, -1.0)))
+@example(case=((0.4, 0.0, -0.4, 0.8), (0.0, 0.0, 3.7, 0.4)))
+@example(case=((1.4, 11.0, 1.4, 0.1), (0.0, 0.0, 2.0, 4.0)))
 def test_what_is_left_is_what_is_visible(clip: Clipper, case: tuple[Line, Window]) -> None:
     """Against exact fractions: each end lies where it would if the window were off by a rounding at most."""
     line, window = case

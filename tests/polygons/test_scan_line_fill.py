@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, reject
+from hypothesis import example, given, reject
 from hypothesis import strategies as st
 
 from tests.polygons.exact import covered
@@ -42,6 +42,7 @@ def mapped(polygon: Rings, move) -> Rings:
 
 
 @given(polygons(), st.booleans(), st.booleans())
+@example(([(3 + 1e-12, 0.0), (8.0, 0.0), (6.0, 5.0)], [3]), True, False)
 def test_pixels_are_those_whose_centre_belongs_to_it_by_exact_fractions(polygon, closed, nonzero):
     pixels = filled(polygon, closed, nonzero)
     assert len(pixels) == len(set(pixels))
@@ -120,3 +121,14 @@ def test_far_outside_the_picture_and_thin_as_a_hair():
     hair = ([(-900_000.0, 5.0), (900_000.0, 5.0 + 1e-7), (900_000.0, 5.0)], [3])
     assert set(filled(hair, True)) >= {(x, 5) for x in range(-1000, 1000)}
     assert filled(hair, False)[:1] in ([], [(-900_000, 5)])
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_between_whole_vertices_far_apart_no_crossing_is_taken_for_a_pixel(closed):
+    """The nearest one is 1/200003 beside a centre, and adding up 1/m is wrong by more in the end."""
+    width, height = 65_537, 200_003
+    triangle = np.array([[0, 0], [width, height], [0, height]], np.float64)
+    spans = list(scan_line_fill(triangle, np.array([3]), closed, False))
+    last = [width * y // height if closed else -(-width * y // height) - 1 for y in range(height)]
+    expected = [(y, 0, x) for y, x in enumerate(last) if x >= 0]
+    assert [span for span in spans if span[0] < height] == expected
