@@ -1,5 +1,6 @@
 """Points of Bézier curves, B-splines and NURBS against fractions and SciPy."""
 
+import math
 from fractions import Fraction
 from typing import Any
 
@@ -89,6 +90,14 @@ def test_points_of_rational_b_splines_are_exact_to_rounding(run: tuple[Any, ...]
     assert doubled == emitted
     low, high = points.min(axis=0) - 1e-12 * size, points.max(axis=0) + 1e-12 * size
     assert all((low <= point).all() and (point <= high).all() for point in np.array(emitted))
+
+
+def test_a_heavy_weight_makes_much_of_the_last_step_before_a_knot() -> None:
+    run = (np.array([[0.0, 0.0], [1.0, 2.0]]), np.array([1e9, 1e-9]), np.array([0.0, 0, 3, 3]), 1)
+    u = math.nextafter(3.0, 0.0)
+    truth = exact.nurbs(*run, u)
+    assert 0.001 < truth[0] < 0.01
+    exact.close(list(de_boor_rational(*run, u))[-1], truth, 2.0)
 
 
 @settings(max_examples=25)
