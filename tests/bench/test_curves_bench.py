@@ -15,15 +15,15 @@ from pytest_benchmark.fixture import BenchmarkFixture
 from scipy.interpolate import BSpline
 
 from workbench.algorithms.curves import (
+    Pieces,
     b_spline_curve,
     b_spline_to_bezier,
-    bezier_point,
     closest_point,
-    flatten_cubic,
     in_rows,
     natural_cubic,
     open_uniform_knots,
     piece_points,
+    polyline,
 )
 from workbench.engine import compiled
 
@@ -76,9 +76,8 @@ def curves_to_flatten(count: int) -> NDArray[np.float64]:
 def test_flattening_cubics(benchmark: BenchmarkFixture, peer: str, count: int) -> None:
     count = count if not benchmark.disabled else 100
     curves = curves_to_flatten(count)
-    rows = np.column_stack([curves.reshape(count, 8), np.full(count, 0.1)])
-    chains, ends = compiled.collect_many(flatten_cubic, rows)
-    corners = round(len(chains) / count)
+    pieces = Pieces(np.arange(count + 1.0), curves)
+    corners = round(len(polyline(pieces, 0.1)) / count)
     package = pytest.importorskip({"bezier": "bezier", "geomdl": "geomdl.BSpline"}[peer])
 
     def bezier() -> None:
@@ -95,20 +94,7 @@ def test_flattening_cubics(benchmark: BenchmarkFixture, peer: str, count: int) -
 
     title = f"flattening {count:,} cubics to {corners} corners each (the peer without a tolerance, evenly)"
     ours = {"bezier": bezier, "geomdl": geomdl}
-    by_turns(benchmark, title, lambda: compiled.collect_many(flatten_cubic, rows), **{peer: ours[peer]})
-    assert ends[-1] == len(chains)
-
-
-def test_chains_are_within_the_tolerance() -> None:
-    curves = curves_to_flatten(50)
-    chains, ends = compiled.collect_many(flatten_cubic, [[*curve.ravel(), 0.1] for curve in curves])
-    for curve, chain in zip(curves, np.split(chains, ends[:-1]), strict=True):
-        places = bezier_point(curve, np.linspace(0, 1, 200))
-        leg = np.diff(chain, axis=0)
-        offset = places[:, None] - chain[:-1]
-        along = np.clip((offset * leg).sum(axis=2) / (leg * leg).sum(axis=1), 0, 1)
-        away = offset - along[..., None] * leg
-        assert np.sqrt((away * away).sum(axis=2)).min(axis=1).max() <= 0.1 + 1e-9
+    by_turns(benchmark, title, lambda: polyline(pieces, 0.1), **{peer: ours[peer]})
 
 
 def test_what_a_drag_of_one_of_a_thousand_points_asks_for(benchmark: BenchmarkFixture) -> None:
@@ -116,9 +102,7 @@ def test_what_a_drag_of_one_of_a_thousand_points_asks_for(benchmark: BenchmarkFi
     knots = open_uniform_knots(1000, 3)
 
     def flattened() -> NDArray[Any]:
-        pieces = b_spline_to_bezier(points, knots, 3).controls
-        rows = np.column_stack([pieces.reshape(-1, 8), np.full(len(pieces), 0.25)])
-        return compiled.collect_many(flatten_cubic, rows)[0]
+        return polyline(b_spline_to_bezier(points, knots, 3), 0.25)
 
     by_turns(benchmark, "a B-spline of 1,000 points as Bézier pieces, flattened", flattened)
     if not benchmark.disabled:

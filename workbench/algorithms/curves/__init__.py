@@ -34,7 +34,6 @@ from workbench.algorithms.curves.distances import distances
 from workbench.algorithms.curves.extrema import bounding_box, extrema
 from workbench.algorithms.curves.fitting import fit_pieces
 from workbench.algorithms.curves.flatten_bezier import flatten_bezier
-from workbench.algorithms.curves.flatten_cubic import flatten_cubic
 from workbench.algorithms.curves.hermite import hermite
 from workbench.algorithms.curves.inflections import inflections
 from workbench.algorithms.curves.knot_insertion import insert_knot, split_b_spline
@@ -94,7 +93,6 @@ __all__ = [
     "extrema",
     "fit_pieces",
     "flatten_bezier",
-    "flatten_cubic",
     "hermite",
     "homogeneous",
     "in_rows",
