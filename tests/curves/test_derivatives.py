@@ -16,6 +16,7 @@ from workbench.algorithms.curves import (
     derivatives,
     homogeneous,
     joints,
+    located,
     piece_derivative,
     piece_points,
     projected,
@@ -56,6 +57,15 @@ def test_the_hodograph_is_the_derivative_of_every_kind(pieces: Pieces, part: flo
     assert made.degree == (pieces.degree - 1 if pieces.weights is None else 2 * pieces.degree)
     size = max(exact.size_of(made.controls), 1e-300)
     assert np.abs(piece_points(made, u) - first[1]).max() <= 1e-11 * size
+
+
+def test_each_u_is_found_in_a_piece_with_a_length() -> None:
+    knots = np.array([0.0, 0, 1, 1, 3, 3])
+    number, v, length = located(knots, [-1, 0, 0.5, 1, 2, 3, 4])
+    assert number.tolist() == [1, 1, 1, 3, 3, 3, 3]
+    assert v.tolist() == [-1, 0, 0.5, 0, 0.5, 1, 1.5]
+    assert length.tolist() == [1, 1, 1, 2, 2, 2, 2]
+    assert [float(found) for found in located(np.array([2.0, 2.0]), 2.0)] == [0, 0, 1]
 
 
 def test_the_hodograph_of_a_plain_piece_is_its_scaled_legs() -> None:

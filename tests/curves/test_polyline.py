@@ -52,6 +52,15 @@ def test_chords_are_no_more_than_the_bend_asks_for() -> None:
     assert len(polyline(whole_circle(), 0.01)) < 100
 
 
+@pytest.mark.parametrize("count", [7, 20, 400])
+def test_of_a_parabola_no_chord_can_be_spared(count: int) -> None:
+    """Its second derivative is 8 everywhere, so n chords are off by 1 / n^2."""
+    parabola = Pieces(np.array([0.0, 1.0]), np.array([[[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]]]))
+    tolerance = 1.001 / count**2
+    assert chord_counts(parabola, tolerance).tolist() == [count]
+    assert chord_counts(parabola._replace(weights=np.full((1, 3), 2.0)), tolerance).min() >= count
+
+
 @pytest.mark.parametrize("tolerance", [0.0, -1.0, np.nan])
 def test_no_tolerance_is_refused(tolerance: float) -> None:
     with pytest.raises(ValueError, match=r"tolerance is .*; choose a finite one above 0"):

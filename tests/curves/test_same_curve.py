@@ -90,6 +90,15 @@ def test_split_parts_are_the_curve(curve: Curve, part: float) -> None:
     assert half_knots[degree] == u
 
 
+def test_where_a_knot_parts_the_curve_it_is_split_without_a_knot_more() -> None:
+    points, knots = np.array([[0, 0], [1, 1], [5, 5], [6, 4]], float), np.array([0, 0, 1, 1, 2, 2], float)
+    parts = split_b_spline(points, knots, 1, 1.0)
+    assert [(rows.tolist(), own.tolist()) for rows, own in parts] == [
+        ([[0, 0], [1, 1]], [0, 0, 1, 1]),
+        ([[5, 5], [6, 4]], [1, 1, 2, 2]),
+    ]
+
+
 @few
 @given(b_splines())
 def test_bezier_pieces_are_the_curve(curve: Curve) -> None:

@@ -93,6 +93,17 @@ def test_a_curve_along_itself_gives_no_more_than_was_asked_for() -> None:
         self_intersections(whole_circle(), 0.0)
 
 
+@pytest.mark.parametrize("short", [1e-4, -1e-4])
+def test_a_tip_that_stops_short_of_a_line_by_less_than_the_tolerance_touches_it(short: float) -> None:
+    lines = np.array([[[0, 0], [4, 0]], [[4, 0], [4, 4]], [[4, 4], [2, short]], [[2, short], [0, 4]]])
+    found = self_intersections(Pieces(np.arange(5.0), lines), 1e-3)
+    assert found
+    for u, v, point in found:
+        assert (u, v) == pytest.approx((0.5, 3), abs=1e-4)
+        assert point == pytest.approx([2, 0], abs=1e-3)
+    assert not self_intersections(Pieces(np.arange(5.0), lines), 1e-5) or short < 0
+
+
 def test_neighbours_that_leave_their_corner_side_by_side_may_cross_later() -> None:
     there = [[3, 3], [1.5, 1.5], [0, 0]]
     back = [[0, 0], [1, 0], [3, 9]]

@@ -51,6 +51,18 @@ def test_the_surface_is_nowhere_farther_than_the_tolerance(seed: int, tolerance:
     assert farthest(points, vertices, faces) <= tolerance
 
 
+@pytest.mark.parametrize(("pull", "share"), [(1.0, 0.2), (1e4, 0.4)])
+def test_a_twisted_square_is_nowhere_farther_than_the_tolerance(pull: float, share: float) -> None:
+    """It is a quarter of its twist away from its two triangles, half of it where two corners pull."""
+    twist = 0.1
+    net = np.array([[[0, 0, 0], [0, 0, 1]], [[1, 0, 0], [1, twist, 1]]])
+    patches = bezier_patch(net, [[1.0, pull], [pull, 1.0]])
+    points = patch_points(patches, 0.5, [[0.5]])[0]
+    mesh = tessellate(patches, share * twist)
+    assert farthest(points, *tessellate(patches, twist)) > share * twist
+    assert farthest(points, *mesh) <= share * twist
+
+
 @pytest.mark.parametrize("tolerance", [0.3, 0.1, 0.01])
 @pytest.mark.parametrize("radius", [1.0, 40.0])
 def test_a_sphere_has_no_cracks(radius: float, tolerance: float) -> None:

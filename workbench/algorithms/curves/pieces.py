@@ -39,8 +39,9 @@ def located(knots: Array, u: ArrayLike) -> tuple[NDArray[np.intp], Array, Array]
     piece without length is passed over, and if none has a length, it is taken to be 1.
     """
     where = np.asarray(u, float)
-    last = int(np.searchsorted(knots, knots[-1], side="left")) - 1
-    number = np.clip(np.searchsorted(knots, where, side="right") - 1, 0, max(last, 0))
+    first = np.searchsorted(knots, knots[0], side="right") - 1
+    last = max(np.searchsorted(knots, knots[-1], side="left") - 1, 0)
+    number = np.clip(np.searchsorted(knots, where, side="right") - 1, first, last)
     length = knots[number + 1] - knots[number]
     length = np.where(length > 0, length, 1.0)
     return number, (where - knots[number]) / length, length
