@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QFontMetrics, QGuiApplication
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QLineEdit, QSlider, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -17,6 +17,7 @@ from workbench.widgets.source_view import SourceView
 from workbench.widgets.step_bar import Steps
 from workbench.widgets.structure_table import StructureModel, StructureTable
 from workbench.widgets.tokens import DARK, LIGHT, theme
+from workbench.widgets.type_faces import cell_font
 from workbench.widgets.variable_table import VariableTable, value_text
 
 ENTRY = catalogue.get("bresenham_line")
@@ -137,6 +138,30 @@ def test_the_hand_table_follows_and_a_click_jumps(run: Run, qtbot: QtBot) -> Non
     run.set_detail(True)
     run.first()
     assert table.model.current == 0
+
+
+def test_columns_of_the_hand_table_grow_with_the_numbers_and_shrink_again(run: Run, qtbot: QtBot) -> None:
+    table = HandTable(run)
+    shown(qtbot, table, width=200)
+    metrics = QFontMetrics(cell_font(False))
+
+    def needed() -> list[int]:
+        texts = [column(table.view, k) for k in range(table.model.columnCount())]
+        return [max(map(metrics.horizontalAdvance, text)) for text in texts]
+
+    def widths() -> list[int]:
+        return [table.view.columnWidth(k) for k in range(table.model.columnCount())]
+
+    def fits() -> bool:
+        return all(needs < width for needs, width in zip(needed(), widths(), strict=True))
+
+    narrow = widths()
+    follow(qtbot, run, "bresenham_line", 10_000_020, 10_000_010, 10_000_030, 10_000_018)
+    qtbot.waitUntil(lambda: fits() and widths() != narrow, timeout=5_000)
+    follow(qtbot, run)
+    qtbot.waitUntil(lambda: widths() == narrow, timeout=5_000)
+    follow(qtbot, run, "midpoint_ellipse", 10, 10, 8, 6)
+    qtbot.waitUntil(fits, timeout=5_000)
 
 
 def test_the_hand_table_copies_as_text_and_as_a_table(run: Run, qtbot: QtBot) -> None:
