@@ -283,6 +283,23 @@ def test_what_is_wrong_is_said_with_its_place(text: str | bytes, said: str) -> N
     assert str(refused.value).endswith(".")
 
 
+def test_what_a_figure_cannot_refer_to_is_said() -> None:
+    defined = (
+        '<defs><clipPath id="c"><rect width="9" height="9"/></clipPath><mask id="m"/><filter id="f"/>'
+        '<marker id="a"/><linearGradient id="g"/><style>.cut { clip-path: url("#c") }</style></defs>'
+    )
+    drawn = (
+        '<g mask="url(#m)"><path d="M 0 0 L 5 5" clip-path="url( #c )" marker-end="url(#a)"/></g>'
+        "<rect class='cut' width='1' height='2' style=\"fill:url('#g');filter:url(#f)\"/>"
+        '<line x2="1" mask="none" filter="url(#missing)" stroke="red"/>'
+    )
+    notes = set(read_svg(svg(defined + drawn), SHEET).notes)
+    said = {note for note in notes if note.startswith("Left out")}
+    counts = {"mask": "1", "clipPath": "2 ×", "marker": "1", "linearGradient": "1", "filter": "1"}
+    assert said == {f"Left out: {count} <{tag}>." for tag, count in counts.items()}
+    assert not [note for note in read_svg(svg(defined), SHEET).notes if note.startswith("Left out")]
+
+
 def test_a_use_that_doubles_itself_again_and_again_is_refused() -> None:
     groups = "".join(f'<g id="g{k}"><use href="#g{k + 1}"/><use href="#g{k + 1}"/></g>' for k in range(40))
     with pytest.raises(SvgError, match="more than 100,000 elements"):

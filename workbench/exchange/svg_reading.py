@@ -10,6 +10,7 @@ themselves where their axes lie along x and y.
 """
 
 import math
+import re
 from collections import Counter
 from typing import NamedTuple
 
@@ -33,6 +34,19 @@ Array = NDArray[np.float64]
 
 _GROUPS = ("svg", "g", "a", "switch")
 _SILENT = {"defs", "title", "desc", "metadata", "style", "script", "symbol", "clipPath", "mask", "marker", ""}
+# What an element may refer to by these changes how it looks, and no figure has it.
+_REFERRING = (
+    "fill",
+    "stroke",
+    "clip-path",
+    "mask",
+    "filter",
+    "marker",
+    "marker-start",
+    "marker-mid",
+    "marker-end",
+)
+_REFERENCE = re.compile(r"""\s*url\(\s*["']?#([^"')]+?)\s*["']?\s*\)""")
 _INHERITED = ("fill", "stroke", "visibility", "color")
 _TOLERANCE_PX = 0.05
 _ROUNDING = 1e-12
@@ -150,6 +164,7 @@ class _Walk:
         if element.tag not in _GROUPS and element.tag not in GEOMETRY and element.tag != "use":
             self._left_out[element.tag] += element.tag not in _SILENT
             return
+        self._leave_out_references(own)
         matrix = _after(matrix, transform_of(element))
         if element.tag in GEOMETRY:
             self.found.append(Shape(element, matrix, merged))
@@ -159,6 +174,12 @@ class _Walk:
             if element.tag == "svg" and self._depth:
                 matrix = _after(matrix, _inner_frame(element))
             self._inside(element.children, matrix, merged)
+
+    def _leave_out_references(self, style: dict[str, str]) -> None:
+        for name in _REFERRING:
+            found = _REFERENCE.match(style.get(name, ""))
+            if found and found[1] in self._named:
+                self._left_out[self._named[found[1]].tag] += 1
 
     def _inside(self, elements: list[Element], matrix: Array, style: dict[str, str]) -> None:
         self._depth += 1
