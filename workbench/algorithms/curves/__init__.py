@@ -37,6 +37,7 @@ from workbench.algorithms.curves.flatten_bezier import flatten_bezier
 from workbench.algorithms.curves.hermite import hermite
 from workbench.algorithms.curves.inflections import inflections
 from workbench.algorithms.curves.knot_insertion import insert_knot, split_b_spline
+from workbench.algorithms.curves.knot_removal import Removal, remove_knot
 from workbench.algorithms.curves.knots import (
     Counting,
     closed_b_spline,
@@ -48,7 +49,7 @@ from workbench.algorithms.curves.knots import (
 from workbench.algorithms.curves.kochanek_bartels import kochanek_bartels
 from workbench.algorithms.curves.pieces import Pieces, in_rows, located, piece_points
 from workbench.algorithms.curves.polyline import chord_counts, polyline
-from workbench.algorithms.curves.rational import Nurbs, circle, homogeneous, projected
+from workbench.algorithms.curves.rational import Nurbs, circle, gap_between, homogeneous, projected
 from workbench.algorithms.curves.rational_polyline import nurbs_to_polyline
 from workbench.algorithms.curves.self_intersections import self_intersections
 from workbench.algorithms.curves.waviness import Overshoot, Wiggle, overshoot, wiggle
@@ -59,6 +60,7 @@ __all__ = [
     "Nurbs",
     "Overshoot",
     "Pieces",
+    "Removal",
     "Wiggle",
     "arc_length",
     "at_length",
@@ -93,6 +95,7 @@ __all__ = [
     "extrema",
     "fit_pieces",
     "flatten_bezier",
+    "gap_between",
     "hermite",
     "homogeneous",
     "in_rows",
@@ -116,6 +119,7 @@ __all__ = [
     "piece_points",
     "polyline",
     "projected",
+    "remove_knot",
     "self_intersections",
     "split_b_spline",
     "subdivide",

@@ -37,6 +37,25 @@ def projected(points: ArrayLike) -> tuple[Array, Array]:
     return whole[..., :-1] / whole[..., -1:], whole[..., -1].copy()
 
 
+def gap_between(points: ArrayLike, others: ArrayLike, rational: bool = False) -> float:
+    """How far two curves of points (n, k) over the same knots are apart at most: by hulls, as far as points.
+
+    Those of homogeneous points are ``rational``: |A / w - B / v| is at most
+    (|A - B - c (w - v)| + |A / w - c| |w - v|) / v, wherever c is; infinite where a v is not above 0.
+    """
+    one, other = np.asarray(points, float), np.asarray(others, float)
+    if not rational:
+        return float(np.linalg.norm(one - other, axis=1).max())
+    if other[:, -1].min() <= 0.0:
+        return math.inf
+    flat, _weights = projected(one)
+    centre = flat.mean(axis=0)
+    apart = one - other
+    aside = np.linalg.norm(apart[:, :-1] - centre * apart[:, -1:], axis=1).max()
+    reach = np.linalg.norm(flat - centre, axis=1).max()
+    return float((aside + reach * np.abs(apart[:, -1]).max()) / other[:, -1].min())
+
+
 def circle(x: float, y: float, radius: float) -> Nurbs:
     """A whole circle, exact, as four quarters of degree 2 around their square.
 
