@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from workbench.document import curve_edits
 from workbench.document.building import Edit
 from workbench.document.check import needed_knots
+from workbench.document.curve_knot_removal import remove_knot
 from workbench.document.model import ENDS, JOINTS, KNOT_RULES, SPLINES, Curve, CurvePoint, Document, Knot
 from workbench.document.sample_figures import document_of
 
@@ -93,5 +94,8 @@ def curve_edit_of(draw: st.DrawFn, document: Document) -> Edit:
             lambda: st.builds(
                 curve_edits.set_knot, st.just(f"{here}/{knot.id}/u"), st.floats(knot.u - 1, knot.u + 1)
             )
+        )
+        choices.append(
+            lambda: st.builds(remove_knot, st.just(f"{here}/{knot.id}/u"), st.sampled_from([0.01, 1e3]))
         )
     return draw(draw(st.sampled_from(choices))())

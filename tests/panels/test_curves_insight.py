@@ -13,12 +13,14 @@ from tests.panels.curves_by_hand import (
     curve_through,
     hover,
     opened,
+    places,
     send,
     settle,
     the_curve,
 )
 from workbench.algorithms.curves import piece_points
 from workbench.document.curve_pieces import parameter_at, pieces_of
+from workbench.document.curve_settings import set_spline
 from workbench.document.model import SPLINES, Curve, CurvePoint
 from workbench.panels.curve_basis import MOST, basis_of
 from workbench.panels.curve_insight import switches
@@ -131,6 +133,37 @@ def test_a_knot_is_dragged_and_the_knots_become_free(qtbot):
     assert panel.session.undo_stack.count() == before + 1
     panel.session.undo_stack.undo()
     assert the_curve(panel).knot_rule == "open_uniform"
+
+
+def test_a_knot_is_removed_where_the_curve_stays(qtbot):
+    panel = opened(qtbot, curve_through(*PLACES[:5], spline="b_spline"))
+    before = the_curve(panel)
+    said = []
+    panel.hover_text.connect(said.append)
+    panel.beside.basis.knot_unwanted.emit("#4")
+    assert the_curve(panel) == before
+    assert "the curve would change by up to" in said[-1]
+    panel.beside.basis.knot_wanted.emit(0.5)
+    (new,) = [knot.id for knot in the_curve(panel).knots if knot.u == 0.5]
+    panel.beside.basis.knot_unwanted.emit(new)
+    assert len(the_curve(panel).points_world) == 5
+    np.testing.assert_allclose(places(panel), [(p.x, p.y) for p in before.points_world], atol=1e-9)
+    assert said[-1].startswith("The knot is gone")
+    panel.session.undo_stack.undo()
+    assert len(the_curve(panel).points_world) == 6
+
+
+def test_the_knot_nearest_to_u_is_removed_by_a_command(qtbot):
+    panel = opened(qtbot, curve_through(*PLACES[:5], spline="b_spline"))
+    panel.beside.basis.knot_wanted.emit(0.5)
+    panel.focus.set_u(0.26)
+    panel.commands.remove_knot_at_u()
+    assert 0.5 not in [knot.u for knot in the_curve(panel).knots]
+    said = []
+    panel.hover_text.connect(said.append)
+    panel.session.apply(set_spline(the_curve(panel).id, "bezier"), "Change kind")
+    panel.commands.remove_knot_at_u()
+    assert said == ["Only a B-spline or NURBS curve has knots; convert the curve before."]
 
 
 def test_a_knot_that_would_pass_its_neighbour_is_refused_in_words(qtbot):

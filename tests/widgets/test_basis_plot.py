@@ -258,6 +258,14 @@ def test_a_double_click_or_insert_asks_for_a_knot(qtbot: QtBot, plot: BasisPlot)
     assert wanted.all == pytest.approx([3.0, 1.5], abs=0.02)
 
 
+def test_delete_asks_for_the_chosen_knot_to_go(qtbot: QtBot, plot: BasisPlot):
+    unwanted = Told(plot.knot_unwanted)
+    qtbot.keyClick(plot.knots, Qt.Key.Key_Delete)
+    qtbot.mouseClick(plot.knots, LEFT, pos=place(plot, 4))
+    qtbot.keyClick(plot.knots, Qt.Key.Key_Delete)
+    assert unwanted.all == ["k4"]
+
+
 def test_knots_that_follow_a_rule_stay(qtbot: QtBot, plot: BasisPlot):
     plot.set_knots(list(zip(IDS, KNOTS, strict=True)), movable=False)
     told = [Told(signal) for signal in (plot.knot_dragged, plot.knot_released)]

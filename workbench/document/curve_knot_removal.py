@@ -47,13 +47,21 @@ def remove_knot(address: Address | str, tolerance_world: float = TOLERANCE_WORLD
     return changing(where.figure, change)
 
 
+def knots_fault(curve: Curve) -> str:
+    """The sentence that says why a curve has no knots; empty where it has."""
+    if curve.spline in B_SPLINES:
+        return ""
+    return _("Only a B-spline or NURBS curve has knots; convert the curve before.")
+
+
 def without_knot(curve: Curve, index: int) -> tuple[Curve, float]:
     """A B-spline without its knot number ``index``, and how far it is off at most, world.
 
     Raises: ValueError for another kind, for knots at the ends of the curve or beyond, and for too few points.
     """
-    if curve.spline not in B_SPLINES:
-        raise ValueError(_("Only a B-spline or NURBS curve has knots; convert the curve before."))
+    fault = knots_fault(curve)
+    if fault:
+        raise ValueError(fault)
     least = 3 if curve.closed else curve.degree + 1
     if len(curve.points_world) <= least:
         sentence = _("With one knot less there would be too few points; there must be {least} of them.")

@@ -17,7 +17,7 @@ from workbench.document.curve_edits import (
     set_weights,
 )
 from workbench.document.curve_pieces import goes_round, may_be_closed
-from workbench.document.edits import Edit, both, move_points
+from workbench.document.edits import Edit, move_points
 from workbench.document.errors import DocumentError
 from workbench.document.model import B_SPLINES, Curve, Document
 from workbench.language import _, ngettext
@@ -164,19 +164,19 @@ class CurveCommands(QObject):
             return
         if not self._pull.busy:
             self._pull.begin()
-        freed = set_knot_rule(curve.id, "free")
+        self._pull.show(self.knot_edit(curve, knot, lambda address: set_knot(address, u)), _("Move knot"))
 
-        def edit_knot(name: str) -> Edit:
-            return set_knot(self.address(curve, name, "u"), u)
-
+    def knot_edit(self, curve: Curve, knot: str, change: Callable[[str], Edit]) -> Edit:
+        """What is done to a knot, by id, or by # and its number where a rule makes it; these become free."""
         if not knot.startswith("#"):
-            self._pull.show(edit_knot(knot), _("Move knot"))
-            return
-        number = int(knot[1:])
-        self._pull.show(
-            lambda document: both(freed, edit_knot(_knot_id(freed(document), curve.id, number)))(document),
-            _("Move knot"),
-        )
+            return change(self.address(curve, knot, "u"))
+
+        def edit(document: Document) -> Document:
+            freed = set_knot_rule(curve.id, "free")(document)
+            name = curve_with(freed, curve.id).knots[int(knot[1:])].id
+            return change(self.address(curve, name, "u"))(freed)
+
+        return edit
 
     def pull_weight(self, number: int, weight: float) -> None:
         """Give a point another weight."""
@@ -192,7 +192,3 @@ class CurveCommands(QObject):
         """End a pull, as one step of undo."""
         if self._pull.busy:
             self._pull.commit()
-
-
-def _knot_id(document: Document, figure: str, number: int) -> str:
-    return curve_with(document, figure).knots[number].id

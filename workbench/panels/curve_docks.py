@@ -37,13 +37,14 @@ LIVE_MS = 6.0
 class CurveDocks(QObject):
     """Keeps the docks in step; ``refresh`` after anything changed, ``refresh_soon`` while it is dragged.
 
-    ``knot_dragged``, ``knot_released``, ``knot_wanted``, ``weight_dragged`` and ``weight_released`` are what
-    a hand wants of the curve.
+    ``knot_dragged``, ``knot_released``, ``knot_wanted``, ``knot_unwanted``, ``weight_dragged`` and
+    ``weight_released`` are what a hand wants of the curve.
     """
 
     knot_dragged = Signal(str, float)
     knot_released = Signal(str)
     knot_wanted = Signal(float)
+    knot_unwanted = Signal(str)
     weight_dragged = Signal(int, float)
     weight_released = Signal()
     smoothing_wanted = Signal(int, str)
@@ -68,6 +69,7 @@ class CurveDocks(QObject):
         self.basis.knot_dragged.connect(self.knot_dragged)
         self.basis.knot_released.connect(self.knot_released)
         self.basis.knot_wanted.connect(self.knot_wanted)
+        self.basis.knot_unwanted.connect(self.knot_unwanted)
         self.basis.weight_dragged.connect(self._drag_weight)
         self.basis.weight_released.connect(lambda _number: self.weight_released.emit())
         self._later = QTimer(self)

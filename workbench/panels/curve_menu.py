@@ -18,6 +18,7 @@ def groups() -> list[tuple[str, tuple[str, ...]]]:
             "",
             (
                 "insert",
+                "remove_knot",
                 "split",
                 "join",
                 "closed",

@@ -4,11 +4,12 @@ from functools import partial
 
 import numpy as np
 
-from workbench.document.curve_conversions import CONVERSIONS, convert, converted
+from workbench.document.curve_conversions import CONVERSIONS, TOLERANCE_WORLD, convert, converted
 from workbench.document.curve_cutting import insert_on_curve, insertion_note, split
 from workbench.document.curve_degrees import lower_degree, lowered, raise_degree
 from workbench.document.curve_joining import ALIGNMENTS, align, join, mirror, reverse
-from workbench.document.curve_pieces import goes_round, parameter_at, pieces_of
+from workbench.document.curve_knot_removal import knots_fault, remove_knot
+from workbench.document.curve_pieces import goes_round, knots_of, parameter_at, pieces_of
 from workbench.document.curve_shaping import SMOOTHNESS, smooth_joint, smoothing_moves
 from workbench.document.edits import add_figure, both, remove_figures
 from workbench.document.model import Curve, Polyline, WorldPoint
@@ -45,6 +46,7 @@ class CurveOperations(CurveCommands):
         return [
             *super().rows(),
             ("insert", _("Insert a point at u"), "plus-circle", "Ins", self.insert_at_u),
+            ("remove_knot", _("Remove the knot at u"), "minus-circle", "", self.remove_knot_at_u),
             ("split", _("Split at u"), "scissors", "X", self.split),
             ("join", _("Join two curves"), "link", "J", self.join),
             ("reverse", _("Reverse the direction"), "swap", "Shift+R", self.reverse),
@@ -103,6 +105,26 @@ class CurveOperations(CurveCommands):
     def insert_at_u(self) -> None:
         """Put a point into the curve at u."""
         self.with_curve(lambda curve: self.insert(curve, self.focus.u))
+
+    def remove_knot(self, knot: str) -> None:
+        """Take a knot, by id or # and its number, out of the curve where that stays nearly as it was."""
+        curve = self.focus.curve
+        if curve is not None and self.apply(self.knot_edit(curve, knot, remove_knot), _("Remove a knot")):
+            sentence = _("The knot is gone, and with it a point; the curve is off by {most:g} at most.")
+            self.said.emit(sentence.format(most=TOLERANCE_WORLD))
+
+    def remove_knot_at_u(self) -> None:
+        """Take the knot out that is nearest to u."""
+
+        def remove(curve: Curve) -> None:
+            fault = knots_fault(curve) or fault_of(curve)
+            if fault:
+                self.said.emit(fault)
+                return
+            number = int(np.abs(knots_of(curve) - parameter_at(curve, self.focus.u)).argmin())
+            self.remove_knot(curve.knots[number].id if curve.knots else f"#{number}")
+
+        self.with_curve(remove)
 
     def split(self) -> None:
         """Cut the curve at u; both parts are selected."""

@@ -61,6 +61,7 @@ class CurvesPanel(SteppedPanel):
         self.beside.measured.copied.connect(self.hover_text)
         self.beside.measured.example_wanted.connect(self.show_example)
         self.beside.knot_wanted.connect(self._insert_knot)
+        self.beside.knot_unwanted.connect(self.commands.remove_knot)
         self.beside.smoothing_wanted.connect(self._smooth)
         self.beside.knot_released.connect(self._let_go_of_plot)
         self.beside.weight_released.connect(self._let_go_of_plot)

@@ -28,6 +28,7 @@ class BasisPlot(QWidget):
     knot_dragged = Signal(str, float)
     knot_released = Signal(str)
     knot_wanted = Signal(float)
+    knot_unwanted = Signal(str)
     weight_dragged = Signal(int, float)
     weight_released = Signal(int)
 
@@ -51,6 +52,7 @@ class BasisPlot(QWidget):
         self.knots.knot_dragged.connect(self.knot_dragged)
         self.knots.knot_released.connect(self._knot_released)
         self.knots.knot_wanted.connect(self.knot_wanted)
+        self.knots.knot_unwanted.connect(self.knot_unwanted)
         self.weights.weight_dragged.connect(self.weight_dragged)
         self.weights.weight_released.connect(self.weight_released)
         theme.changed.connect(self.update)

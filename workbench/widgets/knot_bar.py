@@ -22,13 +22,14 @@ class KnotBar(ParameterPlot):
     """Equal knots stand above one another. A knot is dragged between its neighbours; Ctrl: to round places.
 
     ``knot_dragged`` sends where a hand wants a knot, ``knot_released`` that it let go (after a nudge at
-    once), ``knot_wanted`` the u of a double click or of Insert, where a new knot is asked for. The knots
-    shown change only by ``set_knots``.
+    once), ``knot_wanted`` the u of a double click or of Insert, where a new knot is asked for,
+    ``knot_unwanted`` the knot that Delete is pressed on. The knots shown change only by ``set_knots``.
     """
 
     knot_dragged = Signal(str, float)
     knot_released = Signal(str)
     knot_wanted = Signal(float)
+    knot_unwanted = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         self._knots: tuple[tuple[str, float], ...] = ()
@@ -57,7 +58,8 @@ class KnotBar(ParameterPlot):
 
     def _say_tip(self) -> None:
         movable = _(
-            "Drag a knot; double-click to insert one; Up and Down choose a knot, Left and Right move it"
+            "Drag a knot; double-click to insert one; Up and Down choose a knot, Left and Right move it, "
+            "Delete removes it"
         )
         self.setToolTip(movable if self._movable else _("These knots follow from the rule chosen for them"))
 
@@ -240,7 +242,7 @@ class KnotBar(ParameterPlot):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Up and Down choose a knot, then Left and Right move it (Shift: ten times as far) until Escape;
-        Insert asks for one at u."""
+        Insert asks for one at u, Delete for the one chosen to go."""
         key, modifiers = event.key(), event.modifiers()
         if self.empty:
             super().keyPressEvent(event)
@@ -252,6 +254,8 @@ class KnotBar(ParameterPlot):
             self._choose(-1)
         elif key in (Qt.Key.Key_Left, Qt.Key.Key_Right) and self._selected >= 0 and self._movable:
             self._nudge(key == Qt.Key.Key_Right, bool(modifiers & Qt.KeyboardModifier.ShiftModifier))
+        elif key == Qt.Key.Key_Delete and self._selected >= 0 and self._movable:
+            self.knot_unwanted.emit(self.selected)
         elif key == Qt.Key.Key_Insert and self._u is not None:
             self.knot_wanted.emit(self._u)
         else:
