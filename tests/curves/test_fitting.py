@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from tests.curves.made_curves import Array, point_lists
@@ -44,6 +44,20 @@ def test_every_point_is_passed_within_the_error(points: Array, tolerance: float)
     assert np.array_equal(pieces.controls[1:, 0], pieces.controls[:-1, -1])
     size = float(np.abs(points).max())
     assert farthest(pieces, points) <= error + 1e-2 * size
+
+
+@given(point_lists(3, 12), st.integers(0, 11), st.sampled_from([10.0, 0.5, 1e-3]))
+@example(np.array([[0.0, 0], [1, 2], [3, 3], [6, 2]]), 0, 1e-3)
+@example(np.array([[0.0, 0], [1, 2], [3, 3], [6, 2]]), 3, 1e-3)
+def test_a_point_given_twice_changes_nothing(points: Array, twice: int, tolerance: float) -> None:
+    assume(len(np.unique(points, axis=0)) > 1)
+    pieces, error = fit_pieces(points, tolerance)
+    again, same = fit_pieces(
+        np.insert(points, twice % len(points), points[twice % len(points)], axis=0), tolerance
+    )
+    assert same == error
+    assert np.array_equal(again.knots, pieces.knots)
+    assert np.array_equal(again.controls, pieces.controls)
 
 
 @given(st.integers(0, 2**32 - 1))

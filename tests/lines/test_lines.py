@@ -147,6 +147,12 @@ def test_halves_go_up_where_the_sum_is_exact(
     assert list(dda_line_fixed(*ends, 10)) == expected
 
 
+def test_dda_drifts_off_a_tie_since_it_adds_up() -> None:
+    assert 5 + 7 * (-3 / 14) == 3.5
+    assert half_up(true_points((5, 5, 2, -9))[7]) == (4, -2)
+    assert list(dda_line(5, 5, 2, -9))[7] == (3, -2)
+
+
 @given(ends=st.tuples(*[st.integers(-500, 500)] * 4))
 def test_fixed_point_with_24_bits_is_nearest_but_for_ties(ends: Ends) -> None:
     for point, pixel in zip(true_points(ends), dda_line_fixed(*ends, 24), strict=True):
