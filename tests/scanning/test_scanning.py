@@ -8,12 +8,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from workbench.algorithms import catalogue
 from workbench.algorithms.scanning.beam_spot import beam_spot
 from workbench.algorithms.scanning.phosphor_decay import phosphor_decay
 from workbench.algorithms.scanning.random_scan import random_scan
 from workbench.algorithms.scanning.raster_scan import raster_scan
 from workbench.display import MmStroke, Phosphor, RasterBeam, RasterTiming, Tube, VectorTiming
 from workbench.display.vector_beam import schedule
+from workbench.engine.observation import Step, Steps
+from workbench.engine.recorder import record
 
 P31 = Phosphor.named("P31")
 pictures = (
@@ -21,6 +24,25 @@ pictures = (
     .flatmap(lambda w: st.lists(st.lists(st.integers(0, 2), min_size=w, max_size=w), min_size=1, max_size=7))
     .map(np.array)
 )
+
+
+def steps_of(slug: str, *arguments) -> list[Step]:
+    """The steps of a text with a row of its hand table."""
+    entry = catalogue.get(slug)
+    return [step for step in Steps(entry, record(entry.function, *arguments)) if step.row]
+
+
+@given(pictures, st.integers(0, 5), st.integers(0, 5))
+@settings(max_examples=25, deadline=None)
+def test_each_line_of_a_raster_takes_its_clocks_whatever_the_picture(image, h_blank, v_blank) -> None:
+    height, width = image.shape
+    rows = [step.row for step in steps_of("raster_scan", image, h_blank, v_blank)]
+    lit = np.count_nonzero(image[::-1], axis=1).tolist()
+    assert rows == [(k, height - 1 - k, k * (width + h_blank), lit[k]) for k in range(height)]
+    entry = catalogue.get("raster_scan")
+    last = list(Steps(entry, record(entry.function, image, h_blank, v_blank)))[-1]
+    frame = (width + h_blank) * (height + v_blank)
+    assert "".join(part.text for part in last.sentence).endswith(f"one frame took {frame} clocks.")
 
 
 @given(pictures, st.integers(0, 5), st.integers(0, 5))
@@ -64,15 +86,9 @@ def test_the_vector_tube_takes_the_time_of_the_text(ends, pace, jump_pace, settl
     )
     strokes = [MmStroke(tuple(points[i]), tuple(points[i + 1]), (1.0,)) for i in range(0, len(points), 2)]
     segments = schedule(strokes, display, 1.0, (0.0, 0.0))
-    expected = 0.0
-    x, y = points[-1]
-    for (x0, y0), (x1, y1) in zip(points[::2], points[1::2], strict=True):
-        if (x0, y0) != (x, y):
-            expected += max(abs(x0 - x), abs(y0 - y)) * jump_pace + settle
-        expected += max(abs(x1 - x0), abs(y1 - y0)) * pace
-        x, y = x1, y1
+    *_others, time = steps_of("random_scan", points, pace, jump_pace, settle)[-1].row
     took = sum(s.duration_ps for s in segments if s.kind != "wait") * 1e-6
-    assert math.isclose(took, expected, rel_tol=1e-6, abs_tol=1e-4)
+    assert math.isclose(took, time, rel_tol=1e-6, abs_tol=1e-4)
 
 
 places = st.tuples(st.floats(12.0, 28.0), st.floats(12.0, 28.0))
@@ -102,6 +118,17 @@ def test_decay_is_the_same_in_one_step_and_in_many(dt: float, steps: int) -> Non
     assert math.isclose(many[-1][1], one[-1][1], rel_tol=1e-11, abs_tol=1e-300)
     for t, light in many:
         assert math.isclose(light, P31.intensity(t * 1e-3), rel_tol=1e-11, abs_tol=1e-300)
+
+
+@given(st.floats(0.01, 20.0), st.integers(1, 12))
+@settings(max_examples=25, deadline=None)
+def test_what_was_given_off_and_what_is_stored_make_the_energy_of_the_hit(dt: float, count: int) -> None:
+    terms = np.array([[term.weight, term.tau_s * 1e3] for term in P31.terms])
+    steps = steps_of("phosphor_decay", terms, dt, count)
+    assert len(steps) == count
+    for step in steps:
+        _k, _t, _light, emitted, stored = step.row
+        assert math.isclose(emitted + stored, terms.prod(axis=1).sum(), rel_tol=1e-11)
 
 
 @pytest.mark.parametrize("name", ["P1", "P31"])

@@ -69,7 +69,7 @@ ENTRY = Entry(
     views=(
         View(
             block="Scan the line from left to right",
-            row="(line, y, line * (width + h_blank), lit)",
+            row="(line, y, clock - width, lit)",
             sentence="Line {line} shows row {y}: {width} clocks, on {lit} of them the beam is on.",
         ),
         View(
