@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import bezier_point
+from workbench.document.curve_pieces import pieces_of
 from workbench.document.model import Circle, Curve, Ellipse, Line, Polygon, Polyline, Rectangle, Sheet
 from workbench.exchange.svg_paths import SvgError, read_svg
-from workbench.rendering.curves import pieces_of
 
 Array = NDArray[np.float64]
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 -100 100 100">'

@@ -14,6 +14,7 @@ from msgspec.structs import replace
 
 from tests.curves.made_curves import knot_vectors
 from workbench.document.building import without_ids
+from workbench.document.curve_pieces import fault_of, pieces_of
 from workbench.document.model import (
     SPLINES,
     Circle,
@@ -30,7 +31,6 @@ from workbench.document.model import (
     WorldPoint,
 )
 from workbench.exchange.svg_paths import read_svg, write_svg
-from workbench.rendering.curves import fault_of, pieces_of
 
 PALETTE = (0xFFFFFF, 0x000000, 0xCC3300, 0x0055AA)
 

@@ -109,12 +109,12 @@ def _sheet(document: Document, source: Path, number: int) -> Document:
 def _from_svg(
     source: Path, tolerance: float | None, wanted: tuple[int, int] | None
 ) -> tuple[Document, list[str]]:
-    from workbench.exchange.svg_paths import frame_of, read_svg, size_of
+    from workbench.exchange.svg_paths import frame_of, read_svg, read_tree, size_of
 
-    data = source.read_bytes()
-    window = frame_of(data)
-    sheet = _blank(window, wanted or _pixels(size_of(data) or (0.0, 0.0), window))
-    found = read_svg(data, sheet, tolerance)
+    root = read_tree(source.read_bytes())
+    window = frame_of(root)
+    sheet = _blank(window, wanted or _pixels(size_of(root) or (0.0, 0.0), window))
+    found = read_svg(root, sheet, tolerance)
     document = _filled(source, sheet, found.figures)
     return document, _approximated(found.approximated) + list(found.notes)
 

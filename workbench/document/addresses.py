@@ -214,8 +214,3 @@ def new_ids(document: Document, prefix: str, count: int) -> list[str]:
     """``count`` ids that ``document`` has never given, such as f7, f8: prefix s, f or p by habit."""
     first = max(document.last_id, highest(document)) + 1
     return [f"{prefix}{first + index}" for index in range(count)]
-
-
-def new_id(document: Document, prefix: str) -> str:
-    """An id that ``document`` has never given."""
-    return new_ids(document, prefix, 1)[0]

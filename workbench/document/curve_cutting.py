@@ -28,7 +28,7 @@ from workbench.document.curve_paths import (
     points_from,
     sound,
 )
-from workbench.document.curve_pieces import ends_steer, goes_round, knots_of, pieces_of
+from workbench.document.curve_pieces import ends_steer, goes_round, knots_of, pieces_of, place_of
 from workbench.document.curve_turns import (
     Rows,
     middle_turn,
@@ -84,15 +84,6 @@ def inserted(curve: Curve, u: float) -> Curve:
         slope = 0.5 * curves.piece_points(curves.piece_derivative(pieces), u)
         point = replace(point, tangent_x=float(slope[0]), tangent_y=float(slope[1]))
     return with_points(curve, min(index, len(curve.points_world)), (point,))
-
-
-def place_of(knots: Array, u: float) -> tuple[int, float]:
-    """Number of the piece that u lies in, and where in it, 0 to 1. Raises: ValueError outside."""
-    if not knots[0] <= u <= knots[-1]:
-        sentence = _("There is no u = {u:g} on this curve; choose it from {low:g} to {high:g}.")
-        raise ValueError(sentence.format(u=u, low=knots[0], high=knots[-1]))
-    piece, v, _length = curves.located(knots, u)
-    return int(piece), float(v)
 
 
 def _subdivided(path: Curve, piece: int, v: float) -> Curve:

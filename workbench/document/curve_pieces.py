@@ -11,6 +11,7 @@ from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces
 from workbench.algorithms.curves.sections import Ends
 from workbench.document.model import NEIGHBOUR_SPLINES, Curve
+from workbench.language import _
 
 Array = NDArray[np.float64]
 
@@ -195,10 +196,22 @@ def fault_of(curve: Curve, spline: str = "") -> str:
     return ""
 
 
+def place_of(knots: Array, u: float) -> tuple[int, float]:
+    """Number of the piece that u lies in, and where in it, 0 to 1. Raises: ValueError outside."""
+    if not knots[0] <= u <= knots[-1]:
+        sentence = _("There is no u = {u:g} on this curve; choose it from {low:g} to {high:g}.")
+        raise ValueError(sentence.format(u=u, low=knots[0], high=knots[-1]))
+    piece, v, _length = curves.located(knots, u)
+    return int(piece), float(v)
+
+
 def parameter_at(curve: Curve, share: float) -> float:
     """The parameter u at a share, 0 to 1, of the range of u. Raises: ValueError where there is no curve."""
     knots = pieces_of(curve).knots
-    return float(knots[-1] if share >= 1.0 else knots[0] + max(share, 0.0) * (knots[-1] - knots[0]))
+    if share >= 1.0:
+        return float(knots[-1])
+    # Rounding may not lead beyond the end.
+    return float(min(knots[0] + max(share, 0.0) * (knots[-1] - knots[0]), knots[-1]))
 
 
 def share_at(curve: Curve, u: float) -> float:

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from workbench.algorithms import curves
 from workbench.document.building import Edit, checked, number
 from workbench.document.curve_changes import changing
-from workbench.document.curve_cutting import place_of
 from workbench.document.curve_paths import (
     Places,
     handles_of,
@@ -26,6 +25,7 @@ from workbench.document.curve_pieces import (
     goes_round,
     knots_of,
     pieces_of,
+    place_of,
     points_of,
     weights_of,
 )

@@ -62,6 +62,7 @@ from workbench.language import _
 __all__ = [
     "Edit",
     "add_figure",
+    "add_figures",
     "add_ring",
     "add_sheet",
     "both",

@@ -29,7 +29,6 @@ from workbench.language import _
 Array = NDArray[np.float64]
 
 _MOST_PIECES = (Curve.most_points - 1) // 3
-_IDENTITY = np.eye(2, 3)
 
 
 @dataclass(slots=True)
@@ -181,8 +180,8 @@ def _plain_figure(shape: Shape, matrix: Array, colour: int) -> AnyFigure | None:
     rounded = tag == "rect" and "A" in outline_data(element)
     if tag == "path" or rounded:
         return None
-    corners = [run.begin for run in _outlines(element, matrix, 1.0)]
-    corners += [segment[-1] for run in _outlines(element, matrix, 1.0) for segment in run.segments]
+    runs = _outlines(element, matrix, 1.0)
+    corners = [run.begin for run in runs] + [segment[-1] for run in runs for segment in run.segments]
     closed = tag in ("polygon", "rect")
     if closed and len(corners) > 1 and np.array_equal(corners[0], corners[-1]):
         corners.pop()

@@ -69,12 +69,13 @@ class Imported(NamedTuple):
         return max((error for _name, error in self.approximated), default=0.0)
 
 
-def read_svg(text: str | bytes, sheet: Sheet, tolerance: float | None = None) -> Imported:
-    """The figures of an SVG, for ``sheet``; arcs within ``tolerance``, world, by default a 20th of a pixel.
+def read_svg(drawing: str | bytes | Element, sheet: Sheet, tolerance: float | None = None) -> Imported:
+    """The figures of an SVG, its text or its tree, for ``sheet``.
 
+    Arcs are within ``tolerance``, world, by default a 20th of a pixel.
     Raises: SvgError, one sentence with line, column and number of the path's command; nothing is half read.
     """
-    root = read_tree(text)
+    root = drawing if isinstance(drawing, Element) else read_tree(drawing)
     stated = _frame(root)
     walk = _Walk(root, stated[2:] if stated else (0.0, 0.0))
     walk.into(root, np.eye(2, 3), {})
@@ -102,12 +103,11 @@ def read_svg(text: str | bytes, sheet: Sheet, tolerance: float | None = None) ->
     return Imported(tuple(figures), tuple(approximated), tuple(dict.fromkeys(notes)))
 
 
-def frame_of(text: str | bytes) -> Rectangle:
+def frame_of(root: Element) -> Rectangle:
     """The window, world, in which the drawing keeps its own coordinates, but for y, which goes upwards.
 
     Raises: SvgError.
     """
-    root = read_tree(text)
     stated = _frame(root)
     if stated is None:
         walk = _Walk(root, (0.0, 0.0))
@@ -117,9 +117,8 @@ def frame_of(text: str | bytes) -> Rectangle:
     return Rectangle(x, -(y + height), x + width, -y)
 
 
-def size_of(text: str | bytes) -> tuple[float, float] | None:
+def size_of(root: Element) -> tuple[float, float] | None:
     """Width and height that the drawing wants to be shown in, pixels of 1/96 inch, if it states both."""
-    root = read_tree(text)
     if any("%" in root.attributes.get(name, "%") for name in ("width", "height")):
         return None
     width, height = length_of(root, "width"), length_of(root, "height")

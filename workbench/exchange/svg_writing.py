@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import to_cubic_pieces
+from workbench.document.curve_pieces import fault_of, pieces_of
 from workbench.document.model import (
     AnyFigure,
     Circle,
@@ -28,7 +29,6 @@ from workbench.exchange.svg_colours import written
 from workbench.exchange.svg_originals import kept
 from workbench.exchange.svg_tree import OWN, SVG
 from workbench.language import _
-from workbench.rendering.curves import fault_of, pieces_of
 from workbench.rendering.mapping import device_map
 
 _TOLERANCE_PX = 0.05

@@ -7,9 +7,9 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import basis_table, bernstein, piece_points
+from workbench.document.curve_pieces import b_spline_of, pieces_of
 from workbench.document.model import B_SPLINES, Curve
 from workbench.panels.curve_names import is_handle, point_name
-from workbench.rendering.curves import b_spline_of, pieces_of
 
 Array = NDArray[np.float64]
 

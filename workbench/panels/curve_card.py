@@ -19,7 +19,7 @@ from workbench.document.curve_edits import (
     set_knot_rule,
     set_spline,
 )
-from workbench.document.curve_pieces import ends_steer, goes_round, may_be_closed
+from workbench.document.curve_pieces import ends_steer, fault_of, goes_round, may_be_closed
 from workbench.document.edits import Edit, both, set_attributes
 from workbench.document.errors import DocumentError
 from workbench.document.model import (
@@ -49,7 +49,6 @@ from workbench.panels.curve_shape import has_tangent
 from workbench.panels.figure_card import ParameterCard
 from workbench.panels.figure_tools import FigureTool
 from workbench.rendering.curve_runs import construction_fault, construction_of
-from workbench.rendering.curves import fault_of
 from workbench.widgets.canvas_drawing import ink_of
 from workbench.widgets.icons import set_icon
 from workbench.widgets.number_field import NumberField

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces, piece_points
-from workbench.document.curve_pieces import parameter_at, share_at
+from workbench.document.curve_pieces import fault_of, parameter_at, share_at
 from workbench.document.model import B_SPLINES, Curve
 from workbench.language import _
 from workbench.panels.curve_basis import MOST, NOTHING, Basis, basis_of
@@ -17,7 +17,6 @@ from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_insight import CurveInsight
 from workbench.panels.curve_joints import joint_point, joints
 from workbench.panels.curve_shape import device_pieces
-from workbench.rendering.curves import fault_of
 from workbench.widgets.basis_plot import BasisPlot
 from workbench.widgets.canvas_drawing import data_ink
 from workbench.widgets.continuity_table import ContinuityTable

@@ -9,7 +9,7 @@ from workbench.document.curve_cutting import insert_on_curve, insertion_note, sp
 from workbench.document.curve_degrees import lower_degree, lowered, raise_degree
 from workbench.document.curve_joining import ALIGNMENTS, align, join, mirror, reverse
 from workbench.document.curve_knot_removal import knots_fault, remove_knot
-from workbench.document.curve_pieces import goes_round, knots_of, parameter_at, pieces_of
+from workbench.document.curve_pieces import fault_of, goes_round, knots_of, parameter_at, pieces_of
 from workbench.document.curve_shaping import SMOOTHNESS, smooth_joint, smoothing_moves
 from workbench.document.edits import add_figure, both, remove_figures
 from workbench.document.model import Curve, Polyline, WorldPoint
@@ -18,7 +18,7 @@ from workbench.panels.curve_commands import CurveCommands
 from workbench.panels.curve_names import point_name, spline_title
 from workbench.panels.figure_actions import Row
 from workbench.rendering import device_map
-from workbench.rendering.curves import fault_of, polyline_of
+from workbench.rendering.curves import polyline_of
 
 _ALIGN_ICONS = {
     "left": "align-left",

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import Pieces, piece_points, polyline
-from workbench.document.curve_pieces import goes_round, parameter_at
+from workbench.document.curve_pieces import goes_round, parameter_at, pieces_of
 from workbench.document.model import Curve, Sheet
 from workbench.panels.curve_names import look_of, point_name
 from workbench.panels.curve_shape import (
@@ -19,7 +19,6 @@ from workbench.panels.curve_shape import (
     tangent_ends,
 )
 from workbench.rendering.curve_runs import construction_levels
-from workbench.rendering.curves import pieces_of
 from workbench.widgets.canvas_drawing import Drawn, Spot, Stroke, Word
 
 Array = NDArray[np.float64]

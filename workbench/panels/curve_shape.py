@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import Pieces, piece_points
+from workbench.document.curve_pieces import points_of
 from workbench.document.model import TANGENT_SPLINES, Curve, Sheet
 from workbench.rendering import curves, device_map
 
@@ -26,7 +27,7 @@ def device_pieces(sheet: Sheet, curve: Curve, spline: str = "") -> Pieces | None
 
 def device_points(sheet: Sheet, curve: Curve) -> Array:
     """The control points (n, 2), device coordinates."""
-    return device_map(sheet).points(curves.points_of(curve))
+    return device_map(sheet).points(points_of(curve))
 
 
 def smooth_line(sheet: Sheet, curve: Curve, spline: str = "") -> Array:

@@ -4,8 +4,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.algorithms.curves import knot_spans, located
-from workbench.document.curve_pieces import b_spline_of, fault_of, parameter_at, pieces_of, weights_of
+from workbench.algorithms.curves import knot_spans
+from workbench.document.curve_pieces import (
+    b_spline_of,
+    fault_of,
+    parameter_at,
+    pieces_of,
+    place_of,
+    weights_of,
+)
 from workbench.document.model import B_SPLINES, Curve, Sheet
 from workbench.language import _
 from workbench.rendering.curves import device_pieces
@@ -52,7 +59,7 @@ def curve_calls(sheet: Sheet, curve: Curve, slug: str, share: float) -> list[Cal
             return [Call(entry, (device, pulls, knots, curve.degree, u))]
         last: float | int = u if entry.slug == "de_boor" else _SAMPLES_PER_SPAN * spans + 1
         return [Call(entry, (device, knots, curve.degree, last))]
-    piece, v = piece_at(curve, share)
+    piece, v = place_of(pieces_of(curve).knots, u)
     controls: NDArray[np.float64] = np.ascontiguousarray(device_pieces(sheet, curve).controls[piece])
     return [Call(entry, (controls, v if entry.slug == "de_casteljau" else curve.tolerance_px))]
 
@@ -76,9 +83,3 @@ def construction_levels(sheet: Sheet, curve: Curve, share: float) -> list[NDArra
     made = np.array(list(function(*calls[0].arguments))).reshape(-1, 2)
     ends = np.cumsum(np.arange(len(controls) - 1, 0, -1))
     return [controls, *np.split(made, ends[:-1])]
-
-
-def piece_at(curve: Curve, share: float) -> tuple[int, float]:
-    """Number of the piece at a share of the range of u, and where in it, 0 to 1. Raises: ValueError."""
-    piece, v, _length = located(pieces_of(curve).knots, parameter_at(curve, share))
-    return int(piece), float(v)

@@ -7,27 +7,9 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces
-from workbench.document.curve_pieces import (
-    b_spline_of,
-    fault_of,
-    pieces_of,
-    points_of,
-    tangents_of,
-    weights_of,
-)
+from workbench.document.curve_pieces import fault_of, pieces_of
 from workbench.document.model import Curve, Sheet
 from workbench.rendering.mapping import DeviceMap, device_map
-
-__all__ = [
-    "b_spline_of",
-    "device_pieces",
-    "fault_of",
-    "pieces_of",
-    "points_of",
-    "polyline_of",
-    "tangents_of",
-    "weights_of",
-]
 
 Array = NDArray[np.float64]
 
