@@ -45,6 +45,7 @@ def with_docks(qtbot, *curves):
     qtbot.waitExposed(window)
     panel.docked_in = window
     panel.refresh()
+    qtbot.waitUntil(lambda: not panel.beside.comparing)
     settle()
     return panel
 
@@ -277,6 +278,7 @@ def test_the_same_points_through_several_kinds_are_compared(qtbot):
     panel.beside.measured.kind_activated.emit(names.index("Catmull-Rom spline"))
     settle()
     assert the_curve(panel).beside == ("catmull_rom",)
+    qtbot.waitUntil(lambda: not panel.beside.comparing)
     assert [kind.name for kind in table.kinds] == ["B-spline", "Catmull-Rom spline"]
 
 

@@ -75,6 +75,10 @@ class CurveDocks(QObject):
         self._later.setSingleShot(True)
         self._later.setInterval(THROTTLE_MS)
         self._later.timeout.connect(self.refresh)
+        self._kinds = QTimer(self)
+        self._kinds.setSingleShot(True)
+        self._kinds.setInterval(THROTTLE_MS)
+        self._kinds.timeout.connect(self._show_kinds)
 
     def parts(self) -> list[DockPart]:
         """Name, title, widget and place of each dock."""
@@ -87,6 +91,11 @@ class CurveDocks(QObject):
             ("curvature", _("Curvature"), self.curvature, right),
             ("hodograph", _("Hodograph"), self.hodograph, right),
         ]
+
+    @property
+    def comparing(self) -> bool:
+        """Whether the comparison of kinds is still to be shown."""
+        return self._kinds.isActive()
 
     def refresh_soon(self) -> None:
         """Follow a drag, but not at every step of it; what takes long waits until the drag ends."""
@@ -113,10 +122,17 @@ class CurveDocks(QObject):
         if self.continuity.isVisible():
             self._show_joints(curve)
         if self.measured.isVisible():
-            found = () if curve is None else rows(self.focus.session.sheet, curve)
-            self.measured.set_rows(measures(), found, "" if found else why_none(curve))
+            self._kinds.start()
         if self.insight.isVisible():
             self.insight.say(_measures(pieces, u))
+
+    def _show_kinds(self) -> None:
+        """The comparison has a turn of its own: it measures several curves, and takes as long as the rest."""
+        begun = time.perf_counter()
+        curve = self.focus.curve
+        found = () if curve is None else rows(self.focus.session.sheet, curve)
+        self.measured.set_rows(measures(), found, "" if found else why_none(curve))
+        self._took_ms += (time.perf_counter() - begun) * 1e3
 
     def _show_basis(self, curve: Curve | None, u: float | None) -> None:
         # Of a curve of few points all functions are shown, and then they do not depend on u.
