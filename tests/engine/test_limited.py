@@ -9,6 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.entry import Entry
+from workbench.algorithms.seed_fill.example import BOUNDED
 from workbench.engine.limited import collect_limited
 from workbench.engine.observation import Steps
 from workbench.engine.pending import Depths, PixelTests, calls_itself, keeps_stack, pending
@@ -109,6 +111,37 @@ def test_tests_are_counted_where_they_were_made(picture: np.ndarray) -> None:
         expected += padded[1 + dy : 1 + dy + height, 1 + dx : 1 + dx + width]
     expected[height // 2, width // 2] += 1
     assert (tested.counts(len(steps), (width, height)) == expected).all()
+
+
+def reach(row, x):
+    """The first pixel from x on that is not free.
+
+    A text of its own, with a line before its loop.
+    """
+    at = x
+    x = at
+    while x < len(row) and row[x] == 0:
+        x += 1
+    return x
+
+
+def fill_rows(image, x, y):
+    """Fill from a column on, row by row."""
+    while y < len(image):
+        # Fill the row
+        end = reach(image[y], x)
+        image[y, x:end] = 1
+        yield y, x, end - 1
+        y += 1
+
+
+def test_tests_are_counted_in_the_functions_that_an_entry_names() -> None:
+    entry = Entry(fill_rows, "seed_fill", "Rows", "", BOUNDED, "spans", "", tests_in=(reach,))
+    steps = Steps(entry, record(fill_rows, np.array([[0, 0, 0, 9], [0, 0, 9, 0]]), 0, 0))
+    tested = PixelTests(steps)
+    while tested.advance(3):
+        pass
+    assert tested.counts(len(steps), (4, 2)).tolist() == [[1, 1, 1, 1], [1, 1, 1, 0]]
 
 
 def test_calls_under_way_are_the_path_to_the_pixel() -> None:

@@ -4,7 +4,10 @@ A text with a list named ``stack`` keeps it itself; one that calls itself has th
 Only the columns that are needed are read, since a picture among the variables makes a whole moment dear.
 """
 
+import ast
 import inspect
+from collections.abc import Callable
+from textwrap import dedent
 from typing import Any
 
 import numpy as np
@@ -116,18 +119,24 @@ class Depths:
         return self._known <= len(steps)
 
 
-_RUNS = ("run_left", "run_right")
+def _loop_line(function: Callable[..., Any]) -> int:
+    """The line of the first loop of a function."""
+    lines, first = inspect.getsourcelines(function)
+    loops = [node for node in ast.walk(ast.parse(dedent("".join(lines)))) if isinstance(node, ast.While)]
+    return first - 1 + min(loop.lineno for loop in loops)
 
 
 class PixelTests:
     """Which pixel each step tested, found in slices.
 
-    A text that fills by spans tests in the loops of its runs: every pass through their header is one test.
+    A text that fills by spans tests in the functions of ``Entry.tests_in``: every pass through the header of
+    their loop is one test.
     """
 
     def __init__(self, steps: Steps) -> None:
         self._steps = steps
         self._looked = 0
+        self._headers = {function: _loop_line(function) for function in steps.entry.tests_in}
         self._step: list[int] = []
         self._cells: list[Cell] = []
 
@@ -138,7 +147,7 @@ class PixelTests:
     def advance(self, most: int) -> bool:
         """Look at up to ``most`` further visits; True while there are more."""
         recording = self._steps.recording
-        if any(text.name in _RUNS for text in recording.texts):
+        if self._headers:
             return self._advance_runs(recording, 4 * most)
         found, self._looked, more = self._steps.considered(self._looked, most)
         for event, cell in found:
@@ -147,15 +156,11 @@ class PixelTests:
         return more
 
     def _advance_runs(self, recording: Recording, most: int) -> bool:
-        headers = {
-            number: text.function.__code__.co_firstlineno + 2
-            for number, text in enumerate(recording.texts)
-            if text.name in _RUNS
-        }
+        headers = [self._headers.get(text.function) for text in recording.texts]
         last = min(self._looked + most, len(recording))
         for event in range(self._looked, last):
             frame = recording.frame_column[event]
-            if recording.line_column[event] == headers.get(recording.frame_texts[frame]):
+            if recording.line_column[event] == headers[recording.frame_texts[frame]]:
                 found = read(recording, event, ("x",))
                 parent = recording.frame_parents[frame]
                 above = recording.columns(recording.frame_depths[parent], recording.frame_texts[parent])

@@ -93,6 +93,7 @@ ENTRY = Entry(
     columns=COLUMNS,
     views=VIEWS,
     view_functions=(tested_pixels,),
+    tests_in=(run_left, run_right),
     laws=(
         "The pixels are those of the boundary fill with a stack, 4-connected.",
         "Each pixel is coloured once.",
