@@ -98,6 +98,24 @@ def test_what_is_clipped_at_once_is_clipped_as_one_by_one(sheet: Sheet) -> None:
             assert [tuple(stroke[:4]) for stroke in strokes] == seen
 
 
+def test_two_figures_alike_do_not_take_each_others_table(monkeypatch: pytest.MonkeyPatch) -> None:
+    corners = [(float(17 * k % 53), float(29 * k % 37)) for k in range(100)]
+    emissions._batches.clear()
+    made = []
+    real = emissions._made_from
+    monkeypatch.setattr(emissions, "_made_from", lambda *given: made.append(len(given[2])) or real(*given))
+    for number in range(100):
+        figures = [polyline(places, 1, "", False) for places in ([*corners[:-1], (number, 3)], corners)]
+        frame_buffer(document_of("Lines", 60, 40, figures).sheets[0])
+    # One table for each place of the end that is dragged, and one for the figure that stays.
+    assert len(made) == 101
+    (kept,) = emissions._batches.values()
+    assert len(kept.batches) == emissions._KEPT
+    monkeypatch.setattr(emissions, "_KEPT_ROWS", 10_000)
+    frame_buffer(document_of("Lines", 60, 40, [polyline(corners[::-1], 1, "", False)]).sheets[0])
+    assert sum(len(batch.rows) for batch in kept.batches.values()) <= 10_000
+
+
 def test_a_kernel_for_many_calls_gives_the_same_rows(monkeypatch: pytest.MonkeyPatch) -> None:
     corners = [(float(17 * k % 53), float(29 * k % 37)) for k in range(100)]
     sheet = document_of("Lines", 60, 40, [polyline(corners, 1, "", False)]).sheets[0]

@@ -79,8 +79,9 @@ class Entry:
     writes in place (then a painting sink writes nothing). ``compiles`` is empty, or says why this text is
     stepped only. ``extent`` is an expression over the parameters for a box (x_min, y_min, x_max, y_max) that
     no emitted pixel leaves: a figure whose box lies inside the picture is painted without testing each pixel.
-    ``count`` is one for how many tuples are emitted, where that is known beforehand. ``tests_in``
-    are functions that the text calls: each look at the condition of their loop tests a pixel, their x in the caller's y.
+    ``count`` is one for how many tuples are emitted, where that is known beforehand. Each look at
+    the condition of the loop in one of ``tests_in``, functions that the text calls, tests a pixel: their x in
+    the caller's y.
     """
 
     function: Callable[..., Iterator[tuple[Any, ...]]]

@@ -3,6 +3,7 @@
 The plain reading serves for short runs and until a kernel is ready; nothing here compiles.
 """
 
+from collections import deque
 from collections.abc import Callable, Iterator
 from functools import lru_cache
 from hashlib import blake2b
@@ -29,11 +30,11 @@ _MOST_COLUMNS = 3
 _MANY_CALLS = 64
 """Calls from which one run of a kernel for all of them is worth it."""
 
-_KEPT = 64
-"""Tables of calls of which everything emitted is kept."""
+_KEPT, _KEPT_ROWS = 64, 4_000_000
+"""Tables of calls of which everything emitted is kept, and how much of it: the last ones asked for."""
 
 _RECENT = 8
-"""The last of these are looked through for one that is nearly the same: a drag changes a few rows of one."""
+"""The last made are looked through for one that is nearly the same: a drag changes a few rows of one."""
 
 
 def _expected_length(arguments: tuple[Any, ...]) -> int:
@@ -112,7 +113,35 @@ class _Batch(NamedTuple):
     ends: NDArray[np.int64]
 
 
-_batches: dict[Function, dict[bytes, _Batch]] = {}
+class _Kept:
+    """The tables of one text by their content, the last one asked for last, and the last ones made."""
+
+    def __init__(self) -> None:
+        self.batches: dict[bytes, _Batch] = {}
+        self._made: deque[bytes] = deque(maxlen=_RECENT)
+
+    def take(self, key: bytes) -> _Batch | None:
+        """The table with this content, if it is there."""
+        found = self.batches.pop(key, None)
+        if found is not None:
+            self.batches[key] = found
+        return found
+
+    @property
+    def recent(self) -> list[_Batch]:
+        """The last ones made of those that are there."""
+        return [self.batches[key] for key in self._made if key in self.batches]
+
+    def put(self, key: bytes, batch: _Batch) -> None:
+        """Keep a table, and let go of those that were not asked for the longest."""
+        self.batches[key] = batch
+        self._made.append(key)
+        rows = sum(len(other.rows) for other in self.batches.values())
+        while len(self.batches) > _KEPT or (rows > _KEPT_ROWS and len(self.batches) > 1):
+            rows -= len(self.batches.pop(next(iter(self.batches))).rows)
+
+
+_batches: dict[Function, _Kept] = {}
 _keeping = Lock()
 
 
@@ -124,24 +153,19 @@ def emitted_by_all(entry: Entry, table: NDArray[np.int64]) -> tuple[Emitted, NDA
     """
     key = table.tobytes()
     with _keeping:
-        known = _batches.setdefault(entry.function, {})
-        found = known.get(key)
-        recent = [] if found else list(known.items())[-_RECENT:]
+        known = _batches.setdefault(entry.function, _Kept())
+        found = known.take(key)
+        recent = [] if found else known.recent
     if found is None:
-        old, found = _made_from(entry, recent, table)
+        found = _made_from(entry, recent, table)
         with _keeping:
-            known.pop(old, None)
-            known[key] = found
-            if len(known) > _KEPT:
-                del known[next(iter(known))]
+            known.put(key, found)
     return found.rows, found.ends
 
 
-def _made_from(
-    entry: Entry, recent: list[tuple[bytes, _Batch]], table: NDArray[np.int64]
-) -> tuple[bytes, _Batch]:
-    """What a table emits, and the key of the recent one that it is made from and takes the place of."""
-    old, best, front, back = _nearest(recent, table)
+def _made_from(entry: Entry, recent: list[_Batch], table: NDArray[np.int64]) -> _Batch:
+    """What a table emits, made from the recent one that is nearest to it."""
+    best, front, back = _nearest(recent, table)
     middle, ends = _run_all(entry, table[front : len(table) - back])
     parts = [middle]
     if best is not None:
@@ -152,23 +176,21 @@ def _made_from(
         ends = np.concatenate([best.ends[:front], ends + head, best.ends[after:] + shift])
     rows: Emitted = np.concatenate([part for part in parts if len(part)] or parts[:1])
     rows.setflags(write=False)
-    return old, _Batch(table, rows, ends)
+    return _Batch(table, rows, ends)
 
 
-def _nearest(
-    recent: list[tuple[bytes, _Batch]], table: NDArray[np.int64]
-) -> tuple[bytes, _Batch | None, int, int]:
-    """The table with most rows in common, its key, and how many they are at its begin and at its end."""
-    found: tuple[bytes, _Batch | None, int, int] = (b"", None, 0, 0)
-    for key, batch in recent:
+def _nearest(recent: list[_Batch], table: NDArray[np.int64]) -> tuple[_Batch | None, int, int]:
+    """The table with most rows in common, and how many they are at its begin and at its end."""
+    found: tuple[_Batch | None, int, int] = (None, 0, 0)
+    for batch in recent:
         shorter = min(len(batch.table), len(table))
         differs = (batch.table[:shorter] != table[:shorter]).any(axis=1)
         front = int(differs.argmax()) if differs.any() else shorter
         rest = shorter - front
         again = (batch.table[len(batch.table) - rest :] != table[len(table) - rest :]).any(axis=1)[::-1]
         back = int(again.argmax()) if again.any() else rest
-        if front + back > found[2] + found[3]:
-            found = key, batch, front, back
+        if front + back > found[1] + found[2]:
+            found = batch, front, back
     return found
 
 
