@@ -99,6 +99,14 @@ def test_corners_stay_sharp() -> None:
     assert {tuple(p) for p in pieces.controls[:, 0].round(9)} == {(0, 0), (10, 0), (10, 10), (0, 10)}
 
 
+def test_a_corner_cut_by_less_than_can_be_seen_is_one_corner() -> None:
+    side = np.linspace(0, 10, 41)
+    along, up = np.column_stack([side, 0 * side]), np.column_stack([0 * side + 10.1, side + 0.1])
+    pieces, _error = fit_pieces(np.vstack([along, up]), 0.5)
+    assert len(pieces.controls) == 2
+    assert angles(pieces).min() > math.pi / 3
+
+
 @given(st.integers(0, 2**32 - 1))
 def test_what_a_mouse_draws_becomes_a_smooth_curve(seed: int) -> None:
     turn = np.linspace(0, 3, 150)

@@ -53,7 +53,8 @@ def elevate_b_spline(points: ArrayLike, knots: ArrayLike, degree: int) -> tuple[
     raised = raised[begin - degree - 1 : end + degree + 2]
     new = np.arange(len(raised) - degree - 2)
     spans = _full_spans(t, degree)
-    span = _widest_spans(t, spans, raised[new], raised[new + degree + 2])
+    # Any span between the outer knots will do: the first one there
+    span = spans[np.minimum(np.searchsorted(t[spans + 1], raised[new], side="right"), len(spans) - 1)]
     own = raised[new[:, None] + np.arange(1, degree + 2)]
     # The order is free; with the nearest on the last level, which is the narrowest, the least is lost
     away = np.maximum(t[span, None] - own, own - t[span + 1, None])
@@ -62,14 +63,6 @@ def elevate_b_spline(points: ArrayLike, knots: ArrayLike, degree: int) -> tuple[
     for left_out in range(degree + 1):
         total += blossom(controls, t, degree, span, np.delete(own, left_out, axis=1))
     return total / (degree + 1), raised
-
-
-def _widest_spans(knots: Array, spans: NDArray[np.int64], begins: Array, ends: Array) -> NDArray[np.int64]:
-    """Of the ``spans`` between each begin and end the widest, from which a blossom is the least uncertain."""
-    widths = knots[spans + 1] - knots[spans]
-    first = np.minimum(np.searchsorted(knots[spans + 1], begins, side="right"), len(spans) - 1)
-    stop = np.maximum(np.searchsorted(knots[spans], ends, side="left"), first + 1)
-    return spans[[low + int(widths[low:high].argmax()) for low, high in zip(first, stop, strict=True)]]
 
 
 def _full_spans(knots: Array, degree: int) -> NDArray[np.int64]:
