@@ -290,10 +290,14 @@ def _hint(window: MainWindow) -> None:
 
 
 def _question(window: MainWindow) -> None:
+    from workbench.document.edits import move_figures
+
     _draw(window, 3)
-    window.messages.ask(
-        _("Untitled has changes that are not saved."), [(_("Save"), _nothing), (_("Cancel"), _nothing)]
-    )
+    session = window.session
+    session.apply(move_figures(session.state.selection, 0, 1), _("Move"))
+    session.update_state(step=3)
+    window.files.unless_unsaved(lambda: None)
+    session.undo_stack.setClean()
 
 
 def _empty(window: MainWindow) -> None:
@@ -330,10 +334,6 @@ def _clip_asked(window: MainWindow) -> None:
 def _palette(window: MainWindow) -> None:
     _draw(window, 2)
     window.show_palette()
-
-
-def _nothing() -> None:
-    """A button of a picture."""
 
 
 def _themes(text: str) -> tuple[str, ...]:
