@@ -1,7 +1,7 @@
 """What edits are made of: a document with something replaced, figures with ids, plain numbers."""
 
 import operator
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from functools import wraps
 from typing import Any, ParamSpec, SupportsFloat, SupportsIndex
 
@@ -113,11 +113,16 @@ def remembering(before: Document, after: Document) -> Document:
 def numbered(document: Document, figure: AnyFigure) -> AnyFigure:
     """``figure`` with new ids where its own are empty."""
     fresh = iter(new_ids(document, "", len(ids_of(figure))))
-    identity = figure.id or f"f{next(fresh)}"
-    points = tuple(p if p.id else replace(p, id=f"p{next(fresh)}") for p in figure.points_world)
+    return with_ids(figure, fresh, fresh)
+
+
+def with_ids(figure: AnyFigure, own: Iterator[object], parts: Iterator[object]) -> AnyFigure:
+    """``figure`` with ids where they are empty: the next of ``own`` for itself, of ``parts`` for points and knots."""
+    identity = figure.id or f"f{next(own)}"
+    points = tuple(p if p.id else replace(p, id=f"p{next(parts)}") for p in figure.points_world)
     made = replace(figure, id=identity, points_world=points)
     if isinstance(made, Curve):
-        knots = tuple(k if k.id else replace(k, id=f"k{next(fresh)}") for k in made.knots)
+        knots = tuple(k if k.id else replace(k, id=f"k{next(parts)}") for k in made.knots)
         made = replace(made, knots=knots)
     return made
 
@@ -126,14 +131,7 @@ def all_numbered(document: Document, figures: Iterable[AnyFigure]) -> tuple[AnyF
     """``figures`` with Python's own numbers and new ids, whatever ids they had."""
     bare = [without_ids(plain(figure)) for figure in figures]
     fresh = iter(new_ids(document, "", sum(len(ids_of(figure)) for figure in bare)))
-    made = []
-    for figure in bare:
-        points = tuple(replace(p, id=f"p{next(fresh)}") for p in figure.points_world)
-        named = replace(figure, id=f"f{next(fresh)}", points_world=points)
-        if isinstance(named, Curve):
-            named = replace(named, knots=tuple(replace(k, id=f"k{next(fresh)}") for k in named.knots))
-        made.append(named)
-    return tuple(made)
+    return tuple(with_ids(figure, fresh, fresh) for figure in bare)
 
 
 def without_ids(figure: AnyFigure) -> AnyFigure:

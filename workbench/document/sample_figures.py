@@ -6,9 +6,9 @@ from itertools import accumulate, count
 
 from msgspec.structs import replace
 
+from workbench.document.building import with_ids, without_ids
 from workbench.document.model import (
     AnyFigure,
-    Curve,
     Document,
     Line,
     Polygon,
@@ -46,15 +46,9 @@ def document_of(
 ) -> Document:
     """One sheet, whose world is its pixels, with these figures from back to front."""
     whole = whole_sheet(width_px, height_px)
-    numbers = count(1)
-    numbered = []
-    for number, figure in enumerate(figures, 1):
-        points = tuple(replace(point, id=f"p{next(numbers)}") for point in figure.points_world)
-        made = replace(figure, id=f"f{number}", points_world=points)
-        if isinstance(made, Curve):
-            made = replace(made, knots=tuple(replace(k, id=f"k{next(numbers)}") for k in made.knots))
-        numbered.append(made)
-    sheet = Sheet("s1", name, width_px, height_px, whole, whole, PALETTE, tuple(numbered))
+    own, parts = count(1), count(1)
+    numbered = tuple(with_ids(without_ids(figure), own, parts) for figure in figures)
+    sheet = Sheet("s1", name, width_px, height_px, whole, whole, PALETTE, numbered)
     return Document((replace(sheet, clip_world=clip_world),))
 
 
