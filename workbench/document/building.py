@@ -117,7 +117,7 @@ def numbered(document: Document, figure: AnyFigure) -> AnyFigure:
 
 
 def with_ids(figure: AnyFigure, own: Iterator[object], parts: Iterator[object]) -> AnyFigure:
-    """``figure`` with ids where they are empty: the next of ``own`` for itself, of ``parts`` for points and knots."""
+    """``figure`` with ids where they are empty: numbers from ``own``, for points and knots from ``parts``."""
     identity = figure.id or f"f{next(own)}"
     points = tuple(p if p.id else replace(p, id=f"p{next(parts)}") for p in figure.points_world)
     made = replace(figure, id=identity, points_world=points)
