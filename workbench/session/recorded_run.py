@@ -113,8 +113,6 @@ class RecordedRun(QObject):
         )
         self.recording = self._recorder.recording
         self.steps = Steps(entry, self.recording)
-        if self._held:
-            self._recorder.hold()
         self._abandoned = weakref.finalize(self, self._recorder.stop)
         interface.works()
         self._recorder.start()
