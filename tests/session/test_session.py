@@ -250,6 +250,14 @@ def test_an_example_is_not_dirty_until_it_is_edited(slug: str, session: Session,
     assert session.dirty
 
 
+def test_the_stepped_figure_of_an_example_is_selected(session: Session) -> None:
+    for _beside_unsaved_work in (False, True):
+        session.open_example("house")
+        assert session.state.selection == (session.sheet.figures[-1].id,)
+        assert session.active_figure == session.sheet.figures[-1]
+        session.apply(moved(3), "Move")
+
+
 def test_an_example_never_takes_the_place_of_unsaved_work(session: Session) -> None:
     session.apply(moved(3), "Move")
     mine = session.sheet

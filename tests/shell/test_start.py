@@ -73,7 +73,8 @@ def test_the_rest_is_built_behind_the_first_frame(qtbot: QtBot) -> None:
     with qtbot.waitSignal(building.built, timeout=60_000):
         window.show()
     building.wait()
-    assert window.session.sheet.figures
+    (line,) = window.session.sheet.figures
+    assert window.session.state.selection == (line.id,)
     home = window._pages["home"]
     assert len(home.example_buttons()) >= 3
     home.example_buttons()[1].click()

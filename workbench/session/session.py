@@ -167,16 +167,21 @@ class Session(QObject):
         self._begin(Stored(document or blank_sheet(), SessionState()), None)
 
     def open_example(self, slug: str) -> None:
-        """Open a built-in example: as a document of its own, or as a sheet beside unsaved work."""
+        """Open a built-in example: as a document of its own, or as a sheet beside unsaved work.
+
+        The figure that is stepped is selected, so that its handles and its parameters are seen at once.
+        """
         chosen = example(slug)
         if not self.dirty:
             self.new(chosen.document)
-            return
-        known = {sheet.id for sheet in self.document.sheets}
-        self.apply(add_sheet(chosen.document.sheets[0]), _("Open example"))
-        self.update_state(
-            sheet=next(s.id for s in self.document.sheets if s.id not in known), active="", step=0
-        )
+        else:
+            known = {sheet.id for sheet in self.document.sheets}
+            self.apply(add_sheet(chosen.document.sheets[0]), _("Open example"))
+            self.update_state(
+                sheet=next(s.id for s in self.document.sheets if s.id not in known), active="", step=0
+            )
+        stepped = self.active_figure
+        self.update_state(selection=(stepped.id,) if stepped else ())
 
     def open(self, path: Path | str) -> None:
         """Open a file; raises DocumentError, and what is open stays."""

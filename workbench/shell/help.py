@@ -22,8 +22,9 @@ class HelpPage(Page):
             (
                 _("Draw"),
                 _(
-                    "Drag on the canvas to draw a line. Drag its ends, or type their coordinates in the card "
-                    "at the top left. The wheel zooms at the pointer."
+                    "Choose a tool on the left and drag on the canvas. Click a figure to select it: drag its "
+                    "handles, or type their coordinates in the card at the top left. The wheel zooms at the "
+                    "pointer."
                 ),
             ),
             (

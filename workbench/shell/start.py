@@ -80,11 +80,11 @@ class Building(QObject):
             self.built.emit()
 
     def _build(self) -> Iterator[None]:
-        from workbench.document.samples import example_document
         from workbench.session.session import Session
 
         window = self._window
-        session = Session(window, example_document())
+        session = Session(window)
+        session.open_example("line")
         if window.settings.get("ask_first"):
             session.update_state(ask_first=True)
         yield
