@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionButton
 from shapely import LineString
 from shapely import box as shapely_box
 
@@ -18,9 +18,11 @@ from workbench.panels.clip_scene import outcomes, tally
 from workbench.rendering import frame_buffer
 from workbench.rendering.clipping import segments_of
 from workbench.session.session import Session
+from workbench.shell.style_sheet import style_sheet
 from workbench.widgets.canvas_drawing import Stroke, Word
 from workbench.widgets.option_buttons import OptionButtons
 from workbench.widgets.sentence_view import SentenceView
+from workbench.widgets.tokens import LIGHT
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -195,6 +197,15 @@ def test_nine_regions_have_their_codes_and_can_be_without(qtbot, session, panel)
     assert words(panel) == []
 
 
+def test_the_code_of_an_end_keeps_clear_of_its_label(session, panel):
+    below, above = [
+        each.up
+        for each in panel.canvas.overlay.drawn
+        if isinstance(each, Word) and (each.x, each.y) in {(48, 10), (18, 40)}
+    ]
+    assert below != above
+
+
 # The stepped run
 
 
@@ -285,6 +296,13 @@ def test_asked_first_a_person_accepts_rejects_or_says_which_side(qtbot, session,
     settle()
     by_text = {button.text(): button for button in buttons.buttons}
     assert "Accept" in by_text
+    buttons.setStyleSheet(style_sheet(LIGHT))
+    buttons.show()
+    for button in buttons.buttons:
+        option = QStyleOptionButton()
+        button.initStyleOption(option)
+        room = button.style().subElementRect(QStyle.SubElement.SE_PushButtonContents, option, button)
+        assert room.height() >= button.fontMetrics().height()
     qtbot.mouseClick(by_text["Clip top"], LEFT)
     settle()
     assert (session.run.right, session.run.wrong) == (1, 0)

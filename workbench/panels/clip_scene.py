@@ -123,14 +123,14 @@ def _regions(sheet: Sheet, window: Box) -> Iterator[Drawn]:
 
 
 def end_codes(sheet: Sheet, figure: Line | Polyline, window: Box, carded: bool) -> Iterator[Drawn]:
-    """The code of each end point, beside it."""
+    """The code of each end point, beside it, on the side that the label of a selected end leaves free."""
     seen: set[tuple[float, float]] = set()
     for x0, y0, x1, y1 in segments_of(sheet, figure)[:MOST_CODED]:
-        for x, y, other_x in ((x0, y0, x1), (x1, y1, x0)):
+        for x, y, other_x, other_y in ((x0, y0, x1, y1), (x1, y1, x0, y0)):
             if (x, y) not in seen:
                 seen.add((x, y))
                 text = code_text(region_code(x, y, *window))
-                yield Word(text, x, y, "text", 1 if x >= other_x else -1, -1, carded)
+                yield Word(text, x, y, "text", 1 if x >= other_x else -1, 1 if y < other_y else -1, carded)
 
 
 def _figure(sheet: Sheet, figure: AnyFigure, window: Box) -> Iterator[Drawn]:

@@ -46,6 +46,7 @@ class OptionButtons(QWidget):
         button.setToolTip(_("Say that this comes next ({key})").format(key=number))
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.clicked.connect(lambda: self._run.choose(option))
+        button.setProperty("low", True)
         button.setFixedHeight(_HEIGHT)
         columns = len(self._options) if len(self._options) <= _IN_ONE_ROW else -(-len(self._options) // 2)
         self._grid.addWidget(button, (number - 1) // columns, (number - 1) % columns)
