@@ -213,7 +213,14 @@ def test_both_countings_stand_on_the_card(zigzag):
     said = zigzag.card.count.text()
     assert "n + 1 = 5" in said
     assert "d = 4" in said
-    assert "degree 3" in said
+    assert "5 points, degree 3, 2 pieces" in said
+
+
+def test_a_span_without_length_is_no_piece(qtbot):
+    panel = opened(qtbot)
+    panel.session.open_example("curve-circle")
+    settle()
+    assert "9 points, degree 2, 4 pieces" in panel.card.count.text()
 
 
 def test_other_kinds_are_shown_beside_and_named(zigzag):

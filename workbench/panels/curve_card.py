@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from html import escape
 from typing import Any
 
+import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QStandardItemModel
@@ -19,7 +20,7 @@ from workbench.document.curve_edits import (
     set_knot_rule,
     set_spline,
 )
-from workbench.document.curve_pieces import ends_steer, fault_of, goes_round, may_be_closed
+from workbench.document.curve_pieces import ends_steer, fault_of, goes_round, may_be_closed, pieces_of
 from workbench.document.edits import Edit, both, set_attributes
 from workbench.document.errors import DocumentError
 from workbench.document.model import (
@@ -348,18 +349,19 @@ def countings(curve: Curve) -> str:
         around = points + curve.degree if curve.closed else points
         try:
             found = counting(around, curve.degree)
+            pieces = len(np.unique(pieces_of(curve).knots)) - 1
         except ValueError:
             return ""
         course = _("n + 1 = {points}, d = {d}, n + d + 1 = {knots} knots")
         usual = ngettext(
-            "{points} points, degree {degree}, {spans} piece",
-            "{points} points, degree {degree}, {spans} pieces",
-            found.spans,
+            "{points} points, degree {degree}, {pieces} piece",
+            "{points} points, degree {degree}, {pieces} pieces",
+            pieces,
         )
         return (
             course.format(points=found.points, d=found.d, knots=found.knots)
             + "<br>"
-            + usual.format(points=found.points, degree=found.degree, spans=found.spans)
+            + usual.format(points=found.points, degree=found.degree, pieces=pieces)
         )
     if curve.spline == "bezier":
         degree = points if curve.closed else points - 1
