@@ -93,6 +93,7 @@ def test_a_folder_that_cannot_be_written_is_said(
     window.files.save_as()
     saved(window)
     assert window.messages.text.startswith("x.gwb was not saved: ")
+    assert window.status.hover.text() == ""
     assert window.session.path is None
 
 

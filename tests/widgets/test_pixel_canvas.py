@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
+from workbench.geometry.conventions import round_half_up
 from workbench.widgets.canvas_overlay import (
     BOTH,
     ONLY_FIRST,
@@ -164,12 +165,13 @@ def test_a_handle_is_grabbed_within_24_pixels_and_keeps_its_offset(qtbot, canvas
     canvas.handle_released.connect(told.append)
     start = at(canvas, 20, 10) + QPoint(11, -11)
     qtbot.mousePress(canvas, LEFT, pos=start)
-    cell = round(canvas.view.cell)
-    qtbot.mouseMove(canvas, start + QPoint(3 * cell, 0))
-    qtbot.mouseRelease(canvas, LEFT, pos=start + QPoint(3 * cell, 0))
+    moved = QPoint(3 * round(canvas.view.cell), 0)
+    qtbot.mouseMove(canvas, start + moved)
+    qtbot.mouseRelease(canvas, LEFT, pos=start + moved)
     assert [told[0], told[1][0], told[2]] == ["a", "a", "a"]
     assert told[1][1:] == pytest.approx((23, 10), abs=0.1)
     told.clear()
+    assert canvas.pointed_cell == tuple(round_half_up(each) for each in canvas.device_position(start + moved))
     qtbot.mouseClick(canvas, LEFT, pos=at(canvas, 20, 10) + QPoint(0, 14))
     assert told == []
 

@@ -168,6 +168,7 @@ class Files(QObject):
     def _saved(self, then: Callable[[], object] | None, saved: Any) -> None:
         name = saved.path.name
         if saved.problem:
+            self._window.say_status("")
             self._window.messages.say(
                 _("{name} was not saved: {error}").format(name=name, error=saved.problem), "error"
             )

@@ -140,6 +140,7 @@ class PixelCanvas(CanvasSurface):
         x, y = self.device_position(event.position())
         if grabbed is not None:
             self.handle_released.emit(grabbed.id)
+            self._hover_at(x, y)
         else:
             self.released.emit(x, y, event.modifiers())
         if (event.position() - press).manhattanLength() <= CLICK_SLACK and self._holds(x, y):
