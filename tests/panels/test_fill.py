@@ -173,7 +173,7 @@ def test_the_middle_of_the_star_depends_on_the_interior(qtbot):
     panel.choose_tool("inside")
     click(qtbot, panel, 25, 20)
     assert "inside by nonzero" in panel.card.verdict.text()
-    assert "outside by even_odd" in panel.card.verdict.text()
+    assert "outside by even-odd" in panel.card.verdict.text()
     words = [mark.text for mark in panel.canvas.overlay.drawn if isinstance(mark, Word)]
     assert {"1 ↑", "2 ↑"} <= set(words) or {"1 ↓", "2 ↓"} <= set(words)
     panel.choose_tool("select")

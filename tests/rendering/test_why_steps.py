@@ -84,7 +84,7 @@ def test_what_nothing_touched_is_answered_in_words() -> None:
     assert why_steps(line, 2, 2) == []
     assert "passes 18 pixels away" in nothing_happened(line, 2, 2)
     triangle = example("triangle").document.sheets[0]
-    assert "outside by even_odd" in nothing_happened(triangle, 0, 8)
+    assert "outside by even-odd" in nothing_happened(triangle, 0, 8)
     assert "No figure" in nothing_happened(replace(line, figures=()), 2, 2)
 
 

@@ -79,7 +79,7 @@ class DistancePlot(LatePlot):
                 f'<span style="color:{now.data[k]}">{mark}</span> '
                 + text.format(title=title, largest=largest, mean=mean)
             )
-        self.caption.setText("&nbsp;&nbsp; ".join(said) or _("This figure has no pixels yet."))
+        self.caption.setText("<br>".join(said) or _("This figure has no pixels yet."))
         self._place_cursor()
 
     def _place_cursor(self) -> None:

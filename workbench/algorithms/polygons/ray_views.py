@@ -71,20 +71,20 @@ VIEWS = (
     _verdict(
         "on_boundary",
         "The point is on the boundary, which closed takes in. With {crossings} crossings and winding number "
-        "{winding}, half_open decides by the count alone.",
+        "{winding}, half-open decides by the count alone.",
     ),
     _verdict(
         "crossings % 2 == 1 and winding != 0",
-        "{crossings} crossings, an odd number: inside by even_odd. Winding number {winding}, not zero: "
+        "{crossings} crossings, an odd number: inside by even-odd. Winding number {winding}, not zero: "
         "inside by nonzero.",
     ),
     _verdict(
         "winding != 0",
-        "{crossings} crossings, an even number: outside by even_odd. Winding number {winding}, not zero: "
+        "{crossings} crossings, an even number: outside by even-odd. Winding number {winding}, not zero: "
         "inside by nonzero.",
     ),
     _verdict(
         "True",
-        "{crossings} crossings, an even number: outside by even_odd. Winding number 0: outside by nonzero.",
+        "{crossings} crossings, an even number: outside by even-odd. Winding number 0: outside by nonzero.",
     ),
 )

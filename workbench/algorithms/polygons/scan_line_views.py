@@ -81,7 +81,7 @@ VIEWS = (
     _vertices(
         "top",
         "",
-        "the edges on both sides end, so it counts twice. The pair is empty under half_open: it is left out.",
+        "the edges on both sides end, so it counts twice. The pair is empty under half-open: it is left out.",
     ),
     _vertices("bottom", "", "the edges on both sides begin, so it counts twice, as a pair."),
     _vertices("through", "", "one edge ends and the next goes on, so it counts once."),
@@ -98,7 +98,7 @@ VIEWS = (
     ),
     _filled(
         f"len(active) == 2 and len({_SPANS}) == 1",
-        _CROSSED + f": half_open fills {{{_FIRST}}} <= x < {{{_SECOND}}}, {{spans_text({_SPANS})}}.",
+        _CROSSED + f": half-open fills {{{_FIRST}}} <= x < {{{_SECOND}}}, {{spans_text({_SPANS})}}.",
     ),
     _filled(
         "nonzero",
