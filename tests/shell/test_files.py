@@ -14,6 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from workbench.document.files import load
 from workbench.session import saver
+from workbench.shell.command_palette import offers
 from workbench.shell.window import MainWindow
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -220,6 +221,26 @@ def test_an_example_opens_beside_unsaved_work(qtbot: QtBot, window: MainWindow) 
     window.open_example("octants")
     assert window.session.sheet.name == "A star in all octants"
     assert len(window.session.document.sheets) == 2
+
+
+def test_the_sheets_are_in_the_menu_and_among_the_commands(qtbot: QtBot, window: MainWindow) -> None:
+    draw_a_line(qtbot, window)
+    mine = window.session.sheet
+    window.open_example("octants")
+    assert window.messages.text == "A line stays open beside this example: View, Sheets shows it again."
+    window.menus._fill_sheets()
+    first, second = window.menus._sheets.actions()
+    assert [(each.text(), each.isChecked()) for each in (first, second)] == [
+        ("A line", False),
+        ("A star in all octants", True),
+    ]
+    window.go("home")
+    first.trigger()
+    assert window.session.sheet == mine
+    assert window.session.state.selection == (mine.figures[-1].id,)
+    assert window.place == "draw"
+    next(each for each in offers(window) if each.text == "Sheet: A star in all octants").act()
+    assert window.session.sheet.name == "A star in all octants"
 
 
 CRASH = """

@@ -167,19 +167,22 @@ class Session(QObject):
         self._begin(Stored(document or blank_sheet(), SessionState()), None)
 
     def open_example(self, slug: str) -> None:
-        """Open a built-in example: as a document of its own, or as a sheet beside unsaved work.
-
-        The figure that is stepped is selected, so that its handles and its parameters are seen at once.
-        """
+        """Open a built-in example: as a document of its own, or as a sheet beside unsaved work."""
         chosen = example(slug)
+        known: set[str] = set()
         if not self.dirty:
             self.new(chosen.document)
         else:
             known = {sheet.id for sheet in self.document.sheets}
             self.apply(add_sheet(chosen.document.sheets[0]), _("Open example"))
-            self.update_state(
-                sheet=next(s.id for s in self.document.sheets if s.id not in known), active="", step=0
-            )
+        self.show_sheet(next(s.id for s in self.document.sheets if s.id not in known))
+
+    def show_sheet(self, sheet: str) -> None:
+        """Make the sheet with this id the current one; raises DocumentError when there is none.
+
+        The figure that is stepped is selected, so that its handles and its parameters are seen at once.
+        """
+        self.update_state(sheet=sheet, active="", selection=(), step=0)
         stepped = self.active_figure
         self.update_state(selection=(stepped.id,) if stepped else ())
 

@@ -62,7 +62,7 @@ def match(letters: str, text: str) -> float | None:
 
 
 def offers(window: "MainWindow") -> list[Offer]:
-    """What can be done now: commands, workspaces, what the panels offer, examples, recent files."""
+    """What can be done now: commands, workspaces, what the panels offer, examples, sheets, recent files."""
     made = [
         Offer(
             command.text,
@@ -90,6 +90,10 @@ def offers(window: "MainWindow") -> list[Offer]:
         for example in examples():
             text = _("Example: {title}").format(title=example.title)
             made.append(Offer(text, "", partial(window.open_example, example.slug)))
+        sheets = window.session.document.sheets
+        for sheet in sheets if len(sheets) > 1 else ():
+            text = _("Sheet: {name}").format(name=sheet.name)
+            made.append(Offer(text, "", partial(window.files.show_sheet, sheet.id)))
         for path in window.settings.recent():
             text = _("Open {name}").format(name=path.name)
             made.append(Offer(text, "", partial(window.files.open_path, path)))

@@ -64,9 +64,23 @@ class Files(QObject):
 
     def example(self, slug: str, then: Callable[[], object] | None = None) -> None:
         """Open a built-in picture; unsaved work stays open beside it."""
+        before = self._session.sheet
+        beside = self._session.dirty
         self._session.open_example(slug)
+        if beside:
+            self._window.messages.say(
+                _("{name} stays open beside this example: View, Sheets shows it again.").format(
+                    name=before.name
+                )
+            )
         if then:
             then()
+
+    def show_sheet(self, sheet: str, *_what: Any) -> None:
+        """Show another sheet of the picture."""
+        self._session.show_sheet(sheet)
+        if self._window.place not in self._window.workspace_slugs:
+            self._window.enter("draw")
 
     def save(self, then: Callable[[], object] | None = None) -> None:
         """Save, the first time under a name that is asked for; ``then`` follows when it was saved."""

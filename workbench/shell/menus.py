@@ -92,6 +92,8 @@ class Menus(QObject):
                 menu.addSeparator()
                 self._docks = menu.addMenu(_("Docks"))
                 self._docks.aboutToShow.connect(self._fill_docks)
+                self._sheets = menu.addMenu(_("Sheets"))
+                self._sheets.aboutToShow.connect(self._fill_sheets)
 
     def _fill_recent(self) -> None:
         window, menu = self._window, self._recent
@@ -107,6 +109,16 @@ class Menus(QObject):
         for dock in self._window.arrangements.docks(self._window.place):
             self._docks.addAction(dock.toggleViewAction())
         self._if_empty(self._docks, _("This page has none"))
+
+    def _fill_sheets(self) -> None:
+        self._sheets.clear()
+        session = self._window.session
+        for sheet in session.document.sheets if session is not None else ():
+            entry = self._sheets.addAction(sheet.name)
+            entry.setCheckable(True)
+            entry.setChecked(sheet is session.sheet)
+            entry.triggered.connect(partial(self._window.files.show_sheet, sheet.id))
+        self._if_empty(self._sheets, _("None yet"))
 
     @staticmethod
     def _if_empty(menu: QMenu, text: str) -> None:
