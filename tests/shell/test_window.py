@@ -9,9 +9,11 @@ from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
 from workbench.shell.arrangement import VERSION
+from workbench.shell.command_palette import offers
 from workbench.shell.failures import Failures
 from workbench.shell.hints import Hints
 from workbench.shell.questions import questions
+from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
 from workbench.shell.workspace_bar import WorkspaceBar
@@ -67,6 +69,22 @@ def test_a_closed_dock_stays_closed_and_reset_brings_it_back(
     assert not docks(again)["tube"]
     again.menus.actions["reset"].trigger()
     assert all(docks(again).values())
+
+
+def test_the_first_window_fits_the_screen(qtbot: QtBot) -> None:
+    window = make_window(Settings())
+    qtbot.addWidget(window)
+    room = window.screen().availableSize()
+    assert window.width() < room.width()
+    assert window.height() < room.height()
+
+
+def test_a_dock_is_brought_back_by_its_name(window: MainWindow) -> None:
+    window.go("draw")
+    dock = window.arrangements.docks("draw")[0]
+    dock.close()
+    next(each for each in offers(window) if each.text == "Show Source").act()
+    assert not dock.isHidden()
 
 
 def test_a_dock_is_brought_back_by_the_menu(window: MainWindow) -> None:

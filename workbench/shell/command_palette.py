@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
+    QDockWidget,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -61,8 +62,13 @@ def match(letters: str, text: str) -> float | None:
     return cost + 0.01 * len(text)
 
 
+def _bring(dock: QDockWidget) -> None:
+    dock.show()
+    dock.raise_()
+
+
 def offers(window: "MainWindow") -> list[Offer]:
-    """What can be done now: commands, workspaces, what the panels offer, examples, sheets, recent files."""
+    """What can be done now: commands, places, docks, the panels' actions, examples, sheets, recent files."""
     made = [
         Offer(
             command.text,
@@ -74,6 +80,8 @@ def offers(window: "MainWindow") -> list[Offer]:
     ]
     for slug, title in window.workspace_titles():
         made.append(Offer(_("Workspace: {title}").format(title=title), "", partial(window.go, slug)))
+    for dock in window.arrangements.docks(window.place):
+        made.append(Offer(_("Show {dock}").format(dock=dock.windowTitle()), "", partial(_bring, dock)))
     for panel in window.panels(window.place):
         for action in panel.actions():
             if action.isEnabled() and action.text():

@@ -10,7 +10,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import QSize, QTimer, Signal
 from PySide6.QtWidgets import QMainWindow, QMenuBar, QStackedWidget, QVBoxLayout, QWidget
 
 from workbench.language import _
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 PROGRAM = "Graphics Workbench"
 FIRST_SIZE = (1280, 680)
-SMALLEST = (640, 420)
+SMALLEST, FRAME = (640, 420), QSize(8, 36)
 MENU_PADDING, STATUS_PADDING = 14, 10
 
 
@@ -80,7 +80,7 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(PROGRAM)
         themes.dress(self)
         self.setMinimumSize(*SMALLEST)
-        self.resize(*FIRST_SIZE)
+        self.resize(QSize(*FIRST_SIZE).boundedTo(self.screen().availableSize() - FRAME))
         self.setAcceptDrops(True)
         self._complete = False
         self.top = QWidget()
