@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from workbench.geometry.conventions import round_half_up
+from workbench.widgets.canvas_drawing import Word
 from workbench.widgets.canvas_overlay import (
     BOTH,
     ONLY_FIRST,
@@ -122,6 +123,17 @@ def test_a_painted_cell_is_solid_and_its_neighbours_are_canvas(canvas):
     }
     assert inside == {"#0072b2"}
     assert image.pixelColor(left, top + 3).name() != "#0072b2"
+
+
+def test_a_word_is_not_struck_through_by_marks(canvas):
+    word = Word("888", 20.5, 10, carded=True)
+    place = canvas.widget_position(word.x, word.y).toPoint()
+    seen = []
+    for current in ((), ((20, 10), (21, 10))):
+        canvas.set_overlay(Overlay(drawn=(word,), current=current))
+        image = canvas.grab(QRect(place - QPoint(6, 4), place + QPoint(6, 4))).toImage()
+        seen.append([image.pixelColor(x, y).green() for x in range(13) for y in range(9)])
+    assert np.abs(np.subtract(*seen)).max() < 40  # its card lets a little through
 
 
 def test_the_background_follows_the_theme(canvas):

@@ -35,7 +35,7 @@ GripKind = tuple[GripShape, str, bool]
 
 
 def paint_marks(painter: QPainter, scene: Scene) -> None:
-    """All marks of the scene's overlay, those on top last."""
+    """All marks of the scene's overlay but the handles, those on top last."""
     overlay, tokens = scene.overlay, scene.tokens
     muted = QColor(tokens.muted)
     if overlay.classes is not None:
@@ -59,7 +59,6 @@ def paint_marks(painter: QPainter, scene: Scene) -> None:
     if overlay.snap is not None:
         for box in _boxes(scene, (overlay.snap,)):
             _snap(painter, box, scene)
-    _paint_handles(painter, scene)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
 
 
@@ -134,7 +133,7 @@ def handle_places(handles: Sequence[Handle]) -> NDArray[np.float64]:
     return np.stack([x, y], axis=1)
 
 
-def _paint_handles(painter: QPainter, scene: Scene) -> None:
+def paint_handles(painter: QPainter, scene: Scene) -> None:
     """Grips; each name stands on the side away from the other handles, clear of the figure.
 
     Of many handles only those selected bear their names, as long as they are few.

@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen
 
-from workbench.widgets.canvas_drawing import paint_drawn
+from workbench.widgets.canvas_drawing import Word, paint_drawn
 from workbench.widgets.canvas_lines import paint_lines
-from workbench.widgets.canvas_marks import paint_marks
+from workbench.widgets.canvas_marks import paint_handles, paint_marks
 from workbench.widgets.canvas_overlay import BOTH, ONLY_FIRST, ONLY_SECOND, TIE_FIRST, TIE_SECOND, Overlay
 from workbench.widgets.canvas_view import Area, CanvasView, label_step
 from workbench.widgets.tokens import Tokens, colour
@@ -113,8 +113,12 @@ def paint_over(painter: QPainter, scene: Scene) -> None:
     painter.save()
     painter.setClipRect(QRect(area.left, area.top, area.width, area.height))
     _paint_curves(painter, scene)
-    paint_drawn(painter, scene, scene.overlay.drawn)
+    drawn = scene.overlay.drawn
+    words = tuple(each for each in drawn if isinstance(each, Word))
+    paint_drawn(painter, scene, tuple(each for each in drawn if not isinstance(each, Word)))
     paint_marks(painter, scene)
+    paint_drawn(painter, scene, words)  # over the marks, which would strike them through
+    paint_handles(painter, scene)
     painter.restore()
 
 
