@@ -248,6 +248,14 @@ def test_the_largest_stack_of_two_fills(qtbot):
     session.close()
 
 
+def test_what_was_found_has_the_whole_width_in_a_low_dock(qtbot, session, view):
+    view.resize(460, 165)
+    answered(qtbot, view)
+    QApplication.processEvents()
+    assert view.note.width() > view.table.width() + view.difference.width()
+    assert view.note.height() >= view.note.heightForWidth(view.note.width())
+
+
 def test_the_table_is_copied(qtbot, session, view):
     answered(qtbot, view)
     view.copy()

@@ -39,7 +39,7 @@ from workbench.widgets.icons import set_icon
 from workbench.widgets.number_field import NumberField
 
 WIDTH_PX, NARROW_PX = 248, 640
-_MOST_POINTS = 4
+_MOST_POINTS = 6
 
 
 def kind_title(figure: AnyFigure) -> str:

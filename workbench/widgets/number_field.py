@@ -111,6 +111,7 @@ class NumberField(QWidget):
         whole.setSpacing(2)
         whole.addLayout(row)
         whole.addWidget(self.complaint)
+        whole.addStretch(1)
         self.setFocusProxy(self.field)
         self.field.returnPressed.connect(self._commit)
         self.field.editingFinished.connect(self._leave)
