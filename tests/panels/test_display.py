@@ -15,6 +15,7 @@ from workbench.document.files import read
 from workbench.document.state import SessionState
 from workbench.panels.display import DisplayPanel
 from workbench.panels.tube_dock import TubeDock
+from workbench.panels.tube_instruments import span_text
 from workbench.session.session import Session
 
 
@@ -190,3 +191,12 @@ def test_the_time_of_the_tube_is_saved_and_restored_and_never_undone(
 
 def load_state(path: Path) -> SessionState:
     return read(path).session
+
+
+def test_a_time_has_the_unit_that_keeps_it_readable() -> None:
+    assert [span_text(seconds) for seconds in (9000.0, 2640.0, 2.0, 0.0167)] == [
+        "2.5 h",
+        "44 min",
+        "2 s",
+        "16.7 ms",
+    ]

@@ -49,7 +49,7 @@ class DistancePlot(LatePlot):
             self._place_cursor()
 
     def _restyle(self) -> None:
-        self._label_axes(_("distance (px)"), _("pixel k"))
+        self._label_axes(_("px"), _("pixel k"))
         self._draw()
 
     def _draw(self) -> None:
