@@ -22,7 +22,7 @@ from pytest_benchmark.fixture import BenchmarkFixture
 from workbench.algorithms import catalogue
 from workbench.engine import compiled
 from workbench.engine.warm import compile_use, work
-from workbench.rendering.triangles import depth_buffer_triangles
+from workbench.rendering import depth_buffer_triangles
 
 SIZE = 1000
 LINES = np.random.default_rng(1).integers(0, SIZE, (20_000, 4))

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from workbench.engine.compiled import Stop, Stopped
-from workbench.rendering.triangles import depth_buffer_triangles
+from workbench.rendering import depth_buffer_triangles
 
 Corner = tuple[int, int, float]
 corner = st.tuples(st.integers(-3, 14), st.integers(-3, 11), st.sampled_from([0.25, 0.5, 0.75]))

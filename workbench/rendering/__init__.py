@@ -6,6 +6,7 @@ from workbench.rendering.limits import REACH_PX
 from workbench.rendering.mapping import Call, device_map
 from workbench.rendering.pipeline import reach_of
 from workbench.rendering.raster import arguments, emitted, figure_calls, frame_buffer, painter_of
+from workbench.rendering.triangles import depth_buffer_triangles
 from workbench.rendering.why import Touch, why
 
 __all__ = [
@@ -17,6 +18,7 @@ __all__ = [
     "clip_box",
     "clipper_calls",
     "clipper_of",
+    "depth_buffer_triangles",
     "device_map",
     "display_list",
     "emitted",

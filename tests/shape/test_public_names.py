@@ -1,0 +1,28 @@
+"""What a script may rely on is where it is said to be."""
+
+from importlib import import_module
+
+import pytest
+
+NAMES = {
+    "algorithms.lines": "dda_line bresenham_line midpoint_line wu_line",
+    "algorithms.circles": "midpoint_circle midpoint_ellipse",
+    "algorithms.polygons": "scan_line_fill",
+    "algorithms.seed_fill": "boundary_fill_4 boundary_fill_8 flood_fill_4 flood_fill_8 boundary_fill_recursive "
+    "boundary_fill_spans",
+    "algorithms.clipping": "cohen_sutherland liang_barsky sutherland_hodgman",
+    "algorithms.curves": "de_casteljau de_boor bernstein basis_functions nurbs_point hermite natural_cubic "
+    "catmull_rom cardinal kochanek_bartels continuity",
+    "algorithms.visibility": "depth_buffer",
+    "algorithms.catalogue": "entries get",
+    "engine.compiled": "collect paint paint_many",
+    "engine.recorder": "record",
+    "document": "load save DocumentError",
+    "rendering": "frame_buffer display_list why depth_buffer_triangles",
+    "display": "Phosphor Tube",
+}
+
+
+@pytest.mark.parametrize(("module", "name"), [(m, n) for m, names in NAMES.items() for n in names.split()])
+def test_a_public_name_is_in_its_module(module: str, name: str) -> None:
+    assert callable(getattr(import_module(f"workbench.{module}"), name))
