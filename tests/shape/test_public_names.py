@@ -8,8 +8,8 @@ NAMES = {
     "algorithms.lines": "dda_line bresenham_line midpoint_line wu_line",
     "algorithms.circles": "midpoint_circle midpoint_ellipse",
     "algorithms.polygons": "scan_line_fill",
-    "algorithms.seed_fill": "boundary_fill_4 boundary_fill_8 flood_fill_4 flood_fill_8 boundary_fill_recursive "
-    "boundary_fill_spans",
+    "algorithms.seed_fill": "boundary_fill_4 boundary_fill_8 boundary_fill_recursive boundary_fill_spans "
+    "flood_fill_4 flood_fill_8",
     "algorithms.clipping": "cohen_sutherland liang_barsky sutherland_hodgman",
     "algorithms.curves": "de_casteljau de_boor bernstein basis_functions nurbs_point hermite natural_cubic "
     "catmull_rom cardinal kochanek_bartels continuity",
