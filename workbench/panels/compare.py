@@ -81,7 +81,7 @@ class CompareView(QWidget):
             box.setAccessibleName(name)
             box.setToolTip(tip)
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            box.setMinimumContentsLength(4)
+            box.setMinimumContentsLength(2)
             box.activated.connect(choose)
         self.whole = QCheckBox(_("Whole sheet"))
         self.whole.setToolTip(_("Count every figure of the sheet that the algorithm works on"))

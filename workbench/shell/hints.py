@@ -119,7 +119,7 @@ def show_hints(window: "MainWindow") -> Hints | None:
     places: list[tuple[QWidget, str]] = [
         (
             window.centres["draw"],
-            _("Drag an end of the line, and every other view follows. The tools on the left draw more."),
+            _("Drag a handle, and every other view follows. The tools on the left draw more."),
         ),
         (window.steps, _("Step through the algorithm here, or with the keys , and . everywhere.")),
     ]
