@@ -9,6 +9,7 @@ from workbench.document.edits import add_figure
 from workbench.document.model import Circle, Ellipse, Line, Polyline, WorldPoint
 from workbench.document.samples import blank_sheet, example_document
 from workbench.panels.draw import DrawPanel
+from workbench.panels.figure_outline import outline
 from workbench.rendering import frame_buffer
 from workbench.session.session import Session
 from workbench.widgets.canvas_overlay import BOTH, ONLY_FIRST, TIE_FIRST
@@ -246,6 +247,14 @@ def test_a_field_stays_where_it_is_beside_one_that_complains(qtbot, session, pan
     bad.complain("'abc' is no number; type one, or arithmetic such as 30/2.")
     settle()
     assert beside.field.mapTo(panel, QPoint()).y() == bad.field.mapTo(panel, QPoint()).y()
+
+
+def test_the_ideal_circle_has_no_corners_that_are_seen():
+    circle = Circle("f1", (WorldPoint("p1", 30.0, 24.0),), "midpoint_circle", radius_world=20.0)
+    sheet = add_figure("s1", circle)(blank_sheet(64, 48)).sheets[0]
+    (around,) = outline(sheet, sheet.figures[0])
+    middles = (around[1:] + around[:-1]) / 2
+    assert np.abs(np.hypot(*(middles - (30, 24)).T) - 20).max() < 0.006
 
 
 def test_each_of_six_corners_can_be_typed(session, panel):

@@ -14,6 +14,7 @@ from workbench.widgets.canvas_overlay import Handle
 
 Curve = NDArray[np.float64]
 _MOST_NAMED = 10
+_FLATNESS_PX = 0.005  # no corner is seen where a pixel is forty large
 _AREAS = ("scan_line_fill", "circle_fill", "ellipse_fill")
 
 
@@ -25,7 +26,7 @@ def outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
 @lru_cache(maxsize=2048)
 def _outline(sheet: Sheet) -> tuple[Curve, ...]:
     curves: list[list[tuple[float, float]]] = []
-    for stroke in display_list(sheet):
+    for stroke in display_list(sheet, _FLATNESS_PX):
         start, end = (stroke.x0, stroke.y0), (stroke.x1, stroke.y1)
         if curves and curves[-1][-1] == start:
             curves[-1].append(end)
