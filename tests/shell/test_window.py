@@ -205,6 +205,10 @@ def test_about_has_a_diagnosis_to_copy(qtbot: QtBot, window: MainWindow) -> None
 
     copied = QGuiApplication.clipboard().text()
     assert copied.startswith("Graphics Workbench 0.")
+    window.go("home")
+    window.resize(1000, 600)
+    window.go("about")
+    assert "window 1000 x 600" in page.text.text()
     assert "numba" in copied
 
 

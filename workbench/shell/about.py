@@ -6,7 +6,7 @@ from importlib import metadata
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, qVersion
-from PySide6.QtGui import QGuiApplication, QPixmap
+from PySide6.QtGui import QGuiApplication, QPixmap, QShowEvent
 from PySide6.QtWidgets import QLabel, QPushButton
 
 from workbench import __version__
@@ -67,3 +67,9 @@ class AboutPage(Page):
         copy.setMaximumWidth(copy.sizeHint().width() + 24)
         self.column.addWidget(copy)
         self.column.addStretch(1)
+        self._window = window
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """What is diagnosed may have changed."""
+        self.text.setText(diagnosis(self._window))
+        super().showEvent(event)
