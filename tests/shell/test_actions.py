@@ -113,6 +113,17 @@ def test_the_palette_says_when_nothing_is_called_so(qtbot: QtBot, window: MainWi
     assert not palette.isVisible()
 
 
+def test_a_click_elsewhere_closes_the_palette(qtbot: QtBot, window: MainWindow) -> None:
+    window.go("draw")
+    window.show_palette()
+    palette = window.findChild(CommandPalette)
+    assert palette is not None
+    qtbot.mouseClick(palette.field, Qt.MouseButton.LeftButton)
+    assert palette.isVisible()
+    qtbot.mouseClick(window.status.ready, Qt.MouseButton.LeftButton)
+    assert not palette.isVisible()
+
+
 def test_the_palette_opens_examples_and_workspaces(qtbot: QtBot, window: MainWindow) -> None:
     window.show_palette()
     palette = window.findChild(CommandPalette)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
+    QApplication,
     QDockWidget,
     QFrame,
     QHBoxLayout,
@@ -117,6 +118,9 @@ class CommandPalette(QFrame):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._offers = offers(window)
         self._back_to = window.focusWidget()
+        application = QApplication.instance()
+        assert application is not None
+        self._application = application
         self.field = QLineEdit()
         self.field.setPlaceholderText(_("Type a few letters of a command"))
         self.field.setAccessibleName(_("Find a command"))
@@ -132,7 +136,7 @@ class CommandPalette(QFrame):
             column.addWidget(part)
         self.field.textChanged.connect(self._search)
         self.list.itemClicked.connect(self._run)
-        self.field.installEventFilter(self)
+        self._application.installEventFilter(self)
         self._search("")
         width = min(_WIDTH, window.width() - 32)
         self.setGeometry((window.width() - width) // 2, 64, width, min(380, window.height() - 96))
@@ -184,13 +188,19 @@ class CommandPalette(QFrame):
 
     def leave(self) -> None:
         """Close, and give the focus back."""
-        self.field.removeEventFilter(self)
+        self._application.removeEventFilter(self)
         self.close()
         if self._back_to is not None:
             self._back_to.setFocus()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.FocusOut:
+        if event.type() == QEvent.Type.MouseButtonPress and isinstance(watched, QWidget):
+            # Much that is clicked, as the tabs of docks, takes no focus from the field.
+            if watched is not self and not self.isAncestorOf(watched):
+                self.leave()
+        elif watched is not self.field:
+            return False
+        elif event.type() == QEvent.Type.FocusOut:
             self.leave()
         elif isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             moves = {
