@@ -6,6 +6,7 @@ import threading
 from pathlib import Path
 
 from workbench.engine import background
+from workbench.engine.turns import interface
 
 ROOT = Path(__file__).parents[2]
 
@@ -23,6 +24,19 @@ def test_a_thread_is_told_to_stop_and_waited_for() -> None:
     assert background.end_all()
     assert ended.is_set()
     assert not thread.is_alive()
+
+
+def test_those_that_are_ended_no_longer_wait_for_the_interface() -> None:
+    def wait_often() -> None:
+        for _turn in range(100):
+            interface.wait()
+
+    interface.works()
+    background.thread(wait_often, "waits").start()
+    try:
+        assert background.end_all(2.0)
+    finally:
+        interface.rests()
 
 
 def test_one_that_does_not_stop_is_given_up() -> None:

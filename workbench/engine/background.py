@@ -8,6 +8,8 @@ import atexit
 import threading
 from collections.abc import Callable
 
+from workbench.engine.turns import interface
+
 PATIENCE_S = 5.0
 
 _running: dict[threading.Thread, Callable[[], None]] = {}
@@ -30,6 +32,7 @@ def thread(work: Callable[[], None], name: str, stop: Callable[[], None] = lambd
 @atexit.register
 def end_all(patience_s: float = PATIENCE_S) -> bool:
     """Ask all that run to stop, and wait up to ``patience_s`` for each; False when one still goes on."""
+    interface.rests()  # who waits for them has nothing that goes before
     running = list(_running.items())
     for _thread, stop in running:
         stop()
