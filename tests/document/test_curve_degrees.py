@@ -3,14 +3,15 @@
 import numpy as np
 import pytest
 from hypothesis import given, settings
+from msgspec.structs import replace
 
 from tests.document.same_curve import dense, same_by_u, whole_curves
 from tests.document.test_curve_edits import the_curve
 from workbench.document import DocumentError
 from workbench.document.check import check
 from workbench.document.curve_degrees import lower_degree, lowered, raise_degree, raised
-from workbench.document.curve_pieces import pieces_of, points_of
-from workbench.document.model import Document
+from workbench.document.curve_pieces import MAX_BEZIER_DEGREE, fault_of, pieces_of, points_of
+from workbench.document.model import Curve, CurvePoint, Document
 
 
 @settings(max_examples=30)
@@ -46,3 +47,15 @@ def test_a_degree_that_is_lowered_is_no_farther_off_than_is_said(document: Docum
     assert pieces_of(down).degree == pieces_of(curve).degree - 1
     size = float(np.abs(points_of(curve)).max()) or 1.0
     assert float(np.abs(dense(curve) - dense(down)).max()) <= error + 1e-9 * size
+
+
+def test_a_bezier_curve_has_a_highest_degree() -> None:
+    places = [(float(7 * k % 31), float(5 * k % 23)) for k in range(MAX_BEZIER_DEGREE + 2)]
+    points = tuple(CurvePoint("", x, y) for x, y in places)
+    highest = Curve("", points[:-1], "bresenham_line", spline="bezier")
+    assert not fault_of(highest)
+    assert pieces_of(highest).degree == MAX_BEZIER_DEGREE
+    for over in (replace(highest, points_world=points), replace(highest, closed=True)):
+        assert f"degree {MAX_BEZIER_DEGREE + 1}" in fault_of(over)
+    with pytest.raises(ValueError, match="highest"):
+        raised(highest)

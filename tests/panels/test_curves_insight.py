@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtWidgets import QDockWidget, QMainWindow
+from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow
 
 from tests.panels.curves_by_hand import (
     CTRL,
@@ -23,6 +23,7 @@ from workbench.document.curve_pieces import parameter_at, pieces_of
 from workbench.document.curve_settings import set_spline
 from workbench.document.model import SPLINES, Curve, CurvePoint
 from workbench.panels.curve_basis import MOST, basis_of
+from workbench.panels.curve_compare import MEASURED_DEGREE
 from workbench.panels.curve_insight import switches
 from workbench.panels.curve_scene import construction, point_at
 from workbench.widgets.canvas_drawing import Spot, Stroke
@@ -355,3 +356,15 @@ def test_what_is_not_compared_says_why(qtbot):
         assert table.state.empty
         assert said in table.state.sentence.text()
     assert not with_docks(qtbot, curve_through(*many[:200])).beside.measured.state.empty
+
+
+def test_a_curve_of_a_high_degree_is_not_measured(qtbot):
+    places = [(float(7 * k % 61), float(5 * k % 43)) for k in range(MEASURED_DEGREE + 2)]
+    for count, measured in ((MEASURED_DEGREE + 1, True), (MEASURED_DEGREE + 2, False)):
+        panel = with_docks(qtbot, curve_through(*places[:count], spline="bezier", beside=("natural_cubic",)))
+        bezier, other = panel.beside.measured.model.kinds
+        assert bezier.values[-1] == str(count - 1)
+        assert (None not in bezier.values[:3]) == measured
+        assert None not in other.values[:3]
+        said = [label.text() for label in panel.beside.insight.findChildren(QLabel)]
+        assert any("not measured" in text for text in said) != measured

@@ -8,7 +8,7 @@ from workbench.algorithms import curves
 from workbench.document.building import Edit, checked
 from workbench.document.check import MAX_DEGREE
 from workbench.document.curve_changes import changing
-from workbench.document.curve_pieces import pieces_of
+from workbench.document.curve_pieces import MAX_BEZIER_DEGREE, pieces_of
 from workbench.document.curve_turns import Rows, one_turn, rows_of, spread, spread_knots, with_rows
 from workbench.document.model import B_SPLINES, Curve, CurvePoint
 from workbench.language import _
@@ -31,10 +31,11 @@ def lower_degree(figure: str) -> Edit:
 def raised(curve: Curve) -> Curve:
     """``curve`` one degree higher. Raises: ValueError where its kind has one degree only, or none above."""
     if curve.spline == "bezier":
-        return _with_bezier(curve, curves.elevate_degree(pieces_of(curve).controls[0]))
+        (points,) = pieces_of(curve).controls
+        _refuse_highest(len(points) - 1, MAX_BEZIER_DEGREE)
+        return _with_bezier(curve, curves.elevate_degree(points))
     _refuse_others(curve)
-    if curve.degree >= MAX_DEGREE:
-        raise ValueError(_("The degree is {most} already, the highest one.").format(most=MAX_DEGREE))
+    _refuse_highest(curve.degree, MAX_DEGREE)
     whole = rows_of(curve)
     rows, knots = curves.elevate_b_spline(whole.rows, whole.knots, whole.degree)
     made = Rows(rows, knots, curve.degree + 1)
@@ -58,6 +59,11 @@ def lowered(curve: Curve) -> tuple[Curve, float]:
         far = float(np.linalg.norm(pieces_of(curve).controls, axis=-1).max())
         error = error * (1.0 + far) / float(rows[:, 2].min())
     return _fitted(curve, Rows(rows, knots, curve.degree - 1)), error
+
+
+def _refuse_highest(degree: int, most: int) -> None:
+    if degree >= most:
+        raise ValueError(_("The degree is {most} already, the highest one.").format(most=most))
 
 
 def _refuse_others(curve: Curve) -> None:

@@ -15,6 +15,8 @@ from workbench.language import _
 
 Array = NDArray[np.float64]
 
+# Twice the degree, and the crossings of a Bézier curve with itself take minutes to find.
+MAX_BEZIER_DEGREE = 49
 _WORTH_KEEPING = 50
 _NEVER_ROUND, _ALWAYS_ROUND = ("natural_cubic", "clamped_cubic"), ("periodic_cubic",)
 
@@ -80,6 +82,7 @@ def pieces_of(curve: Curve, spline: str = "") -> Pieces:
     match spline or curve.spline:
         case "bezier":
             around = np.vstack([points, points[:1]]) if curve.closed else points
+            _refuse_degree(len(around) - 1)
             return _bezier(around[None], np.array([0.0, 1.0]))
         case "bezier_path":
             return _path(points, curve.closed)
@@ -109,6 +112,12 @@ def pieces_of(curve: Curve, spline: str = "") -> Pieces:
             return curves.catmull_rom(points, curve.alpha, ends)
         case _:
             return curves.kochanek_bartels(points, curve.tension, curve.continuity, curve.bias, ends)
+
+
+def _refuse_degree(degree: int) -> None:
+    if degree > MAX_BEZIER_DEGREE:
+        sentence = _("That is a Bézier curve of degree {degree}, drawn up to {most}; choose another kind.")
+        raise ValueError(sentence.format(degree=degree, most=MAX_BEZIER_DEGREE))
 
 
 class _Made(NamedTuple):

@@ -13,11 +13,13 @@ from workbench.panels.curve_joints import MOST_JOINTS, TOLERANCE
 from workbench.panels.curve_names import is_handle, look_of, spline_title
 from workbench.panels.curve_shape import Array, device_pieces, device_points
 from workbench.widgets.canvas_drawing import Pattern
-from workbench.widgets.measure_table import Measure, Measured
+from workbench.widgets.measure_table import Measure, Measured, Value
 
 # What stands in the table while no other kind is shown beside the curve.
 USUAL = ("natural_cubic", "catmull_rom", "bezier", "b_spline")
 MOST_POINTS = 200
+# Above it the roots of the polynomials that are measured take longer to find than a person waits.
+MEASURED_DEGREE = 24
 # Where one point moves the whole curve.
 _GLOBAL = ("bezier", "natural_cubic", "clamped_cubic", "periodic_cubic")
 # A curve that passes a point this near, in pixels, passes through it.
@@ -42,7 +44,11 @@ def measures() -> list[Measure]:
         Measure(_("length"), "px", _("Arc length of the curve"), "least"),
         Measure(_("one point moves"), "", _("What of the curve follows a point that is moved")),
         Measure(_("smoothness"), "", _("The worst joint of the curve: of the parameter, of the shape")),
-        Measure(_("degree"), "", _("The degree of each piece")),
+        Measure(
+            _("degree"),
+            "",
+            _("The degree of each piece; above {most} nothing else is measured").format(most=MEASURED_DEGREE),
+        ),
     ]
 
 
@@ -54,26 +60,30 @@ def _rows(sheet: Sheet, curve: Curve) -> tuple[Measured, ...]:
         pieces = device_pieces(sheet, curve, kind)
         if pieces is None or not len(points):
             continue
-        away = curves.distances(pieces, points)
-        swing = curves.overshoot(pieces, points)
-        turns = curves.wiggle(pieces, points)
-        alike = replace(curve, spline=kind)
-        values = (
-            (kind in THROUGH and not ends_steer(alike)) or float(away.max()) < _ON,
-            float(away.max()),
-            float(away.mean()),
-            swing.box,
-            None if math.isnan(swing.between) else swing.between,
-            math.degrees(turns.turning),
-            float(turns.inflections),
-            float(curves.arc_length(pieces)),
-            _("all of it") if kind in _GLOBAL else _("a part of it"),
-            _smoothness(pieces, goes_round(alike)),
-            str(pieces.degree),
-        )
+        low = pieces.degree <= MEASURED_DEGREE
+        values = _values(replace(curve, spline=kind), pieces, points) if low else (None,) * 10
         ink, pattern = _look_beside(curve, kind)
-        found.append(Measured(spline_title(kind), ink, values, pattern))
+        found.append(Measured(spline_title(kind), ink, (*values, str(pieces.degree)), pattern))
     return tuple(found)
+
+
+def _values(curve: Curve, pieces: curves.Pieces, points: Array) -> tuple[Value, ...]:
+    """The measures but the degree, of a curve of these pieces over these points."""
+    away = curves.distances(pieces, points)
+    swing = curves.overshoot(pieces, points)
+    turns = curves.wiggle(pieces, points)
+    return (
+        (curve.spline in THROUGH and not ends_steer(curve)) or float(away.max()) < _ON,
+        float(away.max()),
+        float(away.mean()),
+        swing.box,
+        None if math.isnan(swing.between) else swing.between,
+        math.degrees(turns.turning),
+        float(turns.inflections),
+        float(curves.arc_length(pieces)),
+        _("all of it") if curve.spline in _GLOBAL else _("a part of it"),
+        _smoothness(pieces, goes_round(curve)),
+    )
 
 
 def rows(sheet: Sheet, curve: Curve) -> tuple[Measured, ...]:

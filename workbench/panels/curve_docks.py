@@ -12,7 +12,7 @@ from workbench.document.curve_pieces import fault_of, parameter_at, share_at
 from workbench.document.model import B_SPLINES, Curve
 from workbench.language import _
 from workbench.panels.curve_basis import MOST, NOTHING, Basis, basis_of
-from workbench.panels.curve_compare import compared, measures, rows, why_none
+from workbench.panels.curve_compare import MEASURED_DEGREE, compared, measures, rows, why_none
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_insight import CurveInsight
 from workbench.panels.curve_joints import joint_point, joints
@@ -227,11 +227,16 @@ def _measures(pieces: Pieces | None, u: float | None) -> list[tuple[str, str]]:
     x, y = piece_points(pieces, u).tolist()
     bend = float(curves.curvature(pieces, u))
     _centre, radius = curves.osculating_circle(pieces, u)
+    here = [
+        (_("at u = {u:.4g}").format(u=u), f"({x:.4g}, {y:.4g})"),
+        (_("curvature"), f"{bend:.4g} 1/px, " + _("radius {radius:.4g} px").format(radius=radius)),
+    ]
+    if pieces.degree > MEASURED_DEGREE:
+        return [*here, (_("the whole"), _("not measured above degree {most}").format(most=MEASURED_DEGREE))]
     (x0, y0), (x1, y1) = (side.tolist() for side in curves.bounding_box(pieces))
     return [
-        (_("at u = {u:.4g}").format(u=u), f"({x:.4g}, {y:.4g})"),
+        *here,
         (_("length"), _("{length:.6g} px").format(length=curves.arc_length(pieces))),
         (_("inflections"), str(len(curves.inflections(pieces)))),
-        (_("curvature"), f"{bend:.4g} 1/px, " + _("radius {radius:.4g} px").format(radius=radius)),
         (_("box"), f"({x0:.4g}, {y0:.4g}) \N{EN DASH} ({x1:.4g}, {y1:.4g})"),
     ]
