@@ -287,3 +287,45 @@ def test_a_local_structure_becomes_a_table(structure: Any, rows: tuple[tuple[Any
     shown = steps[1].tables["Kept"][1]
     assert shown == rows
     assert not any(isinstance(cell, np.generic) for row in shown for cell in row)
+
+
+def long_lists() -> Iterator[tuple[str, tuple[Any, ...]]]:
+    """Texts whose views name a list, with lists longer than what is recorded of one that may change."""
+    points = np.column_stack([np.arange(3000) * 7919 % 61, np.arange(3000) * 104729 % 43]).astype(float)
+    ends = np.array([len(points)])
+    yield "de_boor", (points, np.arange(3004.0), 3, 5.5)
+    yield "de_boor_rational", (points, np.ones(3000), np.arange(3004.0), 3, 5.5)
+    yield "de_casteljau", (points[:40], 0.5)
+    yield "sutherland_hodgman", (points, 5.0, 5.0, 40.0, 40.0)
+    yield "scan_line_fill", (points, ends, False, False)
+    yield "inside_outside", (points, ends, 20.0, 20.0, False)
+
+
+@pytest.mark.parametrize(("slug", "arguments"), [pytest.param(*each, id=each[0]) for each in long_lists()])
+@pytest.mark.parametrize("limit", [300, 4000, 30_000])
+def test_a_run_over_long_lists_is_told_also_where_it_is_cut_short(
+    slug: str, arguments: tuple[Any, ...], limit: int
+) -> None:
+    entry = catalogue.get(slug)
+    steps = Steps(entry, record(entry.function, *arguments, limit=limit))
+    for number in {*range(min(len(steps), 20) + 1), len(steps)}:
+        step = steps[number]
+        assert len(step.row) == (len(entry.columns) if number else 0)
+        steps.candidates_next(number)
+        steps.options_next(number)
+
+
+@pytest.mark.parametrize(
+    ("slug", "arguments"),
+    [
+        ("de_casteljau", (np.zeros((1, 2)), 0.5)),
+        ("de_boor", (np.zeros((5, 2)), np.arange(3.0), 3, 3.5)),
+        ("scan_line_fill", (np.full((3, 2), np.nan), np.array([3]), False, False)),
+        ("cohen_sutherland", (0.0, 0.0, 1.0, 1.0, "a", 0.0, 1.0, 1.0)),
+    ],
+)
+def test_a_run_that_an_error_ends_is_told_up_to_there(slug: str, arguments: tuple[Any, ...]) -> None:
+    entry = catalogue.get(slug)
+    recording = record(entry.function, *arguments)
+    assert recording.error is not None
+    assert all(step.first <= step.last for step in Steps(entry, recording))

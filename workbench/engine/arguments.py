@@ -15,10 +15,12 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry, Kind
+from workbench.engine.containers import LARGEST_ARRAY
 from workbench.language import _
 
 _MOST_EXPECTED = 2**24
 _ANNOTATIONS: dict[Any, Kind] = {int: "int", float: "float", bool: "bool"}
+_LISTS = ("points", "floats", "ints")
 _LARGEST = 2**62
 
 
@@ -93,6 +95,19 @@ def bind(function: Callable[..., Any], arguments: tuple[Any, ...], copied: bool)
         arguments = tuple(bound.arguments[name] for name, _kind in parameters)
     pairs = zip(parameters, arguments, strict=True)
     return tuple(_formed(name, kind, value, copied) for (name, kind), value in pairs)
+
+
+def for_recording(function: Callable[..., Any], arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+    """``arguments`` with long lists of points and numbers, which no text writes, as copies for reading only.
+
+    What cannot be written is recorded whole, however long it is.
+    """
+    kept = list(arguments)
+    for number, (value, (_name, kind)) in enumerate(zip(arguments, kinds(function), strict=False)):
+        if kind in _LISTS and isinstance(value, np.ndarray) and value.size > LARGEST_ARRAY:
+            kept[number] = value.copy()
+            kept[number].setflags(write=False)
+    return tuple(kept)
 
 
 @dataclass(frozen=True, slots=True)

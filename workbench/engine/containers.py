@@ -25,7 +25,7 @@ _PUSH = 0xFFFFFFFF
 
 @dataclass(frozen=True, slots=True)
 class LeftOut:
-    """Stands for an array of more than ``LARGEST_ARRAY`` items, which is not recorded."""
+    """Stands for an array of more than ``LARGEST_ARRAY`` items that can be written, which is not recorded."""
 
     shape: tuple[int, ...]
     dtype: str
@@ -306,6 +306,11 @@ def _is_large(value: NDArray[Any]) -> bool:
     return value.size > LARGEST_ARRAY or (value.size > LARGEST_VIEW and whole.size > LARGEST_ARRAY)
 
 
+def _may_change(value: NDArray[Any]) -> bool:
+    """Whether an array, or the one that it is a part of, can be written."""
+    return value.flags.writeable or (isinstance(value.base, np.ndarray) and _may_change(value.base))
+
+
 class Containers:
     """The logs of all lists and arrays that a name of a live frame is bound to."""
 
@@ -316,7 +321,7 @@ class Containers:
     def bind(self, value: Any, stamp: int, fresh: bool) -> Any:
         """What a column keeps for ``value``: a log of it; ``fresh`` looks for changes nobody has seen yet."""
         if isinstance(value, np.ndarray) and _is_large(value):
-            return _left_out(value.shape, value.dtype)
+            return _left_out(value.shape, value.dtype) if _may_change(value) else value
         log = self._logs.get(id(value))
         if log is None:
             if isinstance(value, list):

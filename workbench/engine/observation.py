@@ -335,6 +335,8 @@ class Steps:
         try:
             return eval(_compiled(expression), {**function.__globals__, **self._functions, **variables})
         except Exception as error:
+            if self._visits.broken_off(visit):
+                return ()
             raise ViewError(
                 _("{title}, block “{block}”: {expression} cannot be evaluated: {error}.").format(
                     title=self.entry.title, block=view.block, expression=expression, error=error
@@ -346,7 +348,7 @@ class Steps:
 
     def _sentence_of(self, visit: int) -> tuple[Part, ...]:
         view = self._view_of(visit)
-        if view is None or not view.sentence:
+        if view is None or not view.sentence or self._visits.broken_off(visit):
             return ()
         return fill_in(_(view.sentence), lambda expression: self._value(visit, view, expression))
 

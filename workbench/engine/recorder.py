@@ -19,6 +19,7 @@ from types import CodeType, FrameType, TracebackType
 from typing import Any
 
 from workbench.engine import background
+from workbench.engine.arguments import for_recording
 from workbench.engine.columns import MISSING, Column
 from workbench.engine.containers import Containers, Log, is_fixed
 from workbench.engine.effects import Effects, texts_of
@@ -307,12 +308,13 @@ def record(
     What ``skip`` passes over is run, and what it emits is kept, but none of its lines is recorded.
 
     Nothing that the text raises leaves this function: it is in ``Recording.error``. ``depth_limit`` is the
-    deepest call allowed (the entry is 0); beyond it RecursionError is raised where the call was made. Array
-    arguments are written in place where the text does so. Raises TypeError when ``function`` is not a Python
-    function.
+    deepest call allowed (the entry is 0); beyond it RecursionError is raised where the call was made.
+    Pictures among the arguments are written in place where the text does so. Raises TypeError when
+    ``function`` is not a Python function.
     """
     recording = Recording(texts_of(function))
-    _run(_Tracer(recording, limit, depth_limit, None, skip), function, (args,))
+    given = for_recording(function, args)
+    _run(_Tracer(recording, limit, depth_limit, None, skip), function, (given,))
     return recording
 
 
@@ -338,7 +340,8 @@ class Recorder:
         self._begun = threading.Event()
         self._stopped = False
         tracer = _Tracer(self.recording, limit, depth_limit, self._pause, skip)
-        work = partial(self._run, tracer, function, (args, *then))
+        calls = [for_recording(function, call) for call in (args, *then)]
+        work = partial(self._run, tracer, function, calls)
         self._thread = background.thread(work, f"record {function.__name__}", self.stop)
 
     def _run(self, tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]]) -> None:

@@ -93,14 +93,22 @@ class Visits:
     def left(self, visits: NDArray[np.integer[Any]]) -> NDArray[np.bool_]:
         """Which of these visits are over, as far as has been looked at."""
         recording = self.recording
-        ended = recording.complete or recording.truncated or recording.error is not None
-        if ended and self.seen == recording.count:
+        if recording.complete and self.seen == recording.count:
             return np.ones(len(visits), bool)
         calls = self._table[_CALL, visits]
         ends = np.array(recording.frame_ends[:], np.int64)[calls]
         gone = (ends != 0) & (ends <= 2 * self.seen)
         left: NDArray[np.bool_] = np.logical_or(gone, self._visit_in[calls] != visits)
         return left
+
+    def broken_off(self, visit: int) -> bool:
+        """Whether an error ended the run in the middle of this visit; it ends all calls with its last line."""
+        recording = self.recording
+        if recording.error is None:
+            return False
+        call = self._table[_CALL, visit]
+        ended = recording.frame_ends[call] >= 2 * recording.count - 1
+        return bool(ended and self._visit_in[call] == visit)
 
     def rows_left(self, sure: int) -> int:
         """How many rows come before the first whose visit is under way; ``sure`` of them are known to."""
