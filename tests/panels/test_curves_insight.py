@@ -18,6 +18,7 @@ from tests.panels.curves_by_hand import (
     settle,
     the_curve,
 )
+from workbench.algorithms import curves
 from workbench.algorithms.curves import piece_points
 from workbench.document.curve_pieces import parameter_at, pieces_of
 from workbench.document.curve_settings import set_spline
@@ -25,6 +26,7 @@ from workbench.document.model import SPLINES, Curve, CurvePoint
 from workbench.panels.curve_basis import MOST, basis_of
 from workbench.panels.curve_compare import MEASURED_DEGREE
 from workbench.panels.curve_insight import switches
+from workbench.panels.curve_marks import MOST_CROSSED, crossings
 from workbench.panels.curve_scene import construction, point_at
 from workbench.widgets.canvas_drawing import Spot, Stroke
 
@@ -347,12 +349,12 @@ def test_kinds_in_the_table_have_the_lines_of_the_canvas(qtbot):
 
 def test_what_is_not_compared_says_why(qtbot):
     many = [(float(k % 60), float(k % 7)) for k in range(201)]
-    for curves, said in (
+    for drawn, said in (
         ([], "Select a curve"),
         ([curve_through(*many)], "more than 200 points"),
         ([curve_through((1.0, 1.0))], "4 are needed"),
     ):
-        table = with_docks(qtbot, *curves).beside.measured
+        table = with_docks(qtbot, *drawn).beside.measured
         assert table.state.empty
         assert said in table.state.sentence.text()
     assert not with_docks(qtbot, curve_through(*many[:200])).beside.measured.state.empty
@@ -368,3 +370,11 @@ def test_a_curve_of_a_high_degree_is_not_measured(qtbot):
         assert None not in other.values[:3]
         said = [label.text() for label in panel.beside.insight.findChildren(QLabel)]
         assert any("not measured" in text for text in said) != measured
+
+
+def test_crossings_of_very_many_pieces_are_not_looked_for(qtbot, monkeypatch):
+    zigzag = [(10.0 + 7 * k % 41, 8.0 + 11 * k % 29) for k in range(MOST_CROSSED + 2)]
+    few, many = (pieces_of(curve_through(*zigzag[:n], spline="catmull_rom")) for n in (40, len(zigzag)))
+    assert len(crossings(few)) > 10
+    monkeypatch.setattr(curves, "self_intersections", lambda *_given: pytest.fail("takes seconds"))
+    assert crossings(many) == []

@@ -102,7 +102,7 @@ class Visits:
         return left
 
     def broken_off(self, visit: int) -> bool:
-        """Whether an error ended the run in the middle of this visit; it ends all calls with its last line."""
+        """Whether an error ended the run in the middle of this visit: it ends all calls with its line."""
         recording = self.recording
         if recording.error is None:
             return False

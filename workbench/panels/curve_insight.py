@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QCheckBox, QFrame, QGridLayout, QLabel, QScrollAre
 
 from workbench.language import _
 from workbench.panels.curve_focus import CurveFocus
+from workbench.panels.curve_marks import MOST_CROSSED
 
 _WIDE_PX = 300
 
@@ -23,7 +24,11 @@ def switches() -> list[tuple[str, str, str]]:
         ("box", _("Bounding box"), _("The smallest box around the curve itself")),
         ("extrema", _("Extrema"), _("Where x or y turns back")),
         ("inflections", _("Inflections"), _("Where the curve changes the side it bends to")),
-        ("crossings", _("Self-intersections"), _("Where the curve crosses itself")),
+        (
+            "crossings",
+            _("Self-intersections"),
+            _("Where a curve of up to {most} pieces crosses itself").format(most=MOST_CROSSED),
+        ),
         ("steps_u", _("Equal steps of u"), _("Points at equal steps of the parameter")),
         ("steps_length", _("Equal steps of length"), _("As many points at equal steps along the curve")),
         (

@@ -18,6 +18,7 @@ COMB_TEETH = 24
 COMB_CELLS = 0.1
 MOST_TEETH = 1600
 MOST_MARKS = 400
+MOST_CROSSED = 300
 STEPS = 16
 _FAR = 40.0
 
@@ -146,7 +147,9 @@ def inflections(pieces: Pieces) -> list[Drawn]:
 
 
 def crossings(pieces: Pieces) -> list[Drawn]:
-    """Where the curve crosses itself."""
+    """Where the curve crosses itself; of very many pieces nothing, since each may cross each."""
+    if len(pieces.controls) > MOST_CROSSED:
+        return []
     size = float(np.ptp(pieces.controls.reshape(-1, 2), axis=0).max())
     found = curves.self_intersections(pieces, max(1e-9, 1e-7 * size), MOST_MARKS)
     return [Spot(x, y, "data 2", "cross", 11) for x, y in (point.tolist() for _u, _v, point in found)]
