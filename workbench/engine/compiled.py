@@ -22,7 +22,7 @@ from workbench.algorithms.entry import Emits
 from workbench.engine import arguments, kernel_files, sinks
 from workbench.engine.drivers import PAINTING, drivers, ticking_drivers
 from workbench.engine.lowering import Lowered, Variant, lower
-from workbench.engine.processor import mask_short_loops
+from workbench.engine.processor import load_llvm, mask_short_loops
 from workbench.engine.sinks import Stop, Stopped
 from workbench.engine.turns import imports_in_turn, short_turns
 from workbench.language import _
@@ -53,12 +53,12 @@ def _numba() -> ModuleType | None:
     """numba with our ``emit`` made known to it; None when it cannot be imported."""
     try:
         with imports_in_turn, short_turns:
+            load_llvm()
             import numba
             from numba.extending import overload, register_jitable
     except ImportError:
         return None
     mask_short_loops()
-
     for shared in sinks.SHARED:
         register_jitable(shared)
 

@@ -1,6 +1,22 @@
-"""What the compiler is told of the processor that it compiles for."""
+"""LLVM: how it is loaded beside an interface, and what it is told of the processor that it compiles for."""
 
+import ctypes
 import functools
+import importlib.util
+import os
+from pathlib import Path
+
+
+def load_llvm() -> None:
+    """Load LLVM's library so that other threads go on meanwhile; an import finds it loaded.
+
+    An import holds all of Python while the system links 180 MB, 60 ms long; a call of the system does not.
+    Where there is no such file, nothing is done.
+    """
+    package = importlib.util.find_spec("llvmlite")
+    if os.name == "posix" and package is not None and package.origin is not None:
+        for library in Path(package.origin).parent.glob("binding/libllvmlite.*"):
+            ctypes.CDLL(None).dlopen(os.fsencode(library), os.RTLD_NOW)
 
 
 @functools.cache

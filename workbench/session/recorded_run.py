@@ -6,22 +6,20 @@ from contextlib import suppress
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from workbench.algorithms.entry import Entry
 from workbench.engine import background, compiled, counts
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import LIMIT, Recorder
 from workbench.engine.recording import Recording
-from workbench.engine.turns import interface
 from workbench.engine.visits import skip
 from workbench.language import _
 from workbench.session.collecting import collect_here
+from workbench.session.going_first import go_first
 from workbench.session.variables import same_value
 
 DEPTH_LIMIT = 1000
-_SHOWN = QEvent.Type(QEvent.registerEventType())
-_AFTER_PAINTING = Qt.EventPriority.LowEventPriority.value - 1
 _LOOK_MS = 16
 _LONG_LOOK_MS = 60
 _FIRST_WAIT_S = 0.003
@@ -65,9 +63,6 @@ class RecordedRun(QObject):
         self._counted: Recorder | None = None
         self._look = QTimer(self)
         self._look.timeout.connect(self._look_again)
-        self._laid_out = QTimer(self)
-        self._laid_out.setSingleShot(True)
-        self._laid_out.timeout.connect(self._wait_for_painting)
         self._total_found.connect(self._take_total)
 
     # Which run
@@ -114,14 +109,13 @@ class RecordedRun(QObject):
         self.recording = self._recorder.recording
         self.steps = Steps(entry, self.recording)
         self._abandoned = weakref.finalize(self, self._recorder.stop)
-        interface.works()
+        go_first()
         self._recorder.start()
         # What can be had at once is shown at once: views are laid out and painted one time instead of two.
         self._recorder.wait_for_first(_FIRST_WAIT_S)
         self.steps.update()
         self._look.start(_FIRST_LOOK_MS)
         self.changed.emit()
-        self._laid_out.start(0)
 
     def clear(self) -> None:
         """No run."""
@@ -217,7 +211,7 @@ class RecordedRun(QObject):
         if not done and self.passed and not recorder.recording.count:
             self._look.setInterval(_LONG_LOOK_MS)  # what comes before the stretch: nothing to be shown yet
             return
-        interface.works()
+        go_first()
         long = recorder.recording.count > _LONG
         self._look.setInterval(_LONG_LOOK_MS if long else _LOOK_MS)
         self.steps.update()
@@ -234,18 +228,6 @@ class RecordedRun(QObject):
             self._find_total()
         self.grown.emit()
         self._recorded(done)
-        self._laid_out.start(0)
-
-    def _wait_for_painting(self) -> None:
-        """The interface works until what the event loop has to do now is done: layouts, then paintings."""
-        QCoreApplication.postEvent(self, QEvent(_SHOWN), _AFTER_PAINTING)
-
-    def event(self, event: QEvent) -> bool:
-        """What was recorded has been shown."""
-        if event.type() != _SHOWN:
-            return super().event(event)
-        interface.rests()
-        return True
 
     def _find_total(self) -> None:
         """Ask the compiled reading for the number of steps, on another thread, if it needs no compilation."""

@@ -4,8 +4,10 @@ from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, 
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QHeaderView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QTableView
 
+from workbench.session.going_first import go_first
+
 _SAMPLED = 12
-_PADDING_PX = 20
+PADDING_PX = 20
 _SLACK_PX = 12
 DECORATION_PX = 24
 
@@ -56,6 +58,7 @@ class FittedColumns(QObject):
 
     def fit(self) -> None:
         """Share the width of the view among the columns."""
+        go_first()
         view, widths = self._view, self._widths()
         self._fitted_rows, self._fitted_columns = view.model().rowCount(), len(widths)
         spare = max(view.viewport().width() - sum(widths), 0)
@@ -83,7 +86,7 @@ class FittedColumns(QObject):
                 metrics = QFontMetrics(font) if font is not None else heading
                 beside = DECORATION_PX if index.data(Qt.ItemDataRole.DecorationRole) is not None else 0
                 widest = max(widest, beside + metrics.horizontalAdvance(str(index.data() or "")))
-            widths.append(widest + _PADDING_PX)
+            widths.append(widest + PADDING_PX)
         return widths
 
 

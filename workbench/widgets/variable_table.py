@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QHeaderView, QTableView, QVBoxLayout, QWidget
 
 from workbench.engine.containers import LeftOut
@@ -12,6 +13,7 @@ from workbench.language import _, ngettext
 from workbench.session.run import Run
 from workbench.session.variables import same_value
 from workbench.widgets.empty_state import EmptyState
+from workbench.widgets.table_columns import PADDING_PX
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import cell_font
 
@@ -82,7 +84,7 @@ class VariableModel(QAbstractTableModel):
         name = self.names[index.row()]
         changed = name in self.changed_names
         if role == Qt.ItemDataRole.DisplayRole:
-            return value_text(self.values[name]) if index.column() else f"{'●' if changed else ' '} {name}"
+            return value_text(self.values[name]) if index.column() else _marked(name, changed)
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return _SIDES[index.column()]
         if role == Qt.ItemDataRole.ForegroundRole:
@@ -95,6 +97,10 @@ class VariableModel(QAbstractTableModel):
             text = value_text(self.values[name]) if index.column() else name
             return _("{text}, changed").format(text=text) if changed else text
         return None
+
+
+def _marked(name: str, changed: bool) -> str:
+    return f"{'●' if changed else ' '} {name}"
 
 
 class VariableTable(QWidget):
@@ -117,7 +123,7 @@ class VariableTable(QWidget):
         self.view.setTabKeyNavigation(False)
         header = self.view.horizontalHeader()
         header.setHighlightSections(False)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
         self.state = EmptyState(self.view, _("A figure that is drawn shows its variables here."))
         self.state.wanted.connect(self.example_wanted)
@@ -125,11 +131,18 @@ class VariableTable(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.state)
         self.setFocusProxy(self.view)
+        self.model.modelReset.connect(self._fit_names)
         run.changed.connect(self.refresh)
         run.moved.connect(self.refresh)
         run.grown.connect(self.refresh)
         theme.changed.connect(self.view.viewport().update)
         self.refresh()
+
+    def _fit_names(self) -> None:
+        """Give the names their width; asking the view for it would ask the model for every role of each."""
+        metrics = QFontMetrics(cell_font(True))
+        names = [_("Variable"), *(_marked(name, True) for name in self.model.names)]
+        self.view.setColumnWidth(0, max(map(metrics.horizontalAdvance, names)) + PADDING_PX)
 
     def refresh(self) -> None:
         """Read the variables at the cursor."""
