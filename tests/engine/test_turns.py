@@ -48,6 +48,10 @@ def test_an_interface_that_was_left_working_is_not_waited_for_for_ever(
     thread = started(interface.wait)
     thread.join(60)
     assert not thread.is_alive()
+    monkeypatch.setattr(turns, "_PATIENCE_S", 600.0)
+    thread = started(interface.wait)
+    thread.join(60)
+    assert not thread.is_alive()
 
 
 def test_the_interface_does_not_wait_for_itself() -> None:

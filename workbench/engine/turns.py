@@ -30,9 +30,12 @@ class _Interface:
         self._rests.set()
 
     def wait(self) -> None:
-        """Called by other threads, often: wait while it works, but not for long; it may have been left so."""
-        if not self._rests.is_set() and threading.current_thread() is not threading.main_thread():
-            self._rests.wait(_PATIENCE_S)
+        """Called by other threads, often: wait while it works, but not for long.
+
+        It may have been left so, and from then on it counts as resting.
+        """
+        if threading.current_thread() is not threading.main_thread() and not self._rests.wait(_PATIENCE_S):
+            self._rests.set()
 
 
 class _ShortTurns:
