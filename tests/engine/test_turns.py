@@ -2,7 +2,8 @@
 
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -21,8 +22,8 @@ def patient(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     interface.rests()
 
 
-def started(work: object) -> threading.Thread:
-    thread = threading.Thread(target=work, daemon=True)  # type: ignore[arg-type]
+def started(work: Callable[[], None]) -> threading.Thread:
+    thread = threading.Thread(target=work, daemon=True)
     thread.start()
     return thread
 
@@ -90,8 +91,8 @@ def test_modules_are_imported_one_by_one_while_the_interface_rests(
 
     def load() -> None:
         with imports_in_turn:
-            import outer_module  # type: ignore[import-not-found]  # noqa: F401
-            import unknown_after_inner  # type: ignore[import-not-found]  # noqa: F401
+            import_module("outer_module")
+            import_module("unknown_after_inner")
 
     failed = []
 

@@ -5,11 +5,9 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication
 
-from workbench.document.edits import add_figure
-from workbench.document.model import Circle, Ellipse, Line, Polyline, WorldPoint
+from workbench.document.model import Circle, Ellipse, Line, Polyline
 from workbench.document.samples import blank_sheet, example_document
 from workbench.panels.draw import DrawPanel
-from workbench.panels.figure_outline import outline
 from workbench.rendering import frame_buffer
 from workbench.session.session import Session
 from workbench.widgets.canvas_overlay import BOTH, ONLY_FIRST, TIE_FIRST
@@ -17,7 +15,6 @@ from workbench.widgets.tokens import LIGHT
 
 LEFT = Qt.MouseButton.LeftButton
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-HEXAGON = ((4, 8), (8, 2), (14, 2), (18, 8), (14, 14), (8, 14))
 
 
 @pytest.fixture
@@ -240,30 +237,6 @@ def test_numbers_are_typed_on_the_card(qtbot, session, panel, line):
     settle()
     assert points(line()) == [(20, 10), (35, 18)]
     assert field.complaint.isVisible()
-
-
-def test_a_field_stays_where_it_is_beside_one_that_complains(qtbot, session, panel, line):
-    bad, beside = (panel.card._fields[f"s1/f1/p1/{axis}"] for axis in "xy")
-    bad.complain("'abc' is no number; type one, or arithmetic such as 30/2.")
-    settle()
-    assert beside.field.mapTo(panel, QPoint()).y() == bad.field.mapTo(panel, QPoint()).y()
-
-
-def test_the_ideal_circle_has_no_corners_that_are_seen():
-    circle = Circle("f1", (WorldPoint("p1", 30.0, 24.0),), "midpoint_circle", radius_world=20.0)
-    sheet = add_figure("s1", circle)(blank_sheet(64, 48)).sheets[0]
-    (around,) = outline(sheet, sheet.figures[0])
-    middles = (around[1:] + around[:-1]) / 2
-    assert np.abs(np.hypot(*(middles - (30, 24)).T) - 20).max() < 0.006
-
-
-def test_each_of_six_corners_can_be_typed(session, panel):
-    corners = tuple(WorldPoint("", float(x), float(y)) for x, y in HEXAGON)
-    session.apply(add_figure("s1", Polyline("", corners, "bresenham_line", closed=True)), "Draw")
-    figure = session.sheet.figures[-1]
-    session.update_state(selection=(figure.id,))
-    settle()
-    assert len(panel.card._fields) == 12
 
 
 def test_scrubbing_a_label_is_one_step_of_undo(qtbot, session, panel, line):

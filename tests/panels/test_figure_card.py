@@ -1,19 +1,21 @@
-"""What is too far away to be drawn is said in the card."""
+"""What is typed in the card, and what it says of what cannot be: too far away to be drawn, no number."""
 
 from collections.abc import Iterator
 
 import pytest
 from msgspec.structs import replace
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from workbench.document.edits import add_figure, set_attribute
-from workbench.document.model import AnyFigure, Circle, Ellipse, SeedFill, WorldPoint
+from workbench.document.model import AnyFigure, Circle, Ellipse, Polyline, SeedFill, WorldPoint
 from workbench.document.samples import blank_sheet
 from workbench.panels.draw import DrawPanel
 from workbench.rendering import REACH_PX, figure_calls
 from workbench.session.session import Session
 
+HEXAGON = ((4, 8), (8, 2), (14, 2), (18, 8), (14, 14), (8, 14))
 PLACE = (WorldPoint("p1", 10, 10),)
 FIGURES = (
     Circle("f1", PLACE, "midpoint_circle", 1, radius_world=5.0),
@@ -22,11 +24,17 @@ FIGURES = (
 )
 
 
+def settle() -> None:
+    for _turn in range(4):
+        QApplication.processEvents()
+
+
 @pytest.fixture
 def panel(qtbot: QtBot) -> Iterator[DrawPanel]:
     session = Session(document=blank_sheet(64, 48))
     panel = DrawPanel(session)
     qtbot.addWidget(panel)
+    panel.resize(850, 600)
     panel.show()
     yield panel
     session.close()
@@ -38,13 +46,11 @@ def test_what_is_beyond_reach_is_said(panel: DrawPanel, figure: AnyFigure) -> No
     sheet = session.sheet
     session.apply(add_figure(sheet.id, figure), "Draw")
     session.update_state(selection=("f1",), active="f1")
-    QApplication.processEvents()
-    QApplication.processEvents()
+    settle()
     assert panel.card.trouble.isHidden()
     field = "radius_world" if isinstance(figure, Circle) else "p1/x"
     session.apply(set_attribute(f"{sheet.id}/f1/{field}", REACH_PX + 3_616.0), "Change value")
-    QApplication.processEvents()
-    QApplication.processEvents()
+    settle()
     assert not panel.card.trouble.isHidden()
     assert "20,000" in panel.card.trouble.text()
     assert "16,384" in panel.card.trouble.text()
@@ -57,3 +63,36 @@ def test_what_is_just_within_reach_is_drawn(panel: DrawPanel) -> None:
     circle = replace(FIGURES[0], radius_world=float(REACH_PX))
     session.apply(add_figure(session.sheet.id, circle), "Draw")
     assert len(figure_calls(session.sheet, session.sheet.figures[0])) == 1
+
+
+def test_each_of_six_corners_can_be_typed(panel: DrawPanel, qtbot: QtBot) -> None:
+    session = panel.session
+    corners = tuple(WorldPoint("", float(x), float(y)) for x, y in HEXAGON)
+    session.apply(add_figure("s1", Polyline("", corners, "bresenham_line", closed=True)), "Draw")
+    figure = session.sheet.figures[-1]
+    session.update_state(selection=(figure.id,))
+    settle()
+    for number, point in enumerate(figure.points_world):
+        field = panel.card._fields[f"s1/{figure.id}/{point.id}/y"].field
+        field.selectAll()
+        qtbot.keyClicks(field, str(20 + number))
+        qtbot.keyClick(field, Qt.Key.Key_Return)
+        settle()
+    (typed,) = (each for each in session.sheet.figures if each.id == figure.id)
+    assert [point.y for point in typed.points_world] == [20, 21, 22, 23, 24, 25]
+    assert [point.x for point in typed.points_world] == [x for x, _y in HEXAGON]
+
+
+def test_a_field_stays_where_it_is_beside_one_that_complains(panel: DrawPanel, qtbot: QtBot) -> None:
+    session = panel.session
+    session.apply(add_figure("s1", FIGURES[0]), "Draw")
+    session.update_state(selection=("f1",), active="f1")
+    settle()
+    bad, beside = (panel.card._fields[f"s1/f1/p1/{axis}"] for axis in "xy")
+    bad.field.setFocus()
+    bad.field.selectAll()
+    qtbot.keyClicks(bad.field, "abc")
+    qtbot.keyClick(bad.field, Qt.Key.Key_Return)
+    settle()
+    assert bad.complaint.isVisible()
+    assert beside.field.mapTo(panel, QPoint()).y() == bad.field.mapTo(panel, QPoint()).y()

@@ -1,0 +1,16 @@
+"""The ideal outline that lies over the pixels."""
+
+import numpy as np
+
+from workbench.document.edits import add_figure
+from workbench.document.model import Circle, WorldPoint
+from workbench.document.samples import blank_sheet
+from workbench.panels.figure_outline import outline
+
+
+def test_the_ideal_circle_has_no_corners_that_are_seen():
+    circle = Circle("f1", (WorldPoint("p1", 30.0, 24.0),), "midpoint_circle", radius_world=20.0)
+    sheet = add_figure("s1", circle)(blank_sheet(64, 48)).sheets[0]
+    (around,) = outline(sheet, sheet.figures[0])
+    middles = (around[1:] + around[:-1]) / 2
+    assert np.abs(np.hypot(*(middles - (30, 24)).T) - 20).max() < 0.006
