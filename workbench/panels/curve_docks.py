@@ -29,7 +29,7 @@ DockPart = tuple[str, str, QWidget, Qt.DockWidgetArea]
 PER_PIECE, MOST_SAMPLES = 48, 4000
 _MOST_MARKS = 200
 # While something is dragged the docks follow at most so often.
-THROTTLE_MS = 60
+THROTTLE_MS, REST_MS = 60, 300
 LIVE_MS = 6.0
 
 
@@ -73,7 +73,6 @@ class CurveDocks(QObject):
         self.basis.weight_released.connect(lambda _number: self.weight_released.emit())
         self._later = QTimer(self)
         self._later.setSingleShot(True)
-        self._later.setInterval(THROTTLE_MS)
         self._later.timeout.connect(self.refresh)
         self._kinds = QTimer(self)
         self._kinds.setSingleShot(True)
@@ -98,9 +97,11 @@ class CurveDocks(QObject):
         return self._kinds.isActive()
 
     def refresh_soon(self) -> None:
-        """Follow a drag, but not at every step of it; what takes long waits until the drag ends."""
-        if not self._later.isActive() and self._took_ms < LIVE_MS:
-            self._later.start()
+        """Follow a drag, but not at every step of it; what takes long waits until the hand rests."""
+        if self._took_ms >= LIVE_MS:
+            self._later.start(REST_MS)
+        elif not self._later.isActive():
+            self._later.start(THROTTLE_MS)
 
     def refresh(self) -> None:
         """Everything that can be seen, from the session alone."""

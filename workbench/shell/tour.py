@@ -323,6 +323,7 @@ def _clip(window: MainWindow, slug: str, step: int, number: int = -1, clipper: s
     session = window.session
     if clipper:
         session.apply(set_clippers(session.sheet.id, line=clipper), _("Choose the line clipper"))
+        session.undo_stack.setClean()
     session.update_state(active=session.sheet.figures[number].id, step=step, stepped="clipper")
 
 
