@@ -1,4 +1,4 @@
-"""Docks that several workspaces have: made once, placed by each for itself, also when exchanged."""
+"""What several workspaces show: one widget, which moves into the docks of the one that is entered."""
 
 from collections.abc import Iterator
 
@@ -39,41 +39,52 @@ def test_both_workspaces_have_the_same_docks_but_for_their_own(window: MainWindo
     )
     assert drawing - filling == {"distance"}
     assert filling - drawing == {"depth"}
-    assert all(
-        dock(window, "draw", name) is dock(window, "fill", name) for name in drawing.intersection(filling)
-    )
-    assert dock(window, "draw", "distance").isHidden()
-    assert not dock(window, "fill", "depth").isHidden()
+    for name in drawing & filling:
+        assert dock(window, "draw", name) is not dock(window, "fill", name)
+        assert dock(window, "draw", name).widget() is None
+        widget = dock(window, "fill", name).widget()
+        window.go("draw")
+        assert dock(window, "draw", name).widget() is widget
+        assert dock(window, "fill", name).widget() is None
+        window.go("fill")
+        assert dock(window, "fill", name).widget() is widget
 
 
 @pytest.mark.qt_log_ignore("does not support raise", extend=True)
 def test_a_dock_closed_in_one_workspace_stays_open_in_the_other(window: MainWindow) -> None:
-    hand = dock(window, "fill", "hand_table")
-    hand.close()
+    filling, drawing = (dock(window, slug, "hand_table") for slug in ("fill", "draw"))
+    filling.close()
     window.go("draw")
-    assert not hand.isHidden()
-    hand.setFloating(True)
+    assert drawing.isVisible()
+    drawing.setFloating(True)
     window.go("fill")
-    assert hand.isHidden()
+    assert filling.isHidden()
+    assert drawing.isHidden()  # it would float over the wrong workspace
     window.go("draw")
-    assert not hand.isHidden()
-    assert hand.isFloating()
+    assert drawing.isVisible()
+    assert drawing.isFloating()
 
 
 def test_a_tube_in_the_middle_of_one_workspace_is_a_dock_in_the_other(
     qtbot: QtBot, window: MainWindow
 ) -> None:
-    tube, middle = dock(window, "fill", "tube"), window.panels("fill")[0].center
+    filling, drawing = (dock(window, slug, "tube") for slug in ("fill", "draw"))
+    middle = window.panels("fill")[0].center
     qtbot.keyClick(window, Qt.Key.Key_T)
-    assert tube.widget() is middle
+    assert filling.widget() is middle
+    assert filling.windowTitle() == "Canvas"
     window.go("draw")
-    assert isinstance(tube.widget(), TubeDock)
-    assert tube.windowTitle() == "Tube"
+    assert isinstance(drawing.widget(), TubeDock)
+    assert drawing.windowTitle() == "Tube"
     assert window.panels("draw")[0].center.isVisibleTo(window)
     window.go("home")
     window.go("fill")
-    assert tube.widget() is middle
-    assert tube.windowTitle() == "Canvas"
+    assert filling.widget() is middle
+    assert filling.windowTitle() == "Canvas"
+    window.reset_workspace()
+    filling = dock(window, "fill", "tube")
+    assert filling.widget() is middle
+    assert filling.windowTitle() == "Canvas"
     qtbot.keyClick(window, Qt.Key.Key_T)
-    assert isinstance(tube.widget(), TubeDock)
+    assert isinstance(filling.widget(), TubeDock)
     assert middle.isVisibleTo(window)

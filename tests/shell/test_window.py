@@ -8,8 +8,8 @@ from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
-from workbench.shell.arrangement import VERSION
 from workbench.shell.command_palette import offers
+from workbench.shell.dock_area import VERSION, DockArea
 from workbench.shell.failures import Failures
 from workbench.shell.hints import Hints
 from workbench.shell.questions import questions
@@ -25,13 +25,20 @@ def docks(window: MainWindow) -> dict[str, bool]:
     return {dock.objectName(): not dock.isHidden() for dock in window.arrangements.docks("draw")}
 
 
+def area(window: MainWindow) -> DockArea:
+    there = window.arrangements.area("draw")
+    assert there is not None
+    return there
+
+
 def test_the_bar_changes_the_workspace(qtbot: QtBot, window: MainWindow) -> None:
     assert window.place == "home"
     for slug in ("draw", "display", "home", "draw"):
         qtbot.mouseClick(window.bar._tabs[slug], Qt.MouseButton.LeftButton)
         assert window.place == slug
         assert [each for each, tab in window.bar._tabs.items() if tab.isChecked()] == [slug]
-        assert set(docks(window).values()) <= {slug == "draw"}
+        assert area(window).isVisible() == (slug == "draw")
+        assert all(docks(window).values())
 
 
 def test_the_bar_folds_when_it_is_narrow(qtbot: QtBot) -> None:
@@ -103,7 +110,7 @@ def test_a_bad_arrangement_is_dropped(
     window: MainWindow, open_window: Callable[[], MainWindow], bad: bytes | None
 ) -> None:
     window.go("draw")
-    other_version = window.saveState(VERSION + 1)
+    other_version = area(window).saveState(VERSION + 1)
     window.close()
     window.settings.keep_arrangement("draw", other_version if bad is None else QByteArray(bad))
     window.settings.write()
@@ -130,7 +137,7 @@ def test_tabbed_docks_are_named_once_and_float_and_close_by_menu(qtbot: QtBot, w
     source, values, tube = window.arrangements.docks("draw")
     qtbot.waitUntil(lambda: source.titleBarWidget() is not None)
     assert tube.titleBarWidget() is None
-    tabs = window.arrangements.tabs
+    tabs = area(window).tabs
     tabs.menu(values).actions()[0].trigger()
     assert values.isFloating()
     qtbot.waitUntil(lambda: source.titleBarWidget() is None)
@@ -138,7 +145,9 @@ def test_tabbed_docks_are_named_once_and_float_and_close_by_menu(qtbot: QtBot, w
     tabs.menu(source).actions()[1].trigger()
     assert source.isHidden()
     window.menus.actions["reset"].trigger()
+    source, values, tube = window.arrangements.docks("draw")
     assert not values.isFloating()
+    assert not source.isHidden()
     qtbot.waitUntil(lambda: source.titleBarWidget() is not None)
 
 
@@ -149,11 +158,11 @@ def test_swap_takes_the_tube_to_the_middle_and_back(qtbot: QtBot, window: MainWi
     qtbot.keyClick(window, "T")
     assert tube.widget() is panel.center
     assert tube.windowTitle() == "Canvas"
-    assert panel.tube.isVisibleTo(window.centres["draw"])
+    assert panel.tube.isVisibleTo(area(window).host)
     qtbot.keyClick(window, "T")
     assert tube.widget() is panel.tube
     assert tube.windowTitle() == "Tube"
-    assert panel.center.isVisibleTo(window.centres["draw"])
+    assert panel.center.isVisibleTo(area(window).host)
 
 
 def test_letters_typed_in_a_field_are_no_commands(qtbot: QtBot, window: MainWindow) -> None:

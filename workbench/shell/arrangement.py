@@ -1,169 +1,111 @@
-"""The docks of the workspaces: made from panels, arranged, remembered with a version, and put back.
-
-A dock that several workspaces have, such as the tube, is one dock, which each of them puts where it wants it.
-"""
+"""The docking areas of the workspaces: made, shown one at a time, remembered, and put back."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
-from PySide6.QtCore import QByteArray, Qt
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
+from PySide6.QtWidgets import QDockWidget, QStackedWidget, QWidget
 
-from workbench.language import _
-from workbench.shell.dock_tabs import DockTabs
+from workbench.shell.dock_area import DockArea, DockPart
 from workbench.shell.settings import Settings
-
-VERSION = 2
-_LOW_PX, _HIGH_PX = 600, 860
-_SIDE_SHARE = 0.36
-_SHARES = (0.58, 0.42)
-_AREAS = {
-    "left": Qt.DockWidgetArea.LeftDockWidgetArea,
-    "right": Qt.DockWidgetArea.RightDockWidgetArea,
-    "top": Qt.DockWidgetArea.TopDockWidgetArea,
-    "bottom": Qt.DockWidgetArea.BottomDockWidgetArea,
-}
-
-DockPart = tuple[str, str, QWidget, str | Qt.DockWidgetArea]
 
 
 @dataclass
-class _Set:
-    """The docks of one workspace, with the area each belongs in at first."""
+class _Workspace:
+    """What the area of a workspace is made of, and the area; ``arranged`` once its docks have a place."""
 
-    docks: list[QDockWidget] = field(default_factory=list)
-    areas: dict[str, Qt.DockWidgetArea] = field(default_factory=dict)
-    lower: tuple[str, ...] = ()
+    middle: QWidget
+    parts: Sequence[DockPart]
+    lower: Sequence[str]
+    area: DockArea
+    arranged: bool = False
+
+    def new_area(self) -> DockArea:
+        """An area in place of the one that is there: Qt arranges docks well only once."""
+        self.area = DockArea(self.middle, self.parts, self.lower)
+        self.arranged = False
+        return self.area
 
 
 class Arrangements:
-    """Shows the docks of one workspace at a time on ``window``, as they were left."""
+    """The areas on ``stack``, of which it shows one at a time, as it was left."""
 
-    def __init__(self, window: QMainWindow, settings: Settings) -> None:
-        self._window = window
+    def __init__(self, stack: QStackedWidget, settings: Settings) -> None:
+        self._stack = stack
         self._settings = settings
-        self._sets: dict[str, _Set] = {}
-        self._docks: dict[str, QDockWidget] = {}
+        self._workspaces: dict[str, _Workspace] = {}
         self.current = ""
-        self.tabs = DockTabs(window, lambda: self.docks(self.current))
-        window.setDockOptions(
-            QMainWindow.DockOption.AllowTabbedDocks
-            | QMainWindow.DockOption.AllowNestedDocks
-            | QMainWindow.DockOption.GroupedDragging
-        )
-        window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
 
-    def add(self, workspace: str, parts: Sequence[DockPart], lower: Sequence[str] = ()) -> None:
-        """Give a workspace the docks of a panel's parts, hidden until it is shown; they are made once.
+    def add(self, slug: str, middle: QWidget, parts: Sequence[DockPart], lower: Sequence[str] = ()) -> None:
+        """Make the area of a workspace, which stays hidden until it is shown."""
+        area = DockArea(middle, parts, lower)
+        self._workspaces[slug] = _Workspace(middle, parts, lower, area)
+        self._stack.addWidget(area)
 
-        Those named in ``lower`` begin in the lower half of the right side, the others where their part says.
-        """
-        held = self._sets.setdefault(workspace, _Set())
-        held.lower = tuple(lower)
-        for name, title, widget, area in parts:
-            where = _AREAS["right"] if name in lower else _AREAS[area] if isinstance(area, str) else area
-            if name not in self._docks:
-                self._docks[name] = self._make(name, title, widget, where)
-            held.docks.append(self._docks[name])
-            held.areas[name] = where
+    def area(self, slug: str) -> DockArea | None:
+        """The area of a workspace, once it was made."""
+        return self._workspaces[slug].area if slug in self._workspaces else None
 
-    def _make(self, name: str, title: str, widget: QWidget, where: Qt.DockWidgetArea) -> QDockWidget:
-        dock = QDockWidget(title, self._window)
-        dock.setObjectName(name)
-        dock.setWidget(widget)
-        dock.toggleViewAction().setToolTip(_("Show or hide {title}").format(title=title))
-        self.tabs.follow(dock)
-        self._window.addDockWidget(where, dock)
-        dock.hide()
-        return dock
-
-    def has(self, workspace: str) -> bool:
-        """Whether the docks of a workspace were made."""
-        return workspace in self._sets
-
-    def docks(self, workspace: str) -> list[QDockWidget]:
+    def docks(self, slug: str) -> list[QDockWidget]:
         """The docks of a workspace, in the order of its panels."""
-        return list(self._sets[workspace].docks) if workspace in self._sets else []
+        return list(self._workspaces[slug].area.docks) if slug in self._workspaces else []
 
     def bring_forward(self, name: str) -> None:
-        """Bring a dock before those that it shares its place with."""
-        self._docks[name].raise_()
+        """Bring a dock of the current workspace before those that it shares its place with."""
+        self._workspaces[self.current].area.dock(name).raise_()
 
-    def show(self, workspace: str) -> bool:
-        """Show the docks of one workspace; False when what was remembered could not be used."""
+    def show(self, slug: str) -> bool:
+        """Show the area of a workspace; False when what was remembered could not be used."""
         self.leave()
-        self.current = workspace
-        if workspace not in self._sets:
-            return True
-        kept = self._settings.arrangement(workspace)
-        if kept is None:
-            self.reset()
-            return True
-        if self._restored(kept):
-            return True
-        self._settings.forget_arrangement(workspace)
-        self.reset()
-        return False
+        self.current = slug
+        workspace = self._workspaces[slug]
+        self._stack.setUpdatesEnabled(False)
+        try:
+            usable = workspace.arranged or self._arrange(workspace)
+            workspace.area.gather()
+            self._stack.setCurrentWidget(workspace.area)
+            workspace.area.wake()
+        finally:
+            self._stack.setUpdatesEnabled(True)
+        return usable
 
     def leave(self) -> None:
-        """Remember the present arrangement and hide its docks."""
-        if self.current in self._sets:
-            self._settings.keep_arrangement(self.current, self._window.saveState(VERSION))
-            for dock in self._sets[self.current].docks:
-                dock.hide()
+        """Remember the present arrangement, and let its area rest."""
+        if self.current:
+            area = self._workspaces[self.current].area
+            self._settings.keep_arrangement(self.current, area.arrangement)
+            area.rest()
         self.current = ""
 
     def reset(self) -> None:
         """Put the docks of the current workspace where they were at first."""
-        held = self._sets.get(self.current)
-        if held is None:
+        slug = self.current
+        if not slug:
             return
-        for dock in held.docks:
-            dock.setFloating(False)
-            self._window.removeDockWidget(dock)
-        by_area: dict[Qt.DockWidgetArea, list[QDockWidget]] = {}
-        for dock in held.docks:
-            by_area.setdefault(held.areas[dock.objectName()], []).append(dock)
-        for area, docks in by_area.items():
-            self._place(area, docks, held.lower)
+        self.leave()
+        self._settings.forget_arrangement(slug)
+        self._renew(self._workspaces[slug])
+        self.show(slug)
 
-    def _place(self, area: Qt.DockWidgetArea, docks: list[QDockWidget], below: Sequence[str]) -> None:
-        """Put docks where they begin.
+    def _arrange(self, workspace: _Workspace) -> bool:
+        """Give the docks of a new area their places; False when those remembered could not be used."""
+        kept = self._settings.arrangement(self.current)
+        self._stack.setCurrentWidget(workspace.area)
+        usable = kept is None or workspace.area.restore(kept)
+        if not usable:
+            self._settings.forget_arrangement(self.current)
+            self._renew(workspace)
+        if kept is None or not usable:
+            workspace.area.place(self._stack.window().height())
+        workspace.arranged = True
+        return usable
 
-        A side column is one group of tabs in a very low window, two in a low one, all stacked in a high one.
-        """
-        window, sideways = self._window, area in (_AREAS["left"], _AREAS["right"])
-        along = Qt.Orientation.Vertical if sideways else Qt.Orientation.Horizontal
-        upper = [dock for dock in docks if dock.objectName() not in below]
-        lower = sorted(
-            (dock for dock in docks if dock not in upper), key=lambda d: below.index(d.objectName())
-        )
-        for dock in (*upper, *lower):
-            window.addDockWidget(area, dock, along)
-            dock.show()
-        groups = [group for group in (upper, lower) if group]
-        if window.height() < _LOW_PX:
-            groups = [[*upper, *lower]]
-        if sideways and window.height() < _HIGH_PX:
-            for group in groups:
-                for dock in group[1:]:
-                    window.tabifyDockWidget(group[0], dock)
-                group[0].raise_()
-            if len(groups) == 2:
-                shares = [round(window.height() * share) for share in _SHARES]
-                window.resizeDocks([group[0] for group in groups], shares, along)
-        if sideways:
-            shown = [group[0] for group in groups]
-            window.resizeDocks(
-                shown, [round(window.width() * _SIDE_SHARE)] * len(shown), Qt.Orientation.Horizontal
-            )
-
-    def _restored(self, kept: QByteArray) -> bool:
-        """Take a remembered arrangement; it is bad when Qt refuses it or another workspace's docks show."""
-        if not self._window.restoreState(kept, VERSION):
-            return False
-        mine = self.docks(self.current)
-        for dock in self._docks.values():
-            if dock not in mine:
-                dock.hide()
-        return True
+    def _renew(self, workspace: _Workspace) -> None:
+        old, swapped = workspace.area, workspace.area.swapped
+        area = workspace.new_area()
+        self._stack.addWidget(area)
+        area.gather()
+        self._stack.setCurrentWidget(area)
+        self._stack.removeWidget(old)
+        old.deleteLater()
+        if swapped:
+            area.swap()

@@ -115,10 +115,13 @@ def show_hints(window: "MainWindow") -> Hints | None:
     """Show the hints unless they were dismissed for good, or are there already."""
     if not window.settings.get("hints") or window.findChild(Hints) is not None:
         return None
-    source = next((d for d in window.arrangements.docks("draw") if d.objectName() == "source"), None)
+    area = window.arrangements.area("draw")
+    if area is None:
+        return None
+    source = next((dock for dock in area.docks if dock.objectName() == "source"), None)
     places: list[tuple[QWidget, str]] = [
         (
-            window.centres["draw"],
+            area.host,
             _("Drag a handle, and every other view follows. The tools on the left draw more."),
         ),
         (window.steps, _("Step through the algorithm here, or with the keys , and . everywhere.")),

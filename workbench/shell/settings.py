@@ -9,6 +9,8 @@ from workbench.paths import settings_folder
 
 RECENT_LIMIT = 8
 _KEY = "recent_files"
+_ARRANGEMENTS = "docks"
+_OLDER_ARRANGEMENTS = "arrangement"
 
 
 class Settings:
@@ -65,16 +67,24 @@ class Settings:
 
     def arrangement(self, name: str) -> QByteArray | None:
         """The remembered arrangement of a workspace, or the window's geometry under ``window``."""
-        found = self._store.value(f"arrangement/{name}")
-        return found if isinstance(found, QByteArray) and not found.isEmpty() else None
+        kept = self._store.value(f"{_ARRANGEMENTS}/{name}")
+        return kept if isinstance(kept, QByteArray) and not kept.isEmpty() else None
 
     def keep_arrangement(self, name: str, state: QByteArray) -> None:
         """Remember an arrangement."""
-        self._store.setValue(f"arrangement/{name}", state)
+        self._store.setValue(f"{_ARRANGEMENTS}/{name}", state)
 
     def forget_arrangement(self, name: str) -> None:
         """Drop a remembered arrangement."""
-        self._store.remove(f"arrangement/{name}")
+        self._store.remove(f"{_ARRANGEMENTS}/{name}")
+
+    def drop_older_arrangements(self) -> bool:
+        """Drop what versions with one set of docks for all workspaces remembered; whether there was any."""
+        self._store.beginGroup(_OLDER_ARRANGEMENTS)
+        dropped = bool(self._store.childKeys())
+        self._store.endGroup()
+        self._store.remove(_OLDER_ARRANGEMENTS)
+        return dropped
 
     def write(self) -> None:
         """Bring everything to the disk now."""

@@ -19,7 +19,7 @@ from workbench.shell.places import HomePage, make_page
 from workbench.shell.settings import Settings
 from workbench.shell.theme import ThemeSwitch
 from workbench.shell.workspace_bar import WorkspaceBar
-from workbench.shell.workspaces import Workspace, host_of, join, panel_class, workspaces
+from workbench.shell.workspaces import Workspace, join, panel_class, workspaces
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -72,7 +72,6 @@ class MainWindow(QMainWindow):
         self._panels: dict[str, list[Any]] = {}
         self._made: dict[str, Any] = {}
         self._makers: dict[str, Iterator[None]] = {}
-        self.centres: dict[str, QWidget] = {}
         self._pages: dict[str, QWidget] = {}
         self._painted = False
         self._closing = False
@@ -125,7 +124,7 @@ class MainWindow(QMainWindow):
         self.messages = MessageBar()
         self._top_column.addWidget(self.messages)
         self.files = Files(self)
-        self.arrangements = Arrangements(self, self.settings)
+        self.arrangements = Arrangements(self.stack, self.settings)
         self.views = Views(self)
         self.status = Status(self.statusBar())
         self.status.preparing(_("preparing"))
@@ -212,15 +211,16 @@ class MainWindow(QMainWindow):
             return
         self._leave()
         usable = self.arrangements.show(slug)
-        self.stack.setCurrentWidget(self.centres[slug])
-        self.views.turn_over(slug, entering=True)
         self.steps.setVisible(self._offered[slug].steps)
         self.place = slug
         self.bar.show_current(slug)
         self.status.in_workspace(self._offered[slug].steps)
         if not usable:
             self.messages.say(_("The remembered arrangement could not be used; this is the first one again."))
-        self.centres[slug].setFocus()
+        elif self.settings.drop_older_arrangements():
+            self.messages.say(
+                _("This version arranges the docks anew, once; move them again to where you had them.")
+            )
         self.entered.emit(slug)
 
     def topics(self, slug: str) -> tuple[str, ...]:
@@ -251,10 +251,8 @@ class MainWindow(QMainWindow):
                 self._take(self._made.setdefault(name, panel_class(name)(self.session)))
                 yield
         made = [self._made[name] for name in workspace.panels]
-        self.centres[slug] = host_of(made[0].center)
-        self.stack.addWidget(self.centres[slug])
-        for panel in made:
-            self.arrangements.add(slug, panel.docks(), workspace.lower)
+        parts = [part for panel in made for part in panel.docks()]
+        self.arrangements.add(slug, made[0].center, parts, workspace.lower)
         join(made)
         self._panels[slug] = made
 
@@ -287,7 +285,6 @@ class MainWindow(QMainWindow):
         for palette in self.findChildren(CommandPalette):
             palette.leave()
         self.views.together()
-        self.views.turn_over(self.place, entering=False)
         self.arrangements.leave()
         self.steps.hide()
         self.status.in_workspace(False)
@@ -363,7 +360,7 @@ class MainWindow(QMainWindow):
 
     def reset_workspace(self) -> None:
         """Put every dock back where it was at first."""
-        self.settings.forget_arrangement(self.place)
+        self.views.together()
         self.arrangements.reset()
 
     def say_status(self, text: str) -> None:

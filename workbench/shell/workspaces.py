@@ -4,8 +4,6 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import Any, NamedTuple
 
-from PySide6.QtWidgets import QVBoxLayout, QWidget
-
 from workbench.language import _
 
 
@@ -35,16 +33,6 @@ def panel_class(panel: str) -> Callable[..., Any]:
     module, __, name = panel.partition(":")
     made: Callable[..., Any] = getattr(import_module(module), name)
     return made
-
-
-def host_of(middle: QWidget) -> QWidget:
-    """What fills the middle of a workspace; what it holds can be exchanged."""
-    host = QWidget()
-    layout = QVBoxLayout(host)
-    layout.setContentsMargins(0, 0, 0, 0)
-    layout.addWidget(middle)
-    host.setFocusProxy(middle)
-    return host
 
 
 def join(panels: list[Any]) -> None:

@@ -1,0 +1,222 @@
+"""The docks of every workspace under rough handling: entered again and again, their tabs dragged about."""
+
+import random
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QTabBar, QWidget
+from pytestqt.qtbot import QtBot
+
+from workbench.document.samples import example_document
+from workbench.session.session import Session
+from workbench.shell.dock_area import DockArea
+from workbench.shell.settings import Settings
+from workbench.shell.start import make_window
+from workbench.shell.window import MainWindow
+
+
+@pytest.fixture
+def window(qtbot: QtBot) -> Iterator[MainWindow]:
+    window = make_window(Settings())
+    window.show()
+    window.resize(1280, 680)
+    window.attach(Session(window, example_document()))
+    qtbot.waitExposed(window)
+    yield window
+    window.close()
+    window.deleteLater()
+    QApplication.processEvents()
+
+
+def area(window: MainWindow) -> DockArea:
+    """The area of the workspace that is shown."""
+    there = window.arrangements.area(window.place)
+    assert there is not None
+    return there
+
+
+def tab_bars(window: MainWindow) -> list[QTabBar]:
+    """The bars of tabbed docks that are seen."""
+    bars = area(window).findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    return [bar for bar in bars if bar.isVisible() and bar.geometry().intersects(area(window).rect())]
+
+
+def settle(times: int = 4) -> None:
+    for _turn in range(times):
+        QApplication.processEvents()
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def test_switches_leave_the_number_of_widgets_unchanged(window: MainWindow) -> None:
+    slugs = window.workspace_slugs
+    for slug in (*slugs, *slugs):
+        window.go(slug)
+        settle()
+    before = len(window.findChildren(QWidget)), len(QApplication.allWidgets())
+    for number in range(200):
+        window.go(slugs[number % len(slugs)])
+        if number % 40 == 0:
+            settle()
+    for slug in slugs:
+        window.go(slug)
+        settle()
+    assert (len(window.findChildren(QWidget)), len(QApplication.allWidgets())) == before
+
+
+def test_resetting_leaves_the_number_of_widgets_unchanged(window: MainWindow) -> None:
+    window.go("curves")
+    for _first in range(2):
+        window.reset_workspace()
+        settle()
+    before = len(QApplication.allWidgets())
+    for _again in range(10):
+        window.reset_workspace()
+        settle()
+    assert len(QApplication.allWidgets()) == before
+
+
+@pytest.mark.parametrize("size", [(1280, 680), (960, 540), (1400, 900)])
+def test_no_workspace_paints_the_tabs_of_another(window: MainWindow, size: tuple[int, int]) -> None:
+    window.resize(*size)
+    for slug in ("draw", "curves", "draw", "fill", "clip", "draw"):
+        window.go(slug)
+        settle()
+        titles = {dock.windowTitle() for dock in area(window).docks}
+        bars = tab_bars(window)
+        for bar in bars:
+            assert {bar.tabText(k) for k in range(bar.count())} <= titles
+        seen = [text for bar in bars for text in (bar.tabText(k) for k in range(bar.count()))]
+        assert len(seen) == len(set(seen))
+        for one in bars:
+            for other in bars:
+                assert one is other or not one.geometry().intersects(other.geometry())
+
+
+def drag(bar: QTabBar, start: QPoint, places: list[QPoint]) -> None:
+    """Press on a tab, move over ``places`` (global), release."""
+
+    def send(kind: QEvent.Type, at: QPoint, held: bool) -> None:
+        local = bar.mapFromGlobal(at)
+        buttons = Qt.MouseButton.LeftButton if held else Qt.MouseButton.NoButton
+        button = Qt.MouseButton.NoButton if kind is QEvent.Type.MouseMove else Qt.MouseButton.LeftButton
+        event = QMouseEvent(
+            kind, QPointF(local), QPointF(at), button, buttons, Qt.KeyboardModifier.NoModifier
+        )
+        target: QWidget = QWidget.mouseGrabber() or bar
+        if target is not bar:
+            event = QMouseEvent(
+                kind,
+                QPointF(target.mapFromGlobal(at)),
+                QPointF(at),
+                button,
+                buttons,
+                Qt.KeyboardModifier.NoModifier,
+            )
+        QApplication.sendEvent(target, event)
+        QApplication.processEvents()
+
+    first = bar.mapToGlobal(start)
+    send(QEvent.Type.MouseButtonPress, first, True)
+    for place in places:
+        send(QEvent.Type.MouseMove, place, True)
+    send(QEvent.Type.MouseButtonRelease, places[-1], False)
+
+
+@pytest.mark.qt_log_ignore("does not support raise", "does not support grabbing", extend=True)
+@pytest.mark.parametrize("seed", range(2))
+def test_tabs_are_dragged_onto_one_another_and_away(window: MainWindow, seed: int) -> None:
+    chance = random.Random(seed)
+    for _round in range(20):
+        window.go(chance.choice(window.workspace_slugs))
+        settle()
+        bars = tab_bars(window)
+        assert all(bar.count() > 1 for bar in bars)
+        if not bars:
+            window.reset_workspace()
+            continue
+        bar = chance.choice(bars)
+        tab = bar.tabRect(chance.randrange(bar.count())).center()
+        if chance.random() < 0.5:
+            ends = [bar.mapToGlobal(bar.tabRect(chance.randrange(bar.count())).center())]
+        else:
+            box = window.geometry()
+            ends = [
+                QPoint(chance.randrange(box.left(), box.right()), chance.randrange(box.top(), box.bottom()))
+            ]
+        begin = bar.mapToGlobal(tab)
+        drag(bar, tab, [begin + (end - begin) * k / 6 for end in ends for k in range(1, 7)])
+        if chance.random() < 0.2:
+            chance.choice(area(window).docks).setFloating(chance.random() < 0.5)
+        if chance.random() < 0.1:
+            chance.choice(area(window).docks).close()
+        if chance.random() < 0.1:
+            window.reset_workspace()
+        if chance.random() < 0.1:
+            window.menus.actions["alone"].trigger()
+    window.views.together()
+    for slug in window.workspace_slugs:
+        window.go(slug)
+        window.reset_workspace()
+        settle()
+        assert all(dock.isVisibleTo(window) for dock in area(window).docks if not dock.isFloating())
+
+
+def test_the_focus_is_kept_for_each_workspace(window: MainWindow) -> None:
+    window.go("draw")
+    draws = next(dock for dock in area(window).docks if dock.objectName() == "source")
+    draws.raise_()
+    source = draws.widget()
+    source.setFocus()
+    focused = window.focusWidget()
+    assert focused is not None
+    assert draws.isAncestorOf(focused)
+    window.go("fill")
+    assert not draws.isAncestorOf(window.focusWidget())
+    assert area(window).isAncestorOf(window.focusWidget())
+    window.go("draw")
+    assert window.focusWidget() is focused
+
+
+def in_front(docks: list[QDockWidget]) -> dict[str, QRect]:
+    """The docks that are seen, and where."""
+    return {dock.objectName(): dock.geometry() for dock in docks if not dock.visibleRegion().isEmpty()}
+
+
+@pytest.mark.parametrize("where", ["canvas", "source"])
+def test_a_view_alone_gives_every_dock_its_place_back(window: MainWindow, where: str) -> None:
+    window.go("draw")
+    settle()
+    docks = area(window).docks
+    (window.panels("draw")[0].center if where == "canvas" else docks[0].widget()).setFocus()
+    before = in_front(docks)
+    window.menus.actions["alone"].trigger()
+    settle()
+    assert sum(dock.isVisible() for dock in docks) == (where == "source")
+    window.menus.actions["alone"].trigger()
+    window.resize(1280, 680)
+    settle()
+    assert all(dock.isVisible() for dock in docks)
+    assert in_front(docks) == before
+
+
+def test_arrangements_of_an_older_version_are_dropped_once_and_said(window: MainWindow) -> None:
+    window.settings._store.setValue("arrangement/draw", b"as version 2 had it")
+    window.go("draw")
+    assert "anew, once" in window.messages.text
+    window.messages.dismiss()
+    window.go("fill")
+    assert window.messages.text == ""
+
+
+def test_a_field_that_is_gone_does_not_get_the_focus_back(window: MainWindow) -> None:
+    window.go("draw")
+    field = QLineEdit()
+    area(window).dock("source").widget().layout().addWidget(field)
+    field.setFocus()
+    window.go("fill")
+    field.deleteLater()
+    settle()
+    window.go("draw")
+    assert area(window).isAncestorOf(window.focusWidget())

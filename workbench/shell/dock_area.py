@@ -1,0 +1,197 @@
+"""The docking area of one workspace: what fills its middle, and a dock of its own for everything beside it.
+
+What several workspaces show is one widget, which moves into the docks of the workspace that is entered. The
+docks themselves never change hands: Qt keeps the tab bars of docks that are put together anew in the same
+window, paints them over those that came after, and dies when one of them is dragged.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from PySide6.QtCore import QByteArray, QSize, Qt
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QTabWidget, QVBoxLayout, QWidget
+from shiboken6 import isValid
+
+from workbench.language import _
+from workbench.shell.dock_tabs import DockTabs
+
+VERSION = 3
+_TUBE = "tube"
+_LOW_PX, _HIGH_PX = 600, 860
+_SIDE_SHARE = 0.36
+_SHARES = (0.58, 0.42)
+_SIDES = {
+    "left": Qt.DockWidgetArea.LeftDockWidgetArea,
+    "right": Qt.DockWidgetArea.RightDockWidgetArea,
+    "top": Qt.DockWidgetArea.TopDockWidgetArea,
+    "bottom": Qt.DockWidgetArea.BottomDockWidgetArea,
+}
+
+DockPart = tuple[str, str, QWidget, str | Qt.DockWidgetArea]
+
+
+class DockArea(QMainWindow):
+    """A workspace's area. ``parts``: name, title, widget and side of each dock; those named in ``lower``
+    begin in the lower half of the right side. Widgets that another area shows stay there until ``gather``.
+    ``host`` is what the middle is in.
+    """
+
+    def __init__(self, middle: QWidget, parts: Sequence[DockPart], lower: Sequence[str]) -> None:
+        super().__init__()
+        self.setWindowFlags(Qt.WindowType.Widget)
+        self.setMinimumSize(1, 1)  # an area that is not shown must not hold the window open
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.NoContextMenu)
+        self.setDockOptions(QMainWindow.DockOption.AllowTabbedDocks | QMainWindow.DockOption.AllowNestedDocks)
+        self.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
+        self.swapped = False
+        self._middle = middle
+        self._lower = tuple(lower)
+        self._afloat: list[QDockWidget] = []
+        self._focus: QWidget | None = None
+        self.host = QWidget()
+        column = QVBoxLayout(self.host)
+        column.setContentsMargins(0, 0, 0, 0)
+        self.setCentralWidget(self.host)
+        self.docks: list[QDockWidget] = []
+        self.tabs = DockTabs(self, lambda: self.docks)
+        self._widgets: dict[str, QWidget] = {}
+        self._sides: dict[str, Qt.DockWidgetArea] = {}
+        for name, title, widget, side in parts:
+            self._widgets[name] = widget
+            asked = _SIDES[side] if isinstance(side, str) else side
+            self._sides[name] = _SIDES["right"] if name in lower else asked
+            self._add(name, title)
+        for name, widget in self._widgets.items():
+            if widget.parentWidget() is None:
+                self.dock(name).setWidget(widget)
+        self._fill_middle(middle)
+
+    def _add(self, name: str, title: str) -> None:
+        dock = QDockWidget(title, self)
+        dock.setObjectName(name)
+        dock.toggleViewAction().setToolTip(_("Show or hide {title}").format(title=title))
+        self.tabs.follow(dock)
+        self.docks.append(dock)
+        self.addDockWidget(self._sides[name], dock)
+
+    def dock(self, name: str) -> QDockWidget:
+        """The dock of this name."""
+        return next(dock for dock in self.docks if dock.objectName() == name)
+
+    # What the docks and the middle hold
+
+    def gather(self) -> None:
+        """Take the widgets that other areas had meanwhile."""
+        for name, widget in self._widgets.items():
+            swapped = self.swapped and name == _TUBE
+            self._fill(self.dock(name), self._middle if swapped else widget)
+        self._fill_middle(self._widgets[_TUBE] if self.swapped else self._middle)
+
+    @property
+    def can_swap(self) -> bool:
+        """Whether there is a tube to take the place of the middle."""
+        return _TUBE in self._widgets
+
+    def swap(self) -> None:
+        """Exchange what fills the middle with the tube, or back."""
+        self.swapped = not self.swapped
+        self.gather()
+        dock = self.dock(_TUBE)
+        dock.setWindowTitle(_("Canvas") if self.swapped else _("Tube"))
+        dock.show()
+        dock.raise_()
+
+    @staticmethod
+    def _fill(dock: QDockWidget, widget: QWidget) -> None:
+        if dock.widget() is not widget:
+            dock.setWidget(widget)
+            widget.show()
+
+    def _fill_middle(self, widget: QWidget) -> None:
+        layout = self.host.layout()
+        if layout is not None and layout.indexOf(widget) < 0:
+            layout.addWidget(widget)
+            widget.show()
+        self.host.setFocusProxy(widget)
+
+    # Where the docks are
+
+    def place(self, window_height: int) -> None:
+        """Put the docks of an area that was just made where they begin.
+
+        A side column is one group of tabs in a very low window, two in a low one, all stacked in a high one.
+        """
+        by_side: dict[Qt.DockWidgetArea, list[QDockWidget]] = {}
+        for dock in self.docks:
+            by_side.setdefault(self._sides[dock.objectName()], []).append(dock)
+        for side, docks in by_side.items():
+            self._place_side(side, docks, window_height)
+
+    def _place_side(self, side: Qt.DockWidgetArea, docks: list[QDockWidget], height: int) -> None:
+        sideways = side in (_SIDES["left"], _SIDES["right"])
+        along = Qt.Orientation.Vertical if sideways else Qt.Orientation.Horizontal
+        upper = [dock for dock in docks if dock.objectName() not in self._lower]
+        lower = sorted(
+            (dock for dock in docks if dock not in upper), key=lambda d: self._lower.index(d.objectName())
+        )
+        for dock in (*upper, *lower):
+            self.addDockWidget(side, dock, along)
+        groups = [group for group in (upper, lower) if group]
+        if height < _LOW_PX:
+            groups = [[*upper, *lower]]
+        if sideways and height < _HIGH_PX:
+            for group in groups:
+                for dock in group[1:]:
+                    self.tabifyDockWidget(group[0], dock)
+                group[0].raise_()
+            if len(groups) == 2:
+                shares = [round(height * share) for share in _SHARES]
+                self.resizeDocks([group[0] for group in groups], shares, along)
+        if sideways:
+            first = [group[0] for group in groups]
+            widths = [round(self.width() * _SIDE_SHARE)] * len(first)
+            self.resizeDocks(first, widths, Qt.Orientation.Horizontal)
+
+    def restore(self, kept: QByteArray) -> bool:
+        """Take a remembered arrangement, in an area that was just made; False when Qt refuses it.
+
+        Docks that it does not know, as it was kept before they came to be, are shown where they begin.
+        """
+        return self.restoreState(kept, VERSION)
+
+    @property
+    def arrangement(self) -> QByteArray:
+        """Where the docks are, to be remembered."""
+        return self.saveState(VERSION)
+
+    def in_front(self) -> dict[QDockWidget, QSize]:
+        """The docks that are seen, with the room each has, its tabs included."""
+        seen = [dock for dock in self.docks if not dock.isFloating() and not dock.visibleRegion().isEmpty()]
+        return {dock: dock.size() + QSize(0, self.tabs.height(dock)) for dock in seen}
+
+    def bring_to_front(self, rooms: Mapping[QDockWidget, QSize]) -> None:
+        """Let these docks be seen again, in the room that they had."""
+        docks, sizes = list(rooms), list(rooms.values())
+        for dock in docks:
+            dock.raise_()
+        self.resizeDocks(docks, [size.width() for size in sizes], Qt.Orientation.Horizontal)
+        self.resizeDocks(docks, [size.height() for size in sizes], Qt.Orientation.Vertical)
+
+    # Leaving and coming back
+
+    def rest(self) -> None:
+        """Leave the screen: docks that float would stay, and the focus would go to whoever comes next."""
+        focus = QApplication.focusWidget() or self.window().focusWidget()
+        self._focus = focus if focus is not None and self.isAncestorOf(focus) else None
+        self._afloat = [dock for dock in self.docks if dock.isFloating() and not dock.isHidden()]
+        for dock in self._afloat:
+            dock.hide()
+
+    def wake(self) -> None:
+        """Come back to the screen as it was left."""
+        for dock in self._afloat:
+            dock.show()
+        self._afloat = []
+        focus = self._focus if self._focus is not None and isValid(self._focus) else None
+        if focus is None or not self.isAncestorOf(focus) or not focus.isVisibleTo(self):
+            focus = self.host
+        focus.setFocus()
