@@ -8,6 +8,7 @@ from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
+from workbench.shell import dock_area
 from workbench.shell.command_palette import offers
 from workbench.shell.dock_area import VERSION, DockArea
 from workbench.shell.failures import Failures
@@ -105,19 +106,29 @@ def test_a_dock_is_brought_back_by_the_menu(window: MainWindow) -> None:
     assert not dock.isHidden()
 
 
-@pytest.mark.parametrize("bad", [b"nonsense", b"", None])
+@pytest.mark.parametrize("bad", ["nonsense", "nothing", "another version", "a wrong byte", "cut short"])
 def test_a_bad_arrangement_is_dropped(
-    window: MainWindow, open_window: Callable[[], MainWindow], bad: bytes | None
+    window: MainWindow, open_window: Callable[[], MainWindow], monkeypatch: pytest.MonkeyPatch, bad: str
 ) -> None:
     window.go("draw")
-    other_version = area(window).saveState(VERSION + 1)
+    kept = area(window).arrangement.data()
+    monkeypatch.setattr(dock_area, "VERSION", VERSION + 1)
+    other_version = area(window).arrangement.data()
+    monkeypatch.undo()
     window.close()
-    window.settings.keep_arrangement("draw", other_version if bad is None else QByteArray(bad))
+    damaged = {
+        "nonsense": b"nonsense",
+        "nothing": b"",
+        "another version": other_version,
+        "a wrong byte": kept[:-9] + bytes([kept[-9] ^ 1]) + kept[-8:],
+        "cut short": kept[:-9],
+    }[bad]
+    window.settings.keep_arrangement("draw", QByteArray(damaged))
     window.settings.write()
     again = open_window()
     again.go("draw")
     assert all(docks(again).values())
-    assert ("could not be used" in again.messages.text) == (bad != b"")
+    assert ("could not be used" in again.messages.text) == (bad != "nothing")
 
 
 def test_damaged_settings_cost_choices_only(

@@ -5,6 +5,7 @@ docks themselves never change hands: Qt keeps the tab bars of docks that are put
 window, paints them over those that came after, and dies when one of them is dragged.
 """
 
+import zlib
 from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QByteArray, QSize, Qt
@@ -25,6 +26,8 @@ _SIDES = {
     "top": Qt.DockWidgetArea.TopDockWidgetArea,
     "bottom": Qt.DockWidgetArea.BottomDockWidgetArea,
 }
+
+_CHECKSUM_BYTES = 4
 
 DockPart = tuple[str, str, QWidget, str | Qt.DockWidgetArea]
 
@@ -151,17 +154,20 @@ class DockArea(QMainWindow):
             widths = [round(self.width() * _SIDE_SHARE)] * len(first)
             self.resizeDocks(first, widths, Qt.Orientation.Horizontal)
 
+    @property
+    def arrangement(self) -> QByteArray:
+        """Where the docks are, to be remembered, behind its checksum."""
+        state = self.saveState(VERSION)
+        return QByteArray(_checksum(state) + state.data())
+
     def restore(self, kept: QByteArray) -> bool:
-        """Take a remembered arrangement, in an area that was just made; False when Qt refuses it.
+        """Take a remembered arrangement, in an area that was just made; False when it cannot be used.
 
         Docks that it does not know, as it was kept before they came to be, are shown where they begin.
         """
-        return self.restoreState(kept, VERSION)
-
-    @property
-    def arrangement(self) -> QByteArray:
-        """Where the docks are, to be remembered."""
-        return self.saveState(VERSION)
+        state = kept.sliced(_CHECKSUM_BYTES) if kept.size() > _CHECKSUM_BYTES else QByteArray()
+        # Qt dies of some arrangements in which a byte is wrong.
+        return kept.startsWith(_checksum(state)) and self.restoreState(state, VERSION)
 
     def in_front(self) -> dict[QDockWidget, QSize]:
         """The docks that are seen, with the room each has, its tabs included."""
@@ -195,3 +201,7 @@ class DockArea(QMainWindow):
         if focus is None or not self.isAncestorOf(focus) or not focus.isVisibleTo(self):
             focus = self.host
         focus.setFocus()
+
+
+def _checksum(state: QByteArray) -> bytes:
+    return zlib.crc32(state.data()).to_bytes(_CHECKSUM_BYTES)
