@@ -8,7 +8,7 @@ and so serve several profiles.
 
 import errno
 import os
-import tempfile
+import threading
 from pathlib import Path
 
 from platformdirs import PlatformDirs
@@ -30,6 +30,14 @@ def _kept(name: str, default: str) -> Path:
     return Path(profile) / name if profile else Path(default)
 
 
+def home_folder() -> Path:
+    """Where a dialog for files begins: the home folder, or where there is none the current one."""
+    try:
+        return Path.home()
+    except RuntimeError:
+        return Path()
+
+
 def make(folder: Path) -> None:
     """Make one of the folders below, with those above it, for this user alone; raises OSError.
 
@@ -45,9 +53,11 @@ def make(folder: Path) -> None:
 def try_writing(folder: Path) -> None:
     """Make a folder and write a page there that is gone at once; raises OSError when nothing can be kept."""
     make(folder)
-    with tempfile.TemporaryFile(dir=folder) as file:
-        file.write(bytes(4096))
-        file.flush()
+    trial = folder / f".{os.getpid()}-{threading.get_ident()}.trial"
+    try:
+        trial.write_bytes(bytes(4096))
+    finally:
+        trial.unlink(missing_ok=True)
 
 
 def settings_folder() -> Path:

@@ -52,13 +52,22 @@ else:
         """Whether a folder within an owned one lets nobody else in, and holds nothing of anybody else."""
         try:
             status = folder.lstat()
-            within = [Path(each, name) for each, *names in os.walk(folder) for name in [*names[0], *names[1]]]
-            statuses = [status, *(path.lstat() for path in within)]
         except OSError:
             return False
         closed = stat.S_ISDIR(status.st_mode) and not status.st_mode & (stat.S_IRWXG | stat.S_IRWXO)
-        plain = all(each.st_uid == os.geteuid() and not stat.S_ISLNK(each.st_mode) for each in statuses)
-        return closed and plain
+        return closed and status.st_uid == os.geteuid() and all(map(_ours, _within(folder)))
+
+    def _within(folder: Path) -> Iterator[Path]:
+        for each, folders, files in os.walk(folder):
+            yield from (Path(each, name) for name in (*folders, *files))
+
+    def _ours(path: Path) -> bool:
+        """Whether it is the user's, and no link; what is gone meanwhile will not be read."""
+        try:
+            status = path.lstat()
+        except FileNotFoundError:
+            return True
+        return status.st_uid == os.geteuid() and not stat.S_ISLNK(status.st_mode)
 
     def _way(path: Path) -> Iterator[os.stat_result]:
         """The status of each folder and link that is passed on the way to a path, its own last."""
