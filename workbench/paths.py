@@ -25,9 +25,14 @@ def resource(*parts: str) -> Path:
     return (inside if inside.is_dir() else _PACKAGE.parent / "resources").joinpath(*parts)
 
 
-def _kept(name: str, default: str) -> Path:
+def _kept(name: str, kind: str) -> Path:
     profile = os.environ.get("GRAPHICS_WORKBENCH_PROFILE")
-    return Path(profile) / name if profile else Path(default)
+    if profile:
+        return Path(profile) / name
+    try:
+        return Path(getattr(_USER, kind))
+    except RuntimeError:  # there is no home folder, and ``make`` refuses this
+        return Path("~") / name
 
 
 def home_folder() -> Path:
@@ -39,15 +44,18 @@ def home_folder() -> Path:
 
 
 def make(folder: Path) -> None:
-    """Make one of the folders below, with those above it, for this user alone; raises OSError.
+    """Make one of the folders below, with those above it, for this user alone.
 
-    Without a home folder the system names them from ``~``, which nobody means as a folder here.
+    Raises OSError, also for one below ``~``, which is where they are for a user without a home folder.
     """
     if folder.parts[:1] == ("~",):
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), "~")
     for each in reversed([folder, *folder.parents]):
         if not each.is_dir():
-            each.mkdir(mode=0o700, exist_ok=True)
+            try:
+                each.mkdir(mode=0o700, exist_ok=True)
+            except FileExistsError:
+                raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR), str(each)) from None
 
 
 def try_writing(folder: Path) -> None:
@@ -62,15 +70,15 @@ def try_writing(folder: Path) -> None:
 
 def settings_folder() -> Path:
     """Folder of the settings; made by who writes there first, as the others are."""
-    return _kept("settings", _USER.user_config_dir)
+    return _kept("settings", "user_config_dir")
 
 
 def recovery_folder() -> Path:
     """Folder of the recovery files and their locks."""
-    return _kept("recovery", _USER.user_state_dir)
+    return _kept("recovery", "user_state_dir")
 
 
 def cache_folder() -> Path:
     """Folder of the compiled readings; may be deleted at any time."""
     shared = os.environ.get(CACHE)
-    return Path(shared) if shared else _kept("cache", _USER.user_cache_dir)
+    return Path(shared) if shared else _kept("cache", "user_cache_dir")
