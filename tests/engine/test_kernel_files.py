@@ -263,6 +263,23 @@ def test_a_disk_that_is_full_while_compiling_leaves_nothing_behind(temporary: Pa
     assert not list((temporary / "home").rglob("*.tmp*"))
 
 
+def test_what_a_killed_process_left_is_removed_by_the_next(own_cache: Path, temporary: Path) -> None:
+    with subprocess.Popen([sys.executable, "-c", ""]) as dead:
+        dead.wait()
+    for process in (dead.pid, os.getpid()):
+        (temporary / f"graphics-workbench-kernels-{process}-a").mkdir(mode=0o700)
+    (temporary / f"graphics-workbench-kernels-{dead.pid}-b").symlink_to(own_cache)
+    own_cache.mkdir(parents=True)
+    own_cache.chmod(0o777)
+    folder = kernel_files.room().folder
+    assert folder is not None
+    assert {path.name for path in temporary.iterdir()} == {
+        folder.name,
+        f"graphics-workbench-kernels-{os.getpid()}-a",
+        f"graphics-workbench-kernels-{dead.pid}-b",
+    }
+
+
 def test_a_child_warms_the_private_folder_of_its_parent(own_cache: Path, temporary: Path) -> None:
     own_cache.mkdir(parents=True)
     own_cache.chmod(0o777)

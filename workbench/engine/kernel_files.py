@@ -29,6 +29,7 @@ from workbench import paths
 from workbench.engine.ownership import owned, sealed
 from workbench.language import _
 
+_PRIVATE = "graphics-workbench-kernels-"
 _ENGINE = ("sinks.py", "compiled.py")
 
 
@@ -72,11 +73,32 @@ def _others_write() -> str:
 
 def _private(reason: str) -> Room:
     try:
-        folder = Path(tempfile.mkdtemp(prefix="graphics-workbench-")).absolute()
+        folder = Path(tempfile.mkdtemp(prefix=f"{_PRIVATE}{os.getpid()}-")).absolute()
     except OSError:
         return Room(None, reason)
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    _sweep(folder.parent)
     return Room(folder if owned(folder) else None, reason)
+
+
+def _sweep(temporary: Path) -> None:
+    """Remove the private folders of processes that were killed before they could."""
+    for folder in temporary.glob(f"{_PRIVATE}*"):
+        process = folder.name.removeprefix(_PRIVATE).partition("-")[0]
+        if process.isdecimal() and not _alive(int(process)) and sealed(folder):
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _alive(process: int) -> bool:
+    if sys.platform == "win32":
+        return True  # to ask is to end it
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except (PermissionError, OverflowError):
+        return True
+    return True
 
 
 @functools.cache
