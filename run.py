@@ -93,7 +93,8 @@ def locked():
         file = open(LOCK, "a+")
     except OSError as error:
         raise SetUpError(
-            f"Cannot write the set-up to {VENV}: {error.strerror}; make the folder writable."
+            f"The set-up cannot be written to {VENV} ({error.strerror}): copy this folder to where you may "
+            "write, and start it there."
         ) from None
     with file:
         if WINDOWS:
@@ -324,7 +325,12 @@ def main(arguments):
         print(USAGE)
         return 0
     platform = platform_of(command) if sys.platform.startswith("linux") else ""
-    set_up(["test"] if command == "test" else [], wheels)
+    try:
+        set_up(["test"] if command == "test" else [], wheels)
+    except OSError as error:
+        raise SetUpError(
+            f"The set-up stopped at {error.filename or VENV} ({error.strerror}): put that right and {RETRY}."
+        ) from None
     plugin = plugin_file(platform) if platform else None
     if plugin:
         provide_libraries(plugin)

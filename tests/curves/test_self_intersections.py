@@ -1,5 +1,7 @@
 """Crossings of a curve with itself against chords and against curves whose crossings are known."""
 
+import sys
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -7,7 +9,15 @@ from hypothesis import given, settings
 from tests.curves import exact
 from tests.curves.made_curves import Array
 from tests.curves.rational_curves import pieces_of_any_kind, whole_circle
-from workbench.algorithms.curves import Pieces, natural_cubic, piece_points, self_intersections
+from workbench.algorithms.curves import (
+    Pieces,
+    natural_cubic,
+    piece_points,
+    self_intersections,
+    self_meetings,
+    self_overlaps,
+)
+from workbench.algorithms.curves.one_way_parts import Parts, halved
 
 ONE = np.array([0.0, 1.0])
 LOOP = np.array([[0, 0], [3, 2], [-2, 2], [1, 0]], float)
@@ -85,12 +95,119 @@ def test_whatever_the_curve_each_crossing_is_one_place(pieces: Pieces) -> None:
             assert np.abs(both - point).max(axis=2).min(axis=0).max() <= 1.1e-6 * size
 
 
-def test_a_curve_along_itself_gives_no_more_than_was_asked_for() -> None:
-    back = np.array([[[0, 0], [8, 1]], [[8, 1], [4, 5]], [[4, 5], [0, 0]], [[0, 0], [8, 1]]], float)
-    found = self_intersections(Pieces(np.arange(5.0), back), 1e-3, most=20)
-    assert len(found) == 20
+def test_no_more_than_was_asked_for() -> None:
+    scribble = natural_cubic(np.random.default_rng(3).uniform(0, 9, (40, 2)))
+    assert len(self_intersections(scribble, 1e-6, most=20)) == 20
     with pytest.raises(ValueError, match="tolerance is 0; choose a finite one above 0"):
         self_intersections(whole_circle(), 0.0)
+
+
+def there_and_back(pieces: Pieces) -> Pieces:
+    """The curve, and then the same way back."""
+    controls = np.concatenate([pieces.controls, pieces.controls[::-1, ::-1]])
+    return Pieces(np.arange(len(controls) + 1.0), controls)
+
+
+def walk(count: int) -> Pieces:
+    """A smooth curve in so many pieces that never meets itself: it always goes on to the right."""
+    heights = np.random.default_rng(count).uniform(0, 9, count + 1)
+    return natural_cubic(np.column_stack([np.arange(count + 1.0) * 3, heights]))
+
+
+def test_the_same_way_back_is_one_overlap() -> None:
+    (overlap,) = self_overlaps(there_and_back(walk(7)), 1e-6)
+    assert (overlap.u, overlap.v) == (pytest.approx((0, 7)), pytest.approx((14, 7)))
+    assert self_intersections(there_and_back(walk(7)), 1e-6) == []
+
+
+def test_a_closed_line_of_two_nodes_is_one_overlap() -> None:
+    there = np.array([[[0, 0], [2, 1], [4, 2], [6, 3]]], float)
+    assert len(self_overlaps(there_and_back(Pieces(ONE, there)), 1e-6)) == 1
+
+
+def test_only_the_stretch_that_is_shared_is_told() -> None:
+    """From 2 to 5 on the line from 0 to 8, and the way there and away crosses nothing."""
+    lines = [[[0, 0], [8, 0]], [[8, 0], [8, 4]], [[8, 4], [2, 0]], [[2, 0], [5, 0]], [[5, 0], [5, -3]]]
+    for turned in (lines, [[point[::-1] for point in line] for line in lines]):
+        crossings, (overlap,) = self_meetings(Pieces(np.arange(6.0), np.array(turned, float)), 1e-6)
+        assert overlap.u == pytest.approx((0.25, 0.625), abs=1e-5)
+        assert overlap.v == pytest.approx((3, 4), abs=1e-5)
+        assert crossings == []
+
+
+def test_part_of_a_curve_cut_out_of_it_is_told() -> None:
+    """From u = 0.2 to 0.7 of a cubic, by its blossom, joined to it by lines."""
+    whole = np.array([[0, 0], [1, 3], [4, 4], [6, 9]], float)
+
+    def blossom(*at: float) -> Array:
+        level = whole
+        for u in at:
+            level = (1 - u) * level[:-1] + u * level[1:]
+        return level[0]
+
+    a, b = 0.2, 0.7
+    part = np.array([blossom(a, a, a), blossom(a, a, b), blossom(a, b, b), blossom(b, b, b)])
+    steps = np.linspace(0, 1, 4)[:, None]
+    away = (1 - steps) * whole[-1] + steps * [9, 0]
+    back = (1 - steps) * [9, 0] + steps * part[0]
+    (overlap,) = self_overlaps(Pieces(np.arange(5.0), np.array([whole, away, back, part])), 1e-6)
+    assert overlap.u == pytest.approx((a, b), abs=1e-5)
+    assert overlap.v == pytest.approx((3, 4), abs=1e-5)
+
+
+@pytest.mark.parametrize("heights", [[1, -1, 1], [4, -4, 4, -4, 4]])
+def test_a_touch_is_one(heights: list[float]) -> None:
+    """A line along the top of a parabola, and of a curve of degree 4: (2 v - 1) to that power."""
+    degree = len(heights) - 1
+    x = np.linspace(0, 8, degree + 1)
+    bowl = np.column_stack([x, heights])
+    line = np.column_stack([x[::-1], np.zeros(degree + 1)])
+    round_the_end = np.array([bowl[-1], *[[12, 1]] * (degree - 1), line[0]])
+    (touch,) = self_intersections(Pieces(np.arange(4.0), np.array([bowl, round_the_end, line])), 1e-6)
+    assert touch[2] == pytest.approx([4, 0], abs=0.2)
+    assert touch[:2] == pytest.approx((0.5, 2.5), abs=0.03)
+
+
+def test_each_crossing_of_a_way_there_and_back_is_told_once() -> None:
+    loop = there_and_back(Pieces(ONE, LOOP[None]))
+    crossings, overlaps = self_meetings(loop, 1e-9)
+    assert [point.tolist() for _u, _v, point in crossings] == [pytest.approx([0.5, 0.375])]
+    assert len(overlaps) == 1
+
+
+def pairs_examined(pieces: Pieces, monkeypatch: pytest.MonkeyPatch) -> int:
+    """How many pairs of parts are halved in the search."""
+    examined = []
+
+    def counted(pieces: Pieces, one: Parts, other: Parts, margin: float) -> object:
+        examined.append(len(one.low))
+        return halved(pieces, one, other, margin)
+
+    monkeypatch.setattr(sys.modules[self_intersections.__module__], "halved", counted)
+    self_meetings(pieces, 1e-6, 100)
+    return sum(examined)
+
+
+def test_a_way_there_and_back_costs_no_more_than_the_way_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    for count in (10, 40, 160):
+        there = pairs_examined(walk(count), monkeypatch)
+        assert pairs_examined(there_and_back(walk(count)), monkeypatch) <= there + 400
+
+
+@pytest.mark.parametrize("count", [20, 80])
+def test_lines_over_one_another_and_near_ones_are_bounded(
+    count: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """To and fro between two places, and between places that move on by a hair each time."""
+    to_and_fro = np.array([[k % 2 * 50.0, k % 2 * 20.0] for k in range(count + 1)])
+    hair = np.arange(count + 1.0)[:, None] * [1e-4, 1e-3]
+    for points, each in (
+        (to_and_fro, 1),
+        (to_and_fro + hair, 65 * count),
+        (to_and_fro * (1 + hair), 65 * count),
+    ):
+        lines = np.stack([points[:-1], points[1:]], axis=1)
+        assert pairs_examined(Pieces(np.arange(count + 1.0), lines), monkeypatch) <= each * count
 
 
 @pytest.mark.parametrize("short", [1e-4, -1e-4])

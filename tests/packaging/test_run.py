@@ -130,6 +130,29 @@ def test_a_folder_without_wheels_is_refused(tmp_path: Path) -> None:
     assert "--wheels" in said(told)
 
 
+def test_where_the_set_up_cannot_be_written_one_line_says_so(tmp_path: Path) -> None:
+    house = make_house(tmp_path)
+    (house / ".venv").write_text("in the way")
+    done = run(house, "setup", "--wheels", str(tmp_path / "wheels"))
+    assert done.returncode == 1
+    assert done.stderr.count("\n") == 1
+    assert f"{house / '.venv'} (File exists): copy this folder to where you may write" in done.stderr
+
+
+def test_what_cannot_be_cleared_away_is_named_in_one_line(tmp_path: Path) -> None:
+    """A package that was left halfway and is no folder."""
+    house = make_house(tmp_path)
+    assert run(house, "setup", "--wheels", str(tmp_path / "wheels")).returncode == 0
+    packages = next((house / ".venv").glob("lib/python*/site-packages"))
+    shutil.rmtree(packages / "tiny-1.0.dist-info")
+    (packages / "tiny-1.0.dist-info").symlink_to(tmp_path / "wheels")
+    next((house / ".venv").glob(".installed-*")).unlink()
+    done = run(house, "setup", "--wheels", str(tmp_path / "wheels"))
+    assert done.returncode == 1
+    assert "Traceback" not in done.stderr
+    assert "The set-up stopped at" in done.stderr
+
+
 def test_help_needs_no_set_up(tmp_path: Path) -> None:
     house = make_house(tmp_path)
     assert "python3 run.py test" in run(house, "--help").stdout

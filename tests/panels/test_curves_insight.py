@@ -26,7 +26,7 @@ from workbench.document.model import SPLINES, Curve, CurvePoint
 from workbench.panels.curve_basis import MOST, basis_of
 from workbench.panels.curve_compare import MEASURED_DEGREE
 from workbench.panels.curve_insight import switches
-from workbench.panels.curve_marks import MOST_CROSSED, crossings
+from workbench.panels.curve_marks import ALONG, MOST_CROSSED, crossings
 from workbench.panels.curve_scene import construction, point_at
 from workbench.widgets.canvas_drawing import Spot, Stroke
 
@@ -376,5 +376,14 @@ def test_crossings_of_very_many_pieces_are_not_looked_for(qtbot, monkeypatch):
     zigzag = [(10.0 + 7 * k % 41, 8.0 + 11 * k % 29) for k in range(MOST_CROSSED + 2)]
     few, many = (pieces_of(curve_through(*zigzag[:n], spline="catmull_rom")) for n in (40, len(zigzag)))
     assert len(crossings(few)) > 10
-    monkeypatch.setattr(curves, "self_intersections", lambda *_given: pytest.fail("takes seconds"))
+    monkeypatch.setattr(curves, "self_meetings", lambda *_given: pytest.fail("takes seconds"))
     assert crossings(many) == []
+
+
+def test_a_path_that_runs_back_over_itself_is_said_once(qtbot):
+    there = [(10.0, 8.0), (31.0, 29.0), (52.0, 11.0)]
+    drawn = crossings(pieces_of(curve_through(*there, *there[-2::-1], spline="catmull_rom")))
+    assert [type(each).__name__ for each in drawn].count("Spot") == 0
+    assert [each.text for each in drawn if type(each).__name__ == "Word"] == ["runs along itself"]
+    (line,) = (each for each in drawn if type(each).__name__ == "Stroke")
+    assert len(line.points) == ALONG

@@ -94,3 +94,16 @@ def test_tour_refuses_in_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[
     blocked.write_text("")
     assert main([str(blocked)]) == 2
     assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_tour_without_a_temporary_folder_says_so_in_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from workbench.shell import tour
+
+    def none(*_given: object, **_named: object) -> None:
+        raise FileNotFoundError(2, "No usable temporary directory found", "/tmp")
+
+    monkeypatch.setattr(tour.tempfile, "mkdtemp", none)
+    assert tour.main([str(tmp_path)]) == 1
+    assert capsys.readouterr().err.count("\n") == 1

@@ -9,6 +9,7 @@ from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces, piece_points
 from workbench.document.curve_pieces import parameter_at
 from workbench.document.model import Curve, Sheet
+from workbench.language import _
 from workbench.panels.curve_shape import device_pieces, device_points
 from workbench.widgets.canvas_drawing import Drawn, Region, Spot, Stroke, Word
 
@@ -19,6 +20,8 @@ COMB_CELLS = 0.1
 MOST_TEETH = 1600
 MOST_MARKS = 400
 MOST_CROSSED = 300
+MOST_CROSSINGS = 100
+ALONG = 33
 STEPS = 16
 _FAR = 40.0
 
@@ -147,12 +150,21 @@ def inflections(pieces: Pieces) -> list[Drawn]:
 
 
 def crossings(pieces: Pieces) -> list[Drawn]:
-    """Where the curve crosses itself; of very many pieces nothing, since each may cross each."""
+    """Where the curve crosses itself, and the stretches on which it runs along itself.
+
+    Of very many pieces nothing, since each may cross each.
+    """
     if len(pieces.controls) > MOST_CROSSED:
         return []
     size = float(np.ptp(pieces.controls.reshape(-1, 2), axis=0).max())
-    found = curves.self_intersections(pieces, max(1e-9, 1e-7 * size), MOST_MARKS)
-    return [Spot(x, y, "data 2", "cross", 11) for x, y in (point.tolist() for _u, _v, point in found)]
+    places, stretches = curves.self_meetings(pieces, max(1e-9, 1e-7 * size), MOST_CROSSINGS)
+    drawn: list[Drawn] = []
+    for begin, end in sorted({stretch.u for stretch in stretches}):
+        line = piece_points(pieces, np.linspace(begin, end, ALONG))
+        x, y = line[ALONG // 2].tolist()
+        drawn.append(Stroke(line, "data 2", 3.0, "dash"))
+        drawn.append(Word(_("runs along itself"), x, y, "text", 1, 1, carded=True))
+    return [*drawn, *(Spot(x, y, "data 2", "cross", 11) for x, y in (at.tolist() for _u, _v, at in places))]
 
 
 def steps_of_u(pieces: Pieces) -> list[Drawn]:

@@ -56,10 +56,14 @@ def main(argv: Sequence[str]) -> int:
         )
         sys.stderr.write("\n")
         return 2
-    for scale in given.scale:
-        status = _in_a_process_of_its_own(given.folder, given.theme, scale, given.size)
-        if status:
-            return status
+    try:
+        for scale in given.scale:
+            status = _in_a_process_of_its_own(given.folder, given.theme, scale, given.size)
+            if status:
+                return status
+    except OSError as error:
+        sys.stderr.write(_("tour: its settings cannot be kept meanwhile: {error}").format(error=error) + "\n")
+        return 1
     return 0
 
 

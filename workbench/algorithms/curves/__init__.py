@@ -51,7 +51,7 @@ from workbench.algorithms.curves.pieces import Pieces, in_rows, located, piece_p
 from workbench.algorithms.curves.polyline import chord_counts, polyline
 from workbench.algorithms.curves.rational import Nurbs, circle, gap_between, homogeneous, projected
 from workbench.algorithms.curves.rational_polyline import nurbs_to_polyline
-from workbench.algorithms.curves.self_intersections import self_intersections
+from workbench.algorithms.curves.self_intersections import self_intersections, self_meetings, self_overlaps
 from workbench.algorithms.curves.waviness import Overshoot, Wiggle, overshoot, wiggle
 
 __all__ = [
@@ -121,6 +121,8 @@ __all__ = [
     "projected",
     "remove_knot",
     "self_intersections",
+    "self_meetings",
+    "self_overlaps",
     "split_b_spline",
     "subdivide",
     "to_cubic_pieces",

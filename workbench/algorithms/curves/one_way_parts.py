@@ -1,5 +1,6 @@
 """Parts of a plane curve that go one way in x and in y: none meets itself, its box is that of its ends."""
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -11,9 +12,6 @@ from workbench.algorithms.curves.polynomials import derivative_numerator
 from workbench.algorithms.curves.roots import parted, roots
 
 Array = NDArray[np.float64]
-
-_MOST_PAIRS = 2**14
-_HALVINGS = 44
 
 
 class Parts(NamedTuple):
@@ -28,6 +26,11 @@ class Parts(NamedTuple):
     def taken(self, which: NDArray[np.intp] | NDArray[np.bool_]) -> "Parts":
         """Some of them."""
         return Parts(self.piece[which], self.low[which], self.high[which], self.begin[which], self.end[which])
+
+
+def together(several: Iterable[Parts]) -> Parts:
+    """All of them, one after the other."""
+    return Parts(*(np.concatenate(columns) for columns in zip(*several, strict=True)))
 
 
 def one_way_parts(pieces: Pieces) -> Parts:
@@ -62,27 +65,20 @@ def _boxes_meet(one: Parts, other: Parts, margin: float) -> NDArray[np.bool_]:
     return np.asarray((low <= high + margin).all(axis=1))
 
 
-def closed_in(pieces: Pieces, one: Parts, other: Parts, tolerance: float) -> tuple[Parts, Parts]:
-    """Pairs of parts within the tolerance, both of them tiny; fewer halvings where there are too many."""
-    margin = 0.25 * tolerance
-    for _halving in range(_HALVINGS):
-        large = max(np.abs(part.end - part.begin).max(initial=0.0) for part in (one, other))
-        if not len(one.low) or large <= tolerance or len(one.low) > _MOST_PAIRS:
-            break
-        halves, others = _halved(pieces, one), _halved(pieces, other)
-        both = [(a, b) for a in halves for b in others]
-        one, other = (
-            Parts(*(np.concatenate(columns) for columns in zip(*side, strict=True)))
-            for side in zip(*both, strict=True)
-        )
-        gap = (other.piece + other.low) - (one.piece + one.high)
-        apart = (gap > 0.0) | ((gap == 0.0) & (large > 8.0 * tolerance))
-        near = apart & _boxes_meet(one, other, margin)
-        one, other = one.taken(near), other.taken(near)
-    return one, other
+def halved(pieces: Pieces, one: Parts, other: Parts, margin: float) -> tuple[NDArray[np.intp], Parts, Parts]:
+    """Of each pair of parts the pairs of halves within the margin: the number of their pair, and both halves.
+
+    Where one part follows on another, the halves at their joint stay.
+    """
+    both = [(a, b) for a in _halves(pieces, one) for b in _halves(pieces, other)]
+    number = np.tile(np.arange(len(one.low)), len(both))
+    one, other = (together(side) for side in zip(*both, strict=True))
+    apart = (other.piece + other.low) >= (one.piece + one.high)
+    near = apart & _boxes_meet(one, other, margin)
+    return number[near], one.taken(near), other.taken(near)
 
 
-def _halved(pieces: Pieces, parts: Parts) -> tuple[Parts, Parts]:
+def _halves(pieces: Pieces, parts: Parts) -> tuple[Parts, Parts]:
     """The first and the second half of each part."""
     middle = 0.5 * (parts.low + parts.high)
     points = derivatives_within(pieces, parts.piece, middle, 0)[0]
