@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+from shiboken6 import isValid
 
 from workbench.language import _
 from workbench.shell.actions import commands, key_text
@@ -116,6 +117,7 @@ class CommandPalette(QFrame):
         super().__init__(window)
         self.setObjectName("palette")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._window = window
         self._offers = offers(window)
         self._back_to = window.focusWidget()
         application = QApplication.instance()
@@ -143,11 +145,10 @@ class CommandPalette(QFrame):
 
     @classmethod
     def open_over(cls, window: "MainWindow") -> "CommandPalette":
-        """Show it, or close it when it is there."""
-        earlier = window.findChild(cls)
+        """Show it, in place of one that is there."""
+        for earlier in window.findChildren(cls):
+            earlier.leave()
         made = cls(window)
-        if earlier is not None:
-            earlier.close()
         made.show()
         made.raise_()
         made.field.setFocus(Qt.FocusReason.ShortcutFocusReason)
@@ -182,15 +183,20 @@ class CommandPalette(QFrame):
     def _run(self, item: QListWidgetItem | None) -> None:
         if item is None:
             return
-        offer: Offer = item.data(Qt.ItemDataRole.UserRole)
+        text = item.data(Qt.ItemDataRole.UserRole).text
         self.leave()
-        offer.act()
+        # What could be done when this was opened may have gone since.
+        offer = next((each for each in offers(self._window) if each.text == text), None)
+        if offer is None:
+            self._window.say_status(_("{command} can no longer be done here.").format(command=text))
+        else:
+            offer.act()
 
     def leave(self) -> None:
         """Close, and give the focus back."""
         self._application.removeEventFilter(self)
         self.close()
-        if self._back_to is not None:
+        if self._back_to is not None and isValid(self._back_to):
             self._back_to.setFocus()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
