@@ -5,7 +5,7 @@
     python -m tests.soak.monkey --seed 1 --shorten LOG     # the fewest events that bring its fault up
 
 A fault is an exception nobody caught, on any thread, a Qt warning, a warning of Python or in the log, a
-crash, or memory that grows. The log names each event before it is done, so the last one is the culprit.
+crash, an event without an end, or memory that grows. The log names each event before it is done.
 """
 
 import argparse
@@ -30,6 +30,7 @@ from tests.soak.events import KINDS, Hand
 
 MARK = 10_000
 MOST_GROWTH_MB = 5.0
+LONGEST_S = 30.0
 EXPECTED = (
     "This plugin does not support",  # said by the offscreen platform of every window
     "Mouse event at ",  # said of drags that leave the window
@@ -116,6 +117,7 @@ class Monkey(QObject):
         kind = rng.choices(self._kinds, self._weights)[0]
         print(f"{number} {kind.__name__}", end=" ", file=self._log, flush=True)
         self._keeper.inside = True
+        faulthandler.dump_traceback_later(LONGEST_S, exit=True)
         try:
             said = kind(Hand(self._window, rng, self._tell))
         except Exception:

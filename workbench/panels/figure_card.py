@@ -1,6 +1,7 @@
 """The card that floats over the canvas: the few parameters of what is selected, or of what is drawn next."""
 
 from collections.abc import Sequence
+from contextlib import suppress
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QResizeEvent
@@ -293,7 +294,8 @@ class ParameterCard(QFrame):
     def _set(self, address: str, value: float, merge: str = "") -> None:
         refusal = self.apply(set_attribute(address, value), _("Change value"), merge and f"{merge} {address}")
         if refusal and address in self._fields:
-            self._fields[address].refuse(refusal, self._number(address))
+            with suppress(DocumentError):  # the figure has gone, and its field is about to
+                self._fields[address].refuse(refusal, self._number(address))
 
     def _set_size(self, merge: str = "") -> None:
         assert self._size is not None

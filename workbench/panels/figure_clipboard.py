@@ -26,7 +26,8 @@ def copy_figures(figures: list[AnyFigure], text: str = "") -> str:
 
 def figures_held() -> bool:
     """Whether the clipboard has figures."""
-    return QGuiApplication.clipboard().mimeData().hasFormat(MIME)
+    data = QGuiApplication.clipboard().mimeData()
+    return data is not None and data.hasFormat(MIME)  # on some systems an empty clipboard is None
 
 
 def paste_figures(session: Session) -> str:

@@ -78,7 +78,7 @@ class SteppedPanel(FigurePanel):
         """Canvases and card as the session is now, and what the panel shows beside them."""
         self.view.refresh(self.tool, self.handle_drag)
         for name in ("save_run", "save_table", "save_pixels"):
-            self._actions[name].setEnabled(self.session.active_figure is not None)
+            self._actions[name].setEnabled(self.isVisible() and self.session.active_figure is not None)
 
     def copy(self) -> None:
         """Put the selected figures on the clipboard, or with none selected the picture."""
