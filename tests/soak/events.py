@@ -15,7 +15,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QMenu, QTabBar, QWidget
 from shiboken6 import isValid
 
-from workbench.document.samples import examples
 from workbench.shell.actions import commands, keys_elsewhere
 
 LEFT, RIGHT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.MiddleButton
@@ -270,6 +269,8 @@ def workspace(hand: Hand) -> str:
 
 
 def example(hand: Hand) -> str:
+    from workbench.document.samples import examples  # NumPy comes after what the program sets for it
+
     slug = hand.rng.choice(examples()).slug
     hand.window.open_example(slug)
     return slug
