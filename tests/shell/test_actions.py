@@ -3,9 +3,9 @@
 import itertools
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QKeySequence, QShortcut
-from PySide6.QtWidgets import QLabel, QLineEdit
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 from shiboken6 import delete
 
@@ -175,3 +175,19 @@ def test_the_palette_opened_twice_is_one(qtbot: QtBot, window: MainWindow) -> No
     assert len(visible) == 1
     qtbot.keyClick(visible[0].field, Qt.Key.Key_Escape)
     assert window.centres["draw"].focusProxy().hasFocus()
+
+
+def test_the_palette_has_no_more_parts_for_more_commands(qtbot: QtBot, window: MainWindow) -> None:
+    parts = []
+    for place in ("home", "draw"):
+        window.go(place)
+        window.show_palette()
+        palette = window.findChild(CommandPalette)
+        assert palette is not None
+        assert palette.list.count() > len(commands())
+        parts.append(len(palette.findChildren(QWidget)))
+        palette.leave()
+        palette.deleteLater()
+        QApplication.sendPostedEvents(palette, QEvent.Type.DeferredDelete.value)
+    assert parts[0] == parts[1]
+    assert parts[0] < 20
