@@ -167,6 +167,20 @@ def test_views_of_a_figure_that_went_in_the_middle_of_a_gesture(
     assert panel.describe(2, 3) == "(2, 3)"
 
 
+def test_a_band_that_adds_to_figures_that_went_selects_what_is_there(qtbot: QtBot, session: Session) -> None:
+    panel = DrawPanel(session)
+    show(qtbot, panel)
+    panel.choose_tool("select")
+    canvas, shift = panel.canvas, Qt.KeyboardModifier.ShiftModifier
+    corner = canvas.widget_position(15, 44).toPoint()
+    qtbot.mousePress(canvas, LEFT, shift, corner)
+    session.apply(remove_figures(["f1"]), "Delete")
+    qtbot.mouseMove(canvas, canvas.widget_position(30, 30).toPoint())
+    qtbot.mouseMove(canvas, canvas.widget_position(45, 15).toPoint())
+    assert session.state.selection == ("f2",)
+    qtbot.mouseRelease(canvas, LEFT, shift, corner)
+
+
 def test_the_plot_asks_for_a_pixel_that_a_shorter_line_lacks(qtbot: QtBot, session: Session) -> None:
     panel = DrawPanel(session)
     show(qtbot, panel)

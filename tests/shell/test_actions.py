@@ -151,7 +151,7 @@ def test_a_command_that_went_while_the_palette_was_open_is_said(qtbot: QtBot, wi
     session.undo_stack.undo()
     assert name not in [sheet.name for sheet in session.document.sheets][1:]
     qtbot.keyClick(palette.field, Qt.Key.Key_Return)
-    assert "Second thoughts" in window.status._said.text()
+    assert "Second thoughts" in window.status.hover.text()
 
 
 def test_the_palette_gives_the_focus_back_unless_its_part_went(qtbot: QtBot, window: MainWindow) -> None:

@@ -28,7 +28,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 from tests.soak.events import KINDS, Hand
 
-MARK = 10_000
+MARK, MARKS = 1_000, 10
 MOST_GROWTH_MB = 5.0
 LONGEST_S = 30.0
 EXPECTED = (
@@ -148,9 +148,11 @@ class Monkey(QObject):
         print(f"# {self._done} events, {self.megabytes[-1]:.1f} MB", file=self._log, flush=True)
 
     def _finish(self) -> None:
-        for before, after in zip(self.megabytes, self.megabytes[1:], strict=False):
+        settled = self.megabytes[MARKS - 1 :]
+        for before, after in zip(settled, settled[MARKS:], strict=False):
             if after - before > MOST_GROWTH_MB:
-                self.faults.said.append(f"memory grew from {before:.1f} to {after:.1f} MB in {MARK} events")
+                text = "memory grew from {:.1f} to {:.1f} MB in {:,} events"
+                self.faults.said.append(text.format(before, after, MARK * MARKS))
         QTimer.singleShot(_REST_MS, lambda: QApplication.exit(0))  # to quit would ask the window
 
 
@@ -194,7 +196,7 @@ def main() -> int:
     """The exit status: 0 when nothing went wrong."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--events", type=int, default=2 * MARK)
+    parser.add_argument("--events", type=int, default=2 * MARK * MARKS)
     parser.add_argument("--only", default="", help="numbers of events, or @ and a file of them")
     parser.add_argument("--without", default="", help="kinds of events to leave out")
     parser.add_argument("--log", type=Path)
