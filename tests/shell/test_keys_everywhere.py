@@ -343,3 +343,28 @@ def test_the_step_field_leaves_undo_to_the_picture(window: MainWindow, qtbot: Qt
     press(jump, "Ctrl+Z")
     settle()
     assert session.document == now
+
+
+def test_selected_words_of_a_message_are_copied(window: MainWindow, qtbot: QtBot) -> None:
+    window.go("draw")
+    window.messages.say("Nothing is lost.")
+    settle()
+    label = window.messages._text
+    qtbot.mouseClick(label, Qt.MouseButton.LeftButton)
+    label.setSelection(0, 7)
+    assert copied_by(label) == "Nothing"
+
+
+def test_a_tube_is_copied_as_it_glows(window: MainWindow) -> None:
+    work_in(window, "display")
+    tube = window.panels("display")[0].raster
+    copied_by(tube)
+    assert QGuiApplication.clipboard().image().size() == tube.grab().size()
+
+
+def test_where_nothing_can_be_copied_that_is_said(window: MainWindow) -> None:
+    window.go("home")
+    QGuiApplication.clipboard().setText("before")
+    press(window._pages["home"], "Ctrl+C")
+    assert QGuiApplication.clipboard().text() == "before"
+    assert window.status.hover.text() == "There is nothing here to copy."

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from workbench.language import _
 
@@ -12,8 +12,11 @@ if TYPE_CHECKING:
 
 
 def copy(window: "MainWindow") -> None:
-    """Copy the selection of a field or table, the selected figures, or the picture."""
-    if not _let(window, "copy"):
+    """Copy the selection of a field, words or table, the selected figures, or the picture."""
+    focus = QApplication.focusWidget()
+    if isinstance(focus, QLabel) and focus.hasSelectedText():
+        QApplication.clipboard().setText(focus.selectedText())
+    elif not _let(window, "copy"):
         window.say_status(_("There is nothing here to copy."))
 
 
