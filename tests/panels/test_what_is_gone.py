@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from tests.panels.curves_by_hand import curve_through, opened
+from tests.panels.curves_by_hand import click, curve_through, hover, opened
 from workbench.document.edits import add_figure, remove_figures, set_algorithm, set_sheet_size
 from workbench.document.model import Circle, Line, WorldPoint
 from workbench.document.samples import blank_sheet
@@ -93,6 +93,24 @@ def test_commands_say_what_a_curve_with_too_few_points_lacks(qtbot: QtBot, splin
     if name in ("insert", "split", "remove_knot"):
         assert panel.session.document == before or spline == "bezier_path"
         assert any(said)
+
+
+@pytest.mark.parametrize("spline", ["b_spline", "bezier_path"])
+def test_the_pen_does_not_go_on_with_a_curve_that_went(qtbot: QtBot, spline: str) -> None:
+    places = ((10, 10), (20, 30), (30, 30), (40, 8))
+    panel = opened(qtbot, curve_through(*places, spline=spline))
+    session = panel.session
+    panel.choose_tool("pen")
+    click(panel, 40, 8)
+    assert panel.pen.busy
+    hover(panel, 50, 20)
+    session.apply(remove_figures([session.sheet.figures[0].id]), "Delete")
+    after = session.document
+    hover(panel, 52, 22)
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
+    settle()
+    assert session.document == after
+    assert not panel.pen.busy
 
 
 # Choices made in a list that was opened before something else became active
