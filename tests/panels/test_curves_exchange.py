@@ -5,7 +5,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication, QFileDialog
 
@@ -66,10 +66,9 @@ def test_a_freehand_click_is_no_line_and_that_is_said(qtbot):
 
 def test_points_are_copied_as_a_table_and_pasted_on_the_end(qtbot, zigzag):
     click(zigzag, *ZIGZAG[1])
-    zigzag.canvas.setFocus()
-    qtbot.keyClick(zigzag.canvas, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    zigzag.copy()
     assert QApplication.clipboard().text().splitlines()[1] == "32.0\t34.0"
-    qtbot.keyClick(zigzag.canvas, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+    zigzag.paste()
     settle()
     assert places(zigzag) == [*ZIGZAG, ZIGZAG[1]]
     zigzag.session.undo_stack.undo()

@@ -3,11 +3,14 @@
 import itertools
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QKeySequence, QShortcut
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
+from shiboken6 import delete
 
+from workbench.document.edits import add_sheet, rename_sheet
+from workbench.document.samples import blank_sheet
 from workbench.shell.actions import commands, keys_elsewhere, menu_titles
 from workbench.shell.command_palette import CommandPalette, match
 from workbench.shell.window import MainWindow
@@ -132,3 +135,59 @@ def test_the_palette_opens_examples_and_workspaces(qtbot: QtBot, window: MainWin
     qtbot.keyClick(palette.field, Qt.Key.Key_Return)
     assert window.place == "draw"
     assert window.session.sheet.name == "Circle and ellipse"
+
+
+def test_a_command_that_went_while_the_palette_was_open_is_said(qtbot: QtBot, window: MainWindow) -> None:
+    session = window.session
+    session.apply(add_sheet(blank_sheet().sheets[0]), "Add a sheet")
+    name = session.document.sheets[-1].name
+    session.apply(rename_sheet(session.document.sheets[-1].id, "Second thoughts"), "Rename")
+    window.go("draw")
+    window.show_palette()
+    palette = window.findChild(CommandPalette)
+    assert palette is not None
+    qtbot.keyClicks(palette.field, "second thoughts")
+    session.undo_stack.undo()
+    session.undo_stack.undo()
+    assert name not in [sheet.name for sheet in session.document.sheets][1:]
+    qtbot.keyClick(palette.field, Qt.Key.Key_Return)
+    assert "Second thoughts" in window.status.hover.text()
+
+
+def test_the_palette_gives_the_focus_back_unless_its_part_went(qtbot: QtBot, window: MainWindow) -> None:
+    window.go("draw")
+    gone = QLineEdit(window)
+    gone.show()
+    gone.setFocus()
+    window.show_palette()
+    palette = window.findChild(CommandPalette)
+    assert palette is not None
+    delete(gone)
+    qtbot.keyClick(palette.field, Qt.Key.Key_Escape)
+    assert not palette.isVisible()
+
+
+def test_the_palette_opened_twice_is_one(qtbot: QtBot, window: MainWindow) -> None:
+    window.go("draw")
+    for _again in range(2):
+        window.show_palette()
+    visible = [each for each in window.findChildren(CommandPalette) if each.isVisible()]
+    assert len(visible) == 1
+    qtbot.keyClick(visible[0].field, Qt.Key.Key_Escape)
+    assert window.centres["draw"].focusProxy().hasFocus()
+
+
+def test_the_palette_has_no_more_parts_for_more_commands(qtbot: QtBot, window: MainWindow) -> None:
+    parts = []
+    for place in ("home", "draw"):
+        window.go(place)
+        window.show_palette()
+        palette = window.findChild(CommandPalette)
+        assert palette is not None
+        assert palette.list.count() > len(commands())
+        parts.append(len(palette.findChildren(QWidget)))
+        palette.leave()
+        palette.deleteLater()
+        QApplication.sendPostedEvents(palette, QEvent.Type.DeferredDelete.value)
+    assert parts[0] == parts[1]
+    assert parts[0] < 20

@@ -262,7 +262,7 @@ def test_entering_a_kind_is_told(qtbot: QtBot, measures: MeasureTable):
 def test_the_table_is_copied(qtbot: QtBot, measures: MeasureTable):
     said = []
     measures.copied.connect(said.append)
-    qtbot.keyClick(measures.view, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    measures.copy()
     text = QGuiApplication.clipboard().text()
     assert text.splitlines()[0].split("\t") == ["curve", *measures.model.headings()]
     assert text.splitlines()[2].split("\t") == ["B-spline", *map(value_text, KINDS[1].values)]

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QPushBu
 
 from workbench.algorithms import catalogue
 from workbench.document.edits import set_clip, set_clippers
-from workbench.document.errors import DocumentError
 from workbench.document.model import LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure, Polygon, Rectangle
 from workbench.language import _, ngettext
 from workbench.panels.clip_scene import Fate, degenerate_count, tally
@@ -153,13 +152,9 @@ class ClipCard(ParameterCard):
             return
         wanted = replace(window, **{side: value})
         sentence = no_extent(wanted)
-        try:
-            if not sentence:
-                self._session.apply(
-                    set_clip(sheet.id, wanted), _("Change the clip window"), merge and f"{merge} {side}"
-                )
-        except DocumentError as problem:
-            sentence = problem.short
+        if not sentence:
+            name = _("Change the clip window")
+            sentence = self.apply(set_clip(sheet.id, wanted), name, merge and f"{merge} {side}")
         self.complaint.setText(sentence)
         self.complaint.setVisible(bool(sentence))
         self.sides[side].field.setAccessibleDescription(sentence)
@@ -171,9 +166,9 @@ class ClipCard(ParameterCard):
         slug = self.clipper.itemData(index)
         session = self._session
         if slug in LINE_CLIPPERS:
-            session.apply(set_clippers(session.sheet.id, line=slug), _("Choose the line clipper"))
+            self.apply(set_clippers(session.sheet.id, line=slug), _("Choose the line clipper"))
             if session.state.compare == slug:
                 others = [other for other in LINE_CLIPPERS if other != slug]
                 session.update_state(compare=others[0])
         else:
-            session.apply(set_clippers(session.sheet.id, polygon=slug), _("Choose the polygon clipper"))
+            self.apply(set_clippers(session.sheet.id, polygon=slug), _("Choose the polygon clipper"))

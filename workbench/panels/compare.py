@@ -1,13 +1,8 @@
 """The Compare dock: two algorithms on the same input, their counts side by side, and where they differ."""
 
 import numpy as np
-from PySide6.QtCore import (
-    QMimeData,
-    Qt,
-    QTimer,
-    Signal,
-)
-from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QResizeEvent, QShowEvent
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QCheckBox,
@@ -22,8 +17,9 @@ from PySide6.QtWidgets import (
 
 from workbench.algorithms import catalogue
 from workbench.document.edits import set_algorithm, set_clippers
+from workbench.document.errors import DocumentError
 from workbench.engine.recording import Recording
-from workbench.exchange.tables import Table, to_html, to_tsv
+from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.compare_table import CompareModel
 from workbench.panels.compare_work import (
@@ -40,6 +36,7 @@ from workbench.session.session import Session
 from workbench.widgets.canvas_overlay import Overlay
 from workbench.widgets.empty_state import EmptyState
 from workbench.widgets.pixel_canvas import PixelCanvas
+from workbench.widgets.table_copies import put_on_clipboard, rows_copied
 from workbench.widgets.tokens import theme_changed, tokens
 
 ROW_PX = 20
@@ -105,8 +102,6 @@ class CompareView(QWidget):
         self.table.setHorizontalScrollMode(QTableView.ScrollMode.ScrollPerPixel)
         self.copy_action = QAction(_("Copy comparison"), self)
         self.copy_action.setToolTip(_("Copy the counts; they paste as a table"))
-        self.copy_action.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
-        self.copy_action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         self.copy_action.triggered.connect(self.copy)
         self.table.addAction(self.copy_action)
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
@@ -214,12 +209,16 @@ class CompareView(QWidget):
         before = self._slugs()[0]
         if figure is None or slug == before:
             return
+        try:
+            if self._clipping:
+                session.apply(set_clippers(session.sheet.id, line=slug), _("Choose the line clipper"))
+            else:
+                session.apply(set_algorithm(figure.id, slug), _("Change algorithm"))
+        except DocumentError as problem:  # another figure is active since the list was opened
+            self.note.setText(problem.short)
+            return
         if session.state.compare == slug:
             session.update_state(compare=before)
-        if self._clipping:
-            session.apply(set_clippers(session.sheet.id, line=slug), _("Choose the line clipper"))
-        else:
-            session.apply(set_algorithm(figure.id, slug), _("Change algorithm"))
 
     def _choose_second(self, index: int) -> None:
         self._session.update_state(compare=self.second.itemData(index))
@@ -270,12 +269,8 @@ class CompareView(QWidget):
         """Put the table on the clipboard, as text with tabs and as HTML."""
         titles = ("", *self.model.titles)[: self.model.columnCount()]
         rows = [tuple("" if v is None else v for v in row[: len(titles)]) for row in self.model.rows]
-        table = Table(titles, rows, formulas=False)
-        data = QMimeData()
-        data.setText(to_tsv(table))
-        data.setHtml(to_html(table))
-        QGuiApplication.clipboard().setMimeData(data)
-        self.said.emit(_("{rows:,} rows copied.").format(rows=len(rows)))
+        put_on_clipboard(Table(titles, rows, formulas=False))
+        self.said.emit(rows_copied(len(rows)))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """The difference picture stands where there is room: under the table, beside it, or not at all."""

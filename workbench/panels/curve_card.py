@@ -22,7 +22,6 @@ from workbench.document.curve_edits import (
 )
 from workbench.document.curve_pieces import ends_steer, fault_of, goes_round, may_be_closed, pieces_of
 from workbench.document.edits import Edit, both, set_attributes
-from workbench.document.errors import DocumentError
 from workbench.document.model import (
     B_SPLINES,
     CONSTRUCTIONS,
@@ -321,10 +320,8 @@ class CurveCard(ParameterCard):
                 self.algorithm_chosen.emit(self._pen.algorithm)
             return
         edit = edit_of(sheet, curves, attribute, value)
-        try:
-            self._session.apply(edit, _("Change curve"), merge and f"{merge} {attribute}")
-        except DocumentError as problem:
-            self.fault.setText(f"\N{WARNING SIGN} {escape(problem.short)}")
+        if refusal := self.apply(edit, _("Change curve"), merge and f"{merge} {attribute}"):
+            self.fault.setText(f"\N{WARNING SIGN} {escape(refusal)}")
             self.fault.setVisible(True)
 
 

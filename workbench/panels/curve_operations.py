@@ -89,10 +89,19 @@ class CurveOperations(CurveCommands):
 
     # Points on the curve
 
+    def parameter(self, curve: Curve, share: float) -> float | None:
+        """The parameter at a share of its range; None, and said why, where the points make no curve yet."""
+        try:
+            return parameter_at(curve, share)
+        except ValueError as problem:
+            self.said.emit(str(problem))
+            return None
+
     def insert(self, curve: Curve, share: float) -> None:
         """Put a point into the curve at a share of its parameter; what is new is chosen."""
         before = {point.id for point in curve.points_world}
-        if not self.apply(insert_on_curve(curve.id, parameter_at(curve, share)), _("Insert a point")):
+        u = self.parameter(curve, share)
+        if u is None or not self.apply(insert_on_curve(curve.id, u), _("Insert a point")):
             return
         now = self.focus.curve
         if now is not None:
@@ -117,12 +126,11 @@ class CurveOperations(CurveCommands):
         """Take the knot out that is nearest to u."""
 
         def remove(curve: Curve) -> None:
-            fault = knots_fault(curve) or fault_of(curve)
-            if fault:
+            if fault := knots_fault(curve):
                 self.said.emit(fault)
-                return
-            number = int(np.abs(knots_of(curve) - parameter_at(curve, self.focus.u)).argmin())
-            self.remove_knot(curve.knots[number].id if curve.knots else f"#{number}")
+            elif (u := self.parameter(curve, self.focus.u)) is not None:
+                number = int(np.abs(knots_of(curve) - u).argmin())
+                self.remove_knot(curve.knots[number].id if curve.knots else f"#{number}")
 
         self.with_curve(remove)
 
@@ -131,7 +139,8 @@ class CurveOperations(CurveCommands):
 
         def cut(curve: Curve) -> None:
             known = {figure.id for figure in self.session.sheet.figures}
-            if self.apply(split(curve.id, parameter_at(curve, self.focus.u)), _("Split the curve")):
+            u = self.parameter(curve, self.focus.u)
+            if u is not None and self.apply(split(curve.id, u), _("Split the curve")):
                 made = [f.id for f in self.session.sheet.figures if f.id not in known]
                 self.session.update_state(selection=(curve.id, *made), active=curve.id)
                 self.said.emit(_("The curve is cut at u; both parts look as before."))

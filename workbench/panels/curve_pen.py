@@ -1,6 +1,7 @@
 """Tools that draw curves: the pen for every kind, click by click."""
 
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -8,8 +9,8 @@ from msgspec.structs import replace
 
 from workbench.document.curve_edits import add_path_point, add_points, curve_with
 from workbench.document.curve_pieces import goes_round
-from workbench.document.edits import Edit, add_figure, both
-from workbench.document.model import TANGENT_SPLINES, Curve, CurvePoint
+from workbench.document.edits import add_figure, both
+from workbench.document.model import TANGENT_SPLINES, Curve, CurvePoint, Document
 from workbench.language import _
 from workbench.panels.curve_drags import constrained
 from workbench.panels.curve_focus import CurveFocus
@@ -100,19 +101,21 @@ class PenTool(FigureTool):
                         return figure.id, first
         return None
 
-    def _added(self, figure: str, first: bool, nodes: list[Node]) -> Edit:
-        """The edit that goes on with a curve by all nodes but the one that it ends at."""
-        curve = curve_with(self.session.document, figure)
+    def _added(self, figure: str, first: bool, nodes: list[Node], document: Document) -> Document:
+        """The document with a curve that goes on by all nodes but the one that it ends at."""
+        curve = curve_with(document, figure)
+        if len(nodes) < 2:
+            return document
         world = [self.focus.world(*node.at) for node in nodes[1:]]
         if curve.spline != "bezier_path":
-            return add_points(figure, world[::-1] if first else world, 0 if first else None)
+            return add_points(figure, world[::-1] if first else world, 0 if first else None)(document)
         pulled = [None if n.pulled is None else self.focus.world(*n.pulled) for n in nodes[1:]]
         return both(
             *(
                 add_path_point(figure, x, y, handle, first)
                 for (x, y), handle in zip(world, pulled, strict=True)
             )
-        )
+        )(document)
 
     def _near(self, place: Place, x: float, y: float) -> bool:
         return float(np.hypot(place[0] - x, place[1] - y)) <= self._reach
@@ -161,9 +164,8 @@ class PenTool(FigureTool):
         nodes = [*self._nodes, Node(pointer)] if pointer is not None else list(self._nodes)
         if self._continued is not None:
             figure, first = self._continued
-            if len(nodes) > 1:
-                self.show(self._added(figure, first, nodes), _("Go on with the curve"))
-            self.session.update_state(selection=(figure,), active=figure)
+            if self.show(partial(self._added, figure, first, nodes), _("Go on with the curve")):
+                self.session.update_state(selection=(figure,), active=figure)
             return
         made = self._curve(nodes, self.model.closed or closes)
         if self.show(add_figure(self.session.sheet.id, made), _("Draw {what}").format(what=self.title)):

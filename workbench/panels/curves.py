@@ -5,10 +5,10 @@ from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QCursor, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtGui import QCursor, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
-from workbench.document.curve_pieces import share_at
+from workbench.document.curve_pieces import fault_of, share_at
 from workbench.document.model import Curve
 from workbench.language import _
 from workbench.panels.curve_card import CurveCard
@@ -24,6 +24,7 @@ from workbench.panels.curve_pen import PenTool
 from workbench.panels.curve_tools import CurveSelectTool
 from workbench.panels.curve_view import CurveView
 from workbench.panels.figure_actions import Row
+from workbench.panels.figure_clipboard import figures_held
 from workbench.panels.figure_stepped import SteppedPanel
 from workbench.rendering.curve_runs import construction_fault
 from workbench.session.session import Session
@@ -117,7 +118,7 @@ class CurvesPanel(SteppedPanel):
 
     def _insert_knot(self, u: float) -> None:
         curve = self.focus.curve
-        if curve is not None:
+        if curve is not None and not fault_of(curve):
             self.commands.insert(curve, share_at(curve, u))
 
     def _smooth(self, joint: int, kind: str) -> None:
@@ -133,6 +134,20 @@ class CurvesPanel(SteppedPanel):
         """Remove the chosen points, or with none chosen what is selected."""
         if not self.commands.remove():
             super().delete_selected()
+
+    def copy(self) -> None:
+        """Put the chosen points on the clipboard; without any, as everywhere."""
+        if self.focus.selected is not None and self.focus.points:
+            self.exchange.copy()
+        else:
+            super().copy()
+
+    def paste(self) -> None:
+        """Figures come onto the sheet as everywhere, points and SVG as in the menu."""
+        if figures_held():
+            super().paste()
+        elif not self.gesturing:
+            self.exchange.paste()
 
     def select_all(self) -> None:
         """All points of the selected curve, or with none selected all figures."""
@@ -231,12 +246,8 @@ class CurvesPanel(SteppedPanel):
             super().let_go()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Backspace takes back the last point of the pen; points are copied and pasted."""
-        if event.matches(QKeySequence.StandardKey.Copy):
-            self.exchange.copy()
-        elif event.matches(QKeySequence.StandardKey.Paste):
-            self.exchange.paste()
-        elif event.key() == Qt.Key.Key_Backspace and self.tool is self.pen and self.pen.back():
+        """Backspace takes back the last point of the pen."""
+        if event.key() == Qt.Key.Key_Backspace and self.tool is self.pen and self.pen.back():
             self._after_gesture()
         else:
             super().keyPressEvent(event)

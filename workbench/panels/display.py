@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from workbench.display.flicker import critical_frequency_hz, modulation
@@ -69,6 +69,10 @@ class DisplayPanel(QWidget):
     def actions(self) -> list[QAction]:
         """None of its own; the controls are in the strip."""
         return []
+
+    def copy(self) -> None:
+        """Put the tube that is measured, as it glows now, on the clipboard."""
+        QGuiApplication.clipboard().setPixmap((self.instruments.tube or self.raster).grab())
 
     def show_example(self) -> None:
         """Open the house, slow enough to see the beam draw it."""

@@ -47,6 +47,6 @@ class DrawPanel(SteppedPanel):
             self.session.update_state(active=figures[0].id)
 
     def _go_to_emission(self, number: int) -> None:
-        active = self.session.active_figure
-        if active is not None:
-            self.session.run.run_to_pixel(*self.view.emitted_cell(active, number))
+        cell = self.view.emitted_cell(number)
+        if cell is not None:
+            self.session.run.run_to_pixel(*cell)

@@ -1,6 +1,7 @@
 """The card that floats over the canvas: the few parameters of what is selected, or of what is drawn next."""
 
 from collections.abc import Sequence
+from contextlib import suppress
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QResizeEvent
@@ -18,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from workbench.algorithms import catalogue
 from workbench.document.addresses import resolve
-from workbench.document.edits import set_algorithm, set_attribute, set_sheet_size
+from workbench.document.edits import Edit, set_algorithm, set_attribute, set_sheet_size
 from workbench.document.errors import DocumentError
 from workbench.document.model import (
     AnyFigure,
@@ -250,6 +251,7 @@ class ParameterCard(QFrame):
             item = self._grid.takeAt(0)
             widget = item.widget() if item is not None else None
             if widget is not None:
+                widget.blockSignals(True)  # what was typed of a figure that is gone is for no other
                 widget.hide()
                 widget.deleteLater()
         self._fields, self._size = {}, None
@@ -281,35 +283,38 @@ class ParameterCard(QFrame):
     def _number(self, address: str) -> float:
         return round(float(resolve(self._session.document, address)), 6)
 
-    def _set(self, address: str, value: float, merge: str = "") -> None:
+    def apply(self, edit: Edit, name: str, merge: str = "") -> str:
+        """Do an edit; the sentence that says why it was refused, or an empty one."""
         try:
-            self._session.apply(
-                set_attribute(address, value), _("Change value"), merge and f"{merge} {address}"
-            )
+            self._session.apply(edit, name, merge)
         except DocumentError as problem:
-            self._fields[address].refuse(problem.short, self._number(address))
+            return problem.short
+        return ""
+
+    def _set(self, address: str, value: float, merge: str = "") -> None:
+        refusal = self.apply(set_attribute(address, value), _("Change value"), merge and f"{merge} {address}")
+        if refusal and address in self._fields:
+            with suppress(DocumentError):  # the figure has gone, and its field is about to
+                self._fields[address].refuse(refusal, self._number(address))
 
     def _set_size(self, merge: str = "") -> None:
         assert self._size is not None
         width, height = (int(field.value()) for field in self._size)
-        try:
-            self._session.apply(
-                set_sheet_size(self._session.sheet.id, width, height),
-                _("Change sheet size"),
-                merge and f"{merge} size",
-            )
-        except DocumentError as problem:
-            self._size[0].refuse(problem.short, self._session.sheet.width_px)
+        edit = set_sheet_size(self._session.sheet.id, width, height)
+        if refusal := self.apply(edit, _("Change sheet size"), merge and f"{merge} size"):
+            self._size[0].refuse(refusal, self._session.sheet.width_px)
 
     def _choose_algorithm(self, index: int) -> None:
         slug = self.algorithm.itemData(index)
         selection = self._session.state.selection
-        if selection:
-            self._session.apply(set_algorithm(selection, slug), _("Change algorithm"))
-            if self._session.state.compare == slug:
-                self._session.update_state(compare="")
-        else:
+        if not selection:
             self.algorithm_chosen.emit(slug)
+        elif refusal := self.apply(set_algorithm(selection, slug), _("Change algorithm")):
+            # What is selected is another kind since the list was opened.
+            self.trouble.setText(f"\N{WARNING SIGN} {refusal}")
+            self.trouble.show()
+        elif self._session.state.compare == slug:
+            self._session.update_state(compare="")
 
     def _choose_compare(self, index: int) -> None:
         self._session.update_state(compare=self.compare.itemData(index))

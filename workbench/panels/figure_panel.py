@@ -196,7 +196,7 @@ class FigurePanel(QWidget):
         self.show_now()
         self.empty.setVisible(not self.session.sheet.figures and not self.gesturing)
         for name in ("delete", "duplicate", "forwards", "backwards"):
-            self._actions[name].setEnabled(bool(self.session.state.selection))
+            self._actions[name].setEnabled(self.isVisible() and bool(self.session.state.selection))
 
     def _take_tool_when_empty(self) -> None:
         """An empty sheet asks for something to be drawn, so that is what a drag does."""

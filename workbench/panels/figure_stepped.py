@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QSplitter, QWidget
 from workbench.language import _
 from workbench.panels.figure_actions import Row
 from workbench.panels.figure_card import ParameterCard
+from workbench.panels.figure_clipboard import copy_figures, paste_figures
 from workbench.panels.figure_export import Exporter
 from workbench.panels.figure_gesture import Tool
 from workbench.panels.figure_panel import FigurePanel
@@ -77,7 +78,19 @@ class SteppedPanel(FigurePanel):
         """Canvases and card as the session is now, and what the panel shows beside them."""
         self.view.refresh(self.tool, self.handle_drag)
         for name in ("save_run", "save_table", "save_pixels"):
-            self._actions[name].setEnabled(self.session.active_figure is not None)
+            self._actions[name].setEnabled(self.isVisible() and self.session.active_figure is not None)
+
+    def copy(self) -> None:
+        """Put the selected figures on the clipboard, or with none selected the picture."""
+        if chosen := self.selected():
+            self.hover_text.emit(copy_figures(chosen))
+        else:
+            self.exporter.copy_picture()
+
+    def paste(self) -> None:
+        """Put the figures of the clipboard on the sheet."""
+        if not self.gesturing:
+            self.hover_text.emit(paste_figures(self.session))
 
     def describe(self, x: int, y: int) -> str:
         """A cell's name and what painted it."""

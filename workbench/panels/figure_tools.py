@@ -65,8 +65,11 @@ class SelectTool(Tool):
     def _select_inside(self) -> None:
         assert self.band is not None
         low, high = self.band.min(axis=0), self.band.max(axis=0)
+        figures = self.session.sheet.figures
+        there = {figure.id for figure in figures}
+        self._kept = tuple(kept for kept in self._kept if kept in there)
         inside = []
-        for figure in self.session.sheet.figures:
+        for figure in figures:
             curves = outline(self.session.sheet, figure)
             points = np.concatenate(curves) if curves else np.empty((0, 2))
             if len(points) and ((points >= low) & (points <= high)).all():

@@ -135,10 +135,11 @@ class FigureView:
         ]
         return "<br>".join(f'<span style="color:{ink}">{mark}</span> {text}' for ink, mark, text in lines)
 
-    def emitted_cell(self, figure: AnyFigure, number: int) -> Cell:
-        """The pixel that a figure's algorithm paints as its ``number``-th."""
-        x, y = figure_pixels(self.session.sheet, figure)[number].tolist()
-        return x, y
+    def emitted_cell(self, number: int) -> Cell | None:
+        """The pixel that the active figure's algorithm paints as its ``number``-th; None without one."""
+        active = self.session.active_figure
+        cells = [] if active is None else figure_pixels(self.session.sheet, active).tolist()
+        return (cells[number][0], cells[number][1]) if 0 <= number < len(cells) else None
 
     def describe(self, x: int, y: int) -> str:
         """A cell's name and what painted it."""

@@ -2,7 +2,7 @@
 wrong with a seed, said in place.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QWidget
 
 from workbench.document.check import RECURSION_LIMITS
 from workbench.document.edits import set_attributes
-from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Polygon, SeedFill
 from workbench.language import _
 from workbench.panels.figure_card import ParameterCard
@@ -132,10 +131,5 @@ class FillCard(ParameterCard):
                 self.algorithm_chosen.emit(self._tool.algorithm)
             return
         edit = set_attributes({f"{sheet.id}/{figure.id}/{attribute}": value for figure in figures})
-        self._try(lambda: self._session.apply(edit, _("Change value"), merge and f"{merge} {attribute}"))
-
-    def _try(self, act: Callable[[], object]) -> None:
-        try:
-            act()
-        except DocumentError as problem:
-            self._say(problem.short)
+        if refusal := self.apply(edit, _("Change value"), merge and f"{merge} {attribute}"):
+            self._say(refusal)

@@ -1,7 +1,7 @@
 """The small tube beside the canvas: the open sheet, glowing."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QStackedLayout, QVBoxLayout, QWidget
 
 from workbench.language import _
@@ -44,6 +44,10 @@ class TubeDock(QWidget):
         whole.addWidget(holder, 1)
         whole.addLayout(row)
         self.setMinimumSize(160, 150)
+
+    def copy(self) -> None:
+        """Put the tube as it glows now on the clipboard."""
+        QGuiApplication.clipboard().setPixmap(self.view.grab())
 
     @property
     def view(self) -> TubeView:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QKeySequence
 
 from workbench.language import _
+from workbench.shell import clipboard
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -120,6 +121,27 @@ def commands() -> tuple[Command, ...]:
             ("Ctrl+Shift+Z", "Ctrl+Y"),
             "arrow-u-up-right",
             _("Make the edit again"),
+            "edit",
+            "document",
+        ),
+        Command(
+            "copy",
+            _("Copy"),
+            clipboard.copy,
+            ("Ctrl+C",),
+            "copy",
+            _("Copy what has the focus: figures, the picture, or a table"),
+            "edit",
+            "document",
+            separated=True,
+        ),
+        Command(
+            "paste",
+            _("Paste"),
+            clipboard.paste,
+            ("Ctrl+V",),
+            "clipboard-text",
+            _("Paste figures, points or SVG"),
             "edit",
             "document",
         ),
@@ -317,6 +339,5 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (curves, "Shift+C, Shift+S, Shift+Y", _("Make the joint a corner, smooth, symmetric")),
         (curves, "Shift+O, Shift+R", _("Close or open; reverse the direction")),
         (curves, "Shift+H, Shift+V", _("Mirror left to right, upside down")),
-        (curves, "Ctrl+C, Ctrl+V", _("Copy and paste points, or paste SVG")),
         (curves, "U, K, N", _("Construction at u; curvature comb; snap to pixels")),
     )

@@ -5,28 +5,34 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QSize, Qt
+from PySide6.QtGui import QKeyEvent, QPainter
 from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
     QFrame,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QListWidget,
     QListWidgetItem,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
     QVBoxLayout,
     QWidget,
 )
+from shiboken6 import isValid
 
 from workbench.language import _
 from workbench.shell.actions import commands, key_text
+from workbench.widgets.tokens import colour, tokens
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
 
 _WIDTH, _ROWS = 520, 10
+_PADDING_PX, _MARGIN_PX = 5, 10
+_OFFER = Qt.ItemDataRole.UserRole
+Index = QModelIndex | QPersistentModelIndex
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +115,21 @@ def offers(window: "MainWindow") -> list[Offer]:
     return made
 
 
+class _WithKeys(QStyledItemDelegate):
+    """Paints the keys of a command at the right of its name; a widget for each row would take far longer."""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        """High enough to be hit."""
+        return QSize(0, option.fontMetrics.height() + 2 * _PADDING_PX)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """The name as ever, then the keys."""
+        super().paint(painter, option, index)
+        painter.setPen(colour(tokens().muted))
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(option.rect.adjusted(0, 0, -_MARGIN_PX, 0), right, index.data(_OFFER).keys)
+
+
 class CommandPalette(QFrame):
     """A field and a list over the upper part of the window; Esc or a click elsewhere closes it."""
 
@@ -116,6 +137,7 @@ class CommandPalette(QFrame):
         super().__init__(window)
         self.setObjectName("palette")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._window = window
         self._offers = offers(window)
         self._back_to = window.focusWidget()
         application = QApplication.instance()
@@ -125,6 +147,7 @@ class CommandPalette(QFrame):
         self.field.setPlaceholderText(_("Type a few letters of a command"))
         self.field.setAccessibleName(_("Find a command"))
         self.list = QListWidget()
+        self.list.setItemDelegate(_WithKeys(self.list))
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setAccessibleName(_("Commands"))
@@ -143,11 +166,10 @@ class CommandPalette(QFrame):
 
     @classmethod
     def open_over(cls, window: "MainWindow") -> "CommandPalette":
-        """Show it, or close it when it is there."""
-        earlier = window.findChild(cls)
+        """Show it, in place of one that is there."""
+        for earlier in window.findChildren(cls):
+            earlier.leave()
         made = cls(window)
-        if earlier is not None:
-            earlier.close()
         made.show()
         made.raise_()
         made.field.setFocus(Qt.FocusReason.ShortcutFocusReason)
@@ -162,19 +184,8 @@ class CommandPalette(QFrame):
         ranked.sort(key=lambda each: each[:2])
         self.list.clear()
         for _cost, _place, offer in ranked:
-            item = QListWidgetItem(self.list)
-            item.setData(Qt.ItemDataRole.UserRole, offer)
-            row = QWidget()
-            line = QHBoxLayout(row)
-            line.setContentsMargins(6, 4, 10, 4)
-            line.addWidget(QLabel(offer.text), 1)
-            keys = QLabel(offer.keys)
-            keys.setProperty("role", "muted")
-            line.addWidget(keys)
-            row.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-            item.setSizeHint(row.sizeHint())
-            self.list.setItemWidget(item, row)
-            item.setData(Qt.ItemDataRole.AccessibleTextRole, offer.text)
+            item = QListWidgetItem(offer.text, self.list)
+            item.setData(_OFFER, offer)
         self.list.setVisible(bool(ranked))
         self._nothing.setVisible(not ranked)
         self.list.setCurrentRow(0)
@@ -182,15 +193,20 @@ class CommandPalette(QFrame):
     def _run(self, item: QListWidgetItem | None) -> None:
         if item is None:
             return
-        offer: Offer = item.data(Qt.ItemDataRole.UserRole)
+        text = item.data(_OFFER).text
         self.leave()
-        offer.act()
+        # What could be done when this was opened may have gone since.
+        offer = next((each for each in offers(self._window) if each.text == text), None)
+        if offer is None:
+            self._window.say_status(_("{command} can no longer be done here.").format(command=text))
+        else:
+            offer.act()
 
     def leave(self) -> None:
         """Close, and give the focus back."""
         self._application.removeEventFilter(self)
         self.close()
-        if self._back_to is not None:
+        if self._back_to is not None and isValid(self._back_to):
             self._back_to.setFocus()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

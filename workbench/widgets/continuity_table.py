@@ -14,6 +14,7 @@ from workbench.exchange.tables import typeset
 from workbench.language import _
 from workbench.widgets.parameter_plot import number_text
 from workbench.widgets.table_columns import FittedColumns, WholeRows
+from workbench.widgets.table_copies import CopiedTable
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import code_font
 
@@ -157,7 +158,7 @@ class ContinuityTable(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.model = ContinuityModel(self)
-        self.view = QTableView()
+        self.view = CopiedTable()
         self.view.setModel(self.model)
         self.view.setAccessibleName(_("Continuity at each joint"))
         self.view.setToolTip(_("How smooth each joint is; Enter or a double click goes there"))

@@ -1,28 +1,29 @@
 """The hand table as the course writes it, one row for each step, filled only where it is looked at."""
 
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import Any
 
 from PySide6.QtCore import (
     QAbstractTableModel,
     QElapsedTimer,
-    QMimeData,
     QModelIndex,
     QPersistentModelIndex,
     Qt,
     QTimer,
     Signal,
 )
-from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QResizeEvent
+from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
 from workbench.engine import background
 from workbench.engine.observation import Steps
-from workbench.exchange.tables import Table, shown, to_html, to_tsv, typeset
+from workbench.exchange.tables import Table, shown, typeset
 from workbench.language import _
 from workbench.session.run import Run
 from workbench.widgets.empty_state import EmptyState
-from workbench.widgets.table_columns import FittedColumns
+from workbench.widgets.table_columns import FittedColumns, WholeRows
+from workbench.widgets.table_copies import RowsTable, chosen_rows, put_on_clipboard, rows_copied
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import cell_font, code_font
 
@@ -139,24 +140,23 @@ class HandTable(QWidget):
         super().__init__(parent)
         self._run = run
         self.model = HandModel(run, self)
-        self.view = QTableView()
+        self.view = RowsTable()
         self.view.setModel(self.model)
         self.view.setAccessibleName(_("Hand table"))
-        self.view.setToolTip(_("One row for each step; click a row to go there"))
+        self.view.setToolTip(_("One row for each step; click a row to go there, drag to choose several"))
         self.view.setShowGrid(False)
         self.view.setSelectionBehavior(QTableView.SelectionBehavior.SelectRows)
-        self.view.setSelectionMode(QTableView.SelectionMode.NoSelection)
+        self.view.setSelectionMode(QTableView.SelectionMode.ContiguousSelection)
         self.view.setTabKeyNavigation(False)
         self.view.verticalHeader().hide()
         self.view.verticalHeader().setDefaultSectionSize(22)
         self.view.horizontalHeader().setFont(code_font(12))
         FittedColumns(self.view)
-        self.view.clicked.connect(lambda index: run.go_to_step(index.row() + 1))
+        self.view.setItemDelegate(WholeRows(self.view))
+        self.view.clicked.connect(self._go_to)
         self.copy_action = QAction(_("Copy table"), self)
         self.copy_action.setToolTip(_("Copy the hand table; it pastes as a table"))
-        self.copy_action.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
-        self.copy_action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        self.copy_action.triggered.connect(self.copy)
+        self.copy_action.triggered.connect(self.copy_all)
         self.view.addAction(self.copy_action)
         self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self.state = EmptyState(self.view, _("Draw a figure, and each of its steps becomes a row."))
@@ -165,7 +165,7 @@ class HandTable(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.state)
         self.setFocusProxy(self.view)
-        self._ready.connect(self._to_clipboard)
+        self._ready.connect(self._take_copy)
         run.changed.connect(self._take_run)
         for signal in (run.moved, run.asked):
             signal.connect(self.refresh)
@@ -198,6 +198,12 @@ class HandTable(QWidget):
         if self.model.current != before:
             self._show_current()
 
+    def _go_to(self, index: Index) -> None:
+        """A click goes to its step and selects nothing; of several rows it ends the choice."""
+        if len(chosen_rows(self.view)) == 1:
+            self.view.clearSelection()
+            self._run.go_to_step(index.row() + 1)
+
     def _show_current(self) -> None:
         current = self.model.current
         if current and current <= self.model.rowCount():
@@ -209,14 +215,21 @@ class HandTable(QWidget):
         self._placed.start()
 
     def copy(self) -> None:
+        """Put the selected rows on the clipboard, or with none selected the whole table."""
+        self._copy(chosen_rows(self.view) or range(self.model.rowCount()))
+
+    def copy_all(self) -> None:
         """Put the whole table on the clipboard, as text with tabs and as HTML."""
-        entry, recording, rows = self._run.entry, self._run.recording, self.model.rowCount()
+        self._copy(range(self.model.rowCount()))
+
+    def _copy(self, rows: Sequence[int]) -> None:
+        entry, recording = self._run.entry, self._run.recording
         if entry is None or recording is None:
             return
-        if rows <= _AT_ONCE:
-            self._to_clipboard(_table(Steps(entry, recording), rows))
+        if len(rows) <= _AT_ONCE:
+            self._take_copy(_table(Steps(entry, recording), rows))
             return
-        self.copied.emit(_("Copying {rows:,} rows ...").format(rows=rows))
+        self.copied.emit(_("Copying {rows:,} rows ...").format(rows=len(rows)))
 
         def copy() -> None:
             table = _table(Steps(entry, recording), rows)
@@ -225,13 +238,10 @@ class HandTable(QWidget):
 
         background.thread(copy, "copy").start()
 
-    def _to_clipboard(self, table: Table) -> None:
-        data = QMimeData()
-        data.setText(to_tsv(table))
-        data.setHtml(to_html(table))
-        QGuiApplication.clipboard().setMimeData(data)
-        self.copied.emit(_("{rows:,} rows copied.").format(rows=len(table.rows)))
+    def _take_copy(self, table: Table) -> None:
+        put_on_clipboard(table)
+        self.copied.emit(rows_copied(len(table.rows)))
 
 
-def _table(steps: Steps, rows: int) -> Table:
-    return Table(steps.entry.columns, [steps.row(number) for number in range(1, rows + 1)])
+def _table(steps: Steps, rows: Sequence[int]) -> Table:
+    return Table(steps.entry.columns, [steps.row(row + 1) for row in rows])

@@ -7,7 +7,6 @@ from typing import Any, Literal
 
 from PySide6.QtCore import (
     QAbstractTableModel,
-    QMimeData,
     QModelIndex,
     QPersistentModelIndex,
     QPointF,
@@ -17,8 +16,6 @@ from PySide6.QtCore import (
 from PySide6.QtGui import (
     QAction,
     QFont,
-    QGuiApplication,
-    QKeySequence,
     QPainter,
     QPaintEvent,
     QPen,
@@ -27,12 +24,13 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
-from workbench.exchange.tables import Table, to_html, to_tsv
-from workbench.language import _, ngettext
+from workbench.exchange.tables import Table
+from workbench.language import _
 from workbench.widgets.canvas_drawing import PATTERNS, Pattern, ink_of
 from workbench.widgets.empty_state import EmptyState
 from workbench.widgets.parameter_plot import number_text
 from workbench.widgets.table_columns import DECORATION_PX, FittedColumns, WholeRows
+from workbench.widgets.table_copies import put_on_clipboard, rows_copied
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import code_font
 
@@ -214,9 +212,7 @@ class MeasureTable(QWidget):
         self.model.dataChanged.connect(FittedColumns(self.view).widen)
         self.copy_action = QAction(_("Copy table"), self)
         self.copy_action.setToolTip(_("Copy the comparison; it pastes as a table"))
-        self.copy_action.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
-        self.copy_action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        self.copy_action.triggered.connect(self.copy)
+        self.copy_action.triggered.connect(self.copy_all)
         self.view.addAction(self.copy_action)
         self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self.state = EmptyState(self.view, _("Select a curve to measure it beside other kinds."))
@@ -274,16 +270,19 @@ class MeasureTable(QWidget):
         self._turn()
 
     def copy(self) -> None:
-        """Put the table on the clipboard, as text with tabs and as HTML."""
-        model = self.model
-        headings = (_("curve"), *model.headings())
-        rows = [(kind.name, *map(value_text, kind.values)) for kind in model.kinds]
-        data = QMimeData()
-        table = Table(headings, rows, formulas=False)
-        data.setText(to_tsv(table))
-        data.setHtml(to_html(table))
-        QGuiApplication.clipboard().setMimeData(data)
-        self.copied.emit(ngettext("{n} row copied.", "{n} rows copied.", len(rows)).format(n=len(rows)))
+        """Put the selected kind on the clipboard, or with none selected all of them."""
+        chosen = {self._kind_of(cell) for cell in self.view.selectedIndexes()}
+        self._copy([kind for k, kind in enumerate(self.model.kinds) if not chosen or k in chosen])
+
+    def copy_all(self) -> None:
+        """Put the whole table on the clipboard, as text with tabs and as HTML."""
+        self._copy(self.model.kinds)
+
+    def _copy(self, kinds: Sequence[Measured]) -> None:
+        headings = (_("curve"), *self.model.headings())
+        rows = [(kind.name, *map(value_text, kind.values)) for kind in kinds]
+        put_on_clipboard(Table(headings, rows, formulas=False))
+        self.copied.emit(rows_copied(len(rows)))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """The ground of a panel."""

@@ -4,7 +4,7 @@ import html
 import re
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
-from PySide6.QtGui import QFontDatabase, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QFontDatabase, QKeyEvent, QKeySequence, QMouseEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from workbench.language import _
@@ -56,6 +56,21 @@ class _ScrubLabel(QLabel):
             self.ended.emit()
 
 
+class EntryLine(QLineEdit):
+    """A line that leaves undo to the picture until something is typed into it."""
+
+    def event(self, event: QEvent) -> bool:
+        """The keys of undo are the line's own once there is typing to take back."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
+            keys = QKeySequence.StandardKey
+            if (event.matches(keys.Undo) and not self.isUndoAvailable()) or (
+                event.matches(keys.Redo) and not self.isRedoAvailable()
+            ):
+                event.ignore()
+                return False
+        return super().event(event)
+
+
 class NumberField(QWidget):
     """``edited`` comes when a value was typed or stepped, ``scrubbed`` while the label is dragged.
 
@@ -84,7 +99,7 @@ class NumberField(QWidget):
         self._value = 0.0
         self.label = _ScrubLabel(with_subscript(label))
         self.label.setToolTip(_("Drag sideways to change {name}.").format(name=label))
-        self.field = QLineEdit()
+        self.field = EntryLine()
         self.field.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.field.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.field.setAccessibleName(meaning or label)

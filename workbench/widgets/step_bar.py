@@ -4,11 +4,12 @@ from collections.abc import Callable
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QActionGroup, QFontMetrics, QKeyEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from workbench.language import _
 from workbench.session.run import SPEEDS, Run
 from workbench.widgets.icons import set_icon
+from workbench.widgets.number_field import EntryLine
 from workbench.widgets.option_buttons import OptionButtons
 from workbench.widgets.sentence_view import SentenceView
 from workbench.widgets.step_slider import StepSlider
@@ -36,7 +37,7 @@ class StepBar(QWidget):
         self.ask.setCheckable(True)
         self.ask.toggled.connect(run.set_ask_first)
         self.slider = StepSlider(run)
-        self.jump = QLineEdit()
+        self.jump = EntryLine()
         self.jump.setFont(code_font())
         self.jump.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.jump.setFixedWidth(64)

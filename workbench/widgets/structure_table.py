@@ -11,6 +11,7 @@ from workbench.exchange.tables import shown, typeset
 from workbench.language import _, ngettext
 from workbench.session.run import Run
 from workbench.widgets.table_columns import FittedColumns
+from workbench.widgets.table_copies import CopiedTable
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import code_font
 
@@ -91,7 +92,7 @@ class StructureTable(QWidget):
         label = QLabel(_(title))
         label.setProperty("role", "caption")
         label.setContentsMargins(8, 6, 8, 2)
-        view = QTableView()
+        view = CopiedTable()
         model = StructureModel(view)
         view.setModel(model)
         view.setAccessibleName(_(title))
@@ -101,7 +102,8 @@ class StructureTable(QWidget):
         view.verticalHeader().hide()
         view.verticalHeader().setDefaultSectionSize(22)
         FittedColumns(view)
-        view.setSelectionMode(QTableView.SelectionMode.NoSelection)
+        view.setSelectionBehavior(QTableView.SelectionBehavior.SelectRows)
+        view.setSelectionMode(QTableView.SelectionMode.ContiguousSelection)
         self._column.addWidget(label)
         self._column.addWidget(view, 1)
         return label, view, model

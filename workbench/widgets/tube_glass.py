@@ -25,6 +25,12 @@ _BEZEL = 0.045
 _BULGE = 0.018
 
 
+def nearest_pixel(x: int, y: int, picture_px: tuple[int, int]) -> tuple[int, int]:
+    """The pixel of a picture of so many pixels that is nearest to the pixel (x, y)."""
+    width, height = picture_px
+    return min(max(x, 0), width - 1), min(max(y, 0), height - 1)
+
+
 def pixel_at(place: QPointF, glass: QRectF, picture: tuple[int, int]) -> tuple[int, int] | None:
     """The pixel of a ``picture`` (width, height) that is shown at a place of the glass, if there is one."""
     width, height = face_mm(picture)

@@ -44,12 +44,14 @@ from workbench.display.setup import (
 from workbench.display.tube import PICOSECOND
 from workbench.language import _
 from workbench.widgets.comfort import comfort
+from workbench.widgets.pixel_canvas import ARROWS
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.tube_glass import (
     CORNER,
     cabinet_pixmap,
     fitted,
     glass_path,
+    nearest_pixel,
     pixel_at,
     reflection_pixmap,
 )
@@ -102,9 +104,8 @@ class TubeView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(120, 110)
         self.setAccessibleName(_("Raster tube") if kind == "raster" else _("Vector tube"))
-        if kind == "raster":
-            hint = _("Click a point of the glass to measure its light over time.")
-        else:
+        hint = _("Click a point of the glass to measure its light over time.")
+        if kind == "vector":
             hint = _("The beam draws the strokes of the display list one after the other.")
         self.setToolTip(hint)
         theme.changed.connect(self.update)
@@ -118,7 +119,7 @@ class TubeView(QWidget):
         """Show a frame buffer (h, w), 0xRRGGBB, row 0 at the bottom; the old picture fades."""
         same_size = image.shape == self._image.shape
         self._image = image
-        self._picture = (image.shape[1], image.shape[0])
+        self._take_size((image.shape[1], image.shape[0]))
         if self.kind != "raster":
             return
         if same_size and self.driver is not None and isinstance(self.driver.beam, RasterBeam):
@@ -132,7 +133,7 @@ class TubeView(QWidget):
         """Show a display list in the device frame of a picture of so many pixels."""
         same_size = picture_px == self._picture
         self._strokes = tuple(strokes)
-        self._picture = picture_px
+        self._take_size(picture_px)
         if self.kind != "vector":
             return
         if same_size and self.driver is not None:
@@ -140,6 +141,11 @@ class TubeView(QWidget):
             self._wake()
         else:
             self._rebuild()
+
+    def _take_size(self, picture_px: tuple[int, int]) -> None:
+        """A picture of so many pixels comes; the probe stays on it."""
+        self._picture = picture_px
+        self._probe = self._probe and nearest_pixel(*self._probe, picture_px)
 
     def set_setup(self, setup: TubeSetup) -> None:
         """Another phosphor, refresh rate, persistence or display. Raises LookupError for an unknown name."""
@@ -345,20 +351,14 @@ class TubeView(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrows move the probe."""
-        steps = {
-            Qt.Key.Key_Left: (-1, 0),
-            Qt.Key.Key_Right: (1, 0),
-            Qt.Key.Key_Up: (0, 1),
-            Qt.Key.Key_Down: (0, -1),
-        }
-        move = steps.get(Qt.Key(event.key()))
-        if move is None:
+        if event.key() in ARROWS:
+            x, y = self._probe or (self._picture[0] // 2, self._picture[1] // 2)
+            dx, dy = ARROWS[Qt.Key(event.key())]
+            self._probe = nearest_pixel(x + dx, y + dy, self._picture)
+            self.update()
+            self.probed.emit(*self._probe)
+        else:
             super().keyPressEvent(event)
-            return
-        x, y = self._probe or (self._picture[0] // 2, self._picture[1] // 2)
-        pixel = min(max(x + move[0], 0), self._picture[0] - 1), min(max(y + move[1], 0), self._picture[1] - 1)
-        self.set_probe(pixel)
-        self.probed.emit(*pixel)
 
     @property
     def _beam_is_seen(self) -> bool:

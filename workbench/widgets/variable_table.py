@@ -14,6 +14,7 @@ from workbench.session.run import Run
 from workbench.session.variables import same_value
 from workbench.widgets.empty_state import EmptyState
 from workbench.widgets.table_columns import PADDING_PX
+from workbench.widgets.table_copies import CopiedTable
 from workbench.widgets.tokens import colour, theme, tokens
 from workbench.widgets.type_faces import cell_font
 
@@ -112,7 +113,7 @@ class VariableTable(QWidget):
         super().__init__(parent)
         self._run = run
         self.model = VariableModel(self)
-        self.view = QTableView()
+        self.view = CopiedTable()
         self.view.setModel(self.model)
         self.view.setAccessibleName(_("Variables"))
         self.view.setToolTip(_("The variables here; those that this step changed are marked"))

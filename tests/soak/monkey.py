@@ -1,0 +1,227 @@
+"""Drives the real window with random events from a seed, and ends with the first fault it brings up.
+
+    python -m tests.soak.monkey --seed 1 --events 20000 [--without dock_tab,dock] [--log FILE]
+    python -m tests.soak.monkey --seed 1 --only 3,17,80    # these events of the seed alone
+    python -m tests.soak.monkey --seed 1 --shorten LOG     # the fewest events that bring its fault up
+
+A fault is an exception nobody caught, on any thread, a Qt warning, a warning of Python or in the log, a
+crash, an event without an end, or memory that grows. The log names each event before it is done.
+"""
+
+import argparse
+import faulthandler
+import gc
+import logging
+import os
+import sys
+import tempfile
+import threading
+import traceback
+import warnings
+from pathlib import Path
+from random import Random
+from typing import Any, TextIO
+
+from PySide6.QtCore import QEvent, QObject, QTimer, QtMsgType, qInstallMessageHandler
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog
+
+from tests.soak.events import KINDS, Hand
+
+MARK, MARKS = 1_000, 10
+MOST_GROWTH_MB = 5.0
+LONGEST_S = 30.0
+EXPECTED = (
+    "This plugin does not support",  # said by the offscreen platform of every window
+    "Mouse event at ",  # said of drags that leave the window
+)
+_REST_MS, _POPUP_MS = 400, 40
+
+
+class Faults:
+    """Everything that is said of something going wrong, from anywhere in the process."""
+
+    def __init__(self) -> None:
+        self.said: list[str] = []
+        sys.excepthook = self._uncaught
+        threading.excepthook = lambda told: self._uncaught(
+            told.exc_type, told.exc_value or told.exc_type(), told.exc_traceback
+        )
+        sys.unraisablehook = lambda told: self._uncaught(
+            told.exc_type, told.exc_value or told.exc_type(), told.exc_traceback
+        )
+        qInstallMessageHandler(self._from_qt)
+        warnings.simplefilter("error")
+        handler = logging.Handler(logging.WARNING)
+        handler.emit = lambda record: self.said.append(f"log: {record.getMessage()}")  # type: ignore[method-assign]
+        logging.getLogger().addHandler(handler)
+
+    def _uncaught(self, kind: type[BaseException], error: BaseException, trace: Any) -> None:
+        self.said.append("".join(traceback.format_exception(kind, error, trace)))
+
+    def _from_qt(self, kind: QtMsgType, _where: Any, text: str) -> None:
+        if kind != QtMsgType.QtDebugMsg and not text.startswith(EXPECTED):
+            self.said.append(f"Qt: {text}")
+
+
+class Keeper(QObject):
+    """Keeps the main window open, and ends menus that hold the event they came from."""
+
+    def __init__(self, window: Any) -> None:
+        super().__init__(window)
+        self.inside = False
+        window.installEventFilter(self)
+        self._seen: Any = None
+        timer = QTimer(self)
+        timer.timeout.connect(self._look)
+        timer.start(_POPUP_MS)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Close:
+            event.ignore()
+            return True
+        return False
+
+    def _look(self) -> None:
+        popup = QApplication.activePopupWidget()
+        if self.inside and popup is not None and popup is self._seen:
+            popup.close()
+            popup = None
+        self._seen = popup
+
+
+class Monkey(QObject):
+    """Does the events with these numbers, one in each turn of the event loop."""
+
+    def __init__(self, window: Any, seed: int, numbers: list[int], without: set[str], log: TextIO) -> None:
+        super().__init__(window)
+        self._window, self._seed, self._left, self._log = window, seed, numbers[::-1], log
+        self._keeper = Keeper(window)
+        self._kinds = [kind for kind in KINDS if kind.__name__ not in without]
+        self._weights = [KINDS[kind] for kind in self._kinds]
+        self.faults = Faults()
+        self.megabytes: list[float] = []
+        self._done = 0
+
+    def start(self) -> None:
+        """Begin with nothing open but the first picture."""
+        self._window.enter("draw")
+        QTimer.singleShot(_REST_MS, self._next)
+
+    def _next(self) -> None:
+        if self.faults.said or not self._left:
+            self._finish()
+            return
+        number = self._left.pop()
+        rng = Random(f"{self._seed}/{number}")
+        kind = rng.choices(self._kinds, self._weights)[0]
+        print(f"{number} {kind.__name__}", end=" ", file=self._log, flush=True)
+        self._keeper.inside = True
+        faulthandler.dump_traceback_later(LONGEST_S, exit=True)
+        try:
+            said = kind(Hand(self._window, rng, self._tell))
+        except Exception:
+            said = ""
+            self.faults.said.append(traceback.format_exc())
+        self._keeper.inside = False
+        print(said, file=self._log, flush=True)
+        self._done += 1
+        if self._done % MARK == 0:
+            self._measure()
+        QTimer.singleShot(rng.choice((0, 0, 0, 0, 5, 30)), self._next)
+
+    def _tell(self, text: str) -> None:
+        print(text, end=" ", file=self._log, flush=True)
+
+    def _measure(self) -> None:
+        """The memory of the process at rest, with an empty picture."""
+        for top in QApplication.topLevelWidgets():
+            if top.isVisible() and QApplication.activePopupWidget() is top:
+                top.close()
+        self._window.session.new()
+        self._window.go("draw")
+        QTest.qWait(_REST_MS)
+        gc.collect()
+        with open("/proc/self/statm") as numbers:
+            pages = int(numbers.read().split()[1])
+        self.megabytes.append(pages * os.sysconf("SC_PAGESIZE") / 1e6)
+        print(f"# {self._done} events, {self.megabytes[-1]:.1f} MB", file=self._log, flush=True)
+
+    def _finish(self) -> None:
+        settled = self.megabytes[MARKS - 1 :]
+        for before, after in zip(settled, settled[MARKS:], strict=False):
+            if after - before > MOST_GROWTH_MB:
+                text = "memory grew from {:.1f} to {:.1f} MB in {:,} events"
+                self.faults.said.append(text.format(before, after, MARK * MARKS))
+        QTimer.singleShot(_REST_MS, lambda: QApplication.exit(0))  # to quit would ask the window
+
+
+def files_at_hand(folder: Path) -> None:
+    """Every file dialog is answered at once, by a name in ``folder`` or not at all."""
+    (folder / "points.csv").write_text("1,2\n3,9\n12,4\n")
+    (folder / "broken.gwb").write_text("{")
+    numbers = Random(0)
+    QFileDialog.getOpenFileName = staticmethod(  # type: ignore[method-assign,assignment]
+        lambda *_arguments, **_named: (str(numbers.choice([*sorted(folder.iterdir()), ""])), "")
+    )
+    QFileDialog.getSaveFileName = staticmethod(  # type: ignore[method-assign,assignment]
+        lambda *arguments, **_named: (numbers.choice([str(folder / Path(arguments[2]).name), ""]), "")
+    )
+
+
+def run(seed: int, numbers: list[int], without: set[str], log: TextIO) -> list[str]:
+    """Do these events; the faults they brought up."""
+    from workbench.shell.start import Building, make_window
+
+    application = QApplication(["Graphics Workbench"])
+    window = make_window()
+    window.resize(1280, 720)
+    building = Building(window, warms=False)
+    monkey = Monkey(window, seed, numbers, without, log)
+    building.built.connect(monkey.start)
+    window.first_frame.connect(building.start)
+    window.show()
+    application.exec()
+    building.wait()
+    monkey._keeper.deleteLater()
+    window.session.undo_stack.setClean()
+    window.removeEventFilter(monkey._keeper)
+    window.close()
+    for megabytes in monkey.megabytes:
+        print(f"{megabytes:.1f} MB", flush=True)
+    return monkey.faults.said
+
+
+def main() -> int:
+    """The exit status: 0 when nothing went wrong."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--events", type=int, default=2 * MARK * MARKS)
+    parser.add_argument("--only", default="", help="numbers of events, or @ and a file of them")
+    parser.add_argument("--without", default="", help="kinds of events to leave out")
+    parser.add_argument("--log", type=Path)
+    parser.add_argument("--shorten", type=Path, metavar="LOG")
+    given = parser.parse_args()
+    if given.shorten is not None:
+        from tests.soak.shorten import shorten
+
+        print(*shorten(given.seed, given.shorten, given.without), sep=",")
+        return 0
+    text = Path(given.only[1:]).read_text() if given.only.startswith("@") else given.only
+    numbers = [int(each) for each in text.split(",") if each.strip()] or list(range(given.events))
+    with tempfile.TemporaryDirectory() as folder:
+        os.environ["GRAPHICS_WORKBENCH_PROFILE"] = str(Path(folder, "profile"))
+        work = Path(folder, "work")
+        work.mkdir()
+        files_at_hand(work)
+        log = given.log or Path(folder, "log")
+        faulthandler.enable()
+        with log.open("w") as into:
+            faults = run(given.seed, numbers, {*given.without.split(",")}, into)
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
