@@ -32,6 +32,12 @@ settings.load_profile("ci" if os.environ.get("CI") else "workbench")
 _numbers = itertools.count()
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--approve", action="store_true", help="write the approved texts anew, to be read in the diff"
+    )
+
+
 @pytest.fixture(autouse=True)
 def profile(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """The folder that holds all the program keeps during this test; not there until something is written."""
