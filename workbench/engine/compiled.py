@@ -10,6 +10,7 @@ import importlib.util
 import inspect
 import threading
 from collections.abc import Callable
+from contextlib import nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
@@ -111,25 +112,23 @@ class Kernel:
             known(*values)
             return
         compiling = (compiling or self.ready(use)) and self.flavour != "interpreted"
-        if self.refusal or not compiling or not available():
-            getattr(self._module(False), driver)(*values)
-            return
-        numba = _numba()
+        numba = _numba() if compiling and not self.refusal and available() else None
         if numba is None:
             getattr(self._module(False), driver)(*values)
             return
         try:
-            getattr(self._module(True), driver)(*values)
+            with nullcontext() if self.ready(use) else kernel_files.alone(self.folder):
+                getattr(self._module(True), driver)(*values)
         except numba.core.errors.NumbaError as error:
             sentence = str(error).strip().splitlines()[0]
             raise NotCompilable(f"{self.lowered.name}: {sentence}") from error
         except Exception as error:
             if not kernel_files.came_from_cache(error):
                 raise
-            with self.lock:
+            with kernel_files.alone(self.folder), self.lock:
                 kernel_files.discard(self.folder)
                 self.modules.pop(True, None)
-            getattr(self._module(True), driver)(*values)
+                getattr(self._module(True), driver)(*values)
         self.used[use] = getattr(self._module(True), driver)
         kernel_files.mark(self.folder, use)
 

@@ -14,6 +14,8 @@ import shutil
 import sys
 import tempfile
 import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -124,6 +126,27 @@ def marks(place: Path) -> set[str]:
         return {path.stem for path in place.glob("*.ready")}
     except OSError:
         return set()
+
+
+@contextmanager
+def alone(place: Path) -> Iterator[None]:
+    """Compile into a folder while no other process does: two would give one number to different code.
+
+    Where nothing can be locked nothing can be kept, either.
+    """
+    from filelock import FileLock  # slow to import
+
+    lock = FileLock(place.with_suffix(".lock"))
+    try:
+        place.parent.mkdir(parents=True, exist_ok=True)
+        lock.acquire()
+    except (OSError, NotImplementedError):
+        yield
+        return
+    try:
+        yield
+    finally:
+        lock.release()
 
 
 def discard(place: Path) -> None:
