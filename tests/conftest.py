@@ -1,5 +1,7 @@
 """What every test stands on: no window, a fresh profile each, and nothing said unasked.
 
+Tests that start, kill or time processes bear ``xdist_group("processes")``: they run one after the other.
+
 Python warnings and Qt warnings fail a test through ``pyproject.toml``; a log record of level WARNING or above
 fails it here, unless the test asks for ``caplog`` and so judges the records itself.
 """

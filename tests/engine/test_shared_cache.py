@@ -13,6 +13,8 @@ import pytest
 from tests.engine import written_texts as texts
 from workbench.engine import compiled, kernel_files
 
+pytestmark = pytest.mark.xdist_group("processes")
+
 ROOT = Path(__file__).parents[2]
 STAIRS = [[1, 0, 0, 0, 0], [1, 1, 0, 0, 0], [1, 1, 1, 0, 0], [1, 1, 1, 1, 0]]
 
