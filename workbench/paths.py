@@ -3,13 +3,17 @@
 The variable ``GRAPHICS_WORKBENCH_PROFILE`` names a folder that then holds everything the program keeps
 (settings, recovery, cache), so that tests and the tour start from a fresh profile.
 ``GRAPHICS_WORKBENCH_CACHE`` names only the folder of the compiled readings, which are named by their content
-and so may be shared.
+and so serve several profiles.
 """
 
+import errno
 import os
+import threading
 from pathlib import Path
 
 from platformdirs import PlatformDirs
+
+CACHE = "GRAPHICS_WORKBENCH_CACHE"
 
 _PACKAGE = Path(__file__).parent
 _USER = PlatformDirs("graphics-workbench", appauthor=False)
@@ -26,8 +30,38 @@ def _kept(name: str, default: str) -> Path:
     return Path(profile) / name if profile else Path(default)
 
 
+def home_folder() -> Path:
+    """Where a dialog for files begins: the home folder, or where there is none the current one."""
+    try:
+        return Path.home()
+    except RuntimeError:
+        return Path()
+
+
+def make(folder: Path) -> None:
+    """Make one of the folders below, with those above it, for this user alone; raises OSError.
+
+    Without a home folder the system names them from ``~``, which nobody means as a folder here.
+    """
+    if folder.parts[:1] == ("~",):
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), "~")
+    for each in reversed([folder, *folder.parents]):
+        if not each.is_dir():
+            each.mkdir(mode=0o700, exist_ok=True)
+
+
+def try_writing(folder: Path) -> None:
+    """Make a folder and write a page there that is gone at once; raises OSError when nothing can be kept."""
+    make(folder)
+    trial = folder / f".{os.getpid()}-{threading.get_ident()}.trial"
+    try:
+        trial.write_bytes(bytes(4096))
+    finally:
+        trial.unlink(missing_ok=True)
+
+
 def settings_folder() -> Path:
-    """Folder of the settings; made by who writes there first."""
+    """Folder of the settings; made by who writes there first, as the others are."""
     return _kept("settings", _USER.user_config_dir)
 
 
@@ -38,5 +72,5 @@ def recovery_folder() -> Path:
 
 def cache_folder() -> Path:
     """Folder of the compiled readings; may be deleted at any time."""
-    shared = os.environ.get("GRAPHICS_WORKBENCH_CACHE")
+    shared = os.environ.get(CACHE)
     return Path(shared) if shared else _kept("cache", _USER.user_cache_dir)

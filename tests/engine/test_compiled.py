@@ -231,8 +231,8 @@ def test_rubbish_in_the_cache_only_costs_time(own_cache: Path) -> None:
 
 
 def test_the_folder_depends_on_the_text_and_the_flavour() -> None:
-    places = {kernel_files.folder(text, flavour) for text in ("a", "b") for flavour in ("", "checked")}
-    assert len(places) == 4
+    keys = {kernel_files.key(text, flavour) for text in ("a", "b") for flavour in ("", "checked")}
+    assert len(keys) == 4
 
 
 def test_a_child_compiles_and_the_parent_finds_it_ready(own_cache: Path) -> None:

@@ -88,7 +88,7 @@ def test_two_processes_that_compile_one_kernel_at_once_both_get_right_results(ow
 
 
 def test_who_compiles_waits_for_another_and_who_only_loads_does_not(own_cache: Path) -> None:
-    place = compiled.kernel(texts.spans).folder
+    key = compiled.kernel(texts.spans).key
     compiled.paint(texts.spans, np.zeros((4, 5), np.uint8), 1, 6)
     compiled._kernel.cache_clear()
     begun = threading.Event()
@@ -99,7 +99,7 @@ def test_who_compiles_waits_for_another_and_who_only_loads_does_not(own_cache: P
         compiled.paint(texts.spans, image, 1, 6)
 
     thread = threading.Thread(target=compile_another, daemon=True)
-    with kernel_files.alone(place):
+    with kernel_files.alone(key):
         loaded = np.zeros((4, 5), np.uint8)
         compiled.paint(texts.spans, loaded, 1, 6)
         assert loaded.tolist() == STAIRS

@@ -8,11 +8,10 @@ beforehand, and with ``compiling=False`` the interpreted reading serves instead 
 import functools
 import importlib.util
 import inspect
+import itertools
 import threading
 from collections.abc import Callable
-from contextlib import nullcontext
 from dataclasses import dataclass, field
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -99,7 +98,7 @@ class Kernel:
     writes: bool
     flavour: str
     refusal: str
-    folder: Path
+    key: str
     modules: dict[bool, ModuleType] = field(default_factory=dict)
     used: dict[str, Function] = field(default_factory=dict)
     lock: threading.RLock = field(default_factory=threading.RLock)
@@ -116,52 +115,54 @@ class Kernel:
         if numba is None:
             getattr(self._module(False), driver)(*values)
             return
-        try:
-            with nullcontext() if self.ready(use) else kernel_files.alone(self.folder):
-                getattr(self._module(True), driver)(*values)
-        except numba.core.errors.NumbaError as error:
-            sentence = str(error).strip().splitlines()[0]
-            raise NotCompilable(f"{self.lowered.name}: {sentence}") from error
-        except Exception as error:
-            if not kernel_files.came_from_cache(error):
-                raise
-            with kernel_files.alone(self.folder), self.lock:
-                kernel_files.discard(self.folder)
-                self.modules.pop(True, None)
-                getattr(self._module(True), driver)(*values)
+        self._run(driver, values, self.ready(use), numba.core.errors.NumbaError)
         self.used[use] = getattr(self._module(True), driver)
-        kernel_files.mark(self.folder, use)
+        kernel_files.mark(self.key, use)
+
+    def _run(self, driver: str, values: tuple[Any, ...], ready: bool, refused: type[Exception]) -> None:
+        """Run a compiled driver; what is kept of it costs time when it fails, and is gone on without."""
+        for again in itertools.count():
+            try:
+                with kernel_files.alone(self.key, unless=ready and not again):
+                    getattr(self._module(True), driver)(*values)
+                return
+            except refused as error:
+                raise NotCompilable(f"{self.lowered.name}: {str(error).strip().splitlines()[0]}") from error
+            except Exception as error:
+                with self.lock:
+                    if not kernel_files.given_up(self.key, error, again > 0):
+                        raise
+                    self.modules.pop(True, None)
 
     def ready(self, use: str) -> bool:
         """Whether this use was compiled before."""
-        return use in self.used or kernel_files.marked(self.folder, use)
+        return use in self.used or kernel_files.marked(self.key, use)
 
     def known(self) -> set[str]:
         """All uses that were compiled before."""
-        return self.used.keys() | kernel_files.marks(self.folder)
+        return self.used.keys() | kernel_files.marks(self.key)
 
     def _module(self, compiled: bool) -> ModuleType:
         with self.lock:
             if compiled not in self.modules:
-                self.modules[compiled] = self._load() if compiled else self._interpreted()
+                self.modules[compiled] = self._load() if compiled else self._executed({})
             return self.modules[compiled]
 
     def _load(self) -> ModuleType:
-        numba = _numba()
-        assert numba is not None
-        options = {"cache": True, "nogil": True, "boundscheck": self.flavour == "checked"}
+        numba: Any = _numba()
+        # The compiler has folders of its own, which variables of the system name: only ours are looked at
+        numba.config.CACHE_DIR, numba.config.CACHE_LOCATOR_CLASSES = "", "InTreeCacheLocator"
+        file = kernel_files.write(self.text, self.key)
+        options = {"cache": file is not None, "nogil": True, "boundscheck": self.flavour == "checked"}
         marks = {"reading": numba.njit(**options), "part": numba.njit(**options, forceinline=True)}
-        return kernel_files.load(kernel_files.write(self.text, self.folder), marks)
+        return self._executed(marks) if file is None else kernel_files.load(file, marks)
 
-    def _interpreted(self) -> ModuleType:
-        module = ModuleType(f"interpreted_{self.lowered.name}")
-        vars(module).update(reading=_unchanged, part=_unchanged)
+    def _executed(self, marks: dict[str, Any]) -> ModuleType:
+        """The text as a module that no file holds; its decorators are given by name, or do nothing."""
+        module = ModuleType(f"kernel_{self.lowered.name}")
+        vars(module).update(marks or dict.fromkeys(("reading", "part"), lambda function: function))
         exec(compile(self.text, f"<{self.lowered.name}>", "exec"), vars(module))
         return module
-
-
-def _unchanged(function: Function) -> Function:
-    return function
 
 
 @functools.lru_cache(maxsize=1024)
@@ -199,8 +200,8 @@ def _kernel(function: Function, emits: Emits | None, flavour: str, variant: Vari
         added = ticking_drivers(lowered.name, kinds, emits, variant == "probing")
     text = lowered.text + "\n" + added
     writes = entry is not None and bool(entry.writes)
-    folder = kernel_files.folder(text, flavour)
-    return Kernel(function, text, lowered, emits, writes, flavour, refusal, folder)
+    key = kernel_files.key(text, flavour)
+    return Kernel(function, text, lowered, emits, writes, flavour, refusal, key)
 
 
 def _inferred(function: Function, arity: int) -> Emits | None:

@@ -1,9 +1,14 @@
 """Where compiled readings are kept: one folder per text, named by everything that went into it.
 
-A folder that cannot be written, or that holds rubbish, only costs time: another one in the temporary folder
-of the system serves this process.
+What is kept is unpickled by the compiler, and so could do anything: it is read only from a folder that is the
+user's own and nobody else's to write (see ``ownership``), and that holds nothing of anybody else. A checksum
+would say nothing more, as who can write a reading can write its checksum. Where the chosen folder is not like
+that, or cannot be written, a private one in the temporary folder of the system serves this process and its
+children until it ends; where that cannot be either, nothing is kept. All this only costs time, and ``room``
+says it.
 """
 
+import atexit
 import functools
 import hashlib
 import importlib.metadata
@@ -15,14 +20,64 @@ import sys
 import tempfile
 import traceback
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from workbench import paths
+from workbench.engine.ownership import owned, sealed
+from workbench.language import _
 
 _ENGINE = ("sinks.py", "compiled.py")
+
+
+@dataclass(frozen=True, slots=True)
+class Room:
+    """The folder in which kernels are kept, None for nowhere; and why it is not the chosen one, else ""."""
+
+    folder: Path | None
+    reason: str = ""
+
+
+_rooms: dict[Path, Room] = {}
+
+
+def room() -> Room:
+    """Where this process keeps kernels."""
+    chosen = paths.cache_folder()
+    if chosen not in _rooms:
+        reason = _refusal(chosen)
+        _rooms[chosen] = _private(reason) if reason else Room(chosen.absolute())
+    return _rooms[chosen]
+
+
+def leave(reason: str) -> None:
+    """Go on in a private folder, or without any, as nothing more can be written where kernels are kept."""
+    chosen = paths.cache_folder()
+    _rooms[chosen] = Room(None, reason) if room().reason else _private(reason)
+
+
+def _refusal(chosen: Path) -> str:
+    try:
+        paths.try_writing(chosen)
+    except OSError as error:
+        return error.strerror or str(error)
+    return "" if owned(chosen) else _others_write()
+
+
+def _others_write() -> str:
+    return _("others may write there")
+
+
+def _private(reason: str) -> Room:
+    try:
+        folder = Path(tempfile.mkdtemp(prefix="graphics-workbench-")).absolute()
+    except OSError:
+        return Room(None, reason)
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return Room(folder if owned(folder) else None, reason)
 
 
 @functools.cache
@@ -52,46 +107,52 @@ def _processor() -> str:
     )
 
 
-def folder(text: str, flavour: str) -> Path:
-    """The folder for a text; it need not exist."""
-    key = hashlib.sha256("\0".join([text, flavour, _surroundings()]).encode()).hexdigest()
-    return paths.cache_folder() / key[:2] / key[2:34]
+def key(text: str, flavour: str) -> str:
+    """The name of what is compiled from a text: the same for the same text, compiler and processor."""
+    return hashlib.sha256("\0".join([text, flavour, _surroundings()]).encode()).hexdigest()[:32]
 
 
-def write(text: str, wanted: Path) -> Path:
-    """Put ``text`` into ``kernel.py`` under ``wanted``, else under a temporary folder; its path."""
-    target = wanted / "kernel.py"
+def place(name: str) -> Path | None:
+    """The folder for what has this key, which need not exist; None when nothing is kept."""
+    folder = room().folder
+    return None if folder is None else folder / name
+
+
+def write(text: str, name: str) -> Path | None:
+    """Put ``text`` into ``kernel.py`` in its place; its path, or None when nothing can be kept."""
+    while (folder := place(name)) is not None:
+        target = folder / "kernel.py"
+        try:
+            if not sealed(folder):
+                discard(name)
+            paths.try_writing(folder / "__pycache__")  # the compiler writes there
+            if not sealed(folder):
+                leave(_others_write())
+            elif _reads(target, text):
+                return target
+            else:
+                _replace(target, text)
+        except OSError as error:
+            leave(error.strerror or str(error))
+    return None
+
+
+def _reads(target: Path, text: str) -> bool:
     try:
-        if target.is_file() and target.read_text(encoding="utf-8") == text:
-            _try_writing(wanted)
-            return target
-        _replace(target, text)
-        _try_writing(wanted)
-    except (OSError, UnicodeDecodeError):
-        target = _temporary() / wanted.name / "kernel.py"
-        _replace(target, text)
-    return target
+        return target.read_text(encoding="utf-8") == text
+    except (FileNotFoundError, UnicodeDecodeError):
+        return False
 
 
 def _replace(target: Path, text: str) -> None:
-    target.parent.mkdir(parents=True, exist_ok=True)
     handle, name = tempfile.mkstemp(dir=target.parent, suffix=".tmp")
-    with os.fdopen(handle, "w", encoding="utf-8") as file:
-        file.write(text)
-    os.replace(name, target)
-
-
-def _try_writing(place: Path) -> None:
-    """The compiler writes beside the text, so the folder must let it."""
-    inside = place / "__pycache__"
-    inside.mkdir(exist_ok=True)
-    if not os.access(inside, os.W_OK):
-        raise PermissionError(str(inside))
-
-
-@functools.cache
-def _temporary() -> Path:
-    return Path(tempfile.mkdtemp(prefix="graphics-workbench-"))
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(text)
+        os.replace(name, target)
+    except OSError:
+        os.unlink(name)
+        raise
 
 
 def load(target: Path, marks: dict[str, Any]) -> ModuleType:
@@ -107,54 +168,67 @@ def load(target: Path, marks: dict[str, Any]) -> ModuleType:
     return module
 
 
-def mark(place: Path, use: str) -> None:
+def mark(name: str, use: str) -> None:
     """Note that this use of a kernel has been compiled here."""
-    try:
-        (place / f"{use}.ready").touch()
-    except OSError:
-        return
+    folder = place(name)
+    if folder is not None:
+        with suppress(OSError):
+            (folder / f"{use}.ready").touch()
 
 
-def marked(place: Path, use: str) -> bool:
+def marked(name: str, use: str) -> bool:
     """Whether this use of a kernel was compiled here before."""
-    return (place / f"{use}.ready").is_file()
+    folder = place(name)
+    return folder is not None and (folder / f"{use}.ready").is_file()
 
 
-def marks(place: Path) -> set[str]:
+def marks(name: str) -> set[str]:
     """All uses of a kernel that were compiled here before."""
+    folder = place(name)
     try:
-        return {path.stem for path in place.glob("*.ready")}
+        return set() if folder is None else {path.stem for path in folder.glob("*.ready")}
     except OSError:
         return set()
 
 
 @contextmanager
-def alone(place: Path) -> Iterator[None]:
-    """Compile into a folder while no other process does: two would give one number to different code.
+def alone(name: str, unless: bool = False) -> Iterator[None]:
+    """Compile what has this key while no other process does: two would give one number to different code.
 
-    Where nothing can be locked nothing can be kept, either.
+    ``unless`` it is only to be read. Where nothing can be locked nothing can be kept, either.
     """
-    from filelock import FileLock  # slow to import
-
-    lock = FileLock(place.with_suffix(".lock"))
-    try:
-        place.parent.mkdir(parents=True, exist_ok=True)
-        lock.acquire()
-    except (OSError, NotImplementedError):
+    folder = None if unless else place(name)
+    if folder is None:
         yield
         return
+    from filelock import FileLock  # slow to import
+
+    lock = FileLock(folder.with_suffix(".lock"))
+    with suppress(OSError, NotImplementedError):
+        lock.acquire()
     try:
         yield
     finally:
         lock.release()
 
 
-def discard(place: Path) -> None:
-    """Throw a folder away that holds rubbish, as far as that can be."""
-    shutil.rmtree(place, ignore_errors=True)
+def discard(name: str) -> None:
+    """Throw away what is kept under this key, as far as that can be."""
+    folder = place(name)
+    if folder is not None:
+        shutil.rmtree(folder, ignore_errors=True)
 
 
-def came_from_cache(error: BaseException) -> bool:
-    """Whether reading a kept kernel raised this, so that nothing has run yet."""
+def given_up(name: str, error: Exception, again: bool) -> bool:
+    """Whether reading or writing what is kept raised ``error``, so that nothing has run yet.
+
+    It is then thrown away, or left where that did not help or where the disk refuses.
+    """
     frames = traceback.extract_tb(error.__traceback__)
-    return any(Path(frame.filename).name == "caching.py" for frame in frames)
+    if not any(Path(frame.filename).name == "caching.py" for frame in frames):
+        return False
+    if again or isinstance(error, OSError):
+        leave(getattr(error, "strerror", None) or str(error))
+    else:
+        discard(name)
+    return True

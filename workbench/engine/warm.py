@@ -2,11 +2,14 @@
 
 The parent starts ``Warming`` and reads its progress; it then only loads what lies in the cache. The child
 prints one line per kernel, ``done total slug use``, and one with ``failed`` first where a text was refused.
+It keeps kernels where its parent does, and ends with ``full`` and the reason when nothing more can be written
+there; the parent then goes on elsewhere, if there is anywhere (see ``kernel_files``).
 """
 
 import os
 import subprocess
 import sys
+import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,9 +17,10 @@ from typing import Any
 
 import numpy as np
 
+from workbench import paths
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
-from workbench.engine import compiled, counts, touches
+from workbench.engine import compiled, counts, kernel_files, touches
 from workbench.engine.arguments import kinds, only_numbers
 from workbench.engine.drivers import PAINTING
 
@@ -43,11 +47,22 @@ class Warming:
 
     def __init__(self, slugs: Sequence[str], uses: Sequence[str] = USES) -> None:
         self._process: subprocess.Popen[str] | None = None
+        self._starting = threading.Lock()
+        self._stopped = False
+        self._words = [",".join(uses), *slugs]
         if compiled.available() and any(not warm(slug, use) for slug, use in work(slugs, uses)):
-            command = [sys.executable, "-m", "workbench.engine.warm", ",".join(uses), *slugs]
+            self._start()
+
+    def _start(self) -> None:
+        """Start a child, if there is a folder in which it can leave what it compiles."""
+        folder = kernel_files.room().folder
+        with self._starting:
+            if folder is None or self._stopped:
+                return
             self._process = subprocess.Popen(
-                command,
+                [sys.executable, "-m", "workbench.engine.warm", *self._words],
                 cwd=Path(__file__).parents[2],
+                env={**os.environ, paths.CACHE: str(folder)},
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
@@ -61,16 +76,31 @@ class Warming:
 
     def follow(self, report: Callable[[Progress], None]) -> None:
         """Report each kernel as it is finished; returns when the child ends. For a thread of its own."""
-        if self._process is None or self._process.stdout is None:
-            return
-        for line in self._process.stdout:
+        while self._followed(report):
+            self._start()
+
+    def _followed(self, report: Callable[[Progress], None]) -> bool:
+        """Report what one child does; whether it ended because nothing more could be kept."""
+        child, full = self._process, False
+        if child is None or child.stdout is None:
+            return False
+        for line in child.stdout:
             words = line.split()
             if len(words) == 4 and words[0].isdigit():
                 report(Progress(int(words[0]), int(words[1]), words[2], words[3]))
-        self._process.wait()
+            elif words[0] == "full":
+                kernel_files.leave(line.partition(" ")[2].strip())
+                full = True
+        child.wait()
+        if full:
+            child.stdout.close()
+            self._process = None
+        return full
 
     def stop(self) -> None:
         """End the child; what it has finished stays."""
+        with self._starting:
+            self._stopped = True
         if self._process is not None and self._process.poll() is None:
             self._process.terminate()
             self._process.wait()
@@ -143,6 +173,9 @@ def main(arguments: Sequence[str]) -> int:
             compile_use(catalogue.get(slug), use)
         except ValueError as error:
             print("failed", slug, use, str(error), flush=True)
+        if reason := kernel_files.room().reason:
+            print("full", reason, flush=True)
+            return 1
         print(number, len(wanted), slug, use, flush=True)
     return 0
 

@@ -278,7 +278,7 @@ def _counting_is_ready(entry: Entry) -> bool:
         kernel = compiled.kernel(entry.function, None, "", "counting")
     except ValueError:
         return False
-    return any(use.startswith("count") for use in kernel.used) or any(kernel.folder.glob("count*.ready"))
+    return any(use.startswith("count") for use in kernel.known())
 
 
 def _equal(a: Sequence[tuple[Any, ...]], b: Sequence[tuple[Any, ...]]) -> bool:

@@ -18,7 +18,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.files import Stored, read, write
 from workbench.document.saving import sweep
 from workbench.language import _
-from workbench.paths import recovery_folder
+from workbench.paths import recovery_folder, try_writing
 
 # A write starts this long after the first change that is not yet written, so that with the time of the write
 # itself the file is at most five seconds behind.
@@ -63,7 +63,7 @@ class RecoveryFile:
         failed: Callable[[str], None] = lambda sentence: None,
     ) -> None:
         folder = recovery_folder() if folder is None else folder
-        folder.mkdir(parents=True, exist_ok=True)
+        try_writing(folder)
         sweep(folder)
         self.path, self._lock_file = _fresh(folder)
         self._delay_s = delay_s
@@ -130,7 +130,7 @@ def recoverable(folder: Path | None = None) -> list[Recoverable]:
     """The work that dead processes left, newest first. What nothing was kept of is cleared away."""
     folder = recovery_folder() if folder is None else folder
     found: list[Recoverable] = []
-    if not folder.is_dir() or not os.access(folder, os.R_OK | os.W_OK | os.X_OK):
+    if not os.path.isdir(folder) or not os.access(folder, os.R_OK | os.W_OK | os.X_OK):
         return found
     sweep(folder)
     files = [file for ending in (_DOCUMENT, _LOCK) for file in folder.glob(f"*{ending}")]

@@ -19,6 +19,7 @@ from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.document.samples import blank_sheet, example
 from workbench.document.state import SessionState, check_state, cleaned
 from workbench.language import _
+from workbench.paths import recovery_folder
 from workbench.session.following import Following
 from workbench.session.recovery import Recoverable, RecoveryFile
 from workbench.session.run import Run
@@ -241,8 +242,9 @@ class Session(QObject):
         try:
             self._recovery = RecoveryFile(folder, failed=self.autosave_failed.emit)
         except OSError as error:
-            sentence = _("Unsaved work cannot be kept safe ({reason}); save often, or make room.")
-            self.autosave_failed.emit(sentence.format(reason=error.strerror or error))
+            sentence = _("Unsaved work is not kept, as {folder} cannot be written ({reason}): save often.")
+            where, reason = folder or recovery_folder(), error.strerror or error
+            self.autosave_failed.emit(sentence.format(folder=where, reason=reason))
         self._keep_safe()
 
     def recover(self, work: Recoverable) -> None:

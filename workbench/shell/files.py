@@ -10,6 +10,7 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog
 
 from workbench.language import _
+from workbench.paths import home_folder
 from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ class Files(QObject):
 
     def open(self) -> None:
         """Ask for a file and open it."""
-        folder = self._session.path.parent if self._session.path else Path.home()
+        folder = self._session.path.parent if self._session.path else home_folder()
         chosen, __ = QFileDialog.getOpenFileName(
             self._window, _("Open a picture"), str(folder), _("Pictures of the workbench (*.gwb)")
         )
@@ -106,7 +107,7 @@ class Files(QObject):
 
     def save_as(self, then: Callable[[], object] | None = None) -> None:
         """Ask for a name and save there; ``then`` follows when it was saved."""
-        start = self._session.path or Path.home() / (_("Untitled") + SUFFIX)
+        start = self._session.path or home_folder() / (_("Untitled") + SUFFIX)
         chosen, __ = QFileDialog.getSaveFileName(
             self._window, _("Save the picture"), str(start), _("Pictures of the workbench (*.gwb)")
         )

@@ -1,20 +1,25 @@
 """What the program remembers between runs, as an INI file in the settings folder."""
 
+import os
 from pathlib import Path
 from typing import Any, ClassVar
 
 from PySide6.QtCore import QByteArray, QSettings
 
-from workbench.paths import settings_folder
+from workbench.language import _
+from workbench.paths import settings_folder, try_writing
 
 RECENT_LIMIT = 8
 _KEY = "recent_files"
+# No folder can be made below this file: what is set there is only remembered.
+_NOWHERE = os.path.join(os.devnull, "settings.ini")
 
 
 class Settings:
     """Choices with their defaults, recent files, and the arrangement of each workspace.
 
-    A value that cannot be read counts as its default, so a damaged file costs choices, never a start.
+    A value that cannot be read counts as its default, so a damaged file costs choices, never a start. Where
+    nothing can be written, ``problem`` is a sentence that says so, and choices hold until the program ends.
     """
 
     DEFAULTS: ClassVar[dict[str, Any]] = {
@@ -26,14 +31,15 @@ class Settings:
     }
 
     def __init__(self) -> None:
-        folder = settings_folder()
-        folder.mkdir(parents=True, exist_ok=True)
-        self._store = QSettings(str(folder / "settings.ini"), QSettings.Format.IniFormat)
-
-    @property
-    def path(self) -> Path:
-        """The file."""
-        return Path(self._store.fileName())
+        self.path = settings_folder() / "settings.ini"
+        reason = _refusal(self.path)
+        kept = not reason or (os.access(self.path, os.R_OK) and self.path.is_file())
+        self._store = QSettings(str(self.path) if kept else _NOWHERE, QSettings.Format.IniFormat)
+        sentence = _(
+            "Your settings will be forgotten when you quit, as {path} cannot be written ({reason}): put that "
+            "right and start again."
+        )
+        self.problem = sentence.format(path=self.path, reason=reason) if reason else ""
 
     def get(self, name: str) -> Any:
         """The choice ``name``, of the type of its default."""
@@ -52,7 +58,9 @@ class Settings:
         """Files opened or saved last, newest first, those that still exist."""
         found: Any = self._store.value(_KEY, [])
         texts = [found] if isinstance(found, str) else [each for each in found or [] if isinstance(each, str)]
-        return [path for path in map(Path, texts) if path.is_file()]
+        return [
+            Path(text) for text in texts if os.path.isfile(text)
+        ]  # a folder that is closed to us holds none
 
     def add_recent(self, path: Path) -> None:
         """Put a file at the head of the recent ones."""
@@ -79,3 +87,14 @@ class Settings:
     def write(self) -> None:
         """Bring everything to the disk now."""
         self._store.sync()
+
+
+def _refusal(path: Path) -> str:
+    """Why nothing can be kept in this file, else ""."""
+    try:
+        try_writing(path.parent)
+        if path.exists():
+            path.open("r+b").close()
+    except OSError as error:
+        return error.strerror or str(error)
+    return ""

@@ -59,7 +59,7 @@ class SettingsPage(Page):
         self.column.addWidget(forget)
         self.column.setAlignment(forget, self.column.alignment())
         forget.setMaximumWidth(forget.sizeHint().width() + 24)
-        paragraph(self.column, _("Kept in {path}").format(path=settings.path), "muted")
+        paragraph(self.column, settings.problem or _("Kept in {path}").format(path=settings.path), "muted")
         self.column.addStretch(1)
 
     def _choice(self, name: str, text: str, tooltip: str) -> QCheckBox:

@@ -94,8 +94,13 @@ class Building(QObject):
             window.files.open_path(self._path)
             yield
         window.files.offer_recovery()
-        session.autosave_failed.connect(window.files.warn)
+        problems = [window.settings.problem]
+        beginning = session.autosave_failed.connect(problems.append)
         session.start_autosave()
+        session.autosave_failed.disconnect(beginning)
+        session.autosave_failed.connect(window.files.warn)
+        if any(problems):
+            window.files.warn(" ".join(filter(None, problems)))
         window.status.preparing("")
         if self._warms:
             self._warming.prepare("draw")
@@ -134,7 +139,7 @@ def start(argv: Sequence[str]) -> int:
         )
         return 2
     path = Path(words[0]) if words else None
-    if path is not None and not path.is_file():
+    if path is not None and not os.path.isfile(path):
         sys.stderr.write(_("There is no file {path}.").format(path=path) + "\n")
         return 2
     application = QApplication([PROGRAM])

@@ -58,9 +58,11 @@ class Status(QObject):
         for field in (self.run, self.zoom):
             field.setVisible(steps)
 
-    def preparing(self, text: str) -> None:
-        """Say what is being prepared, and how far; "" means ready."""
+    def preparing(self, text: str, reason: str = "") -> None:
+        """Say what is being prepared, and how far; "" means ready. The reason is said when pointed at."""
         self.ready.setText(text or _("ready"))
+        self.ready.setToolTip(reason)
+        self.ready.setAccessibleDescription(reason)
 
     def listen(self, panel: "Panel") -> None:
         """Show what a panel says."""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from workbench.language import _
+from workbench.paths import CACHE, cache_folder
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,7 +22,7 @@ class Warming(QObject):
     """One child process at a time, followed by a thread; the interface only reads what they report."""
 
     _progressed = Signal(int, int)
-    _ended = Signal(bool)
+    _ended = Signal(str, str)
 
     def __init__(self, window: MainWindow) -> None:
         super().__init__(window)
@@ -62,15 +63,14 @@ class Warming(QObject):
         from workbench.engine import compiled
         from workbench.engine.warm import Warming as Child
 
-        available = compiled.available()
-        if available and not self._stopped:
+        if not self._stopped and compiled.available():
             slugs = [entry.slug for entry in catalogue.entries() if entry.topic in topics]
             self._child = Child(slugs)
             if self._stopped:
                 self._child.stop()
             else:
                 self._child.follow(self._report)
-        self._ended.emit(available)
+        self._ended.emit(*readiness())
 
     def _report(self, progress: Progress) -> None:
         self._progressed.emit(progress.done, progress.total)
@@ -78,10 +78,27 @@ class Warming(QObject):
     def _tell(self, done: int, total: int) -> None:
         self._window.status.preparing(_("Preparing {done} of {total}").format(done=done, total=total))
 
-    def _end(self, available: bool) -> None:
+    def _end(self, text: str, reason: str) -> None:
         if self._thread is not None:
             self._thread.join()
         self._thread, self._child = None, None
-        status = self._window.status
-        status.preparing("" if available else _("Running without the compiler: large pictures take longer."))
+        self._window.status.preparing(text, reason)
         self._next()
+
+
+def readiness() -> tuple[str, str]:
+    """What the status bar says once everything is prepared that can be, "" when all is well; and why."""
+    from workbench.engine import compiled, kernel_files
+
+    if not compiled.available():
+        return _("Running without the compiler: large pictures take longer."), ""
+    room = kernel_files.room()
+    if not room.reason:
+        return "", ""
+    why = _(
+        "The cache folder {folder} is not used ({reason}): make it writable, for you alone, or name another "
+        "one in {variable}."
+    ).format(folder=cache_folder(), reason=room.reason, variable=CACHE)
+    if room.folder is None:
+        return _("Nothing compiled can be kept: large pictures take longer."), why
+    return _("What is compiled is kept only until you quit."), why
