@@ -149,8 +149,18 @@ def _cell(heading: str, value: object) -> str:
     return f"{heading} = {number_text(value)}"
 
 
+def _text(value: Any) -> str:
+    """A value with its numbers as a student sees them, and the name of its kind where it has one."""
+    if isinstance(value, np.ndarray):
+        return number_text(value.tolist())
+    if isinstance(value, tuple):
+        kind = "" if type(value) is tuple else type(value).__name__
+        return f"{kind}({', '.join(map(_text, value))})"
+    return number_text(value)
+
+
 def _places(places: Sequence[Any]) -> str:
-    told = " ".join(number_text(place) for place in places[:MOST_EMITTED])
+    told = " ".join(map(_text, places[:MOST_EMITTED]))
     left_out = len(places) - MOST_EMITTED
     return f"{told} … and {left_out} more" if left_out > 0 else told
 

@@ -12,7 +12,16 @@ from workbench.document.samples import example
 from workbench.engine.compiled import Stop
 from workbench.engine.counts import counts
 from workbench.panels.compare import CompareView
-from workbench.panels.compare_work import Job, Outcome, Work, outcome_of, side_of, table_rows, work_of
+from workbench.panels.compare_work import (
+    Job,
+    Outcome,
+    Work,
+    figures_compared,
+    outcome_of,
+    side_of,
+    table_rows,
+    work_of,
+)
 from workbench.session.session import Session
 
 
@@ -93,13 +102,22 @@ def test_each_label_reads_its_own_number():
     assert rows == expected | {"Only this one": (5, 6), "Both alike": (7, 7), "Ties": (4, 4)}
 
 
-def test_intersections_lines_and_points_have_their_labels():
-    sheet = example("clip").document.sheets[0]
-    for first, label in (("cohen_sutherland", "Lines kept"), ("sutherland_hodgman", "Points handed on")):
-        work = Work("one", calls=1, intersections=3, emitted=8)
-        rows = {name: one for name, one, _two in table_rows(Outcome(Job(sheet, (), True, first), work, None))}
-        assert (rows["Intersections"], rows[label]) == (3, 8)
-        assert "Pixels" not in rows
+@pytest.mark.parametrize(
+    ("slug", "clipper", "label"),
+    [("clip", "cohen_sutherland", "Lines kept"), ("clip-fork", "sutherland_hodgman", "Points handed on")],
+)
+def test_intersections_lines_and_points_have_their_labels(slug, clipper, label):
+    sheet = example(slug).document.sheets[0]
+    figures = figures_compared(sheet, sheet.figures[-1], True, clipper, True)
+    job = Job(sheet, figures, True, clipper)
+    rows = rows_of(outcome_of(job, Stop()))
+    calls = [(call.entry.function, call.arguments) for call in side_of(job, clipper).calls]
+    visits = [counts(function, *given, compiling=False).block_visits for function, given in calls]
+    cut = sum(times for each in visits for title, times in each.items() if "Find the intersection" in title)
+    kept = sum(len(list(function(*given))) for function, given in calls)
+    assert cut != kept
+    assert (rows["Intersections"][0], rows[label][0]) == (cut, kept)
+    assert "Pixels" not in rows
 
 
 def test_pixels_that_one_alone_paints_are_counted_for_it_and_ties_apart():

@@ -4,7 +4,6 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP
 from workbench.engine.recording import Recording
@@ -60,7 +59,7 @@ def _own_call(recording: Recording, first: int, last: int) -> tuple[int, int]:
     return root, last
 
 
-def edge_points(window: Box, edge: int) -> NDArray[np.float64]:
+def edge_points(window: Box, edge: int) -> np.ndarray[Any, np.dtype[np.float64]]:
     """Both ends of one edge of the window, by its bit in a region code."""
     corners = window_corners(window)
     first = {BOTTOM: 0, RIGHT: 1, TOP: 2, LEFT: 3}[edge]

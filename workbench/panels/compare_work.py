@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from msgspec.structs import replace
@@ -216,8 +217,7 @@ def _ties(job: Job) -> Cells | None:
     return np.concatenate(tied) if tied else None
 
 
-Shown = int | str | None
-Row = tuple[str, Shown, Shown]
+Row = tuple[str, Any, Any]
 
 
 def table_rows(outcome: Outcome) -> list[Row]:
@@ -226,7 +226,7 @@ def table_rows(outcome: Outcome) -> list[Row]:
     emits = catalogue.get(outcome.job.first).emits
     what = {"segments": _("Lines kept"), "points": _("Points handed on"), "spans": _("Spans")}
     clips = outcome.job.clipping
-    readers: list[tuple[str, Callable[[Work], int | None]]] = [
+    readers: list[tuple[str, Callable[[Work], Any]]] = [
         (_("Intersections"), lambda work: work.intersections if clips else None),
         (_("Tests"), lambda work: work.tests),
         (_("Additions"), lambda work: work.additions),

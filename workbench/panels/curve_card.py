@@ -56,7 +56,6 @@ from workbench.widgets.tokens import tokens
 
 _MOST_CHOSEN = 2
 FLATTENING = "flatten_bezier"
-Value = bool | int | float | str | tuple[str, ...]
 _EDITS: dict[str, Callable[..., Edit]] = {
     "spline": set_spline,
     "beside": set_beside,
@@ -64,6 +63,8 @@ _EDITS: dict[str, Callable[..., Edit]] = {
     "closed": set_curve_closed,
     "knot_rule": set_knot_rule,
 }
+
+Value = bool | int | float | str | tuple[str, ...]
 
 
 class CurveCard(ParameterCard):
