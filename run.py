@@ -40,6 +40,9 @@ USAGE = """usage: python3 run.py                  start the program
 
 --wheels DIR   with any of these: install from the wheels in DIR, without a network"""
 
+# Said first, so that what is asked for goes before: -n 0 runs the tests one after the other.
+ON_ALL_CORES = ["-n", "auto", "--maxprocesses", "4", "--dist", "loadgroup"]
+
 # What needs no display, and the Qt platform plugin it loads all the same (none: it does without Qt).
 WITHOUT_WINDOW = {"list": "", "trace": "", "draw": "", "tour": "offscreen", "test": "offscreen"}
 
@@ -338,7 +341,7 @@ def main(arguments):
         return 0
     if command == "test":
         os.chdir(ROOT)
-        return launch("pytest", arguments[1:])
+        return launch("pytest", [*ON_ALL_CORES, *arguments[1:]])
     return launch("workbench", arguments)
 
 

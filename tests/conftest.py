@@ -1,5 +1,7 @@
 """What every test stands on: no window, a fresh profile each, and nothing said unasked.
 
+Tests that start, kill or time processes bear ``xdist_group("processes")``: they run one after the other.
+
 Python warnings and Qt warnings fail a test through ``pyproject.toml``; a log record of level WARNING or above
 fails it here, unless the test asks for ``caplog`` and so judges the records itself.
 """
@@ -30,6 +32,26 @@ settings.register_profile("ci", settings.get_profile("workbench"), derandomize=T
 settings.load_profile("ci" if os.environ.get("CI") else "workbench")
 
 _numbers = itertools.count()
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--approve", action="store_true", help="write the approved texts anew, to be read in the diff"
+    )
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> object:
+    """On several cores a file stays on one, for what its tests share; groups as they are marked."""
+    if config.getvalue("dist") != "loadgroup":
+        return None
+    from xdist.scheduler import LoadGroupScheduling
+
+    class ByFile(LoadGroupScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return str(super()._split_scope(nodeid)).partition("::")[0]
+
+    return ByFile(config, log)
 
 
 @pytest.fixture(autouse=True)

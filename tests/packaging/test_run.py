@@ -14,6 +14,8 @@ from typing import Any
 
 import pytest
 
+pytestmark = pytest.mark.xdist_group("processes")
+
 ROOT = Path(__file__).resolve().parents[2]
 linux_only = pytest.mark.skipif(
     not sys.platform.startswith("linux"), reason="it looks for libraries on Linux only"
@@ -197,6 +199,17 @@ def test_the_tests_add_only_their_own_packages(house: Path, tmp_path: Path) -> N
     assert "at most about 4 MB to download" in told.stderr
     assert "No module named pytest" in told.stderr
     assert run(other, "setup").stderr == ""
+
+
+def test_the_tests_run_on_all_cores_unless_something_else_is_asked_for(house: Path, tmp_path: Path) -> None:
+    other = make_house(tmp_path)
+    shutil.copytree(house / ".venv", other / ".venv", symlinks=True)
+    run(other, "test")
+    (other / "pytest.py").write_text("import sys\nprint(*sys.argv[1:])\n")
+    words = run(other, "test", "tests/engine", "-n", "0").stdout.split()
+    assert words[words.index("--dist") + 1] == "loadgroup"
+    assert words[:2] == ["-n", "auto"]
+    assert words[-3:] == ["tests/engine", "-n", "0"]
 
 
 def test_changed_requirements_are_installed(tmp_path: Path, house: Path) -> None:

@@ -13,9 +13,10 @@ from workbench.document import load, save
 from workbench.document.samples import blank_sheet
 from workbench.session.recovery import recoverable
 
-pytestmark = pytest.mark.skipif(
-    not hasattr(os, "fork"), reason="processes are forked and killed as POSIX does"
-)
+pytestmark = [
+    pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are forked and killed as POSIX does"),
+    pytest.mark.xdist_group("processes"),
+]
 
 ROOT = Path(__file__).parents[2]
 HASTY, PATIENT = 180, 20

@@ -14,6 +14,8 @@ from workbench.document.samples import example_document
 from workbench.session import Session, recovery
 from workbench.session.recovery import RecoveryFile, recoverable
 
+pytestmark = pytest.mark.xdist_group("processes")
+
 ROOT = Path(__file__).parents[2]
 MOVE = edits.move_points({"s1/f1/p1/x": (3.0, 4.0)})
 

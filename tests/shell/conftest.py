@@ -6,7 +6,6 @@ from types import ModuleType
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -14,6 +13,7 @@ from workbench.document.addresses import new_ids
 from workbench.document.edits import add_figure
 from workbench.document.model import Line, WorldPoint
 from workbench.document.samples import example_document
+from workbench.panels.panel import PlainPanel
 from workbench.session.session import Session
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
@@ -23,7 +23,7 @@ from workbench.shell.workspaces import Workspace
 MODULE = "tests_shell_panels"
 
 
-class Drawing(QWidget):
+class Drawing(PlainPanel, QWidget):
     """A canvas on which a press adds a line, beside a text field."""
 
     def __init__(self, session: Session) -> None:
@@ -47,16 +47,13 @@ class Drawing(QWidget):
             ("tube", "Tube", self.tube, "right"),
         ]
 
-    def actions(self) -> list[QAction]:  # type: ignore[override]
-        return []
-
     def mousePressEvent(self, event: object) -> None:
         figure, start, end = new_ids(self.session.document, "n", 3)
         line = Line(figure, (WorldPoint(start, 1, 1), WorldPoint(end, 9, 5)), "bresenham_line")
         self.session.apply(add_figure(self.session.sheet.id, line), "Draw a line")
 
 
-class Showing(QWidget):
+class Showing(PlainPanel, QWidget):
     """A panel without docks."""
 
     def __init__(self, session: Session) -> None:
@@ -66,12 +63,6 @@ class Showing(QWidget):
     @property
     def center(self) -> QWidget:
         return self
-
-    def docks(self) -> list[tuple[str, str, QWidget, str]]:
-        return []
-
-    def actions(self) -> list[QAction]:  # type: ignore[override]
-        return []
 
 
 OFFERED = (

@@ -17,6 +17,8 @@ from workbench.session import saver
 from workbench.shell.command_palette import offers
 from workbench.shell.window import MainWindow
 
+pytestmark = pytest.mark.xdist_group("processes")
+
 ROOT = Path(__file__).resolve().parents[2]
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier

@@ -12,6 +12,8 @@ from pytestqt.qtbot import QtBot
 
 from workbench.shell.start import Building, make_window, start
 
+pytestmark = pytest.mark.xdist_group("processes")
+
 ROOT = Path(__file__).resolve().parents[2]
 SLOW = ("numpy", "numba", "pyqtgraph", "qtawesome", "msgspec", "PIL", "pygments", "PySide6.QtSvg")
 OURS = (

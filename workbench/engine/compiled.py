@@ -115,15 +115,16 @@ class Kernel:
         if numba is None:
             getattr(self._module(False), driver)(*values)
             return
-        self._run(driver, values, numba.core.errors.NumbaError)
+        self._run(driver, values, self.ready(use), numba.core.errors.NumbaError)
         self.used[use] = getattr(self._module(True), driver)
         kernel_files.mark(self.key, use)
 
-    def _run(self, driver: str, values: tuple[Any, ...], refused: type[Exception]) -> None:
+    def _run(self, driver: str, values: tuple[Any, ...], ready: bool, refused: type[Exception]) -> None:
         """Run a compiled driver; what is kept of it costs time when it fails, and is gone on without."""
         for again in itertools.count():
             try:
-                getattr(self._module(True), driver)(*values)
+                with kernel_files.alone(self.key, unless=ready and not again):
+                    getattr(self._module(True), driver)(*values)
                 return
             except refused as error:
                 raise NotCompilable(f"{self.lowered.name}: {str(error).strip().splitlines()[0]}") from error

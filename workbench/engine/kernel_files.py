@@ -19,7 +19,8 @@ import shutil
 import sys
 import tempfile
 import traceback
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -210,6 +211,27 @@ def marks(name: str) -> set[str]:
         return set() if folder is None else {path.stem for path in folder.glob("*.ready")}
     except OSError:
         return set()
+
+
+@contextmanager
+def alone(name: str, unless: bool = False) -> Iterator[None]:
+    """Compile what has this key while no other process does: two would give one number to different code.
+
+    ``unless`` it is only to be read. Where nothing can be locked nothing can be kept, either.
+    """
+    folder = None if unless else place(name)
+    if folder is None:
+        yield
+        return
+    from filelock import FileLock  # slow to import
+
+    lock = FileLock(folder.with_suffix(".lock"))
+    with suppress(OSError, NotImplementedError):
+        lock.acquire()
+    try:
+        yield
+    finally:
+        lock.release()
 
 
 def discard(name: str) -> None:

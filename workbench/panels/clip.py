@@ -1,8 +1,5 @@
 """The Clip panel: a window dragged by hand, and what the clippers keep of lines, polygons and points."""
 
-from typing import Any
-
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
@@ -11,6 +8,7 @@ from workbench.language import _
 from workbench.panels.clip_card import ClipCard
 from workbench.panels.clip_view import ClipView
 from workbench.panels.clip_window import ClipDrag, ClipSelectTool, PointTool, WindowTool, usual_window
+from workbench.panels.figure_gesture import Modifiers
 from workbench.panels.figure_stepped import SteppedPanel
 from workbench.panels.figure_tools import LineTool, PolygonTool, PolylineTool
 from workbench.session.session import Session
@@ -40,10 +38,6 @@ class ClipPanel(SteppedPanel):
             [("codes", _("Region codes"), "hash", "R", self.card.codes.toggle)],
         )
 
-    def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
-        """None of its own."""
-        return []
-
     def show_example(self) -> None:
         """Open the lines at a window."""
         self.session.open_example(EXAMPLE)
@@ -66,7 +60,7 @@ class ClipPanel(SteppedPanel):
         elif isinstance(self.tool, WindowTool):
             self._after_window()
 
-    def _release(self, x: float, y: float, modifiers: Any) -> None:
+    def _release(self, x: float, y: float, modifiers: Modifiers) -> None:
         """Once the window is drawn, lines are drawn across it."""
         drew = isinstance(self.tool, WindowTool) and self.tool.busy
         super()._release(x, y, modifiers)

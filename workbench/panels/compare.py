@@ -31,6 +31,7 @@ from workbench.panels.compare_work import (
 )
 from workbench.panels.compare_worker import CompareWorker
 from workbench.panels.figure_picture import packed
+from workbench.panels.panel import DockPart, PlainPanel, Said
 from workbench.session.run import Run
 from workbench.session.session import Session
 from workbench.widgets.canvas_overlay import Overlay
@@ -314,7 +315,7 @@ def _position(run: Run) -> str:
     )
 
 
-class ComparePanel(QWidget):
+class ComparePanel(PlainPanel, QWidget):
     """The Compare dock of a workspace. ``hover_text``: what is to be said in passing."""
 
     hover_text = Signal(str)
@@ -332,13 +333,17 @@ class ComparePanel(QWidget):
         """The panel has a dock only."""
         return self
 
-    def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
+    def docks(self) -> list[DockPart]:
         """The comparison, on the right."""
         return [("compare", self.title, self.view, Qt.DockWidgetArea.RightDockWidgetArea)]
 
     def actions(self) -> list[QAction]:
         """What this panel adds to the window's commands."""
         return [self.view.copy_action]
+
+    def said(self) -> Said:
+        """What was copied."""
+        return Said(self.hover_text)
 
     def show_example(self) -> None:
         """Open lines to compare."""

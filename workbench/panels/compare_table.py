@@ -1,7 +1,5 @@
 """The counts of a comparison as a table: one row for each number, one column for each algorithm."""
 
-from typing import Any
-
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
 from PySide6.QtWidgets import QWidget
 
@@ -44,7 +42,7 @@ class CompareModel(QAbstractTableModel):
 
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
+    ) -> object:
         """The titles of the algorithms."""
         if orientation != Qt.Orientation.Horizontal:
             return None
@@ -56,7 +54,7 @@ class CompareModel(QAbstractTableModel):
             return colour(tokens().data[section - 1])
         return None
 
-    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         """One cell."""
         value = self.rows[index.row()][index.column()]
         if role == Qt.ItemDataRole.DisplayRole:

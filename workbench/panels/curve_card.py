@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Sequence
 from html import escape
-from typing import Any
 
 import numpy as np
 from msgspec.structs import replace
@@ -56,13 +55,15 @@ from workbench.widgets.tokens import tokens
 
 _MOST_CHOSEN = 2
 FLATTENING = "flatten_bezier"
-_EDITS: dict[str, Callable[[str, Any], Edit]] = {
+_EDITS: dict[str, Callable[..., Edit]] = {
     "spline": set_spline,
     "beside": set_beside,
     "degree": set_degree,
     "closed": set_curve_closed,
     "knot_rule": set_knot_rule,
 }
+
+Value = bool | int | float | str | tuple[str, ...]
 
 
 class CurveCard(ParameterCard):
@@ -310,7 +311,7 @@ class CurveCard(ParameterCard):
         else:
             self._put("tolerance_px", value, merge)
 
-    def _put(self, attribute: str, value: Any, merge: str = "") -> None:
+    def _put(self, attribute: str, value: Value, merge: str = "") -> None:
         """Set an attribute of the selected curves, or of what is drawn next."""
         sheet, chosen = self._session.sheet, set(self._session.state.selection)
         curves = [f for f in sheet.figures if f.id in chosen and isinstance(f, Curve)]
@@ -332,7 +333,7 @@ def texts_of(curve: Curve) -> list[str]:
     return [slug for slug in listed if not construction_fault(curve, slug)]
 
 
-def edit_of(sheet: Sheet, curves: Sequence[Curve], attribute: str, value: Any) -> Edit:
+def edit_of(sheet: Sheet, curves: Sequence[Curve], attribute: str, value: Value) -> Edit:
     """The edit that sets an attribute of several curves."""
     if attribute in _EDITS:
         return both(*(_EDITS[attribute](curve.id, value) for curve in curves))

@@ -17,14 +17,13 @@ from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_insight import CurveInsight
 from workbench.panels.curve_joints import joint_point, joints
 from workbench.panels.curve_shape import device_pieces
+from workbench.panels.panel import DockPart
 from workbench.widgets.basis_plot import BasisPlot
 from workbench.widgets.canvas_drawing import data_ink
 from workbench.widgets.continuity_table import ContinuityTable
 from workbench.widgets.curvature_plot import CurvaturePlot
 from workbench.widgets.hodograph_plot import HodographPlot
 from workbench.widgets.measure_table import MeasureTable
-
-DockPart = tuple[str, str, QWidget, Qt.DockWidgetArea]
 
 PER_PIECE, MOST_SAMPLES = 48, 4000
 _MOST_MARKS = 200

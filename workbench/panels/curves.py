@@ -1,7 +1,6 @@
 """The Curves panel: curves of every kind drawn, shaped by hand, looked into and compared."""
 
 from collections.abc import Callable
-from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, Qt
@@ -25,7 +24,9 @@ from workbench.panels.curve_tools import CurveSelectTool
 from workbench.panels.curve_view import CurveView
 from workbench.panels.figure_actions import Row
 from workbench.panels.figure_clipboard import figures_held
+from workbench.panels.figure_gesture import Modifiers
 from workbench.panels.figure_stepped import SteppedPanel
+from workbench.panels.panel import DockPart
 from workbench.rendering.curve_runs import construction_fault
 from workbench.session.session import Session
 
@@ -89,7 +90,7 @@ class CurvesPanel(SteppedPanel):
         )
         canvas.double_clicked.connect(self._double_click)
 
-    def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
+    def docks(self) -> list[DockPart]:
         """Basis functions, switches, curvature, hodograph."""
         return self.beside.parts()
 
@@ -157,7 +158,7 @@ class CurvesPanel(SteppedPanel):
         else:
             self.focus.choose(point.id for point in curve.points_world)
 
-    def _arrow(self, dx: int, dy: int, modifiers: Any) -> None:
+    def _arrow(self, dx: int, dy: int, modifiers: Modifiers) -> None:
         """Arrows nudge the chosen points, Shift by ten; without any, as everywhere."""
         far = 10 if modifiers & Qt.KeyboardModifier.ShiftModifier else 1
         if self.commands.nudge(dx * far, dy * far):
@@ -220,7 +221,7 @@ class CurvesPanel(SteppedPanel):
         # This panel finds what is under the pointer by itself, several points at once.
         self.canvas.takes_handles = False
 
-    def _move(self, x: float, y: float, modifiers: Any) -> None:
+    def _move(self, x: float, y: float, modifiers: Modifiers) -> None:
         self.select.modifiers = self.pen.modifiers = modifiers
         super()._move(x, y, modifiers)
         if self.select.held:

@@ -2,14 +2,14 @@
 
 from fractions import Fraction
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QGuiApplication
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from workbench.display.flicker import critical_frequency_hz, modulation
 from workbench.display.raster_beam import RasterBeam
 from workbench.language import _
 from workbench.panels.display_controls import DisplayControls
+from workbench.panels.panel import PlainPanel
 from workbench.panels.tube_feed import TubeFeed
 from workbench.panels.tube_instruments import TubeInstruments
 from workbench.rendering import unshown
@@ -20,7 +20,7 @@ from workbench.widgets.tube_view import TubeView
 _EYE_CD_M2 = 100.0
 
 
-class DisplayPanel(QWidget):
+class DisplayPanel(PlainPanel, QWidget):
     """Two tubes in the middle, controls above, instruments below."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
@@ -62,25 +62,9 @@ class DisplayPanel(QWidget):
         """What fills the middle of the workspace."""
         return self
 
-    def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
-        """None: the instruments stay below the tubes."""
-        return []
-
-    def actions(self) -> list[QAction]:
-        """None of its own; the controls are in the strip."""
-        return []
-
     def copy(self) -> None:
         """Put the tube that is measured, as it glows now, on the clipboard."""
         QGuiApplication.clipboard().setPixmap((self.instruments.tube or self.raster).grab())
-
-    def show_example(self) -> None:
-        """Open the house, slow enough to see the beam draw it."""
-        from msgspec.structs import replace
-
-        self.session.open_example("house")
-        tube = replace(self.session.state.tube, slow_motion=2000.0, paused=False, shown="both")
-        self.session.update_state(tube=tube)
 
     def _show_state(self) -> None:
         shown = self.session.state.tube.shown

@@ -14,6 +14,7 @@ from workbench.panels.figure_tools import (
     PolylineTool,
     SelectTool,
 )
+from workbench.panels.panel import DockPart
 from workbench.session.session import Session
 from workbench.widgets.distance_plot import DistancePlot
 
@@ -34,7 +35,7 @@ class DrawPanel(SteppedPanel):
         self.view = DrawView(session, self.canvas, self.second, self.card, self.plot)
         self.start(_("Drag on the canvas to draw a line."))
 
-    def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
+    def docks(self) -> list[DockPart]:
         """The plot of the distances."""
         title = _("Distance")
         return [("distance", title, self.plot, Qt.DockWidgetArea.BottomDockWidgetArea)]

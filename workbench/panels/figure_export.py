@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from PySide6.QtCore import QMarginsF, QObject, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QFont, QGuiApplication, QImage, QPageSize, QPainter, QPdfWriter
@@ -168,7 +167,7 @@ class Exporter(QObject):
     def write_table(self, path: Path) -> None:
         """Write the hand table, as far as it is recorded, with every digit. Raises OSError."""
         run = self._view.stepped_run()
-        rows: list[tuple[Any, ...]] = []
+        rows: list[tuple[object, ...]] = []
         columns: tuple[str, ...] = ()
         if run is not None and run.steps is not None and run.entry is not None:
             columns = run.entry.columns

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCursor, QHideEvent, QKeyEvent, QShowEvent
@@ -14,8 +13,9 @@ from workbench.document.model import AnyFigure
 from workbench.language import _
 from workbench.panels.figure_actions import FigureActions, Row, tool_cursor
 from workbench.panels.figure_empty import EmptyState
-from workbench.panels.figure_gesture import HandleDrag, Tool
+from workbench.panels.figure_gesture import HandleDrag, Modifiers, Tool
 from workbench.panels.figure_tools import FigureTool, SelectTool
+from workbench.panels.panel import PlainPanel, Said
 from workbench.rendering import device_map
 from workbench.session.session import Session
 from workbench.widgets.pixel_canvas import PixelCanvas
@@ -29,7 +29,7 @@ TOOL_BAR_PX = 44
 CARD_GAP_PX = 8
 
 
-class FigurePanel(QWidget):
+class FigurePanel(PlainPanel, QWidget):
     """Canvas, tools and card over one session. ``hover_text`` and ``zoom_text`` are for a status bar.
 
     A panel makes its card and what it shows, then calls ``begin``; it says in ``show_now`` what is shown,
@@ -123,6 +123,10 @@ class FigurePanel(QWidget):
         """Every command of this panel."""
         return list(self._actions.values())
 
+    def said(self) -> Said:
+        """What is under the pointer or said in passing, and the zoom."""
+        return Said(self.hover_text, self.zoom_text)
+
     def _button(self, action: QAction) -> QToolButton:
         button = QToolButton()
         button.setDefaultAction(action)
@@ -205,7 +209,7 @@ class FigurePanel(QWidget):
         if isinstance(self.tool, SelectTool):
             self.choose_tool(self.first_tool)
 
-    def _press(self, x: float, y: float, modifiers: Any) -> None:
+    def _press(self, x: float, y: float, modifiers: Modifiers) -> None:
         if self._answering:
             return
         self._hold(True)
@@ -213,7 +217,7 @@ class FigurePanel(QWidget):
         self.tool.press(x, y, modifiers, reach)
         self._after_gesture()
 
-    def _move(self, x: float, y: float, _modifiers: Any) -> None:
+    def _move(self, x: float, y: float, _modifiers: Modifiers) -> None:
         drawing = self.tool.busy
         self.tool.move(x, y)
         if drawing and not self.tool.busy:
@@ -225,7 +229,7 @@ class FigurePanel(QWidget):
         elif isinstance(self.tool, FigureTool):
             self.canvas.set_overlay(replace(self.canvas.overlay, snap=self.tool.snap))
 
-    def _release(self, x: float, y: float, _modifiers: Any) -> None:
+    def _release(self, x: float, y: float, _modifiers: Modifiers) -> None:
         if not self._answering:
             self.tool.release(x, y)
         self._hold(self.tool.busy)
@@ -237,7 +241,7 @@ class FigurePanel(QWidget):
         self.canvas.set_tag(self.tool.tag)
         self.refresh_soon()
 
-    def _press_handle(self, address: str, _modifiers: Any) -> None:
+    def _press_handle(self, address: str, _modifiers: Modifiers) -> None:
         self._hold(True)
         self.handle_drag.press(address)
 
@@ -332,7 +336,7 @@ class FigurePanel(QWidget):
         else:
             self.session.update_state(pixel=cell)
 
-    def _arrow(self, dx: int, dy: int, modifiers: Any) -> None:
+    def _arrow(self, dx: int, dy: int, modifiers: Modifiers) -> None:
         """Arrows nudge what is selected; with nothing selected they step."""
         if chosen := self.selected():
             far = 10 if modifiers & Qt.KeyboardModifier.ShiftModifier else 1

@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from workbench.language import _
+from workbench.panels.figure_gesture import Modifiers
 from workbench.panels.figure_stepped import SteppedPanel
 from workbench.panels.figure_tools import SelectTool
 from workbench.panels.fill_card import FillCard
@@ -17,6 +18,7 @@ from workbench.panels.fill_tools import (
     SeedTool,
 )
 from workbench.panels.fill_view import FillView
+from workbench.panels.panel import DockPart
 from workbench.session.session import Session
 from workbench.widgets.depth_plot import DepthPlot
 
@@ -26,6 +28,7 @@ class FillPanel(SteppedPanel):
 
     slug = "fill"
     first_tool = "polygon"
+    card: FillCard
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         self.inside = InsideTool(session)
@@ -54,7 +57,7 @@ class FillPanel(SteppedPanel):
             [("heat", _("How often each pixel was tested"), "thermometer", "H", card.heat.toggle)],
         )
 
-    def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
+    def docks(self) -> list[DockPart]:
         """The plot of the stack's depth."""
         return [("depth", _("Depth of the stack"), self.plot, Qt.DockWidgetArea.BottomDockWidgetArea)]
 
@@ -65,12 +68,12 @@ class FillPanel(SteppedPanel):
         if figures:
             self.session.update_state(active=figures[-1].id)
 
-    def _press(self, x: float, y: float, modifiers: object) -> None:
+    def _press(self, x: float, y: float, modifiers: Modifiers) -> None:
         super()._press(x, y, modifiers)
         if self.tool is self.inside:
             self.refresh_soon()
 
-    def _move(self, x: float, y: float, modifiers: object) -> None:
+    def _move(self, x: float, y: float, modifiers: Modifiers) -> None:
         super()._move(x, y, modifiers)
         if self.tool is self.inside and self.canvas.dragging:
             self.refresh_soon()

@@ -3,7 +3,6 @@ wrong with a seed, said in place.
 """
 
 from collections.abc import Sequence
-from typing import Any
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QWidget
@@ -120,7 +119,7 @@ class FillCard(ParameterCard):
         self.note.setText(sentence)
         self.note.setVisible(bool(sentence))
 
-    def _put(self, attribute: str, value: Any, merge: str = "") -> None:
+    def _put(self, attribute: str, value: bool | int, merge: str = "") -> None:
         """Set an attribute of what is selected, or of what is drawn next."""
         sheet = self._session.sheet
         chosen = set(self._session.state.selection)

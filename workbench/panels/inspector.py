@@ -1,12 +1,11 @@
 """The inspector serves every algorithm: its source, its variables and structures, its hand table."""
 
-from typing import Any
-
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QSplitter, QWidget
 
 from workbench.language import _
+from workbench.panels.panel import DockPart, PlainPanel, Said
 from workbench.session.session import Session
 from workbench.widgets.hand_table import HandTable
 from workbench.widgets.source_view import SourceView
@@ -15,7 +14,7 @@ from workbench.widgets.structure_table import StructureTable
 from workbench.widgets.variable_table import VariableTable
 
 
-class InspectorPanel(QWidget):
+class InspectorPanel(PlainPanel, QWidget):
     """Docks over the run of a session, and the step bar below the workspace.
 
     ``hover_text``: what is to be said in passing. ``pixel_pointed``: a pixel (x, y) that the sentence names
@@ -39,11 +38,11 @@ class InspectorPanel(QWidget):
         self.values.addWidget(self.variables)
         self.values.addWidget(self.structures)
         self.values.setChildrenCollapsible(False)
-        self.step_bar = Steps(run)
-        self.step_bar.sentence.variable_chosen.connect(self._show_variable)
-        self.step_bar.sentence.variable_pointed.connect(self.variables.point_at)
-        self.step_bar.sentence.pixel_chosen.connect(self._choose_pixel)
-        self.step_bar.sentence.pixel_pointed.connect(self._point_at_pixel)
+        self._steps = Steps(run)
+        self._steps.sentence.variable_chosen.connect(self._show_variable)
+        self._steps.sentence.variable_pointed.connect(self.variables.point_at)
+        self._steps.sentence.pixel_chosen.connect(self._choose_pixel)
+        self._steps.sentence.pixel_pointed.connect(self._point_at_pixel)
         run.moved.connect(self._choose_nothing)
         self.source.refused.connect(self.hover_text)
         self.hand.copied.connect(self.hover_text)
@@ -75,7 +74,7 @@ class InspectorPanel(QWidget):
         """The inspector has docks only."""
         return self
 
-    def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
+    def docks(self) -> list[DockPart]:
         """Source, variables with structures, hand table: all on the right."""
         right = Qt.DockWidgetArea.RightDockWidgetArea
         return [
@@ -88,6 +87,20 @@ class InspectorPanel(QWidget):
         """What this panel adds to the window's commands."""
         return [self.hand.copy_action]
 
-    def show_example(self, *_args: Any) -> None:
+    @property
+    def step_bar(self) -> Steps:
+        """The buttons and the sentence of the run."""
+        return self._steps
+
+    @property
+    def pointing(self) -> SignalInstance:
+        """The pixel that the sentence names."""
+        return self.pixel_pointed
+
+    def said(self) -> Said:
+        """What was copied, and what cannot be run to."""
+        return Said(self.hover_text)
+
+    def show_example(self, *_args: object) -> None:
         """Open the line that is already drawn."""
         self._session.open_example("line")

@@ -1,10 +1,11 @@
 """The small tube beside the canvas: the open sheet, glowing."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QGuiApplication
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QStackedLayout, QVBoxLayout, QWidget
 
 from workbench.language import _
+from workbench.panels.panel import DockPart, PlainPanel
 from workbench.panels.tube_feed import TubeFeed
 from workbench.session.session import Session
 from workbench.widgets.tube_view import TubeView
@@ -55,7 +56,7 @@ class TubeDock(QWidget):
         return self.raster if self._stack.currentIndex() == 0 else self.vector
 
 
-class TubePanel:
+class TubePanel(PlainPanel):
     """The tube as a dock of a workspace that has its own middle."""
 
     def __init__(self, session: Session) -> None:
@@ -67,13 +68,6 @@ class TubePanel:
         """The dock's content, for a workspace that wants it in the middle."""
         return self.tube
 
-    def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
+    def docks(self) -> list[DockPart]:
         """The tube at the right."""
         return [("tube", self.title, self.tube, Qt.DockWidgetArea.RightDockWidgetArea)]
-
-    def actions(self) -> list[QAction]:
-        """None of its own."""
-        return []
-
-    def show_example(self) -> None:
-        """The tube shows what the canvas shows."""

@@ -3,7 +3,7 @@
 from contextlib import suppress
 
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QKeyEvent, QShowEvent
+from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QDockWidget, QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
 from workbench.algorithms import catalogue
@@ -11,6 +11,7 @@ from workbench.document.model import Sheet
 from workbench.engine import background
 from workbench.language import _, ngettext
 from workbench.panels.figure_card import kind_title
+from workbench.panels.panel import DockPart, PlainPanel
 from workbench.rendering.why_steps import MOST, Abandoned, Answer, nothing_happened, why_steps
 from workbench.session.session import Session
 from workbench.widgets.icons import icon
@@ -169,7 +170,7 @@ class WhyList(QWidget):
             super().keyPressEvent(event)
 
 
-class WhyPanel:
+class WhyPanel(PlainPanel):
     """The list as a dock of a workspace that has its own middle."""
 
     def __init__(self, session: Session) -> None:
@@ -181,13 +182,6 @@ class WhyPanel:
         """The dock's content."""
         return self.why
 
-    def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
+    def docks(self) -> list[DockPart]:
         """The list at the right."""
         return [("why", self.title, self.why, Qt.DockWidgetArea.RightDockWidgetArea)]
-
-    def actions(self) -> list[QAction]:
-        """None of its own: a pixel is asked about on the canvas or on the tube."""
-        return []
-
-    def show_example(self) -> None:
-        """It has none."""

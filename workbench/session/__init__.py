@@ -1,6 +1,6 @@
 """What an open window holds: document, undo, selection, runs."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from workbench.session.session import Session
@@ -8,7 +8,7 @@ if TYPE_CHECKING:
 __all__ = ["Session"]
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     """Give ``Session`` when it is asked for: what needs no Qt here can then be imported without it."""
     if name == "Session":
         from workbench.session.session import Session

@@ -1,6 +1,6 @@
 """Makes the runs of a session follow its active figure, and keeps their cursor in the session's state."""
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer
 
@@ -13,11 +13,14 @@ from workbench.rendering.raster import figure_calls
 from workbench.session.recorded_run import DEPTH_LIMIT
 from workbench.session.run import Run
 
+if TYPE_CHECKING:
+    from workbench.session.session import Session
+
 
 class Following(QObject):
     """``run`` follows the active figure of ``session``, ``follower`` the compared algorithm step for step."""
 
-    def __init__(self, session: Any, run: Run, follower: Run) -> None:
+    def __init__(self, session: "Session", run: Run, follower: Run) -> None:
         super().__init__(session)
         self._session, self._run, self._follower = session, run, follower
         self._telling = False

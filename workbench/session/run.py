@@ -122,7 +122,7 @@ class Run(Cursor):
         """What a person may choose from now; () when a pixel is asked for, or nothing."""
         return self.steps.options_next(self._seen) if self.waiting and self.steps is not None else ()
 
-    def choose(self, option: Any) -> bool:
+    def choose(self, option: object) -> bool:
         """``option`` is said to come next: as ``answer``."""
         if option not in self.options or self.steps is None:
             return False

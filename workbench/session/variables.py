@@ -23,7 +23,7 @@ def differing(before: Moment, now: Moment | None) -> frozenset[str]:
     )
 
 
-def same_value(a: Any, b: Any) -> bool:
+def same_value(a: object, b: object) -> bool:
     """Equality of two values of a variable, arrays included."""
     if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
         return isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and np.array_equal(a, b)

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 from PySide6.QtWidgets import QDockWidget, QStackedWidget, QWidget
 
-from workbench.shell.dock_area import DockArea, DockPart
+from workbench.panels.panel import DockPart
+from workbench.shell.dock_area import DockArea
 from workbench.shell.settings import Settings
 
 

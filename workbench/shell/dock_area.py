@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QTabWidget
 from shiboken6 import isValid
 
 from workbench.language import _
+from workbench.panels.panel import DockPart
 from workbench.shell.dock_tabs import DockTabs
 
 VERSION = 3
@@ -28,8 +29,6 @@ _SIDES = {
 }
 
 _CHECKSUM_BYTES = 4
-
-DockPart = tuple[str, str, QWidget, str | Qt.DockWidgetArea]
 
 
 class DockArea(QMainWindow):

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QDropEvent
@@ -11,8 +11,12 @@ from PySide6.QtWidgets import QFileDialog
 
 from workbench.language import _
 from workbench.paths import home_folder
+from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
+    from workbench.session.recovery import Recoverable
+    from workbench.session.saver import Saved
+    from workbench.session.session import Session
     from workbench.shell.window import MainWindow
 
 PROGRAM = "Graphics Workbench"
@@ -28,8 +32,9 @@ class Files(QObject):
         self._window = window
 
     @property
-    def _session(self) -> Any:
-        return self._window.session
+    def _session(self) -> "Session":
+        session: Session = self._window.session
+        return session
 
     @property
     def name(self) -> str:
@@ -37,7 +42,7 @@ class Files(QObject):
         path = self._session.path
         return path.stem if path else _("Untitled")
 
-    def refresh_title(self, *_what: Any) -> None:
+    def refresh_title(self, *_what: object) -> None:
         """Name the picture in the title, with a mark while it is not saved."""
         self._window.setWindowTitle(f"{self.name}[*] - {PROGRAM}")
         self._window.setWindowModified(self._session.dirty)
@@ -77,7 +82,7 @@ class Files(QObject):
         if then:
             then()
 
-    def show_sheet(self, sheet: str, *_what: Any) -> None:
+    def show_sheet(self, sheet: str, *_what: object) -> None:
         """Show another sheet of the picture."""
         self._session.show_sheet(sheet)
         if self._window.place not in self._window.workspace_slugs:
@@ -145,7 +150,7 @@ class Files(QObject):
             )
             return
 
-    def _recover(self, lost: Any) -> None:
+    def _recover(self, lost: "Recoverable") -> None:
         from workbench.document.errors import DocumentError
 
         try:
@@ -180,7 +185,7 @@ class Files(QObject):
         self._window.say_status(_("Saving {name} ...").format(name=path.name))
         session.save_behind(path)
 
-    def _saved(self, then: Callable[[], object] | None, saved: Any) -> None:
+    def _saved(self, then: Callable[[], object] | None, saved: "Saved") -> None:
         name = saved.path.name
         if saved.problem:
             self._window.say_status("")
@@ -219,8 +224,10 @@ class Files(QObject):
         if path.suffix.lower() == SUFFIX:
             self.open_path(path)
         else:
+            from workbench.panels.curves import CurvesPanel
+
             self._window.enter("curves")
-            self._window.panels("curves")[0].exchange.take_file(path)
+            panel_of(self._window.panels("curves"), CurvesPanel).exchange.take_file(path)
 
     @staticmethod
     def _dropped(event: QDropEvent) -> Path | None:

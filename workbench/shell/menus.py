@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QKeySequence
@@ -13,6 +13,7 @@ from workbench.shell.actions import commands, key_text, menu_titles
 from workbench.shell.workspace_bar import WorkspaceBar
 
 if TYPE_CHECKING:
+    from workbench.document.state import SessionState
     from workbench.shell.window import MainWindow
 
 _CHECKABLE = ("ask_first", "detail")
@@ -41,11 +42,10 @@ class Menus(QObject):
         self._make_menus()
         self.refresh()
 
-    def refresh(self, *_what: Any) -> None:
+    def refresh(self, *_what: object) -> None:
         """Enable what can be done now; name what undo and redo would do."""
         session = self._window.session
-        run = getattr(session, "run", None)
-        stepping = run is not None and getattr(run, "entry", None) is not None
+        stepping = session is not None and session.run.entry is not None
         for command in self.commands.values():
             if command.needs == "run":
                 self.actions[command.id].setEnabled(stepping)
@@ -58,7 +58,7 @@ class Menus(QObject):
             self.actions[name].setEnabled(bool(able))
             self.actions[name].setText(f"{verb}: {what}" if able and what else verb)
 
-    def take_state(self, _old: Any, state: Any) -> None:
+    def take_state(self, _old: object, state: "SessionState") -> None:
         """Check what is switched on."""
         for name in _CHECKABLE:
             self.actions[name].setChecked(getattr(state, name))

@@ -1,11 +1,16 @@
 """The status bar: what is under the pointer, what is run, the zoom, and how ready the program is."""
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar
 
 from workbench.language import _
+
+if TYPE_CHECKING:
+    from workbench.algorithms.entry import Entry
+    from workbench.panels.panel import Panel
+    from workbench.session.run import Run
 
 _PASSING_MS = 6000
 
@@ -13,7 +18,7 @@ _PASSING_MS = 6000
 class Status(QObject):
     """Four fields: hover text, run, zoom, readiness.
 
-    Panels fill them by the signals ``hover_text``, ``run_text`` and ``zoom_text``, where they have them.
+    Panels fill the first and the third (see ``panels.panel.Said``), the run of the session the second.
     """
 
     def __init__(self, bar: QStatusBar) -> None:
@@ -59,29 +64,24 @@ class Status(QObject):
         self.ready.setToolTip(reason)
         self.ready.setAccessibleDescription(reason)
 
-    def listen(self, panel: Any) -> None:
-        """Take the texts of a panel that offers them."""
-        for name, slot in (
-            ("hover_text", self.show_hover),
-            ("run_text", self.run.setText),
-            ("zoom_text", self.zoom.setText),
-        ):
-            signal = getattr(panel, name, None)
+    def listen(self, panel: "Panel") -> None:
+        """Show what a panel says."""
+        said = panel.said()
+        for signal, slot in ((said.hover, self.show_hover), (said.zoom, self.zoom.setText)):
             if signal is not None:
                 signal.connect(slot)
 
-    def follow(self, run: Any) -> None:
+    def follow(self, run: "Run") -> None:
         """Name the run that is stepped, and where it stands."""
 
         def tell() -> None:
-            entry = run.entry
-            self.run.setText("" if entry is None else self._run_text(run))
+            self.run.setText("" if run.entry is None else self._run_text(run, run.entry))
 
         for signal in (run.moved, run.grown):
             signal.connect(tell)
         tell()
 
     @staticmethod
-    def _run_text(run: Any) -> str:
+    def _run_text(run: "Run", entry: "Entry") -> str:
         text = _("{title}, line {n} of {total}") if run.detail else _("{title}, step {n} of {total}")
-        return text.format(title=_(run.entry.title), n=run.number, total=run.total_text)
+        return text.format(title=_(entry.title), n=run.number, total=run.total_text)

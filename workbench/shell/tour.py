@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from workbench.language import _
 from workbench.shell.tour_curves import curve_scenes
+from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -200,6 +201,7 @@ def _compared(window: MainWindow, beside: bool = False) -> None:
     from workbench.document.edits import add_figure
     from workbench.document.model import Line, WorldPoint
     from workbench.document.samples import blank_sheet
+    from workbench.panels.draw import DrawPanel
 
     session = window.session
     session.new(blank_sheet(40, 28))
@@ -210,7 +212,7 @@ def _compared(window: MainWindow, beside: bool = False) -> None:
     session.undo_stack.setClean()
     window.go("draw")
     session.update_state(active="f2", selection=("f2",), compare="dda_line")
-    window.panels("draw")[0].card.side_by_side.setChecked(beside)
+    panel_of(window.panels("draw"), DrawPanel).card.side_by_side.setChecked(beside)
 
 
 def _ellipse(window: MainWindow) -> None:
@@ -227,6 +229,7 @@ def _drift(window: MainWindow) -> None:
     from workbench.document.edits import add_figure
     from workbench.document.model import Line, WorldPoint
     from workbench.document.samples import blank_sheet
+    from workbench.panels.draw import DrawPanel
 
     session = window.session
     session.new(blank_sheet(220, 140))
@@ -235,7 +238,7 @@ def _drift(window: MainWindow) -> None:
     session.undo_stack.setClean()
     window.go("draw")
     session.update_state(active="f1", selection=("f1",), compare="dda_line")
-    window.panels("draw")[0].card.side_by_side.setChecked(False)
+    panel_of(window.panels("draw"), DrawPanel).card.side_by_side.setChecked(False)
     window.arrangements.bring_forward("distance")
 
 
@@ -250,18 +253,22 @@ def _beam(window: MainWindow) -> None:
 
 
 def _fill(window: MainWindow, slug: str, step: int, heat: bool = False) -> None:
+    from workbench.panels.fill import FillPanel
+
     window.open_example(slug)
     front = window.session.sheet.figures[-1].id
     window.session.update_state(active=front, selection=(front,), step=step)
-    panel = window.panels("fill")[0]
+    panel = panel_of(window.panels("fill"), FillPanel)
     panel.choose_tool("select")
     window.session.update_state(selection=(front,))
     panel.card.heat.setChecked(heat)
 
 
 def _inside(window: MainWindow) -> None:
+    from workbench.panels.fill import FillPanel
+
     _fill(window, "two-interiors", 0)
-    panel = window.panels("fill")[0]
+    panel = panel_of(window.panels("fill"), FillPanel)
     panel.choose_tool("inside")
     panel.inside.point = (25.0, 20.0)
     panel.refresh()

@@ -5,6 +5,8 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
+from workbench.shell.workspaces import panel_of
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -45,8 +47,10 @@ def _curves(
     hidden: frozenset[str] = frozenset(),
     dock: str = "basis",
 ) -> None:
+    from workbench.panels.curves import CurvesPanel
+
     window.open_example(f"curve-{slug}")
-    session, panel = window.session, window.panels("curves")[0]
+    session, panel = window.session, panel_of(window.panels("curves"), CurvesPanel)
     front = session.sheet.figures[-1]
     panel.choose_tool("select")
     session.update_state(active=front.id, selection=(front.id,), curve_u=u, step=step)
@@ -60,8 +64,10 @@ def _curves(
 def _pen(window: MainWindow) -> None:
     from PySide6.QtCore import Qt
 
+    from workbench.panels.curves import CurvesPanel
+
     _empty(window)
-    panel = window.panels("curves")[0]
+    panel = panel_of(window.panels("curves"), CurvesPanel)
     for x, y in ((6.0, 10.0), (20.0, 36.0), (36.0, 8.0), (46.0, 12.0)):
         panel.pen.press(x, y, Qt.KeyboardModifier.NoModifier, 0.75)
         panel.pen.release(x, y)
@@ -69,6 +75,8 @@ def _pen(window: MainWindow) -> None:
 
 
 def _empty(window: MainWindow) -> None:
+    from workbench.panels.curves import CurvesPanel
+
     window.session.new()
     window.go("curves")
-    window.panels("curves")[0].choose_tool("pen")
+    panel_of(window.panels("curves"), CurvesPanel).choose_tool("pen")

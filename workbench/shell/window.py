@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPaintEvent
     from PySide6.QtWidgets import QToolBar
 
+    from workbench.panels.panel import Panel
+    from workbench.session.session import Session
     from workbench.shell.actions import Command
     from workbench.shell.arrangement import Arrangements
     from workbench.shell.files import Files
@@ -69,8 +71,8 @@ class MainWindow(QMainWindow):
         self.session: Any = None
         self.place = ""
         self._offered = {each.slug: each for each in (workspaces() if offered is None else offered)}
-        self._panels: dict[str, list[Any]] = {}
-        self._made: dict[str, Any] = {}
+        self._panels: dict[str, list[Panel]] = {}
+        self._made: dict[str, Panel] = {}
         self._makers: dict[str, Iterator[None]] = {}
         self._pages: dict[str, QWidget] = {}
         self._painted = False
@@ -152,7 +154,7 @@ class MainWindow(QMainWindow):
             self._painted = True
             QTimer.singleShot(0, self.first_frame.emit)
 
-    def attach(self, session: Any) -> None:
+    def attach(self, session: Session) -> None:
         """Take the session that everything works on."""
         self.complete()
         self.session = session
@@ -161,10 +163,8 @@ class MainWindow(QMainWindow):
         session.state_changed.connect(self.menus.take_state)
         session.path_changed.connect(self.files.refresh_title)
         session.dirty_changed.connect(self.files.refresh_title)
-        run = getattr(session, "run", None)
-        if run is not None:
-            run.changed.connect(self.menus.refresh)
-            self.status.follow(run)
+        session.run.changed.connect(self.menus.refresh)
+        self.status.follow(session.run)
         self.files.refresh_title()
         self.menus.refresh()
         self.menus.take_state(session.state, session.state)
@@ -235,7 +235,7 @@ class MainWindow(QMainWindow):
         """The modules that panels come from, in order."""
         return list(dict.fromkeys(module for each in self._offered.values() for module in each.modules))
 
-    def panels(self, slug: str) -> list[Any]:
+    def panels(self, slug: str) -> list[Panel]:
         """The panels of a workspace, empty before it was first shown."""
         return list(self._panels.get(slug, []))
 
@@ -256,11 +256,11 @@ class MainWindow(QMainWindow):
         join(made)
         self._panels[slug] = made
 
-    def _take(self, panel: Any) -> None:
+    def _take(self, panel: Panel) -> None:
         """Let a new panel's commands, step bar and words be the window's; workspaces may share it."""
         for action in panel.actions():
             self.addAction(action)
-        if hasattr(panel, "step_bar"):
+        if panel.step_bar is not None:
             self.steps.addWidget(panel.step_bar)
         self.status.listen(panel)
 

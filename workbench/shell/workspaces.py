@@ -1,10 +1,16 @@
 """The workspaces, in the order of the course: each an arrangement of panels over one session."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib import import_module
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from workbench.language import _
+
+if TYPE_CHECKING:
+    from workbench.panels.panel import Panel
+    from workbench.session.session import Session
+
+P = TypeVar("P")
 
 
 class Workspace(NamedTuple):
@@ -28,18 +34,26 @@ class Workspace(NamedTuple):
         return tuple(panel.partition(":")[0] for panel in self.panels)
 
 
-def panel_class(panel: str) -> Callable[..., Any]:
+def panel_class(panel: str) -> "Callable[[Session], Panel]":
     """The class behind "module:class"."""
     module, __, name = panel.partition(":")
-    made: Callable[..., Any] = getattr(import_module(module), name)
+    made: Callable[[Session], Panel] = getattr(import_module(module), name)
     return made
 
 
-def join(panels: list[Any]) -> None:
+def join(panels: "Sequence[Panel]") -> None:
     """Let the panel in the middle of a workspace point at the pixels that the others name."""
     for panel in panels:
-        if hasattr(panel, "pixel_pointed") and hasattr(panels[0], "point_at"):
-            panel.pixel_pointed.connect(panels[0].point_at)
+        if panel.pointing is not None:
+            panel.pointing.connect(panels[0].point_at)
+
+
+def panel_of(panels: "Sequence[Panel]", kind: type[P]) -> P:
+    """The panel of this class among those of a workspace. LookupError: it has none."""
+    for panel in panels:
+        if isinstance(panel, kind):
+            return panel
+    raise LookupError(f"no {kind.__name__} here")
 
 
 def workspaces() -> tuple[Workspace, ...]:

@@ -16,21 +16,21 @@ def two_rows(xc: int, yc: int, x: int, y: int) -> Pixels:
     return span_pixels(yc + y, xc - x, xc + x) + below
 
 
-def _moved(block: str, when: str, chosen: str, row: str, sentence: str) -> View:
-    """The span of a row has its ends."""
-    return View(block=block, when=when, chosen=chosen, row=row, sentence=sentence)
-
-
-def _three(block: str, chosen: str, row: str, span: str) -> tuple[View, ...]:
-    return (
-        _moved(block, "x > before.x", chosen, row, "The span grows from {before.x} to {x} pixels" + span),
-        _moved(block, "x < before.x", chosen, row, "The span shrinks from {before.x} to {x} pixels" + span),
-        _moved(block, "True", chosen, row, "The span still reaches {x} pixels" + span),
+def _moves(verbs: dict[str, str], block: str, chosen: str, row: str, span: str) -> tuple[View, ...]:
+    """The span of a row has its ends: how it came to them, by when that is said."""
+    return tuple(
+        View(block=block, when=when, chosen=chosen, row=row, sentence=f"The span {verb} pixels{span}")
+        for when, verb in verbs.items()
     )
 
 
+_GROWS = {"x > before.x": "grows from {before.x} to {x}"}
+_SHRINKS = {"x < before.x": "shrinks from {before.x} to {x}"}
+_STAYS = {"True": "still reaches {x}"}
+
 CIRCLE_COLUMNS = ("y", "x", "test of x", "test of x + 1", "x left", "x right")
-CIRCLE_VIEWS = _three(
+CIRCLE_VIEWS = _moves(
+    _GROWS | _SHRINKS | _STAYS,
     "Move the end of the span to where the outline is",
     "span_pixels(yc + y, xc - x, xc + x)",
     "(y, x, reach(x, y), reach(x + 1, y), xc - x, xc + x)",
@@ -39,7 +39,8 @@ CIRCLE_VIEWS = _three(
 )
 
 ELLIPSE_COLUMNS = ("y", "x", "region", "x left", "x right")
-ELLIPSE_VIEWS = _three(
+ELLIPSE_VIEWS = _moves(
+    _GROWS | _STAYS,  # it goes outwards from row to row
     "Go along the row to where the outline leaves it",
     "two_rows(xc, yc, x, y)",
     "(y, x, 1 if ry2 * x < rx2 * y else 2, xc - x, xc + x)",

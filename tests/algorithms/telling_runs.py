@@ -1,0 +1,106 @@
+"""The runs whose words are approved: every entry's own example, and what that does not show."""
+
+import copy
+from typing import Any
+
+import numpy as np
+
+from workbench.algorithms.entry import Entry
+
+Run = tuple[Any, ...]
+
+STEEP_LEFTWARDS = (4, 9, 1, 3)  # dx = -3, dy = -6: every second choice is a tie
+WINDOW = (0.0, 0.0, 30.0, 20.0)
+BOWL = np.array([[1, 1, 1, 1, 1], [1, 0, 1, 0, 1], [1, 0, 0, 0, 1], [1, 0, 1, 0, 1], [1, 1, 1, 1, 1]])
+WIDENING = np.array([[0, 0, 0, 0, 0, 0], [1, 1, 0, 1, 1, 0], [1, 0, 0, 0, 1, 0], [1, 1, 1, 1, 1, 0]])
+LETTER_M = np.array([[1.0, 1], [9, 1], [9, 7], [7, 7], [5, 3], [3, 7], [1, 7]])
+STAR = np.array([[1.0, 5], [9, 5], [2, 0], [5, 8], [8, 0]])
+SLIVER = np.array([[1.3, 1.0], [1.7, 1.0], [1.5, 4.0]])
+LOOPED = np.array([[0.0, 0], [10, 8], [-2, 8], [8, 0], [8, 0], [30, 0], [30, 9], [40, 9]])
+STEPPED = np.array([[1.0, 1], [6, 1], [8, 3], [6, 5], [4, 5], [4, 8], [1, 8]])
+
+
+def _inside(vertices: np.ndarray, x: float, y: float, nonzero: bool) -> Run:
+    return vertices, np.array([len(vertices)]), x, y, nonzero
+
+
+def _filled(vertices: np.ndarray, closed: bool, nonzero: bool) -> Run:
+    return vertices, np.array([len(vertices)]), closed, nonzero
+
+
+_TRIANGLES = np.array(
+    [
+        [1.0, 0.5, 0.5],
+        [3, 0.5, 0.5],
+        [2, 0.8, 0.5],
+        [1, 1, 0.2],
+        [5, 3, 0.2],
+        [3, 2, 0.2],
+        [0, 0, 0],
+        [3, 0, 0],
+        [0, 3, 0],
+    ]
+)
+
+FURTHER: dict[str, tuple[Run, ...]] = {
+    "dda_line": (STEEP_LEFTWARDS,),
+    "dda_line_single": (STEEP_LEFTWARDS,),
+    "dda_line_fixed": ((*STEEP_LEFTWARDS, 3),),
+    "bresenham_line": (STEEP_LEFTWARDS,),
+    "midpoint_line": (STEEP_LEFTWARDS,),
+    "wu_line": (STEEP_LEFTWARDS,),
+    "midpoint_circle": ((5, 5, 1),),
+    "midpoint_ellipse": ((20, 4, 9, 1),),
+    "inside_outside": (
+        _inside(STEPPED, 3.0, 5.0, False),
+        _inside(STEPPED, 0.0, 4.0, False),
+        _inside(STEPPED, 4.0, 6.0, False),
+        _inside(STAR, 5.0, 4.0, False),
+        _inside(STAR, 5.0, 4.0, True),
+    ),
+    "scan_line_fill": (
+        _filled(STEPPED, False, False),
+        _filled(LETTER_M, False, False),
+        _filled(STAR, True, True),
+        _filled(SLIVER, False, False),
+    ),
+    "ellipse_fill": ((9, 9, 1, 6),),
+    "boundary_fill_4": ((BOWL, 0, 0, 2, 1),),
+    "boundary_fill_8": ((BOWL, 0, 0, 2, 1),),
+    "flood_fill_4": ((BOWL, 1, 1, 0),),
+    "flood_fill_8": ((BOWL, 1, 1, 0),),
+    "boundary_fill_spans": ((BOWL, 0, 0, 2, 1), (WIDENING, 2, 2, 2, 1)),
+    "clip_point": ((31.0, 5.0, *WINDOW), (5.0, -1.0, *WINDOW)),
+    "cohen_sutherland": (
+        (-5.0, -1.0, -2.0, 9.0, *WINDOW),
+        (5.0, -5.0, 35.0, 22.0, *WINDOW),
+        (-5.0, 4.0, 9.0, 9.0, *WINDOW),
+    ),
+    "liang_barsky": (
+        (-5.0, 4.0, -5.0, 9.0, *WINDOW),
+        (5.0, 4.0, 5.0, 9.0, *WINDOW),
+        (-9.0, 4.0, 4.0, -9.0, *WINDOW),
+    ),
+    "sutherland_hodgman": ((np.array([[-9.0, 2], [-5, 2], [-6, 9]]), *WINDOW),),
+    "b_spline_curve": (
+        (np.array([[1.0, 1], [2, 5], [5, 6], [7, 2], [10, 1]]), np.array([0.0, 0, 0, 1, 1, 2, 2, 2]), 2, 5),
+    ),
+    "closest_point": ((np.array([0.0, 1, 2]), LOOPED, np.ones(8), 3, 4.0, 3.5),),
+    "beam_spot": ((1.0, 1.0, 3.0, 2.0, 1.0, 0.4),),
+    "depth_buffer": (
+        (
+            np.zeros((4, 6), np.int64),
+            np.ones((4, 6)),
+            _TRIANGLES,
+            np.arange(9).reshape(3, 3),
+            np.array([1, 2, 3]),
+            0,
+            4,
+        ),
+    ),
+}
+
+
+def telling_runs(entry: Entry) -> tuple[Run, ...]:
+    """The runs of an entry whose words are approved."""
+    return (entry.example, *copy.deepcopy(FURTHER.get(entry.slug, ())))

@@ -1,0 +1,46 @@
+"""The window asks every panel the same, and mypy holds every one of them to it."""
+
+import ast
+import inspect
+
+import pytest
+
+from workbench.document.samples import example_document
+from workbench.panels import panel as module
+from workbench.panels.panel import Panel
+from workbench.session.session import Session
+from workbench.shell.workspaces import panel_class, panel_of, workspaces
+
+NAMES = sorted({name for workspace in workspaces() for name in workspace.panels})
+ASKED = [name for name in vars(Panel) if not name.startswith("_")]
+
+
+def test_mypy_is_given_every_panel_that_a_workspace_has() -> None:
+    source = ast.parse(inspect.getsource(module))
+    (listed,) = (
+        node.value
+        for node in ast.walk(source)
+        if isinstance(node, ast.AnnAssign) and ast.unparse(node.target) == "PANELS"
+    )
+    assert isinstance(listed, ast.Tuple)
+    given = {each.id for each in listed.elts if isinstance(each, ast.Name)}
+    assert given == {name.partition(":")[2] for name in NAMES}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_panel_answers_all_that_it_is_asked(qapp: object, name: str) -> None:
+    session = Session(document=example_document())
+    panel = panel_class(name)(session)
+    assert {"center", "docks", "actions", "step_bar", "said", "pointing", "point_at"} == set(ASKED)
+    assert panel.center is not None
+    assert len({dock for dock, *_rest in panel.docks()}) == len(panel.docks())
+    assert (panel.step_bar is not None) == (panel.pointing is not None) == name.endswith("InspectorPanel")
+    assert len(panel.said()) == 2
+    panel.actions()
+    panel.point_at((1, 2))
+    panel.point_at(None)
+    assert panel_of([panel], type(panel)) is panel
+    with pytest.raises(LookupError, match="no int here"):
+        panel_of([panel], int)
+    panel.center.deleteLater()
+    session.close()

@@ -1,0 +1,104 @@
+"""What the window asks of a panel, and the answers of one that has nothing more to offer."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+from PySide6.QtCore import Qt, SignalInstance
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QWidget
+
+# The name by which a dock is remembered, its title, what it holds, and where it begins.
+DockPart = tuple[str, str, QWidget, str | Qt.DockWidgetArea]
+Cell = tuple[int, int]
+
+
+class Said(NamedTuple):
+    """Signals of a text for the status bar: what is under the pointer or said in passing, and the zoom."""
+
+    hover: SignalInstance | None = None
+    zoom: SignalInstance | None = None
+
+
+class Panel(Protocol):
+    """A part of a workspace over one session. The first of a workspace fills its middle with ``center``.
+
+    A panel takes the session as its only argument, and never another panel.
+    """
+
+    @property
+    def center(self) -> QWidget:
+        """What fills the middle of a workspace whose first panel this is."""
+
+    def docks(self) -> Sequence[DockPart]:
+        """Its docks, in order."""
+
+    def actions(self) -> Sequence[QAction]:
+        """Its commands, for the window and for who looks for a command."""
+
+    @property
+    def step_bar(self) -> QWidget | None:
+        """What stands below every workspace with steps, if it has that."""
+
+    def said(self) -> Said:
+        """What it says in the status bar."""
+
+    @property
+    def pointing(self) -> SignalInstance | None:
+        """Sends a pixel that is pointed at elsewhere than on a canvas, None when no longer."""
+
+    def point_at(self, cell: Cell | None) -> None:
+        """Show in the middle where such a pixel is."""
+
+
+class PlainPanel:
+    """Goes before the widget among the bases of a panel: no docks, no commands, nothing said."""
+
+    def docks(self) -> Sequence[DockPart]:
+        """None."""
+        return ()
+
+    def actions(self) -> list[QAction]:
+        """None."""
+        return []
+
+    @property
+    def step_bar(self) -> QWidget | None:
+        """None."""
+        return None
+
+    def said(self) -> Said:
+        """Nothing."""
+        return Said()
+
+    @property
+    def pointing(self) -> SignalInstance | None:
+        """Nothing."""
+        return None
+
+    def point_at(self, cell: Cell | None) -> None:
+        """There is nothing to show it on."""
+
+
+if TYPE_CHECKING:
+    from workbench.panels.clip import ClipPanel
+    from workbench.panels.compare import ComparePanel
+    from workbench.panels.curves import CurvesPanel
+    from workbench.panels.display import DisplayPanel
+    from workbench.panels.draw import DrawPanel
+    from workbench.panels.fill import FillPanel
+    from workbench.panels.inspector import InspectorPanel
+    from workbench.panels.tube_dock import TubePanel
+    from workbench.panels.why import WhyPanel
+
+    # Every panel there is conforms.
+    PANELS: tuple[type[Panel], ...] = (
+        ClipPanel,
+        ComparePanel,
+        CurvesPanel,
+        DisplayPanel,
+        DrawPanel,
+        FillPanel,
+        InspectorPanel,
+        TubePanel,
+        WhyPanel,
+    )
