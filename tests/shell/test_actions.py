@@ -174,7 +174,7 @@ def test_the_palette_opened_twice_is_one(qtbot: QtBot, window: MainWindow) -> No
     visible = [each for each in window.findChildren(CommandPalette) if each.isVisible()]
     assert len(visible) == 1
     qtbot.keyClick(visible[0].field, Qt.Key.Key_Escape)
-    assert window.centres["draw"].focusProxy().hasFocus()
+    assert window.arrangements.area("draw").host.focusProxy().hasFocus()
 
 
 def test_the_palette_has_no_more_parts_for_more_commands(qtbot: QtBot, window: MainWindow) -> None:
