@@ -368,3 +368,18 @@ def test_where_nothing_can_be_copied_that_is_said(window: MainWindow) -> None:
     press(window._pages["home"], "Ctrl+C")
     assert QGuiApplication.clipboard().text() == "before"
     assert window.status.hover.text() == "There is nothing here to copy."
+
+
+def test_a_panel_that_is_not_seen_answers_no_keys(window: MainWindow) -> None:
+    work_in(window, "draw")
+    work_in(window, "fill")
+    session, (hidden, seen) = window.session, (window.panels(place)[0] for place in ("draw", "fill"))
+    seen.choose_tool("select")
+    session.update_state(selection=(session.sheet.figures[0].id,))
+    settle()
+    hidden.refresh()
+    count = len(session.sheet.figures)
+    seen.canvas.setFocus()
+    press(seen.canvas, "Ctrl+D")
+    settle()
+    assert len(session.sheet.figures) == count + 1
