@@ -106,7 +106,7 @@ def test_a_very_long_name(tmp_path: Path) -> None:
 def test_what_dead_processes_left_is_swept_and_what_lives_is_not(tmp_path: Path) -> None:
     path = tmp_path / "a.gwb"
     code = (
-        "import os, sys; from pathlib import Path; from workbench.document.saving import Replacement, SavingError, replace_file, sweep
+        "import os, sys; from pathlib import Path; from workbench.document.saving import replace_file;"
         "replace_file(Path(sys.argv[1]), b'x', lambda data: os.kill(os.getpid(), 9))"
     )
     subprocess.run([sys.executable, "-c", code, str(path)], check=False, cwd=Path(__file__).parents[2])
