@@ -79,7 +79,9 @@ def test_when_the_disk_refuses_the_old_file_stays(
 
     with monkeypatch.context() as patch:
         patch.setattr(step, full)
-        with pytest.raises(SavingError, match=r"There is no room on the disk for .*a\.gwb; make room"):
+        with pytest.raises(
+            SavingError, match=r"a\.gwb cannot be written \(No space left on device\); make room"
+        ):
             replace_file(path, b"new", nothing)
     assert path.read_bytes() == b"old"
     assert [file.name for file in tmp_path.iterdir()] == ["a.gwb"]
@@ -228,10 +230,11 @@ def test_several_files_are_replaced_together_or_not_at_all(
     monkeypatch.setattr(os, "replace", refuse)
     if not links:
         monkeypatch.setattr(os, "link", no_links)
-    with pytest.raises(SavingError, match="can only be read"), Replacement() as replacement:
+    with Replacement() as replacement:
         for name in "abc":
             replacement.put(tmp_path / name, b"new")
-        replacement.commit()
+        with pytest.raises(SavingError, match="can only be read"):
+            replacement.commit()
     assert sorted((each.name, each.read_bytes()) for each in tmp_path.iterdir()) == [
         ("a", b"old a"),
         ("c", b"old c"),

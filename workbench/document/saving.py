@@ -64,8 +64,7 @@ class Replacement:
         try:
             target = Path(os.path.realpath(path))
             old = _replaceable(path, target)
-            if not self._staged:
-                sweep(target.parent, _prefix(target))
+            sweep(target.parent, _prefix(target))
             temporary = _beside(target)
             descriptor = os.open(temporary, _EXCLUSIVE, 0o666)
             self._staged.append(_Staged(path, target, temporary, old is not None))
@@ -145,7 +144,7 @@ def _refusal(path: Path, error: OSError | ValueError) -> SavingError:
         case errno.EROFS:
             sentence = _("The disk of {path} can only be read; choose a folder on another disk.")
         case errno.ENOSPC | errno.EDQUOT:
-            sentence = _("There is no room on the disk for {path}; make room, or choose another disk.")
+            sentence = _("{path} cannot be written ({reason}); make room, or choose another disk.")
         case errno.EFBIG:
             sentence = _("{path} would be larger than a file may be here; choose another disk.")
         case errno.ENAMETOOLONG:

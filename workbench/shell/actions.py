@@ -133,7 +133,7 @@ def commands() -> tuple[Command, ...]:
             _("Export this step..."),
             lambda w: w.files.exports.step(),
             (),
-            "image",
+            "camera",
             _("What the canvas shows, with its sentence, as PNG, SVG or PDF"),
             "export",
             "document",

@@ -88,10 +88,16 @@ class Exports(QObject):
         if not exporter.steps:
             self._window.say_status(_("No run is recorded; draw or select a figure whose steps are shown."))
             return
-        parts = exporter.this_run().parts
-        note = ngettext("{n} picture", "{n} pictures", parts).format(n=parts)
-        if parts <= exporter.steps:
-            note = _("The first {n} pictures of {all:,}").format(n=parts, all=exporter.steps + 1)
+        parts, whole = exporter.this_run().parts, exporter.steps + 1
+
+        def note(row: Row) -> str:
+            count = ngettext("{n} picture", "{n} pictures", parts).format(n=parts)
+            if parts < whole:
+                count = _("The first {n} of {whole:,} pictures").format(n=parts, whole=whole)
+            paths = row.paths(self.proposed(_("run"), row.suffix), parts)
+            names = paths[0].name if len(paths) == 1 else f"{paths[0].name} … {paths[-1].name}"
+            return _("{count}: {names}").format(count=count, names=names)
+
         self.card.offer(_("Export this run"), rows_of("run"), note)
 
     def points(self) -> None:
@@ -177,7 +183,7 @@ class Exports(QObject):
         if not hasattr(self, "_card"):
             from workbench.widgets.writing_card import WritingCard
 
-            self._card = WritingCard(self._window)
+            self._card = WritingCard(self._window, self._window.stack)
             self._card.chosen.connect(self._ask_run)
             self._card.cancelled.connect(self._cancel)
         return self._card
@@ -330,8 +336,8 @@ class Exports(QObject):
 def _written(paths: tuple[Path, ...]) -> str:
     folder = paths[0].parent
     if len(paths) == 1:
-        return _("{name} is written, in {folder}.").format(name=paths[0].name, folder=folder)
-    sentence = _("{n} files, {first} to {last}, are written, in {folder}.")
+        return _("{name} is written in {folder}.").format(name=paths[0].name, folder=folder)
+    sentence = _("{n} files, {first} to {last}, are written in {folder}.")
     return sentence.format(n=len(paths), first=paths[0].name, last=paths[-1].name, folder=folder)
 
 
