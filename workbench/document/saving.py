@@ -137,7 +137,7 @@ def _refusal(path: Path, error: OSError | ValueError) -> SavingError:
         return error
     number = error.errno if isinstance(error, OSError) else None
     match number:
-        case errno.ENOENT | errno.ENOTDIR:
+        case errno.ENOENT | errno.ENOTDIR if not path.parent.is_dir():
             sentence = _("There is no folder {folder} for {name}; choose another folder.")
         case errno.EACCES | errno.EPERM:
             sentence = _("You may not write {name} in the folder {folder}; choose another folder.")

@@ -74,7 +74,7 @@ def row_for(rows: Sequence[Row], path: Path) -> Row:
     endings = [row.suffix for row in rows]
     listed = _(" or ").join(filter(None, (", ".join(endings[:-1]), endings[-1])))
     sentence = _("{name}: this is written as {endings}; let the name end so.")
-    raise SuffixError(sentence.format(name=path.name, endings=listed))
+    raise SuffixError(sentence.format(name=path.name or path, endings=listed))
 
 
 def completed(rows: Sequence[Row], path: Path, chosen: Row) -> tuple[Path, Row]:
