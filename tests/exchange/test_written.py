@@ -50,6 +50,17 @@ def test_a_gif_has_every_frame_and_its_time(tmp_path: Path) -> None:
     assert frames == [(k, 250) for k in range(5)] + [(5, 750)]
 
 
+def test_a_gif_that_would_fill_the_memory_is_refused_at_its_first_picture(tmp_path: Path) -> None:
+    class Many(Made):
+        def image(self, number: int) -> np.ndarray[Any, Any]:
+            assert number == 0
+            return np.zeros((933, 1200, 3), np.uint8)
+
+    with pytest.raises(ValueError, match="A GIF of 500 pictures 1200 pixels wide is too large"):
+        write(row_for(rows("run"), tmp_path / "a.gif"), Many(500), tmp_path / "a.gif")
+    assert list(tmp_path.iterdir()) == []
+
+
 @given(st.integers(2, 700), st.integers(0, 2**32 - 1))
 def test_the_frequent_colours_of_a_gif_are_exact_and_the_others_near(count: int, seed: int) -> None:
     random = np.random.default_rng(seed)

@@ -184,9 +184,14 @@ def _kept(target: Path) -> Path:
     try:
         os.link(target, kept)
     except OSError:  # a file system without links
-        with open(os.open(kept, _EXCLUSIVE, 0o600), "wb") as copy, open(target, "rb") as original:
-            shutil.copyfileobj(original, copy)
-        shutil.copystat(target, kept)
+        try:
+            with open(os.open(kept, _EXCLUSIVE, 0o600), "wb") as copy, open(target, "rb") as original:
+                shutil.copyfileobj(original, copy)
+            shutil.copystat(target, kept)
+        except OSError:
+            with suppress(OSError):
+                kept.unlink()
+            raise
     return kept
 
 

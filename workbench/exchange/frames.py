@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from workbench.exchange.writing import Progress, Put
+from workbench.language import _
 
 Picture = NDArray[np.uint8]
 
 _MOST_COLOURS = 256
+_MOST_PIXELS = 300_000_000  # of all pictures together: so many bytes are held while a GIF is made
 
 
 class Frames(Protocol):
@@ -53,6 +55,9 @@ def animation(frames: Frames, put: Put, told: Progress) -> None:
 
     images = told_of_each()
     first = next(images)
+    if first.width * first.height * frames.parts > _MOST_PIXELS:
+        sentence = _("A GIF of {parts} pictures {width} pixels wide is too large; choose a smaller size.")
+        raise ValueError(sentence.format(parts=frames.parts, width=first.width))
     each = max(round(100 * frames.seconds), 2) * 10
     file = _Telling(lambda: told(frames.parts, frames.parts))
     first.save(

@@ -45,19 +45,13 @@ class HandModel(QAbstractTableModel):
     def reset(self) -> None:
         """Another run."""
         self.beginResetModel()
-        self._rows = self._reachable()
+        self._rows = self._run.tellable
         self._current = 0
         self.endResetModel()
 
-    def _reachable(self) -> int:
-        steps = self._run.steps
-        if steps is None:
-            return 0
-        return min(len(steps), self._run.seen) if self._run.ask_first else len(steps)
-
     def update(self) -> None:
         """Take in what was recorded since, and mark the current step."""
-        rows = self._reachable()
+        rows = self._run.tellable
         if rows > self._rows:
             self.beginInsertRows(QModelIndex(), self._rows, rows - 1)
             self._rows = rows
