@@ -13,8 +13,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image, ImageSequence
 
+from workbench.algorithms import catalogue
 from workbench.document.saving import SavingError
+from workbench.engine.observation import Steps
+from workbench.engine.recorder import record
 from workbench.exchange.frames import indexed
+from workbench.exchange.run_tables import hand
 from workbench.exchange.writing import Cancelled, SuffixError, completed, of_kind, row_for, write
 from workbench.exchange.written import ROWS, rows
 
@@ -102,6 +106,25 @@ def test_cancelled_everything_is_as_before(suffix: str, last: int, tmp_path: Pat
         write(row_for(rows("run"), path), Made(5), path, told)
     assert sorted(each.name for each in tmp_path.iterdir()) == ["a-001.png", "a.gif"]
     assert {each.read_bytes() for each in tmp_path.iterdir()} == {b"mine"}
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".json", ".html"])
+def test_a_long_table_is_told_row_by_row_and_can_be_cancelled(suffix: str, tmp_path: Path) -> None:
+    entry = catalogue.get("bresenham_line")
+    steps = Steps(entry, record(entry.function, 0, 0, 500, 200))
+    path, done = tmp_path / f"a{suffix}", []
+
+    def told(rows_done: int, of: int) -> None:
+        done.append((rows_done, of))
+        if rows_done > 200:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        write(row_for(rows("table"), path), hand(steps), path, told)
+    assert done == [(0, 500), (64, 500), (128, 500), (192, 500), (256, 500)]
+    assert list(tmp_path.iterdir()) == []
+    write(row_for(rows("table"), path), hand(steps), path)
+    assert path.read_text(encoding="utf-8").count("(500, 200)" if suffix != ".json" else "[500, 200]") == 1
 
 
 def test_when_the_last_of_many_cannot_take_its_place_the_others_have_theirs_back(

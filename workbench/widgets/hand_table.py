@@ -209,12 +209,12 @@ class HandTable(QWidget):
         if entry is None or recording is None:
             return
         if rows <= _AT_ONCE:
-            self._to_clipboard(hand(Steps(entry, recording), rows))
+            self._to_clipboard(hand(Steps(entry, recording), rows).computed())
             return
         self.copied.emit(_("Copying {rows:,} rows ...").format(rows=rows))
 
         def copy() -> None:
-            table = hand(Steps(entry, recording), rows)
+            table = hand(Steps(entry, recording), rows).computed()
             with suppress(RuntimeError):  # this widget is gone
                 self._ready.emit(table)
 
