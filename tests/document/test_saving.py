@@ -5,6 +5,7 @@ import stat
 import subprocess
 import sys
 import zlib
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -123,8 +124,9 @@ def test_what_dead_processes_left_is_swept_and_what_lives_is_not(tmp_path: Path)
 
 
 @posix
+@pytest.mark.parametrize("plant", [Path.symlink_to, Path.hardlink_to])
 def test_a_link_under_the_temporary_name_is_not_followed(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, plant: Callable[[Path, Path], None]
 ) -> None:
     precious = tmp_path / "precious"
     precious.write_bytes(b"mine")
@@ -132,7 +134,7 @@ def test_a_link_under_the_temporary_name_is_not_followed(
     monkeypatch.setattr("workbench.document.saving.secrets.token_hex", lambda _bytes: next(names))
     replace_file(tmp_path / "a.gwb", b"one")
     planted = f".a.gwb-{zlib.crc32(b'a.gwb'):08x}.2222.{os.getpid()}.saving"
-    (tmp_path / planted).symlink_to(precious)
+    plant(tmp_path / planted, precious)
     with pytest.raises(SavingError):
         replace_file(tmp_path / "a.gwb", b"two")
     assert precious.read_bytes() == b"mine"

@@ -125,11 +125,11 @@ class Exports(QObject):
         self._ask("table", _("table"), lambda: hand(Steps(entry, recording), rows))
 
     def tables(self) -> list[TableOffer]:
-        """Every table that can be exported now."""
+        """Every other table that can be exported now."""
         session = self._window.session
+        offers: list[TableOffer] = []
         if session is None:
-            return []
-        offers = [TableOffer(_("Hand table"), self.hand_table)] if self._hand_rows() else []
+            return offers
         run, figure = session.run, session.active_figure
 
         def offer(title: str, make: Callable[[], Any]) -> None:
