@@ -301,7 +301,7 @@ def test_cancelled_nothing_is_left(
     (tmp_path / "walk-003.png").write_bytes(b"mine")
     choose_run(window, ".png")
     type_name(qtbot, window, "walk")
-    next(each for each in window.messages.buttons() if each.text() == "Replace them").click()
+    next(each for each in window.messages.buttons() if each.text() == "Replace it").click()
     card = window.files.exports.card
     qtbot.waitUntil(lambda: card.isVisible() and card.bar.value() >= 2, timeout=10_000)
     qtbot.mouseClick(card.cancel, Qt.MouseButton.LeftButton)

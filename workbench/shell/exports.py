@@ -247,7 +247,7 @@ class Exports(QObject):
             ),
             [
                 (_("Cancel"), lambda: None),
-                (_("Replace them"), lambda: self._write(row, make, path)),
+                (ngettext("Replace it", "Replace them", len(there)), lambda: self._write(row, make, path)),
             ],
         )
 
