@@ -11,7 +11,7 @@ from shiboken6 import delete
 
 from workbench.document.edits import add_sheet, rename_sheet
 from workbench.document.samples import blank_sheet
-from workbench.shell.actions import commands, keys_elsewhere, menu_titles
+from workbench.shell.actions import commands, keys_elsewhere, menu_titles, submenu_titles
 from workbench.shell.command_palette import CommandPalette, match
 from workbench.shell.window import MainWindow
 from workbench.widgets.icons import icon
@@ -20,7 +20,7 @@ from workbench.widgets.icons import icon
 def test_ids_menus_and_words() -> None:
     table = commands()
     assert len({command.id for command in table}) == len(table)
-    menus = {name for name, _title in menu_titles()}
+    menus = {name for name, _title in menu_titles()} | {name for name, *_rest in submenu_titles()}
     for command in table:
         assert command.menu in menus
         assert command.tooltip

@@ -266,12 +266,17 @@ class CompareView(QWidget):
             _("The counts could not be made: {problem}. The picture is kept.").format(problem=problem)
         )
 
-    def copy(self) -> None:
-        """Put the table on the clipboard, as text with tabs and as HTML."""
+    def content(self) -> Table:
+        """What it shows, one row for each count."""
         titles = ("", *self.model.titles)[: self.model.columnCount()]
         rows = [tuple("" if v is None else v for v in row[: len(titles)]) for row in self.model.rows]
-        put_on_clipboard(Table(titles, rows, formulas=False))
-        self.said.emit(rows_copied(len(rows)))
+        return Table(titles, rows, formulas=False)
+
+    def copy(self) -> None:
+        """Put the table on the clipboard, as text with tabs and as HTML."""
+        table = self.content()
+        put_on_clipboard(table)
+        self.said.emit(rows_copied(len(table.rows)))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """The difference picture stands where there is room: under the table, beside it, or not at all."""
@@ -344,6 +349,11 @@ class ComparePanel(PlainPanel, QWidget):
     def said(self) -> Said:
         """What was copied."""
         return Said(self.hover_text)
+
+    def tables(self) -> list[tuple[str, Table]]:
+        """Title and content of the comparison, while there is one."""
+        table = self.view.content()
+        return [(_("Comparison"), table)] if table.rows else []
 
     def show_example(self) -> None:
         """Open lines to compare."""

@@ -5,7 +5,9 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from PySide6.QtCore import Qt, SignalInstance
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMenu, QWidget
+
+from workbench.exchange.tables import Table
 
 # The name by which a dock is remembered, its title, what it holds, and where it begins.
 DockPart = tuple[str, str, QWidget, str | Qt.DockWidgetArea]
@@ -49,6 +51,19 @@ class Panel(Protocol):
     def point_at(self, cell: Cell | None) -> None:
         """Show in the middle where such a pixel is."""
 
+    @property
+    def exporter(self) -> "Exporter | None":
+        """What makes pages of its steps, if it shows any."""
+
+    def tables(self) -> Sequence[tuple[str, Table]]:
+        """Title and content of each table of its own that can be exported now."""
+
+    def points(self) -> Sequence[tuple[float, float]]:
+        """The points (world) of the curve that is worked on, if any."""
+
+    def offer_export(self, menu: QMenu) -> None:
+        """Let its own menus lead to what can be exported."""
+
 
 class PlainPanel:
     """Goes before the widget among the bases of a panel: no docks, no commands, nothing said."""
@@ -78,6 +93,19 @@ class PlainPanel:
     def point_at(self, cell: Cell | None) -> None:
         """There is nothing to show it on."""
 
+    exporter: "Exporter | None" = None
+
+    def tables(self) -> Sequence[tuple[str, Table]]:
+        """None."""
+        return ()
+
+    def points(self) -> Sequence[tuple[float, float]]:
+        """None."""
+        return ()
+
+    def offer_export(self, menu: QMenu) -> None:
+        """It has no menu of its own."""
+
 
 if TYPE_CHECKING:
     from workbench.panels.clip import ClipPanel
@@ -85,6 +113,7 @@ if TYPE_CHECKING:
     from workbench.panels.curves import CurvesPanel
     from workbench.panels.display import DisplayPanel
     from workbench.panels.draw import DrawPanel
+    from workbench.panels.figure_export import Exporter
     from workbench.panels.fill import FillPanel
     from workbench.panels.inspector import InspectorPanel
     from workbench.panels.tube_dock import TubePanel

@@ -50,8 +50,15 @@ def menu_titles() -> tuple[tuple[str, str], ...]:
     )
 
 
+def submenu_titles() -> tuple[tuple[str, str, str], ...]:
+    """Id and title of each menu inside another, and the command that it follows."""
+    return (("export", _("Export"), "save_as"),)
+
+
 def commands() -> tuple[Command, ...]:
     """The table."""
+    from workbench.shell.export_commands import export_commands  # made of these rows' kind
+
     return (
         Command(
             "new",
@@ -70,6 +77,16 @@ def commands() -> tuple[Command, ...]:
             ("Ctrl+O",),
             "folder-open",
             _("Open a picture from a file"),
+            "file",
+            "document",
+        ),
+        Command(
+            "import",
+            _("Import..."),
+            lambda w: w.files.bring_in(),
+            (),
+            "download-simple",
+            _("Bring sheets, a drawing or a list of points into this picture"),
             "file",
             "document",
         ),
@@ -94,6 +111,7 @@ def commands() -> tuple[Command, ...]:
             "file",
             "document",
         ),
+        *export_commands(),
         Command(
             "quit",
             _("Quit"),

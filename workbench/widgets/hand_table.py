@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
 from workbench.engine import background
 from workbench.engine.observation import Steps
+from workbench.exchange.run_tables import hand
 from workbench.exchange.tables import Table, shown, typeset
 from workbench.language import _
 from workbench.session.run import Run
@@ -45,19 +46,13 @@ class HandModel(QAbstractTableModel):
     def reset(self) -> None:
         """Another run."""
         self.beginResetModel()
-        self._rows = self._reachable()
+        self._rows = self._run.tellable
         self._current = 0
         self.endResetModel()
 
-    def _reachable(self) -> int:
-        steps = self._run.steps
-        if steps is None:
-            return 0
-        return min(len(steps), self._run.seen) if self._run.ask_first else len(steps)
-
     def update(self) -> None:
         """Take in what was recorded since, and mark the current step."""
-        rows = self._reachable()
+        rows = self._run.tellable
         if rows > self._rows:
             self.beginInsertRows(QModelIndex(), self._rows, rows - 1)
             self._rows = rows
@@ -227,12 +222,12 @@ class HandTable(QWidget):
         if entry is None or recording is None:
             return
         if len(rows) <= _AT_ONCE:
-            self._take_copy(_table(Steps(entry, recording), rows))
+            self._take_copy(hand(Steps(entry, recording), rows).computed())
             return
         self.copied.emit(_("Copying {rows:,} rows ...").format(rows=len(rows)))
 
         def copy() -> None:
-            table = _table(Steps(entry, recording), rows)
+            table = hand(Steps(entry, recording), rows).computed()
             with suppress(RuntimeError):  # this widget is gone
                 self._ready.emit(table)
 
@@ -241,7 +236,3 @@ class HandTable(QWidget):
     def _take_copy(self, table: Table) -> None:
         put_on_clipboard(table)
         self.copied.emit(rows_copied(len(table.rows)))
-
-
-def _table(steps: Steps, rows: Sequence[int]) -> Table:
-    return Table(steps.entry.columns, [steps.row(row + 1) for row in rows])

@@ -269,6 +269,10 @@ class MeasureTable(QWidget):
         super().resizeEvent(event)
         self._turn()
 
+    def content(self) -> Table:
+        """What it shows, one row for each curve."""
+        return self._table(self.model.kinds)
+
     def copy(self) -> None:
         """Put the selected kind on the clipboard, or with none selected all of them."""
         chosen = {self._kind_of(cell) for cell in self.view.selectedIndexes()}
@@ -278,11 +282,14 @@ class MeasureTable(QWidget):
         """Put the whole table on the clipboard, as text with tabs and as HTML."""
         self._copy(self.model.kinds)
 
-    def _copy(self, kinds: Sequence[Measured]) -> None:
+    def _table(self, kinds: Sequence[Measured]) -> Table:
         headings = (_("curve"), *self.model.headings())
         rows = [(kind.name, *map(value_text, kind.values)) for kind in kinds]
-        put_on_clipboard(Table(headings, rows, formulas=False))
-        self.copied.emit(rows_copied(len(rows)))
+        return Table(headings, rows, formulas=False)
+
+    def _copy(self, kinds: Sequence[Measured]) -> None:
+        put_on_clipboard(self._table(kinds))
+        self.copied.emit(rows_copied(len(kinds)))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """The ground of a panel."""
