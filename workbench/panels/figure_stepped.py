@@ -28,6 +28,7 @@ class SteppedPanel(FigurePanel):
 
     card: ParameterCard
     view: FigureView
+    exporter: Exporter
 
     def __init__(self, session: Session, tools: Sequence[Tool], parent: QWidget | None = None) -> None:
         super().__init__(session, tools, parent)
