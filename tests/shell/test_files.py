@@ -19,10 +19,11 @@ from workbench.shell.command_palette import offers
 from workbench.shell.window import MainWindow
 from workbench.widgets.save_dialog import SaveDialog
 
-# The offscreen platform says so of every dialog and menu.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
-
-pytestmark = pytest.mark.xdist_group("processes")
+pytestmark = [
+    # The offscreen platform says so of every dialog and menu.
+    pytest.mark.qt_log_ignore("This plugin does not support", extend=True),
+    pytest.mark.xdist_group("processes"),
+]
 
 ROOT = Path(__file__).resolve().parents[2]
 CONTROL = Qt.KeyboardModifier.ControlModifier
