@@ -40,13 +40,15 @@ UPGRADES: Mapping[int, Upgrade] = {1: dict, 2: dict}
 class Stored(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What a file holds: the picture, the session beside it, and blobs by the SHA-256 of their content.
 
-    ``origin`` is set in recovery files only: the file that the picture came from, empty when it had none.
+    ``origin`` is set in recovery files only: the file that the picture came from, empty when it had none; and
+    ``origin_stamp``, the state in which that file was known.
     """
 
     document: Document
     session: SessionState = SessionState()
     blobs: dict[str, bytes] = {}
     origin: str | None = None
+    origin_stamp: tuple[int, int, int] | None = None
 
 
 class _Head(msgspec.Struct):
@@ -61,6 +63,7 @@ class _File(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
     session: SessionState
     blobs: dict[str, bytes]
     origin: str | None = None
+    origin_stamp: tuple[int, int, int] | None = None
 
 
 def load(path: Path | str) -> Document:
@@ -94,8 +97,8 @@ def encode(stored: Stored) -> bytes:
     """The text of a file; raises DocumentError when ``stored`` is not sound."""
     check(stored.document)
     check_state(stored.session, stored.document)
-    _check_blobs(stored.blobs)
-    file = _File(FORMAT, VERSION, stored.document, stored.session, stored.blobs, stored.origin)
+    check_blobs(stored.blobs)
+    file = _File(FORMAT, VERSION, *(getattr(stored, name) for name in stored.__struct_fields__))
     try:
         return msgspec.json.format(_encoder.encode(file), indent=1) + b"\n"
     except (TypeError, ValueError) as error:
@@ -123,8 +126,8 @@ def decode(data: bytes) -> Stored:
         raise DocumentError("", _("The file is nested too deeply; open another copy of it.")) from error
     check(file.document)
     check_state(file.session, file.document)
-    _check_blobs(file.blobs)
-    return Stored(file.document, file.session, file.blobs, file.origin)
+    check_blobs(file.blobs)
+    return Stored(file.document, file.session, file.blobs, file.origin, file.origin_stamp)
 
 
 def _refuse_too_much(data: bytes) -> None:
@@ -202,7 +205,8 @@ def upgraded(
     return {**raw, "version": newest}
 
 
-def _check_blobs(blobs: Mapping[str, bytes]) -> None:
+def check_blobs(blobs: Mapping[str, bytes]) -> None:
+    """Raises DocumentError where a blob is not what its name, the SHA-256 of its content, says."""
     if not blobs:
         return
     import hashlib  # here, since few files have blobs and the first frame waits for this module

@@ -22,7 +22,8 @@ from workbench.language import _
 from workbench.session.following import Following
 from workbench.session.recovery import Recoverable, RecoveryFile
 from workbench.session.run import Run
-from workbench.session.saver import Saved, Saver, Stamp, stamp
+from workbench.session.saver import Saved, Saver
+from workbench.session.stamps import Stamp, stamp
 
 
 class _Change(QUndoCommand):
@@ -57,6 +58,7 @@ class Session(QObject):
     saved = Signal(object)
     storing = Signal()
     autosave_failed = Signal(str)
+    autosave_mended = Signal(str)
     _due = Signal()
 
     def __init__(self, parent: QObject | None = None, document: Document | None = None) -> None:
@@ -164,7 +166,7 @@ class Session(QObject):
 
     def new(self, document: Document | None = None) -> None:
         """Begin anew with a blank sheet or with ``document``, which then has no file and is not dirty."""
-        self._begin(Stored(document or blank_sheet(), SessionState()), None)
+        self._begin(Stored(document or blank_sheet(), SessionState()))
 
     def open_example(self, slug: str) -> None:
         """Open a built-in example: as a document of its own, or as a sheet beside unsaved work."""
@@ -188,7 +190,9 @@ class Session(QObject):
 
     def open(self, path: Path | str) -> None:
         """Open a file; raises DocumentError, and what is open stays."""
-        self._begin(read(path), Path(path))
+        path = Path(path)
+        on_disk = stamp(path)  # before it is read: what another program writes from now on is a change
+        self._begin(read(path), path, on_disk)
 
     def save(self) -> None:
         """Save to the file it came from; raises DocumentError."""
@@ -223,7 +227,7 @@ class Session(QObject):
     def changed_on_disk(self) -> bool:
         """Whether another program has changed the file since it was opened or saved here."""
         now = stamp(self.path) if self.path is not None else None
-        return now is not None and self._on_disk is not None and now != self._on_disk
+        return now is not None and now != self._on_disk
 
     def _take_saved(self, saved: Saved) -> None:
         """The document has a file now; what was changed meanwhile is not in it."""
@@ -235,24 +239,27 @@ class Session(QObject):
         self.saved.emit(saved)
 
     def start_autosave(self, folder: Path | None = None) -> None:
-        """Keep unsaved work in a recovery file until ``close``; ``autosave_failed`` tells of trouble."""
-        if self._recovery is not None:
-            return
-        try:
-            self._recovery = RecoveryFile(folder, failed=self.autosave_failed.emit)
-        except OSError as error:
-            sentence = _("Unsaved work cannot be kept safe ({reason}); save often, or make room.")
-            self.autosave_failed.emit(sentence.format(reason=error.strerror or error))
-        self._keep_safe()
+        """Keep unsaved work in a recovery file until ``close``.
+
+        ``autosave_failed`` tells of trouble, ``autosave_mended`` of its end.
+        """
+        if self._recovery is None:
+            self._recovery = RecoveryFile(
+                folder, failed=self.autosave_failed.emit, mended=self.autosave_mended.emit
+            )
+            self._keep_safe()
 
     def recover(self, work: Recoverable) -> None:
-        """Open what a dead process left, as unsaved work; raises DocumentError, and what is open stays."""
-        self._begin(work.read(), work.origin)
+        """Open what a dead process left, as unsaved work; raises DocumentError, and what is open stays.
+
+        Where the file it came from is another by now, it counts as changed on the disk.
+        """
+        on_disk = work.origin_stamp if work.origin is None or work.origin_changed else stamp(work.origin)
+        self._begin(work.read(), work.origin, on_disk)
         self.undo_stack.resetClean()
         if self._recovery is not None:
             self._keep_safe()
-            self._recovery.flush()
-            if self._recovery.path.exists():
+            if self._recovery.flush():
                 work.discard()
 
     def close(self) -> None:
@@ -264,13 +271,13 @@ class Session(QObject):
             self._recovery.close()
             self._recovery = None
 
-    def _begin(self, stored: Stored, path: Path | None) -> None:
+    def _begin(self, stored: Stored, path: Path | None = None, on_disk: Stamp | None = None) -> None:
         self.finish_saving()
         self._merging = None
         self.undo_stack.clear()
         self._blobs = stored.blobs
         self.path = path
-        self._on_disk = stamp(path) if path is not None else None
+        self._on_disk = on_disk
         self._show(stored.document)
         self.state = cleaned(stored.session, stored.document)
         self.path_changed.emit(path)
@@ -282,7 +289,8 @@ class Session(QObject):
     def _keep_safe(self) -> None:
         if self._recovery is not None:
             origin = "" if self.path is None else str(self.path.absolute())
-            self._recovery.keep(replace(self.stored, origin=origin) if self.dirty else None)
+            kept = replace(self.stored, origin=origin, origin_stamp=self._on_disk)
+            self._recovery.keep(kept if self.dirty else None)
 
     def _show(self, document: Document) -> None:
         figure = self.active_figure

@@ -93,9 +93,10 @@ class Building(QObject):
         if self._path is not None:
             window.files.open_path(self._path)
             yield
-        window.files.offer_recovery()
         session.autosave_failed.connect(window.files.warn)
+        session.autosave_mended.connect(window.files.reassure)
         session.start_autosave()
+        window.files.offer_recovery()
         window.status.preparing("")
         if self._warms:
             self._warming.prepare("draw")

@@ -58,6 +58,14 @@ class Warming(QObject):
             self._thread.start()
 
     def _work(self, topics: Sequence[str]) -> None:
+        available = False
+        try:
+            available = self._compile(topics)
+        finally:  # whatever happens, what waits has its turn
+            self._ended.emit(available)
+
+    def _compile(self, topics: Sequence[str]) -> bool:
+        """Have the algorithms of these topics compiled; whether that can be done at all."""
         from workbench.algorithms import catalogue
         from workbench.engine import compiled
         from workbench.engine.warm import Warming as Child
@@ -70,7 +78,7 @@ class Warming(QObject):
                 self._child.stop()
             else:
                 self._child.follow(self._report)
-        self._ended.emit(available)
+        return available
 
     def _report(self, progress: Progress) -> None:
         self._progressed.emit(progress.done, progress.total)
