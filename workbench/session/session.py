@@ -9,7 +9,6 @@ from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from workbench.document.addresses import changed as changed_addresses
 from workbench.document.edits import Edit, add_sheet
@@ -24,22 +23,7 @@ from workbench.session.recovery import Recoverable, RecoveryFile
 from workbench.session.run import Run
 from workbench.session.saver import Saved, Saver
 from workbench.session.stamps import Stamp, stamp
-
-
-class _Change(QUndoCommand):
-    """One step of undo: the documents before and after it."""
-
-    def __init__(self, session: "Session", old: Document, new: Document, name: str) -> None:
-        super().__init__(name)
-        self._session = session
-        self.old = old
-        self.new = new
-
-    def redo(self) -> None:
-        self._session._show(self.new)
-
-    def undo(self) -> None:
-        self._session._show(self.old)
+from workbench.session.undo import Step, UndoStack
 
 
 class Session(QObject):
@@ -66,12 +50,12 @@ class Session(QObject):
         self.document = blank_sheet() if document is None else document
         self.revision = 0
         self.path: Path | None = None
-        self.undo_stack = QUndoStack(self)
+        self.undo_stack = UndoStack(self._show, self)
         self.state = cleaned(SessionState(), self.document)
         self._blobs: dict[str, bytes] = {}
         self._told = (self.document, self.state)
         self._waiting = False
-        self._merging: tuple[str, _Change] | None = None
+        self._merging: tuple[str, Step] | None = None
         self._pushing = False
         self._recovery: RecoveryFile | None = None
         self._on_disk: Stamp | None = None
@@ -114,18 +98,16 @@ class Session(QObject):
         if new == old:
             return
         if merge and self._merging and self._merging[0] == merge:
-            self._merging[1].new = new
-            self._show(new)
+            self.undo_stack.extend(self._merging[1], new)
             return
         self.end_merge()
-        change = _Change(self, old, new, name)
         self._pushing = True
         try:
-            self.undo_stack.push(change)
+            step = self.undo_stack.push(name, old, new)
         finally:
             self._pushing = False
         if merge:
-            self._merging = (merge, change)
+            self._merging = (merge, step)
 
     def end_merge(self, merge: str = "") -> None:
         """End a drag: the next edit is a step of its own. A drag back to its start leaves none.
@@ -134,11 +116,9 @@ class Session(QObject):
         """
         if self._merging is None or (merge and self._merging[0] != merge):
             return
-        change = self._merging[1]
+        step = self._merging[1]
         self._merging = None
-        if change.old == change.new:
-            change.setObsolete(True)
-            self.undo_stack.undo()
+        self.undo_stack.end(step)
 
     def update_state(self, **changes: Any) -> None:
         """Change fields of the session's state; raises DocumentError when they refer to nothing.
