@@ -157,10 +157,25 @@ def test_bad_input_is_named_in_one_line(
 
 def test_help_and_version(capsys: pytest.CaptureFixture[str]) -> None:
     for words, expected in ((("--help",), "trace"), (("--version",), "0.1.0")):
-        with pytest.raises(SystemExit) as left:
-            main(words)
-        assert left.value.code == 0
-        assert expected in capsys.readouterr().out
+        assert expected in printed(capsys, *words)
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is always full")
+@pytest.mark.parametrize("words", [("list",), ("--help",), ("trace", "bresenham_line", "0", "0", "9", "4")])
+def test_what_cannot_be_printed_is_said_in_one_line(words: tuple[str, ...]) -> None:
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "workbench", *words],
+            cwd=Path(__file__).parents[2],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
+        )
+    assert done.returncode == 1
+    assert done.stderr == (
+        "graphics-workbench: what it found cannot be printed (No space left on device); send it elsewhere.\n"
+    )
 
 
 @pytest.fixture

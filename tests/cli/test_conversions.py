@@ -95,7 +95,7 @@ def test_a_surface_becomes_a_mesh(capsys: pytest.CaptureFixture[str], folder: Pa
     ("words", "named"),
     [
         (("convert", "nowhere.svg", "-o", "a.gwb"), "nowhere.svg: No such file"),
-        (("convert", "a.svg", "-o", "a.pdf"), "a.pdf: it is written as .gwb or .svg"),
+        (("convert", "a.svg", "-o", "a.pdf"), "a.pdf: this is written as .gwb or .svg"),
         (("convert", "a.doc", "-o", "a.gwb"), "a.doc: this cannot be read"),
         (("convert", "broken.svg", "-o", "a.gwb"), "broken.svg: Line 1, column 61, <path>: command 2"),
         (("convert", "broken.csv", "-o", "a.gwb"), "broken.csv: Line 2, column 1: 'b' is no number"),
@@ -110,7 +110,7 @@ def test_a_surface_becomes_a_mesh(capsys: pytest.CaptureFixture[str], folder: Pa
             ("surface", "cube", "-o", "a.obj"),
             "cube: No such file or directory; give a JSON file or one of",
         ),
-        (("surface", "sphere", "-o", "a.fbx"), "a.fbx: a mesh is written as .obj"),
+        (("surface", "sphere", "-o", "a.fbx"), "a.fbx: this is written as .obj, .ply or .stl"),
         (("surface", "sphere", "-o", "a.obj", "--tolerance", "-1"), "The tolerance is -1"),
         (("surface", "broken.json", "-o", "a.obj"), "broken.json is not JSON"),
         (("surface", "list.json", "-o", "a.obj"), "list.json holds no surface"),

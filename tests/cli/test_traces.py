@@ -29,13 +29,13 @@ def test_every_row_fits_its_headings(entry: Entry, table: str) -> None:
 
 @pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.slug)
 def test_pixels_are_all_that_is_emitted(entry: Entry) -> None:
-    made = traces.pixels(entry, traces.run(entry, copy.deepcopy(entry.example)))
+    made = traces.TABLES["pixels"](entry, traces.run(entry, copy.deepcopy(entry.example)))
     assert made.rows == [tuple(emitted) for emitted in entry.function(*copy.deepcopy(entry.example))]
 
 
 def test_a_line_of_a_function_in_another_file_is_read_from_that_file() -> None:
     entry = catalogue.get("cohen_sutherland")
-    made = traces.lines(entry, traces.run(entry, entry.example))
+    made = traces.TABLES["lines"](entry, traces.run(entry, entry.example))
     assert [row[2] for row in made.rows[2:5]] == ["code = 0", "if y > ymax:", "code = TOP"]
 
 

@@ -4,12 +4,13 @@ import os
 import stat
 import subprocess
 import sys
+import zlib
 from pathlib import Path
 
 import pytest
 
 from workbench.document import DocumentError
-from workbench.document.saving import replace_file
+from workbench.document.saving import Replacement, SavingError, replace_file, sweep
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="permissions and links of POSIX")
 
@@ -78,7 +79,7 @@ def test_when_the_disk_refuses_the_old_file_stays(
 
     with monkeypatch.context() as patch:
         patch.setattr(step, full)
-        with pytest.raises(DocumentError, match="No space left"):
+        with pytest.raises(SavingError, match=r"There is no room on the disk for .*a\.gwb; make room"):
             replace_file(path, b"new", nothing)
     assert path.read_bytes() == b"old"
     assert [file.name for file in tmp_path.iterdir()] == ["a.gwb"]
@@ -117,3 +118,122 @@ def test_what_dead_processes_left_is_swept_and_what_lives_is_not(tmp_path: Path)
     foreign.write_bytes(b"")
     replace_file(path, b"new", nothing)
     assert sorted(tmp_path.iterdir()) == sorted([path, living, foreign])
+
+
+@posix
+def test_a_link_under_the_temporary_name_is_not_followed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    precious = tmp_path / "precious"
+    precious.write_bytes(b"mine")
+    names = iter(["1111", "2222"])
+    monkeypatch.setattr("workbench.document.saving.secrets.token_hex", lambda _bytes: next(names))
+    replace_file(tmp_path / "a.gwb", b"one")
+    planted = f".a.gwb-{zlib.crc32(b'a.gwb'):08x}.2222.{os.getpid()}.saving"
+    (tmp_path / planted).symlink_to(precious)
+    with pytest.raises(SavingError):
+        replace_file(tmp_path / "a.gwb", b"two")
+    assert precious.read_bytes() == b"mine"
+    assert (tmp_path / "a.gwb").read_bytes() == b"one"
+
+
+def test_temporary_names_cannot_be_guessed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    names: list[str] = []
+    opened = os.open
+    monkeypatch.setattr(os, "open", lambda path, *given: (names.append(str(path)), opened(path, *given))[1])
+    for _time in range(2):
+        replace_file(tmp_path / "a.gwb", b"one")
+    first, second = (name for name in names if name.endswith(".saving"))
+    parts = first.split("."), second.split(".")
+    assert [len(part) for part in (parts[0][-3], parts[1][-3])] == [16, 16]
+    assert parts[0][-3] != parts[1][-3]
+
+
+@posix
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("folder", "folder is a folder; choose another name."),
+        ("pipe", "pipe is a device, not a file; choose another name."),
+        ("full", "full is a device, not a file; choose another name."),
+        ("n" * 300, "is too long; choose a shorter one."),
+        ("file/a.gwb", "for a.gwb; choose another folder."),
+        ("none/a.gwb", "for a.gwb; choose another folder."),
+        ("loop", "loop is a link that leads back to itself; choose another name."),
+        ("null\0byte", "choose another folder."),
+    ],
+)
+def test_what_is_no_place_for_a_file_is_left_alone(tmp_path: Path, name: str, said: str) -> None:
+    (tmp_path / "folder").mkdir()
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "full").symlink_to("/dev/full")
+    (tmp_path / "loop").symlink_to("loop")
+    (tmp_path / "file").write_bytes(b"mine")
+    before = sorted(os.listdir(tmp_path))
+    with pytest.raises(SavingError) as refused:
+        replace_file(tmp_path / name, b"new")
+    assert str(refused.value).endswith(said)
+    assert str(refused.value).count(". ") == 0
+    assert sorted(os.listdir(tmp_path)) == before
+    assert (tmp_path / "file").read_bytes() == b"mine"
+
+
+@posix
+def test_a_folder_that_may_not_be_written_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_given: object) -> int:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(os, "open", refuse)
+    with pytest.raises(SavingError, match=rf"^You may not write a\.gwb in the folder {tmp_path}; choose"):
+        replace_file(tmp_path / "a.gwb", b"new")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_without_a_commit_nothing_is_changed(tmp_path: Path) -> None:
+    (tmp_path / "a").write_bytes(b"old")
+    with Replacement() as replacement:
+        replacement.put(tmp_path / "a", b"new")
+        replacement.put(tmp_path / "b", b"new")
+    assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [("a", b"old")]
+
+
+def test_what_the_disk_gives_back_differently_never_replaces(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a").write_bytes(b"old")
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "read_bytes", lambda _path: b"nex")
+        with pytest.raises(SavingError, match="reads back from the disk differently"):
+            replace_file(tmp_path / "a", b"new")
+    assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [("a", b"old")]
+
+
+@posix
+@pytest.mark.parametrize("links", [True, False])
+def test_several_files_are_replaced_together_or_not_at_all(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, links: bool
+) -> None:
+    for name in "ac":
+        (tmp_path / name).write_bytes(b"old " + name.encode())
+    replace = os.replace
+
+    def refuse(source: Path, target: Path) -> None:
+        if Path(target).name == "c" and Path(source).read_bytes() == b"new":
+            raise OSError(30, "Read-only file system")
+        replace(source, target)
+
+    def no_links(*_given: object) -> None:
+        raise OSError(1, "Operation not permitted")
+
+    monkeypatch.setattr(os, "replace", refuse)
+    if not links:
+        monkeypatch.setattr(os, "link", no_links)
+    with pytest.raises(SavingError, match="can only be read"), Replacement() as replacement:
+        for name in "abc":
+            replacement.put(tmp_path / name, b"new")
+        replacement.commit()
+    assert sorted((each.name, each.read_bytes()) for each in tmp_path.iterdir()) == [
+        ("a", b"old a"),
+        ("c", b"old c"),
+    ]
+    sweep(tmp_path)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QColor, QImage
-from PySide6.QtWidgets import QApplication, QFileDialog
+from PySide6.QtWidgets import QApplication
 
 from tests.panels.curves_by_hand import (
     ZIGZAG,
@@ -20,6 +20,9 @@ from tests.panels.curves_by_hand import (
     settle,
     the_curve,
 )
+from workbench.exchange.svg_paths import write_svg
+from workbench.exchange.writing import row_for, write
+from workbench.panels.figure_pages import rows_of
 from workbench.rendering.curves import polyline_of
 from workbench.widgets.canvas_drawing import Spot
 from workbench.widgets.tokens import LIGHT
@@ -129,38 +132,33 @@ def test_points_fitted_from_the_clipboard_tell_their_error(qtbot):
 
 
 def test_curves_are_written_as_svg_and_come_back(qtbot, zigzag, tmp_path):
-    zigzag.exchange.write_curves(tmp_path / "curves.svg")
+    path = tmp_path / "curves.svg"
+    write(row_for(rows_of("drawing"), path), write_svg(zigzag.session.sheet), path)
     other = opened(qtbot)
-    other.exchange.take_svg((tmp_path / "curves.svg").read_bytes())
+    other.exchange.take_file(path)
     assert the_curve(other).spline == "b_spline"
     assert places(other) == pytest.approx(np.array(ZIGZAG))
 
 
-def test_points_are_saved_as_csv_and_come_back(qtbot, zigzag, tmp_path, monkeypatch):
-    path = tmp_path / "points.csv"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_asked: (str(path), ""))
-    said = told(zigzag)
-    zigzag.exchange.ask_export_points()
-    assert path.name in said[-1]
-    assert path.read_text().splitlines()[0] == "x,y"
+@pytest.mark.parametrize("ending", ["csv", "txt"])
+def test_points_are_saved_and_come_back(qtbot, zigzag, tmp_path, ending):
+    path = tmp_path / f"points.{ending}"
+    write(row_for(rows_of("points"), path), zigzag.points(), path)
     other = opened(qtbot)
-    other.exchange.take_points(path.read_text())
+    other.exchange.take_file(path)
     assert places(other) == list(ZIGZAG)
 
 
-def test_without_a_curve_there_are_no_points_to_save(qtbot, monkeypatch):
-    panel = opened(qtbot)
-    said = told(panel)
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_asked: pytest.fail("nothing to save"))
-    panel.exchange.ask_export_points()
-    assert said == ["Select one curve first."]
+def test_only_the_chosen_points_are_saved(zigzag):
+    click(zigzag, *ZIGZAG[1])
+    assert zigzag.points() == [ZIGZAG[1]]
 
 
 @pytest.mark.parametrize("ending", ["svg", "png", "pdf"])
 def test_the_construction_is_saved_as_a_picture(zigzag, tmp_path, ending):
     zigzag.focus.switch("construction", True)
     path = tmp_path / f"construction.{ending}"
-    zigzag.exchange.write_picture(path)
+    write(row_for(rows_of("step"), path), zigzag.exporter.this_step(), path)
     begin = path.read_bytes()[:5]
     assert {"svg": b"<?xml", "png": b"\x89PNG\r", "pdf": b"%PDF-"}[ending] == begin
     if ending == "png":

@@ -10,7 +10,12 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
 from workbench.document.samples import example_document
+from workbench.document.saving import SavingError
+from workbench.exchange.tables import Table
+from workbench.exchange.writing import row_for, write
 from workbench.panels.draw import DrawPanel
+from workbench.panels.figure_pages import rows_of
+from workbench.panels.figure_picture import pixel_rows
 from workbench.session.session import Session
 
 
@@ -27,9 +32,15 @@ def panel(qtbot):
     return made
 
 
+def put(panel, kind, path):
+    pages = panel.exporter.this_step() if kind == "step" else panel.exporter.this_run()
+    write(row_for(rows_of(kind), path), pages, path)
+
+
 def test_the_pixels_are_a_table_in_the_order_of_painting(panel, tmp_path):
     target = tmp_path / "pixels.csv"
-    panel.exporter.write_pixels(target)
+    rows = pixel_rows(panel.session.sheet, panel.session.active_figure)
+    write(row_for(rows_of("table"), target), Table(("k", "x", "y"), rows), target)
     rows = list(csv.reader(target.read_text(encoding="utf-8").splitlines()))
     assert rows[0] == ["k", "x", "y"]
     assert rows[1] == ["0", "20", "10"]
@@ -39,7 +50,7 @@ def test_the_pixels_are_a_table_in_the_order_of_painting(panel, tmp_path):
 
 def test_a_run_is_one_page_per_step_with_vectors_and_no_image(panel, tmp_path):
     target = tmp_path / "run.pdf"
-    panel.exporter.write_run(target)
+    put(panel, "run", target)
     data = target.read_bytes()
     assert data.startswith(b"%PDF")
     assert len(re.findall(rb"/Type\s*/Page\b", data)) == 11
@@ -53,11 +64,11 @@ def test_a_step_is_a_picture_of_that_step(panel, tmp_path):
     panel.session.run.go(3)
     QApplication.processEvents()
     first = tmp_path / "three.png"
-    panel.exporter.write_step(first)
+    put(panel, "step", first)
     panel.session.run.last()
     QApplication.processEvents()
     last = tmp_path / "last.png"
-    panel.exporter.write_step(last)
+    put(panel, "step", last)
     blue = (0x00, 0x72, 0xB2)
 
     def share(path):
@@ -69,8 +80,8 @@ def test_a_step_is_a_picture_of_that_step(panel, tmp_path):
 
 
 def test_a_folder_that_cannot_be_written_is_said(panel, tmp_path):
-    with pytest.raises(OSError, match="missing"):
-        panel.exporter.write_run(tmp_path / "missing" / "run.pdf")
+    with pytest.raises(SavingError, match=r"no folder .*missing"):
+        put(panel, "run", tmp_path / "missing" / "run.pdf")
 
 
 def test_the_picture_is_copied(panel):

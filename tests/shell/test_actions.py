@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction, QKeySequence, QShortcut
 from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
-from workbench.shell.actions import commands, keys_elsewhere, menu_titles
+from workbench.shell.actions import commands, keys_elsewhere, menu_titles, submenu_titles
 from workbench.shell.command_palette import CommandPalette, match
 from workbench.shell.window import MainWindow
 from workbench.widgets.icons import icon
@@ -17,7 +17,7 @@ from workbench.widgets.icons import icon
 def test_ids_menus_and_words() -> None:
     table = commands()
     assert len({command.id for command in table}) == len(table)
-    menus = {name for name, _title in menu_titles()}
+    menus = {name for name, _title in menu_titles()} | {name for name, *_rest in submenu_titles()}
     for command in table:
         assert command.menu in menus
         assert command.tooltip

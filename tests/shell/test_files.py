@@ -12,10 +12,15 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QFileDialog, QPushButton
 from pytestqt.qtbot import QtBot
 
+from tests.shell.dialogs import dialog_of, type_name
 from workbench.document.files import load
 from workbench.session import saver
 from workbench.shell.command_palette import offers
 from workbench.shell.window import MainWindow
+from workbench.widgets.save_dialog import SaveDialog
+
+# The offscreen platform says so of every dialog and menu.
+pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 
 ROOT = Path(__file__).resolve().parents[2]
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -26,8 +31,8 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 def chosen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The file that a person names whenever they are asked for one."""
     path = tmp_path / "my lines.gwb"
-    for ask in ("getOpenFileName", "getSaveFileName"):
-        monkeypatch.setattr(QFileDialog, ask, lambda *_args: (str(path), ""))
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_args: (str(path), ""))
+    monkeypatch.setattr(SaveDialog, "open", lambda dialog: dialog._then(path, dialog.row))
     return path
 
 
@@ -69,11 +74,9 @@ def test_draw_undo_redo_save_and_reopen(qtbot: QtBot, window: MainWindow, chosen
     assert window.session.document == drawn
 
 
-def test_a_name_without_ending_gets_one(
-    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_args: (str(tmp_path / "plain"), ""))
+def test_a_name_without_ending_gets_one(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
     window.files.save_as()
+    type_name(qtbot, window, tmp_path / "plain")
     saved(window)
     assert (tmp_path / "plain.gwb").is_file()
 
@@ -90,7 +93,9 @@ def test_a_damaged_file_is_refused_in_one_sentence(qtbot: QtBot, window: MainWin
 def test_a_folder_that_cannot_be_written_is_said(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_args: (str(tmp_path / "no" / "x.gwb"), ""))
+    monkeypatch.setattr(
+        SaveDialog, "open", lambda dialog: dialog._then(tmp_path / "no" / "x.gwb", dialog.row)
+    )
     window.files.save_as()
     saved(window)
     assert window.messages.text.startswith("x.gwb was not saved: ")
@@ -193,9 +198,9 @@ def test_opening_asks_too_and_a_failed_save_loses_nothing(
 ) -> None:
     draw_a_line(qtbot, window)
     drawn = window.session.document
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_args: ("", ""))
     qtbot.keyClick(window, "N", CONTROL)
     answer(window, "Save")
+    dialog_of(qtbot, window).reject()
     assert window.session.document is drawn
 
 

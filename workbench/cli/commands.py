@@ -4,6 +4,7 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import NoReturn
 
@@ -22,21 +23,35 @@ class _Parser(argparse.ArgumentParser):
 def main(arguments: Sequence[str]) -> int:
     """Run one command. 0 when it worked; else one line on standard error and 2 for bad input, 1 otherwise."""
     try:
-        options = _parser().parse_args(arguments)
-        output = options.run(options)
-        if output:
-            sys.stdout.write(output)
-            sys.stdout.flush()
+        try:
+            options = _parser().parse_args(arguments)
+        except SystemExit as told:  # --help and --version have printed
+            _print("")
+            return int(told.code or 0)
+        _print(options.run(options))
     except (BadInputError, WorkError) as failure:
-        print(f"{PROGRAM}: {failure}", file=sys.stderr)
+        with suppress(OSError):
+            print(f"{PROGRAM}: {failure}", file=sys.stderr, flush=True)
         return 2 if isinstance(failure, BadInputError) else 1
     except BrokenPipeError:
-        # The reader has gone; what Python still wants to flush on leaving goes nowhere.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
     except KeyboardInterrupt:
         return 130
     return 0
+
+
+def _print(text: str) -> None:
+    """Print ``text``, and whatever still waits. Raises WorkError, and BrokenPipeError when nobody reads."""
+    try:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    except OSError as error:
+        # What Python still wants to flush on leaving goes nowhere.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if isinstance(error, BrokenPipeError):
+            raise
+        sentence = _("what it found cannot be printed ({reason}); send it elsewhere.")
+        raise WorkError(sentence.format(reason=error.strerror)) from error
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -133,14 +148,11 @@ def _writes_subscripts() -> bool:
 
 
 def _draw(options: argparse.Namespace) -> str:
+    from workbench.cli import outputs
     from workbench.document import DocumentError, load
-    from workbench.exchange.pictures import save_png
     from workbench.rendering import frame_buffer
 
-    if options.output.suffix.lower() != ".png":
-        raise BadInputError(
-            _("{file}: the picture is written as PNG; name it so.").format(file=options.output)
-        )
+    row = outputs.row("picture", path=options.output)
     try:
         sheets = load(options.document).sheets
     except DocumentError as error:
@@ -153,10 +165,5 @@ def _draw(options: argparse.Namespace) -> str:
                 file=options.document, count=len(sheets), number=options.sheet
             )
         )
-    try:
-        save_png(frame_buffer(sheets[options.sheet - 1]), options.output, options.cell)
-    except ValueError as error:
-        raise BadInputError(str(error)) from None
-    except OSError as error:
-        raise WorkError(f"{options.output}: {error.strerror}") from None
+    outputs.write(row, (frame_buffer(sheets[options.sheet - 1]), options.cell), options.output)
     return ""

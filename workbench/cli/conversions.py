@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from msgspec.structs import replace
 
-from workbench.cli.failure import BadInputError, WorkError
-from workbench.document import DocumentError, load, save
+from workbench.cli import outputs
+from workbench.cli.failure import BadInputError
+from workbench.document import Stored, load
 from workbench.document.check import MAX_SIDE_PX
 from workbench.document.model import AnyFigure, Document, Rectangle, Sheet
 from workbench.document.sample_figures import document_of
@@ -30,37 +31,31 @@ def convert(options: argparse.Namespace) -> str:
         raise BadInputError(
             _("The tolerance is {value:g}; give a finite number above 0.").format(value=options.tolerance)
         )
+    row = outputs.row("document", "drawing", path=target)
     document, said = _read(source, options.sheet, options.tolerance, options.size)
-    if target.suffix.lower() == ".gwb":
-        try:
-            save(document, target)
-        except DocumentError as error:
-            raise WorkError(f"{target}: {error}") from None
-    elif target.suffix.lower() == ".svg":
+    if row.kind == "document":
+        outputs.write(row, Stored(document), target)
+    else:
         from workbench.exchange.svg_paths import write_svg
 
         out = write_svg(document.sheets[0], options.tolerance)
-        _written(target, out.text.encode())
+        outputs.write(row, out, target)
         said += _approximated(out.approximated) + list(out.notes)
-    else:
-        raise BadInputError(_("{file}: it is written as .gwb or .svg; name it so.").format(file=target))
     return "".join(f"{line}\n" for line in said)
 
 
 def surface(options: argparse.Namespace) -> str:
     """Write the triangles of an example or of a control net in a JSON file as a mesh."""
     from workbench.algorithms.surfaces import EXAMPLES, tessellate
-    from workbench.exchange.meshes import save_mesh
 
+    row = outputs.row("mesh", path=options.output)
     try:
         made = EXAMPLES.get(options.surface)
         patches = made() if made else _patches(Path(options.surface))
         vertices, faces = tessellate(patches, options.tolerance)
-        save_mesh(vertices, faces, options.output)
     except ValueError as error:
         raise BadInputError(str(error)) from None
-    except OSError as error:
-        raise WorkError(f"{options.output}: {error.strerror}") from None
+    outputs.write(row, (vertices, faces), options.output)
     sentence = _("{vertices:,} vertices, {faces:,} triangles, within {tolerance:g}.\n")
     return sentence.format(vertices=len(vertices), faces=len(faces), tolerance=options.tolerance)
 
@@ -160,13 +155,6 @@ def _pixels(stated: tuple[float, float], window: Rectangle) -> tuple[int, int]:
 def _approximated(rows: Sequence[tuple[str, float]]) -> list[str]:
     sentence = _("{name} is approximated within {error:.3g}.")
     return [sentence.format(name=name, error=error) for name, error in rows]
-
-
-def _written(target: Path, data: bytes) -> None:
-    try:
-        target.write_bytes(data)
-    except OSError as error:
-        raise WorkError(f"{target}: {error.strerror}") from None
 
 
 def _patches(path: Path) -> Any:

@@ -1,25 +1,16 @@
-"""The three tables of a run: the hand table, what is emitted, every line with its variables."""
+"""A run of one algorithm, recorded whole, and the tables that can be printed of it."""
 
-import linecache
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
-from workbench.algorithms.entry import Emits, Entry
+from workbench.algorithms.entry import Entry
 from workbench.cli.failure import WorkError
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
 from workbench.engine.recording import Recording
+from workbench.exchange import run_tables
 from workbench.exchange.tables import Table
 from workbench.language import _
-
-_EMITTED: dict[Emits, tuple[str, ...]] = {
-    "pixels": ("x", "y"),
-    "coverage": ("x", "y", "coverage"),
-    "spans": ("y", "x_left", "x_right"),
-    "fragments": ("x", "y", "z", "won"),
-    "points": ("x", "y"),
-    "segments": ("x0", "y0", "x1", "y1"),
-}
 
 
 def run(entry: Entry, arguments: tuple[Any, ...]) -> Recording:
@@ -38,33 +29,8 @@ def run(entry: Entry, arguments: tuple[Any, ...]) -> Recording:
     return recording
 
 
-def hand(entry: Entry, recording: Recording) -> Table:
-    """The hand table, one row for each step."""
-    steps = Steps(entry, recording)
-    return Table(entry.columns, [steps.row(number) for number in range(1, len(steps) + 1)])
-
-
-def pixels(entry: Entry, recording: Recording) -> Table:
-    """Everything emitted, in order."""
-    rows = [tuple(emitted) for emitted in recording.emitted]
-    names = _EMITTED[entry.emits]
-    width = len(rows[0]) if rows else len(names)
-    headings = names if len(names) == width else tuple(f"value {n + 1}" for n in range(width))
-    return Table(headings, rows, formulas=False)
-
-
-def lines(entry: Entry, recording: Recording) -> Table:
-    """Every line that ran, with the variables as they were before it; empty where a name is not bound."""
-    files = {text.name: text.code.co_filename for text in recording.texts}
-    moments = [recording[number] for number in range(len(recording))]
-    names = list(dict.fromkeys(name for moment in moments for name in moment.variables))
-
-    def rows() -> Iterator[tuple[Any, ...]]:
-        for number, moment in enumerate(moments, 1):
-            values = (moment.variables.get(name) for name in names)
-            yield number, moment.line, linecache.getline(files[moment.function], moment.line).strip(), *values
-
-    return Table(("number", "line", "text", *names), list(rows()), formulas=False)
-
-
-TABLES: dict[str, Callable[[Entry, Recording], Table]] = {"hand": hand, "pixels": pixels, "lines": lines}
+TABLES: dict[str, Callable[[Entry, Recording], Table]] = {
+    "hand": lambda entry, recording: run_tables.hand(Steps(entry, recording)),
+    "pixels": run_tables.emitted,
+    "lines": lambda _entry, recording: run_tables.lines(recording),
+}

@@ -1,59 +1,174 @@
-"""Replacing a file atomically: whatever happens, the old text or the new one is there whole."""
+"""Replacing files atomically: whatever happens, the old content or the new one is there whole."""
 
+import errno
 import os
+import secrets
+import shutil
 import stat
 import sys
 import zlib
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
+from types import TracebackType
+from typing import NamedTuple
 
 from workbench.document.errors import DocumentError
 from workbench.language import _
 
 _ENDING = ".saving"
+_EXCLUSIVE = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 
 
-def replace_file(path: Path, data: bytes, verify: Callable[[bytes], None]) -> None:
+class SavingError(DocumentError):
+    """A file could not be put on the disk; the sentence names it, and what was there is untouched."""
+
+    def __init__(self, message: str) -> None:
+        super().__init__("", message)
+
+
+class _Staged(NamedTuple):
+    path: Path
+    target: Path
+    temporary: Path
+    existed: bool
+
+
+class Replacement:
+    """Files that take the places of those of their names together, in ``commit``, or not at all.
+
+    Until then they stand beside them, under names that nobody can guess; leaving the ``with`` block without
+    ``commit`` removes them.
+    """
+
+    def __init__(self) -> None:
+        self._staged: list[_Staged] = []
+
+    def __enter__(self) -> "Replacement":
+        return self
+
+    def __exit__(
+        self, _kind: type[BaseException] | None, _error: BaseException | None, _trace: TracebackType | None
+    ) -> None:
+        for staged in self._staged:
+            with suppress(OSError):
+                staged.temporary.unlink()
+        self._staged.clear()
+
+    def put(self, path: Path, data: bytes, verify: Callable[[bytes], object] | None = None) -> None:
+        """Let ``data`` be the content of ``path``, which keeps its permissions; links are followed.
+
+        ``verify`` is given what was read back from the disk, and raises what it finds wrong. Raises
+        SavingError when the file system refuses.
+        """
+        try:
+            target = Path(os.path.realpath(path))
+            old = _replaceable(path, target)
+            if not self._staged:
+                sweep(target.parent, _prefix(target))
+            temporary = _beside(target)
+            descriptor = os.open(temporary, _EXCLUSIVE, 0o666)
+            self._staged.append(_Staged(path, target, temporary, old is not None))
+            _fill(descriptor, data, old)
+            back = temporary.read_bytes()
+        except (OSError, ValueError) as error:
+            raise _refusal(path, error) from error
+        if back != data:
+            raise SavingError(
+                _("{path} reads back from the disk differently; save under another name.").format(path=path)
+            )
+        if verify is not None:
+            verify(back)
+
+    def commit(self) -> None:
+        """Let every file take its place. Raises SavingError, and then those before it have theirs back."""
+        done: list[tuple[_Staged, Path | None]] = []
+        alone = len(self._staged) == 1
+        try:
+            for staged in self._staged:
+                kept = None
+                try:
+                    kept = _kept(staged.target) if staged.existed and not alone else None
+                    done.append((staged, kept))
+                    os.replace(staged.temporary, staged.target)
+                except OSError as error:
+                    raise _refusal(staged.path, error) from error
+        except BaseException:
+            for staged, kept in reversed(done):
+                _give_back(staged, kept)
+            raise
+        finally:
+            for _each, kept in done:
+                if kept is not None:
+                    with suppress(OSError):
+                        kept.unlink()
+        for folder in {staged.target.parent for staged in self._staged}:
+            _sync_folder(folder)
+
+
+def replace_file(path: Path, data: bytes, verify: Callable[[bytes], object] | None = None) -> None:
     """Make ``data`` the content of ``path``, keeping its permissions and following symbolic links.
 
-    ``verify`` is given what was read back from the disk before the old file is replaced, and raises what it
-    finds wrong. Raises DocumentError when the file system refuses; then the old file is as it was.
+    ``verify`` is as in ``Replacement.put``. Raises SavingError when the file system refuses; then the old
+    file is as it was.
     """
+    with Replacement() as replacement:
+        replacement.put(path, data, verify)
+        replacement.commit()
+
+
+def _replaceable(path: Path, target: Path) -> os.stat_result | None:
+    """What is at ``target`` now; None when nothing is. Raises SavingError when it is to be left alone."""
     try:
-        target = Path(os.path.realpath(path))
-        old = target.stat() if target.exists() else None
-        if old is not None and not stat.S_ISREG(old.st_mode):
-            raise DocumentError("", _("{path} is not a file; choose another name.").format(path=path))
-        if old is not None and not os.access(target, os.W_OK):
-            raise DocumentError(
-                "", _("{path} may not be changed; save under another name.").format(path=path)
-            )
-        sweep(target.parent, _prefix(target))
-        temporary = target.with_name(f"{_prefix(target)}{os.getpid()}{_ENDING}")
-        try:
-            _put(temporary, data, old)
-            verify(temporary.read_bytes())
-            os.replace(temporary, target)
-        except BaseException:
-            with suppress(OSError):
-                temporary.unlink()
-            raise
-        _sync_folder(target.parent)
-    except (OSError, ValueError) as error:
-        if isinstance(error, DocumentError):
-            raise
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        sentence = _("{path} cannot be saved ({reason}); choose another folder, or make room.")
-        raise DocumentError("", sentence.format(path=path, reason=reason)) from error
+        old = os.stat(target)
+    except FileNotFoundError:
+        return None
+    if stat.S_ISDIR(old.st_mode):
+        raise SavingError(_("{path} is a folder; choose another name.").format(path=path))
+    if not stat.S_ISREG(old.st_mode):
+        raise SavingError(_("{path} is a device, not a file; choose another name.").format(path=path))
+    if not os.access(target, os.W_OK):
+        raise SavingError(_("{path} may not be changed; save under another name.").format(path=path))
+    return old
+
+
+def _refusal(path: Path, error: OSError | ValueError) -> SavingError:
+    """The sentence that says why ``path`` cannot be written."""
+    if isinstance(error, SavingError):
+        return error
+    number = error.errno if isinstance(error, OSError) else None
+    match number:
+        case errno.ENOENT | errno.ENOTDIR:
+            sentence = _("There is no folder {folder} for {name}; choose another folder.")
+        case errno.EACCES | errno.EPERM:
+            sentence = _("You may not write {name} in the folder {folder}; choose another folder.")
+        case errno.EROFS:
+            sentence = _("The disk of {path} can only be read; choose a folder on another disk.")
+        case errno.ENOSPC | errno.EDQUOT:
+            sentence = _("There is no room on the disk for {path}; make room, or choose another disk.")
+        case errno.EFBIG:
+            sentence = _("{path} would be larger than a file may be here; choose another disk.")
+        case errno.ENAMETOOLONG:
+            sentence = _("The name {path} is too long; choose a shorter one.")
+        case errno.ELOOP:
+            sentence = _("{path} is a link that leads back to itself; choose another name.")
+        case _:
+            sentence = _("{path} cannot be written ({reason}); choose another folder.")
+    reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    shown = str(path) if len(str(path)) <= 300 else f"{path.name[:40]}…"
+    return SavingError(sentence.format(path=shown, name=path.name, folder=path.parent, reason=reason))
 
 
 def _prefix(target: Path) -> str:
     return f".{target.name[:40]}-{zlib.crc32(os.fsencode(target.name)):08x}."
 
 
-def _put(temporary: Path, data: bytes, old: os.stat_result | None) -> None:
-    descriptor = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | getattr(os, "O_BINARY", 0), 0o666)
+def _beside(target: Path) -> Path:
+    """A name beside ``target`` that nobody can guess, and that tells which process it belongs to."""
+    return target.with_name(f"{_prefix(target)}{secrets.token_hex(8)}.{os.getpid()}{_ENDING}")
+
+
+def _fill(descriptor: int, data: bytes, old: os.stat_result | None) -> None:
     with open(descriptor, "wb") as file:
         if old is not None and sys.platform != "win32":
             with suppress(PermissionError):
@@ -62,6 +177,27 @@ def _put(temporary: Path, data: bytes, old: os.stat_result | None) -> None:
         file.write(data)
         file.flush()
         os.fsync(descriptor)
+
+
+def _kept(target: Path) -> Path:
+    """What is at ``target``, once more beside it."""
+    kept = _beside(target)
+    try:
+        os.link(target, kept)
+    except OSError:  # a file system without links
+        with open(os.open(kept, _EXCLUSIVE, 0o600), "wb") as copy, open(target, "rb") as original:
+            shutil.copyfileobj(original, copy)
+        shutil.copystat(target, kept)
+    return kept
+
+
+def _give_back(staged: _Staged, kept: Path | None) -> None:
+    """Let ``staged.target`` be as before; what was new is removed, unless it never came there."""
+    with suppress(OSError):
+        if kept is not None:
+            os.replace(kept, staged.target)
+        elif not staged.temporary.exists() and not staged.existed:
+            staged.target.unlink()
 
 
 def _sync_folder(folder: Path) -> None:

@@ -3,9 +3,6 @@
 Vertices are (n, 3), y up; faces (m, 3) count them from 0, counter-clockwise seen from outside.
 """
 
-from collections.abc import Callable
-from pathlib import Path
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -43,21 +40,6 @@ def stl(vertices: ArrayLike, faces: ArrayLike) -> bytes:
     )
     table["normal"], table["corners"] = normals, corners
     return b"triangles in binary".ljust(80) + len(triangles).to_bytes(4, "little") + table.tobytes()
-
-
-FORMATS: dict[str, Callable[[ArrayLike, ArrayLike], bytes]] = {".obj": obj, ".ply": ply, ".stl": stl}
-
-
-def save_mesh(vertices: ArrayLike, faces: ArrayLike, path: Path) -> None:
-    """Write a mesh in the format that the name ends in.
-
-    Raises: ValueError for another ending or faces that do not fit; OSError when it cannot be written.
-    """
-    write = FORMATS.get(path.suffix.lower())
-    if write is None:
-        sentence = _("{file}: a mesh is written as {endings}; name it so.")
-        raise ValueError(sentence.format(file=path, endings=", ".join(FORMATS)))
-    path.write_bytes(write(vertices, faces))
 
 
 def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int64]]:

@@ -1,7 +1,6 @@
 """Pictures as PNG files."""
 
 import io
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,8 +33,3 @@ def png(image: NDArray[np.uint32], cell: int = 1) -> bytes:
     file = io.BytesIO()
     picture.save(file, "PNG")
     return file.getvalue()
-
-
-def save_png(image: NDArray[np.uint32], path: Path, cell: int = 1) -> None:
-    """Write ``png(image, cell)`` to ``path``. Raises OSError when it cannot be written."""
-    path.write_bytes(png(image, cell))

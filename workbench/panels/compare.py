@@ -266,16 +266,20 @@ class CompareView(QWidget):
             _("The counts could not be made: {problem}. The picture is kept.").format(problem=problem)
         )
 
-    def copy(self) -> None:
-        """Put the table on the clipboard, as text with tabs and as HTML."""
+    def content(self) -> Table:
+        """What it shows, one row for each count."""
         titles = ("", *self.model.titles)[: self.model.columnCount()]
         rows = [tuple("" if v is None else v for v in row[: len(titles)]) for row in self.model.rows]
-        table = Table(titles, rows, formulas=False)
+        return Table(titles, rows, formulas=False)
+
+    def copy(self) -> None:
+        """Put the table on the clipboard, as text with tabs and as HTML."""
+        table = self.content()
         data = QMimeData()
         data.setText(to_tsv(table))
         data.setHtml(to_html(table))
         QGuiApplication.clipboard().setMimeData(data)
-        self.said.emit(_("{rows:,} rows copied.").format(rows=len(rows)))
+        self.said.emit(_("{rows:,} rows copied.").format(rows=len(table.rows)))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """The difference picture stands where there is room: under the table, beside it, or not at all."""
@@ -344,6 +348,11 @@ class ComparePanel(QWidget):
     def actions(self) -> list[QAction]:
         """What this panel adds to the window's commands."""
         return [self.view.copy_action]
+
+    def tables(self) -> list[tuple[str, Table]]:
+        """Title and content of the comparison, while there is one."""
+        table = self.view.content()
+        return [(self.title, table)] if table.rows else []
 
     def show_example(self) -> None:
         """Open lines to compare."""

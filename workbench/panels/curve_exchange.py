@@ -1,14 +1,12 @@
-"""Curves in and out: points by clipboard and CSV, paths by SVG, the construction as a picture."""
+"""Curves in and out: points by clipboard and CSV, paths by SVG."""
 
 from collections.abc import Callable
 from contextlib import suppress
-from functools import partial
 from pathlib import Path
 
 from msgspec.structs import replace
-from PySide6.QtCore import QObject, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QPainter
-from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from workbench.document.curve_edits import add_points
@@ -18,34 +16,30 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Curve, CurvePoint, Sheet
 from workbench.engine import background
 from workbench.exchange.point_lists import PointsError, read_points, write_points
-from workbench.exchange.svg_paths import Imported, SvgError, read_svg, write_svg
+from workbench.exchange.svg_paths import Imported, SvgError, read_svg
 from workbench.language import _, ngettext
 from workbench.panels.curve_focus import CurveFocus
 from workbench.panels.curve_freehand import FIT_PX, fit_words, fitted
 from workbench.panels.figure_actions import Row
-from workbench.panels.figure_export import Exporter, ask_and_write, paint_page
 from workbench.rendering import device_map
 
-PICTURE = QSize(1080, 840)
 _SVG = "SVG (*.svg)"
 _READ_AT_ONCE = 20_000
 _POINTS = "CSV (*.csv);;" + "TXT (*.txt)"
 
 
 class CurveExchange(QObject):
-    """The commands that bring points and curves in and get them out. ``said`` sends what became of it.
+    """The commands that bring points and curves in, and copy them. ``said`` sends what became of it.
 
-    ``model`` gives a curve without points that new ones are like, ``exporter`` what paints the canvas.
+    ``model`` gives a curve without points that new ones are like.
     """
 
     said = Signal(str)
     _read = Signal(object, object)
 
-    def __init__(
-        self, focus: CurveFocus, exporter: Callable[[], Exporter], model: Callable[[], Curve], owner: QWidget
-    ) -> None:
+    def __init__(self, focus: CurveFocus, model: Callable[[], Curve], owner: QWidget) -> None:
         super().__init__(owner)
-        self.focus, self._exporter, self._model, self._owner = focus, exporter, model, owner
+        self.focus, self._model, self._owner = focus, model, owner
         self.session = focus.session
         self._read.connect(self._take_found)
 
@@ -57,9 +51,6 @@ class CurveExchange(QObject):
             ("paste_fitted", _("Fit a curve to pasted points"), "clipboard-text", "", self.paste_fitted),
             ("import_svg", _("Bring in SVG..."), "download-simple", "", self.ask_svg),
             ("import_points", _("Bring in points from CSV..."), "download-simple", "", self.ask_points),
-            ("export_svg", _("Save the curves as SVG..."), "export", "", self.ask_export_svg),
-            ("export_points", _("Save the points as CSV..."), "export", "", self.ask_export_points),
-            ("export_picture", _("Save the construction..."), "image-square", "", self.ask_picture),
         ]
 
     # The clipboard
@@ -70,12 +61,13 @@ class CurveExchange(QObject):
         if curve is None:
             self.said.emit(_("Select one curve first."))
             return
-        places = self._places(curve)
+        places = self.places(curve)
         QGuiApplication.clipboard().setText(write_points(places, "\t"))
         text = ngettext("{n} point copied.", "{n} points copied.", len(places))
         self.said.emit(text.format(n=len(places)))
 
-    def _places(self, curve: Curve) -> list[tuple[float, float]]:
+    def places(self, curve: Curve) -> list[tuple[float, float]]:
+        """The chosen points of the curve, or with none chosen all of them."""
         numbers = self.focus.numbers(curve) or range(len(curve.points_world))
         return [(curve.points_world[k].x, curve.points_world[k].y) for k in numbers]
 
@@ -177,55 +169,6 @@ class CurveExchange(QObject):
         """Ask for a table of points and bring it in."""
         self._open(_("Bring in points"), _POINTS)
 
-    def ask_export_svg(self) -> None:
-        """Ask for a file and save every visible figure as SVG."""
-        self._save(_("Save the curves"), _("curves") + ".svg", _SVG, self.write_curves)
-
-    def ask_export_points(self) -> None:
-        """Ask for a file and save the points of the curve."""
-        curve = self.focus.curve
-        if curve is None:
-            self.said.emit(_("Select one curve first."))
-            return
-        write = partial(self.write_points, curve)
-        self._save(_("Save the points"), _("points") + ".csv", _POINTS, write)
-
-    def ask_picture(self) -> None:
-        """Ask for a file and save what the canvas shows, as SVG, PNG or PDF."""
-        kinds = f"{_SVG};;PNG (*.png);;PDF (*.pdf)"
-        self._save(_("Save the construction"), _("construction") + ".svg", kinds, self.write_picture)
-
-    def write_curves(self, path: Path) -> None:
-        """Write the figures as SVG. Raises OSError."""
-        made = write_svg(self.session.sheet)
-        path.write_text(made.text, encoding="utf-8")
-        if made.error > 0:
-            text = _("What SVG cannot say exactly is at most {error:.2g} off.").format(error=made.error)
-            self.said.emit(text)
-
-    def write_points(self, curve: Curve, path: Path) -> None:
-        """Write the chosen points of the curve, or all of them, as CSV. Raises OSError."""
-        path.write_text(write_points(self._places(curve)), encoding="utf-8", newline="")
-
-    def write_picture(self, path: Path) -> None:
-        """Write what the canvas shows, by the file's ending, in the light theme. Raises OSError."""
-        if path.suffix.lower() != ".svg":
-            self._exporter().write_step(path)
-            return
-        writer = QSvgGenerator()
-        writer.setFileName(str(path))
-        writer.setSize(PICTURE)
-        writer.setViewBox(QRectF(0, 0, PICTURE.width(), PICTURE.height()))
-        writer.setTitle(self.session.sheet.name)
-        path.write_bytes(b"")
-        painter = QPainter()
-        if not painter.begin(writer):
-            raise OSError(_("{path} cannot be written; choose another folder.").format(path=path))
-        painter.fillRect(QRectF(0, 0, PICTURE.width(), PICTURE.height()), Qt.GlobalColor.white)
-        size = PICTURE.width(), PICTURE.height()
-        paint_page(painter, self._exporter().page(), size, self._owner.font(), 1.5)
-        painter.end()
-
     def take_file(self, path: Path) -> None:
         """Bring in a file: an SVG by its ending, or else a table of points."""
         try:
@@ -243,11 +186,6 @@ class CurveExchange(QObject):
         chosen, _kind = QFileDialog.getOpenFileName(self._owner, title, "", kinds)
         if chosen:
             self.take_file(Path(chosen))
-
-    def _save(self, title: str, name: str, kinds: str, write: Callable[[Path], None]) -> None:
-        said = ask_and_write(self._owner, title, name, kinds, write)
-        if said:
-            self.said.emit(said)
 
 
 def _found_in(text: str | bytes, sheet: Sheet) -> Imported | str:

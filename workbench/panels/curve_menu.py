@@ -1,6 +1,6 @@
 """The menu of the canvas in the Curves panel: what is done to points, joints and curves, in groups."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
@@ -69,22 +69,14 @@ def groups() -> list[tuple[str, tuple[str, ...]]]:
                 "import_svg",
                 "import_points",
                 _PARTED,
-                "export_svg",
-                "export_points",
-                "export_picture",
                 "copy_picture",
-                _PARTED,
-                "save_step",
-                "save_run",
-                "save_table",
-                "save_pixels",
             ),
         ),
     ]
 
 
-def canvas_menu(actions: Mapping[str, QAction], parent: QWidget) -> QMenu:
-    """The menu, made anew each time since actions are switched off and on."""
+def canvas_menu(actions: Mapping[str, QAction], parent: QWidget, more: Sequence[QAction] = ()) -> QMenu:
+    """The menu, ``more`` at its end, made anew each time since actions are switched off and on."""
     menu = QMenu(parent)
     for title, names in groups():
         into = menu.addMenu(title) if title else menu
@@ -95,4 +87,5 @@ def canvas_menu(actions: Mapping[str, QAction], parent: QWidget) -> QMenu:
                 into.addAction(actions[name])
         if not title:
             menu.addSeparator()
+    menu.addActions(more)
     return menu

@@ -5,11 +5,12 @@ from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QCursor, QKeyEvent, QKeySequence, QShowEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtGui import QAction, QCursor, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtWidgets import QMenu, QWidget
 
 from workbench.document.curve_pieces import share_at
 from workbench.document.model import Curve
+from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.curve_card import CurveCard
 from workbench.panels.curve_commands import NUDGE
@@ -47,6 +48,7 @@ class CurvesPanel(SteppedPanel):
         self.freehand, self.probe = FreehandTool(self.focus), ProbeTool(self.focus)
         super().__init__(session, [self.select, self.pen, self.freehand, self.probe], parent)
         self.title = _("Curves")
+        self._export: list[QAction] = []
         self.canvas.takes_handles = False
         # Points behind the card could not be dragged.
         self.canvas.worthwhile = 0.6
@@ -66,7 +68,7 @@ class CurvesPanel(SteppedPanel):
         self.beside.knot_released.connect(self._let_go_of_plot)
         self.beside.weight_released.connect(self._let_go_of_plot)
         self.view = CurveView(self.focus, self.canvas, self.second, self.card, self.beside)
-        self.exchange = CurveExchange(self.focus, lambda: self.exporter, self._model, self)
+        self.exchange = CurveExchange(self.focus, self._model, self)
         self.exchange.said.connect(self.hover_text)
         self.focus.changed.connect(self.refresh_soon)
         for _name, _title, dock, _area in self.beside.parts():
@@ -84,13 +86,27 @@ class CurvesPanel(SteppedPanel):
         canvas = self.canvas
         canvas.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         canvas.customContextMenuRequested.connect(
-            lambda place: canvas_menu(self._actions, canvas).popup(canvas.mapToGlobal(place))
+            lambda place: canvas_menu(self._actions, canvas, self._export).popup(canvas.mapToGlobal(place))
         )
         canvas.double_clicked.connect(self._double_click)
 
     def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
         """Basis functions, switches, curvature, hodograph."""
         return self.beside.parts()
+
+    def offer_export(self, menu: QMenu) -> None:
+        """As everywhere, in this panel's own menu."""
+        self._export = [menu.menuAction()]
+
+    def points(self) -> list[tuple[float, float]]:
+        """The chosen points of the curve that is worked on, or all of them; none without a curve."""
+        curve = self.focus.curve
+        return [] if curve is None else self.exchange.places(curve)
+
+    def tables(self) -> list[tuple[str, Table]]:
+        """Title and content of each table beside the canvas."""
+        measured = self.beside.measured
+        return [(_("Measures of the curves"), measured.content())] if measured.model.kinds else []
 
     def _model(self) -> Curve:
         return replace(self.pen.model, colour=self.pen.next_colour())

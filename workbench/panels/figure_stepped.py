@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QSplitter, QWidget
+from PySide6.QtWidgets import QMenu, QSplitter, QWidget
 
 from workbench.language import _
 from workbench.panels.figure_actions import Row
@@ -54,10 +54,6 @@ class SteppedPanel(FigurePanel):
             invitation,
             [
                 ("copy_picture", _("Copy picture"), "clipboard", "Ctrl+Shift+C", exporter.copy_picture),
-                ("save_step", _("Save this step..."), "image-square", "", exporter.save_step),
-                ("save_run", _("Save this run..."), "files", "", exporter.save_run),
-                ("save_table", _("Save hand table as CSV..."), "table", "", exporter.save_table),
-                ("save_pixels", _("Save pixels as CSV..."), "table", "", exporter.save_pixels),
                 *commands,
             ],
         )
@@ -76,8 +72,10 @@ class SteppedPanel(FigurePanel):
     def show_now(self) -> None:
         """Canvases and card as the session is now, and what the panel shows beside them."""
         self.view.refresh(self.tool, self.handle_drag)
-        for name in ("save_run", "save_table", "save_pixels"):
-            self._actions[name].setEnabled(self.session.active_figure is not None)
+
+    def offer_export(self, menu: QMenu) -> None:
+        """Let the canvas's menu lead to what can be exported."""
+        self.canvas.addAction(menu.menuAction())
 
     def describe(self, x: int, y: int) -> str:
         """A cell's name and what painted it."""

@@ -49,6 +49,11 @@ def menu_titles() -> tuple[tuple[str, str], ...]:
     )
 
 
+def submenu_titles() -> tuple[tuple[str, str, str], ...]:
+    """Id and title of each menu inside another, and the command that it follows."""
+    return (("export", _("Export"), "save_as"),)
+
+
 def commands() -> tuple[Command, ...]:
     """The table."""
     return (
@@ -73,6 +78,16 @@ def commands() -> tuple[Command, ...]:
             "document",
         ),
         Command(
+            "import",
+            _("Import..."),
+            lambda w: w.files.bring_in(),
+            (),
+            "download-simple",
+            _("Bring sheets, a drawing or a list of points into this picture"),
+            "file",
+            "document",
+        ),
+        Command(
             "save",
             _("Save"),
             lambda w: w.files.save(),
@@ -91,6 +106,68 @@ def commands() -> tuple[Command, ...]:
             "",
             _("Save the picture in another file"),
             "file",
+            "document",
+        ),
+        Command(
+            "export_picture",
+            _("Export the picture as PNG..."),
+            lambda w: w.files.exports.picture(),
+            (),
+            "image-square",
+            _("Every pixel of the sheet, large enough to be seen"),
+            "export",
+            "document",
+        ),
+        Command(
+            "export_drawing",
+            _("Export the figures as SVG..."),
+            lambda w: w.files.exports.drawing(),
+            (),
+            "line-segments",
+            _("Exact lines and curves for other drawing programs"),
+            "export",
+            "document",
+        ),
+        Command(
+            "export_step",
+            _("Export this step..."),
+            lambda w: w.files.exports.step(),
+            (),
+            "image",
+            _("What the canvas shows, with its sentence, as PNG, SVG or PDF"),
+            "export",
+            "document",
+            separated=True,
+        ),
+        Command(
+            "export_run",
+            _("Export this run..."),
+            lambda w: w.files.exports.run(),
+            (),
+            "files",
+            _("Every step as a PNG, as a page of a PDF, or in a GIF that moves"),
+            "export",
+            "document",
+        ),
+        Command(
+            "export_hand",
+            _("Export the hand table..."),
+            lambda w: w.files.exports.hand_table(),
+            (),
+            "table",
+            _("A row for each step, as CSV, JSON or HTML"),
+            "export",
+            "document",
+            separated=True,
+        ),
+        Command(
+            "export_points",
+            _("Export the points of the curve..."),
+            lambda w: w.files.exports.points(),
+            (),
+            "dots-three",
+            _("The chosen points, or all, as a list that can be brought in again"),
+            "export",
             "document",
         ),
         Command(

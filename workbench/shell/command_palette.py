@@ -93,6 +93,8 @@ def offers(window: "MainWindow") -> list[Offer]:
                         action.trigger,
                     )
                 )
+    for table in window.files.exports.tables():
+        made.append(Offer(_("Export a table: {title}").format(title=table.title), "", table.ask))
     if window.session is not None:
         from workbench.document.samples import examples
 

@@ -1,7 +1,7 @@
 """Opening and saving: names, the question about unsaved changes, recent files, recovery after a crash."""
 
 from collections.abc import Callable
-from functools import partial
+from functools import partial, reduce
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +10,7 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog
 
 from workbench.language import _
+from workbench.shell.exports import Exports
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -25,6 +26,7 @@ class Files(QObject):
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window = window
+        self.exports = Exports(window)
 
     @property
     def _session(self) -> Any:
@@ -54,13 +56,52 @@ class Files(QObject):
         self.unless_unsaved(self._new)
 
     def open(self) -> None:
-        """Ask for a file and open it."""
+        """Ask for a file and open it; a drawing or a list of points is brought into the open picture."""
+        self._ask_for_one(_("Open"), self.take)
+
+    def bring_in(self) -> None:
+        """Ask for a file and bring it into the open picture; of another picture, its sheets."""
+        self._ask_for_one(_("Import"), self._bring_in)
+
+    def _ask_for_one(self, title: str, then: Callable[[Path], None]) -> None:
         folder = self._session.path.parent if self._session.path else Path.home()
-        chosen, __ = QFileDialog.getOpenFileName(
-            self._window, _("Open a picture"), str(folder), _("Pictures of the workbench (*.gwb)")
-        )
+        chosen, __ = QFileDialog.getOpenFileName(self._window, title, str(folder), ";;".join(_kinds()))
         if chosen:
-            self.open_path(Path(chosen))
+            then(Path(chosen))
+
+    def take(self, path: Path) -> None:
+        """Open a picture, or bring what else it is into Curves."""
+        if path.suffix.lower() in _BROUGHT_IN:
+            self._bring_in(path)
+        else:
+            self.open_path(path)
+
+    def _bring_in(self, path: Path) -> None:
+        if path.suffix.lower() in _BROUGHT_IN:
+            self._window.enter("curves")
+            self._window.panels("curves")[0].exchange.take_file(path)
+        else:
+            self._add_sheets(path)
+
+    def _add_sheets(self, path: Path) -> None:
+        """The sheets of another picture come beside those of the open one, as one step of undo."""
+        from workbench.document.errors import DocumentError
+        from workbench.document.files import read
+        from workbench.document.sheet_edits import add_sheet
+
+        session = self._session
+        known = {sheet.id for sheet in session.document.sheets}
+        try:
+            edits = [add_sheet(sheet) for sheet in read(path).document.sheets]
+            session.apply(
+                lambda document: reduce(lambda made, edit: edit(made), edits, document),
+                _("Import {name}").format(name=path.name),
+            )
+        except DocumentError as error:
+            sentence = _("{name} was not imported: {error}").format(name=path.name, error=error)
+            self._window.messages.say(sentence, "error")
+            return
+        self.show_sheet(next(sheet.id for sheet in session.document.sheets if sheet.id not in known))
 
     def open_path(self, path: Path) -> None:
         """Open a file, after the question about unsaved changes."""
@@ -105,13 +146,17 @@ class Files(QObject):
 
     def save_as(self, then: Callable[[], object] | None = None) -> None:
         """Ask for a name and save there; ``then`` follows when it was saved."""
-        start = self._session.path or Path.home() / (_("Untitled") + SUFFIX)
-        chosen, __ = QFileDialog.getSaveFileName(
-            self._window, _("Save the picture"), str(start), _("Pictures of the workbench (*.gwb)")
-        )
-        if chosen:
-            path = Path(chosen)
-            self._save(path if path.suffix else path.with_suffix(SUFFIX), then)
+        from workbench.exchange.written import rows
+        from workbench.widgets.save_dialog import SaveDialog
+
+        start = self._session.path or self.exports.proposed("", SUFFIX)
+        SaveDialog(
+            self._window,
+            _("Save the picture"),
+            start,
+            rows("document"),
+            lambda path, _row: self._save(path, then),
+        ).open()
 
     def is_unsaved(self) -> bool:
         """Whether there is unsaved work, once a save that is under way has ended."""
@@ -224,13 +269,8 @@ class Files(QObject):
         """Open the picture that is dropped, or bring what it is into Curves."""
         self.offer_drop(event)
         path = self._dropped(event)
-        if path is None:
-            return
-        if path.suffix.lower() == SUFFIX:
-            self.open_path(path)
-        else:
-            self._window.enter("curves")
-            self._window.panels("curves")[0].exchange.take_file(path)
+        if path is not None:
+            self.take(path)
 
     @staticmethod
     def _dropped(event: QDropEvent) -> Path | None:
@@ -238,3 +278,14 @@ class Files(QObject):
         urls = event.mimeData().urls()
         path = Path(urls[0].toLocalFile()) if len(urls) == 1 and urls[0].isLocalFile() else None
         return path if path is not None and path.suffix.lower() in (SUFFIX, *_BROUGHT_IN) else None
+
+
+def _kinds() -> list[str]:
+    """What can be opened or brought in, for the list of a dialog."""
+    each = [
+        (_("Pictures of the workbench"), (SUFFIX,)),
+        (_("Drawings"), (".svg",)),
+        (_("Lists of points"), (".csv", ".txt")),
+    ]
+    everything = (_("Everything that can be opened"), (SUFFIX, *_BROUGHT_IN))
+    return [f"{title} ({' '.join('*' + suffix for suffix in kinds)})" for title, kinds in (everything, *each)]

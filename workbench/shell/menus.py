@@ -9,7 +9,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu
 
 from workbench.language import _
-from workbench.shell.actions import commands, key_text, menu_titles
+from workbench.shell.actions import commands, key_text, menu_titles, submenu_titles
 from workbench.shell.workspace_bar import WorkspaceBar
 
 if TYPE_CHECKING:
@@ -20,13 +20,14 @@ _ON_THE_BAR = ("undo", "redo", "palette", "settings")
 
 
 class Menus(QObject):
-    """``actions`` and ``commands`` by their id."""
+    """``actions``, ``commands`` and ``submenus`` by their id."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window = window
         self.commands = {command.id: command for command in commands()}
         self.actions: dict[str, QAction] = {}
+        self.submenus: dict[str, QMenu] = {}
         for command in self.commands.values():
             action = QAction(command.text, window)
             action.setObjectName(command.id)
@@ -78,22 +79,38 @@ class Menus(QObject):
     def _make_menus(self) -> None:
         for menu_id, title in menu_titles():
             menu = self._window.menu_bar.addMenu(title)
-            menu.setToolTipsVisible(True)
-            for command in self.commands.values():
-                if command.menu != menu_id:
-                    continue
-                if command.separated:
-                    menu.addSeparator()
-                menu.addAction(self.actions[command.id])
-                if command.id == "open":
-                    self._recent = menu.addMenu(_("Open recent"))
-                    self._recent.aboutToShow.connect(self._fill_recent)
+            self._fill_menu(menu, menu_id)
             if menu_id == "view":
                 menu.addSeparator()
                 self._docks = menu.addMenu(_("Docks"))
                 self._docks.aboutToShow.connect(self._fill_docks)
                 self._sheets = menu.addMenu(_("Sheets"))
                 self._sheets.aboutToShow.connect(self._fill_sheets)
+
+    def _fill_menu(self, menu: QMenu, menu_id: str) -> None:
+        menu.setToolTipsVisible(True)
+        for command in self.commands.values():
+            if command.menu != menu_id:
+                continue
+            if command.separated:
+                menu.addSeparator()
+            menu.addAction(self.actions[command.id])
+            if command.id == "open":
+                self._recent = menu.addMenu(_("Open recent"))
+                self._recent.aboutToShow.connect(self._fill_recent)
+            for inner, title, follows in submenu_titles():
+                if command.id == follows:
+                    self.submenus[inner] = menu.addMenu(title)
+                    self._fill_menu(self.submenus[inner], inner)
+        if menu_id == "export":
+            self._tables = menu.addMenu(_("Export a table"))
+            self._tables.aboutToShow.connect(self._fill_tables)
+
+    def _fill_tables(self) -> None:
+        self._tables.clear()
+        for offer in self._window.files.exports.tables():
+            self._tables.addAction(offer.title, offer.ask)
+        self._if_empty(self._tables, _("None here"))
 
     def _fill_recent(self) -> None:
         window, menu = self._window, self._recent

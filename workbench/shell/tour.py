@@ -18,6 +18,8 @@ from workbench.language import _
 from workbench.shell.tour_curves import curve_scenes
 
 if TYPE_CHECKING:
+    from PySide6.QtGui import QPixmap
+
     from workbench.shell.window import MainWindow
 
 THEMES = ("light", "dark")
@@ -81,11 +83,21 @@ def _parent() -> str:
     return str(Path(__file__).resolve().parents[2])
 
 
+def _png(pixmap: QPixmap) -> bytes:
+    from PySide6.QtCore import QBuffer, QIODevice
+
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    pixmap.save(buffer, "PNG")
+    return bytes(buffer.data().data())
+
+
 def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, int]) -> int:
     """Take every picture at the scale that this process was started with."""
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
+    from workbench.document.saving import SavingError, replace_file
     from workbench.shell.start import Building, make_window
 
     application = QApplication(["Graphics Workbench"])
@@ -98,11 +110,13 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
     def leave() -> None:
         theme, name, _act = steps[0]
         path = folder / f"{name}-{theme}-{size[0]}x{size[1]}@{scale:g}.png"
-        if not window.grab().save(str(path)):
-            sys.stderr.write(_("tour: {path} could not be written.").format(path=path) + "\n")
-            application.exit(2)
+        try:
+            replace_file(path, _png(window.grab()))
+            print(path, flush=True)
+        except (SavingError, OSError) as error:
+            sys.stderr.write(f"tour: {error}\n")
+            application.exit(1)
             return
-        print(path, flush=True)
         patience.start()
         del steps[0]
         visit()

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
 from workbench.engine import background
 from workbench.engine.observation import Steps
+from workbench.exchange.run_tables import hand
 from workbench.exchange.tables import Table, shown, to_html, to_tsv, typeset
 from workbench.language import _
 from workbench.session.run import Run
@@ -214,12 +215,12 @@ class HandTable(QWidget):
         if entry is None or recording is None:
             return
         if rows <= _AT_ONCE:
-            self._to_clipboard(_table(Steps(entry, recording), rows))
+            self._to_clipboard(hand(Steps(entry, recording), rows))
             return
         self.copied.emit(_("Copying {rows:,} rows ...").format(rows=rows))
 
         def copy() -> None:
-            table = _table(Steps(entry, recording), rows)
+            table = hand(Steps(entry, recording), rows)
             with suppress(RuntimeError):  # this widget is gone
                 self._ready.emit(table)
 
@@ -231,7 +232,3 @@ class HandTable(QWidget):
         data.setHtml(to_html(table))
         QGuiApplication.clipboard().setMimeData(data)
         self.copied.emit(_("{rows:,} rows copied.").format(rows=len(table.rows)))
-
-
-def _table(steps: Steps, rows: int) -> Table:
-    return Table(steps.entry.columns, [steps.row(number) for number in range(1, rows + 1)])

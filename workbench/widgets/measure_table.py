@@ -273,17 +273,22 @@ class MeasureTable(QWidget):
         super().resizeEvent(event)
         self._turn()
 
+    def content(self) -> Table:
+        """What it shows, one row for each curve."""
+        headings = (_("curve"), *self.model.headings())
+        rows = [(kind.name, *map(value_text, kind.values)) for kind in self.model.kinds]
+        return Table(headings, rows, formulas=False)
+
     def copy(self) -> None:
         """Put the table on the clipboard, as text with tabs and as HTML."""
-        model = self.model
-        headings = (_("curve"), *model.headings())
-        rows = [(kind.name, *map(value_text, kind.values)) for kind in model.kinds]
+        table = self.content()
         data = QMimeData()
-        table = Table(headings, rows, formulas=False)
         data.setText(to_tsv(table))
         data.setHtml(to_html(table))
         QGuiApplication.clipboard().setMimeData(data)
-        self.copied.emit(ngettext("{n} row copied.", "{n} rows copied.", len(rows)).format(n=len(rows)))
+        self.copied.emit(
+            ngettext("{n} row copied.", "{n} rows copied.", len(table.rows)).format(n=len(table.rows))
+        )
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """The ground of a panel."""

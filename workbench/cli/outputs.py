@@ -1,0 +1,26 @@
+"""Where the commands write: by the table of what can be written, with sentences for a command line."""
+
+from pathlib import Path
+from typing import Any
+
+from workbench.cli.failure import BadInputError, WorkError
+from workbench.document.saving import SavingError
+from workbench.exchange import writing, written
+
+
+def row(*kinds: str, path: Path) -> writing.Row:
+    """How ``path`` asks for one of ``kinds`` to be written. Raises BadInputError, naming all endings."""
+    try:
+        return writing.row_for([each for kind in kinds for each in written.rows(kind)], path)
+    except writing.SuffixError as error:
+        raise BadInputError(str(error)) from None
+
+
+def write(chosen: writing.Row, content: Any, path: Path) -> None:
+    """Write ``content``. Raises WorkError where the disk refuses, BadInputError for wrong content."""
+    try:
+        writing.write(chosen, content, path)
+    except SavingError as error:
+        raise WorkError(str(error)) from None
+    except ValueError as error:
+        raise BadInputError(str(error)) from None

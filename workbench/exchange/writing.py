@@ -1,0 +1,101 @@
+"""How everything that leaves the program is written: a row of a table says how, and one writer does it.
+
+A row encodes what it is given; the writer puts the result beside its place, and there only when it is whole.
+Whoever cancels, or whatever fails, leaves the disk as it was.
+"""
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from workbench.document.saving import Replacement
+from workbench.language import _
+
+Progress = Callable[[int, int], None]
+Put = Callable[[bytes], None]
+
+# What stands behind the last point of a name is an ending when it looks like one: "lab 2.3" has none.
+_ENDING = re.compile(r"\.[a-z][a-z0-9]{0,7}", re.IGNORECASE)
+
+
+class SuffixError(ValueError):
+    """A file is named as nothing of its kind is; the sentence says which endings there are."""
+
+
+class Cancelled(Exception):  # noqa: N818 (nothing is wrong)
+    """Raised by a ``Progress`` to end a writing that is under way; then nothing is written."""
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """How one kind of content is written under one suffix.
+
+    ``encode(content, put, told)`` gives every whole file to ``put`` and tells how many of its parts are done,
+    which may raise Cancelled. ``numbered`` rows put a file for each part. ``verify`` is given each file as it
+    reads back from the disk, and raises what it finds wrong.
+    """
+
+    kind: str
+    suffix: str
+    title: str
+    encode: Callable[[Any, Put, Progress], object]
+    numbered: bool = False
+    verify: Callable[[bytes], object] | None = None
+
+    def paths(self, path: Path, parts: int) -> list[Path]:
+        """The files that are written under the name ``path`` for content of so many parts."""
+        if not self.numbered:
+            return [path]
+        digits = max(3, len(str(parts - 1)))
+        return [path.with_stem(f"{path.stem}-{number:0{digits}d}") for number in range(parts)]
+
+
+def whole(make: Callable[[Any], bytes]) -> Callable[[Any, Put, Progress], object]:
+    """The ``encode`` of a row whose content becomes one file in one go."""
+
+    def encode(content: Any, put: Put, _told: Progress) -> None:
+        put(make(content))
+
+    return encode
+
+
+def of_kind(rows: Sequence[Row], kind: str) -> tuple[Row, ...]:
+    """The ways in which one kind of content is written, the proposed one first."""
+    return tuple(row for row in rows if row.kind == kind)
+
+
+def row_for(rows: Sequence[Row], path: Path) -> Row:
+    """The row that the name ``path`` asks for. Raises SuffixError, naming all there are."""
+    for row in rows:
+        if path.suffix.lower() == row.suffix:
+            return row
+    endings = [row.suffix for row in rows]
+    listed = _(" or ").join(filter(None, (", ".join(endings[:-1]), endings[-1])))
+    sentence = _("{name}: this is written as {endings}; let the name end so.")
+    raise SuffixError(sentence.format(name=path.name, endings=listed))
+
+
+def completed(rows: Sequence[Row], path: Path, chosen: Row) -> tuple[Path, Row]:
+    """``path`` with the suffix of ``chosen`` where it has none, and its row. Raises SuffixError."""
+    known = path.suffix.lower() in {row.suffix for row in rows}
+    if not known and not _ENDING.fullmatch(path.suffix):
+        path = path.with_name(path.name.rstrip(".") + chosen.suffix)
+    return path, row_for(rows, path)
+
+
+def write(row: Row, content: Any, path: Path, told: Progress = lambda _done, _parts: None) -> list[Path]:
+    """Write ``content`` under the name ``path``; the files that were written.
+
+    ``told`` is called with how many parts are done, of how many, and may raise Cancelled. Raises SavingError
+    when the file system refuses, and what the encoding raises; then every file is as it was before.
+    """
+    parts = getattr(content, "parts", 1)
+    paths = row.paths(path, parts)
+    waiting = iter(paths)
+    with Replacement() as replacement:
+        row.encode(content, lambda data: replacement.put(next(waiting), data, row.verify), told)
+        told(parts, parts)
+        replacement.commit()
+    return paths

@@ -1,0 +1,116 @@
+"""Writes files beside the interface, which goes on meanwhile, sees how far that is, and may cancel it."""
+
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeVar
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from workbench.engine import background
+from workbench.engine.turns import interface, short_turns
+from workbench.exchange.writing import Cancelled, Row, write
+
+T = TypeVar("T")
+_LOOK_S = 0.05
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How a writing ended: the files and the content, or ``problem``, a sentence; neither when cancelled."""
+
+    paths: tuple[Path, ...] = ()
+    content: Any = None
+    problem: str = ""
+
+
+class _Asked:
+    """Something to be done on the interface's thread, and its answer."""
+
+    def __init__(self, do: Callable[[], Any]) -> None:
+        self._do = do
+        self.done = threading.Event()
+        self.answer: Any = None
+        self.error: Exception | None = None
+
+    def act(self) -> None:
+        try:
+            self.answer = self._do()
+        except Exception as error:
+            self.error = error
+        self.done.set()
+
+
+class Writer(QObject):
+    """One writing at a time. ``told(done, parts)`` and ``ended(Outcome)`` come on its own thread."""
+
+    told = Signal(int, int)
+    ended = Signal(object)
+    _asked = Signal(object)
+    _over = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._cancelled = threading.Event()
+        self._thread: threading.Thread | None = None
+        self._asked.connect(_Asked.act, Qt.ConnectionType.QueuedConnection)
+        self._over.connect(self._end, Qt.ConnectionType.QueuedConnection)
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is being written, or its end not yet told."""
+        return self._thread is not None
+
+    def start(self, row: Row, make: Callable[[], Any], path: Path) -> None:
+        """Write what ``make`` gives, called on the writing thread; only while nothing else is written."""
+        assert self._thread is None
+        self._cancelled.clear()
+        self._thread = background.thread(partial(self._work, row, make, path), "write", self.cancel)
+        self._thread.start()
+
+    def cancel(self) -> None:
+        """End the writing; nothing is left of it. From any thread."""
+        self._cancelled.set()
+
+    def ask(self, do: Callable[[], T]) -> T:
+        """What ``do`` gives on the interface's thread; called from the writing one. Raises Cancelled."""
+        if threading.current_thread() is not self._thread:
+            return do()
+        asked = _Asked(do)
+        self._asked.emit(asked)
+        while not asked.done.wait(_LOOK_S):
+            self._look()
+        if asked.error is not None:
+            raise asked.error
+        return asked.answer  # type: ignore[no-any-return]
+
+    def _look(self) -> None:
+        if self._cancelled.is_set():
+            raise Cancelled
+
+    def _told(self, done: int, parts: int) -> None:
+        self._look()
+        interface.wait()
+        self.told.emit(done, parts)
+
+    def _work(self, row: Row, make: Callable[[], Any], path: Path) -> None:
+        outcome = Outcome()
+        with suppress(RuntimeError):  # nobody is there any more
+            try:
+                with short_turns:
+                    content = make()
+                    outcome = Outcome(tuple(write(row, content, path, self._told)), content)
+            except Cancelled:
+                pass
+            except Exception as error:
+                outcome = Outcome(problem=str(error))
+            self._over.emit(outcome)
+
+    def _end(self, outcome: Outcome) -> None:
+        assert self._thread is not None
+        self._thread.join()
+        self._thread = None
+        self.ended.emit(outcome)

@@ -1,0 +1,87 @@
+"""Asks under which name something is written: the name is complete before the person is asked about it."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+from workbench.exchange.writing import Row, SuffixError, completed
+from workbench.language import _
+
+
+class SaveDialog(QFileDialog):
+    """``then(path, row)`` follows when a name was given; it ends in the suffix of one of ``rows``.
+
+    The dialog begins at ``start``, and asks before a file is replaced; of ``numbered`` rows the files have
+    other names, so that who writes them asks.
+    """
+
+    def __init__(
+        self,
+        owner: QWidget,
+        title: str,
+        start: Path,
+        rows: Sequence[Row],
+        then: Callable[[Path, Row], object],
+    ) -> None:
+        super().__init__(owner, title, str(start.parent))
+        self._owner, self._rows, self._then = owner, list(rows), then
+        self._filters = [f"{row.title} (*{row.suffix})" for row in rows]
+        self.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        self.setFileMode(QFileDialog.FileMode.AnyFile)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setNameFilters(self._filters)
+        self.setOption(QFileDialog.Option.DontConfirmOverwrite)  # asked here, about the completed name
+        first = next((row for row in rows if row.suffix == start.suffix.lower()), rows[0])
+        self.selectNameFilter(self._filters[self._rows.index(first)])
+        self._follow(self.selectedNameFilter())
+        self.selectFile(start.name)
+        self.filterSelected.connect(self._rename)
+
+    @property
+    def row(self) -> Row:
+        """The way of writing that is chosen in the list of kinds."""
+        return self._rows[self._filters.index(self.selectedNameFilter())]
+
+    def _follow(self, name_filter: str) -> None:
+        self.setDefaultSuffix(self._rows[self._filters.index(name_filter)].suffix)
+
+    def _rename(self, name_filter: str) -> None:
+        """Another kind is chosen: the name ends accordingly."""
+        self._follow(name_filter)
+        path = Path(self.selectedFiles()[0])
+        if path.suffix.lower() in {row.suffix for row in self._rows}:
+            self.selectFile(path.with_suffix(self.row.suffix).name)
+
+    def accept(self) -> None:
+        """Take the name, completed. One that ends wrongly, or is not to be replaced, is asked for again."""
+        typed = Path(self.selectedFiles()[0])
+        if typed.is_dir():
+            super().accept()
+            return
+        try:
+            path, row = completed(self._rows, typed, self.row)
+        except SuffixError as problem:
+            QMessageBox.warning(self, self.windowTitle(), str(problem))
+            self._ask_again(typed)
+            return
+        if path.exists() and not row.numbered and not self._may_replace(path):
+            self._ask_again(path)
+            return
+        super().accept()
+        self._then(path, row)
+
+    def _ask_again(self, path: Path) -> None:
+        """The system's own dialog, which has no parts here, is closed by now."""
+        if self.layout() is None:
+            self.reject()
+            SaveDialog(self._owner, self.windowTitle(), path, self._rows, self._then).open()
+
+    def _may_replace(self, path: Path) -> bool:
+        question = _("{name} is there already. Replace it?").format(name=path.name)
+        buttons = QMessageBox.StandardButton
+        answer = QMessageBox.question(
+            self, self.windowTitle(), question, buttons.Yes | buttons.No, buttons.No
+        )
+        return answer == buttons.Yes

@@ -1,0 +1,171 @@
+"""The card of what is being written: how a run is to be written, how far that is, and a way to end it."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFormLayout,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from workbench.exchange.writing import Row
+from workbench.language import _, ngettext
+
+WIDTH_PX, GAP_PX = 296, 12
+WIDTHS = (480, 800, 1200, 1600)
+SECONDS = (2.0, 1.0, 0.5, 0.2, 0.1, 0.04)
+
+
+class WritingCard(QFrame):
+    """Floats at the lower right of ``owner``. ``chosen(row, width, seconds)``: write it so; ``cancelled``."""
+
+    chosen = Signal(object, int, float)
+    cancelled = Signal()
+
+    def __init__(self, owner: QWidget) -> None:
+        super().__init__(owner)
+        self._owner = owner
+        self.setObjectName("card")
+        self.setFixedWidth(WIDTH_PX)
+        self._rows: Sequence[Row] = ()
+        self._title, self.note = QLabel(), QLabel()
+        self._title.setProperty("role", "heading")
+        self._title.setWordWrap(True)
+        self.note.setProperty("role", "muted")
+        self.note.setWordWrap(True)
+        self.kind, self.width_px, self.speed = QComboBox(), QComboBox(), QComboBox()
+        for side in WIDTHS:
+            self.width_px.addItem(_("{n} pixels wide").format(n=side), side)
+        for seconds in SECONDS:
+            self.speed.addItem(_speed_text(seconds), seconds)
+        self.width_px.setCurrentIndex(WIDTHS.index(800))
+        self.speed.setCurrentIndex(SECONDS.index(1.0))
+        self._choices = QWidget()
+        form = QFormLayout(self._choices)
+        form.setContentsMargins(0, 0, 0, 0)
+        for label, field in (
+            (_("As"), self.kind),
+            (_("Size"), self.width_px),
+            (_("Speed"), self.speed),
+        ):
+            form.addRow(label, field)
+            field.setAccessibleName(label)
+        self._form = form
+        self.bar = QProgressBar()
+        self.bar.setTextVisible(False)
+        self.bar.setAccessibleName(_("How much is written"))
+        self.go, self.cancel = QPushButton(_("Write...")), QPushButton(_("Cancel"))
+        self.go.setProperty("primary", True)
+        self.go.clicked.connect(self._go)
+        self.cancel.clicked.connect(self.cancelled)
+        self.kind.currentIndexChanged.connect(self._follow)
+        buttons = QHBoxLayout()
+        buttons.addStretch(1)
+        buttons.addWidget(self.cancel)
+        buttons.addWidget(self.go)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(12, 10, 12, 10)
+        column.setSpacing(8)
+        for part in (self._title, self._choices, self.note, self.bar):
+            column.addWidget(part)
+        column.addLayout(buttons)
+        owner.installEventFilter(self)
+        self.hide()
+
+    @property
+    def row(self) -> Row:
+        """The way of writing that is chosen."""
+        return self._rows[self.kind.currentIndex()]
+
+    def offer(self, title: str, rows: Sequence[Row], note: str) -> None:
+        """Let the person choose one of ``rows``, and its size and speed; ``note`` says what will be in it."""
+        self._rows = rows
+        self.kind.blockSignals(True)
+        self.kind.clear()
+        self.kind.addItems([_kind_text(row) for row in rows])
+        self.kind.blockSignals(False)
+        self._dress(title, note, choosing=True)
+        self._follow()
+        self.kind.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def progress(self, title: str) -> None:
+        """Something is being written."""
+        self._dress(title, _("Preparing ..."), choosing=False)
+        self.bar.setRange(0, 0)
+
+    def tell(self, done: int, parts: int) -> None:
+        """So much of it is done."""
+        if not self.cancel.isEnabled():
+            return
+        self.bar.setRange(0, parts)
+        self.bar.setValue(done)
+        self.note.setText(_("{done} of {parts}").format(done=done, parts=parts))
+
+    def stop(self) -> None:
+        """It was cancelled, and ends soon."""
+        self.cancel.setEnabled(False)
+        self.note.setText(_("Ending ..."))
+
+    def _dress(self, title: str, note: str, choosing: bool) -> None:
+        self._title.setText(title)
+        self.setAccessibleName(title)
+        self.note.setText(note)
+        self._choices.setVisible(choosing)
+        self.go.setVisible(choosing)
+        self.bar.setVisible(not choosing)
+        self.cancel.setEnabled(True)
+        self.show()
+        self.raise_()
+        self._place()
+
+    def _follow(self, *_index: int) -> None:
+        """A PDF has no size in pixels, and only a GIF moves."""
+        suffix = self.row.suffix
+        self._form.setRowVisible(self.width_px, suffix != ".pdf")
+        self._form.setRowVisible(self.speed, suffix == ".gif")
+        self._place()
+
+    def _go(self) -> None:
+        self.chosen.emit(self.row, self.width_px.currentData(), self.speed.currentData())
+
+    def _place(self) -> None:
+        self.adjustSize()
+        owner = self._owner
+        self.move(owner.width() - self.width() - GAP_PX, owner.height() - self.height() - 9 * GAP_PX)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape cancels."""
+        if event.key() == Qt.Key.Key_Escape:
+            self.cancelled.emit()
+        else:
+            super().keyPressEvent(event)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Stay in its corner."""
+        if event.type() == QEvent.Type.Resize and self.isVisible():
+            self._place()
+        return super().eventFilter(watched, event)
+
+
+def _kind_text(row: Row) -> str:
+    texts = {
+        ".png": _("PNG, a file for each step"),
+        ".pdf": _("PDF, a page for each step"),
+        ".gif": _("GIF that moves"),
+    }
+    return texts.get(row.suffix, row.title)
+
+
+def _speed_text(seconds: float) -> str:
+    if seconds > 1:
+        return _("{n:g} seconds a step").format(n=seconds)
+    each = round(1 / seconds)
+    return ngettext("{n} step a second", "{n} steps a second", each).format(n=each)
