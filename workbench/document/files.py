@@ -7,14 +7,16 @@ told as a DocumentError that names the field.
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import msgspec
 
+from workbench.document.blobs import Blob
 from workbench.document.check import check, refuse
 from workbench.document.content import Progress, read_content, silent
+from workbench.document.encoding import pieces
 from workbench.document.errors import DocumentError
 from workbench.document.model import Document
 from workbench.document.places import legible, line_of, path_at
@@ -24,8 +26,8 @@ from workbench.language import _
 
 FORMAT = "graphics-workbench"
 VERSION = 3
-# What is opened, and so what is saved: the interface has no more memory to give than this asks for.
-MAX_BYTES = 64 * 2**20
+# What is opened, and so what is saved: a few of the largest blobs, and fewer values than memory is there for.
+MAX_BYTES = 256 * 2**20
 MAX_VALUES = 2_000_000  # numbers, texts, lists and objects together
 _CHUNK = 2**20
 _LONGEST_REASON = 200
@@ -82,29 +84,31 @@ def read(path: Path | str, progress: Progress = silent) -> Stored:
 
 
 def write(stored: Stored, path: Path | str) -> None:
-    """Put ``stored`` into a file, atomically; raises DocumentError, and the old file stays."""
+    """Put ``stored`` into a file, atomically; raises DocumentError, and the old file stays.
 
-    def verify(data: bytes) -> None:
-        if decode(data) != stored:
-            raise DocumentError(
-                "", _("What was written reads back differently, so the old file was kept; save again.")
-            )
-
-    replace_file(Path(path), encode(stored), verify)
+    Other threads go on meanwhile: nothing here holds the interpreter for long.
+    """
+    replace_file(Path(path), _pieces(stored))
 
 
 def encode(stored: Stored) -> bytes:
     """The text of a file; raises DocumentError when ``stored`` is not sound."""
+    return b"".join(_pieces(stored))
+
+
+def _pieces(stored: Stored) -> Iterator[bytes]:
+    """The text of a file; raises DocumentError when ``stored`` is not sound, or larger than can be opened."""
     check(stored.document)
     check_state(stored.session, stored.document)
-    check_blobs(stored.blobs)
+    sound_blobs(stored.blobs)
     file = _File(FORMAT, VERSION, *(getattr(stored, name) for name in stored.__struct_fields__))
-    try:
-        return msgspec.json.format(_encoder.encode(file), indent=1) + b"\n"
-    except (TypeError, ValueError) as error:
-        raise DocumentError(
-            "", _("This cannot be put into a file ({reason}).").format(reason=error)
-        ) from error
+    size = 0
+    for piece in pieces(file, _file_decoder):
+        size += len(piece)
+        if size > MAX_BYTES:
+            sentence = _("The file would have over {most:,} bytes, too many to be opened; remove something.")
+            raise DocumentError("", sentence.format(most=MAX_BYTES))
+        yield piece
 
 
 def decode(data: bytes) -> Stored:
@@ -126,8 +130,7 @@ def decode(data: bytes) -> Stored:
         raise DocumentError("", _("The file is nested too deeply; open another copy of it.")) from error
     check(file.document)
     check_state(file.session, file.document)
-    check_blobs(file.blobs)
-    return Stored(file.document, file.session, file.blobs, file.origin, file.origin_stamp)
+    return Stored(file.document, file.session, sound_blobs(file.blobs), file.origin, file.origin_stamp)
 
 
 def _refuse_too_much(data: bytes) -> None:
@@ -160,7 +163,6 @@ def _not_utf_8(data: bytes) -> int | None:
 
 # Made while the module is imported, by one thread: msgspec 0.22 crashes when two threads decode a type for
 # the first time at once, as saving and keeping safe may.
-_encoder = msgspec.json.Encoder()
 _head_decoder = msgspec.json.Decoder(_Head)
 _file_decoder = msgspec.json.Decoder(_File)
 
@@ -205,18 +207,18 @@ def upgraded(
     return {**raw, "version": newest}
 
 
-def check_blobs(blobs: Mapping[str, bytes]) -> None:
-    """Raises DocumentError where a blob is not what its name, the SHA-256 of its content, says."""
-    if not blobs:
-        return
-    import hashlib  # here, since few files have blobs and the first frame waits for this module
-
+def sound_blobs(blobs: Mapping[str, bytes]) -> dict[str, bytes]:
+    """``blobs`` as values that know their digest; raises DocumentError where that is not their name."""
+    sound: dict[str, bytes] = {}
     for name, content in blobs.items():
-        if hashlib.sha256(content).hexdigest() != name:
+        blob = content if isinstance(content, Blob) else Blob(content)
+        if blob.digest != name:
             shown = name if len(name) <= 16 else name[:16] + "…"
             raise refuse(
                 f"blobs.{shown}", _("does not match its content, which was damaged; open another copy")
             )
+        sound[name] = blob
+    return sound
 
 
 def _malformed(data: bytes, message: str) -> DocumentError:

@@ -22,7 +22,7 @@ from msgspec.structs import replace
 
 from workbench.document.content import read_content
 from workbench.document.errors import DocumentError
-from workbench.document.files import MAX_BYTES, Stored, check_blobs, read, write
+from workbench.document.files import MAX_BYTES, Stored, read, sound_blobs, write
 from workbench.document.saving import replace_file, sweep
 from workbench.language import _
 from workbench.paths import recovery_folder
@@ -65,8 +65,7 @@ class Recoverable:
         """What was kept; raises DocumentError."""
         stored = read(self.path)
         blobs = {path.suffixes[0][1:]: read_content(path, MAX_BYTES) for path in _blobs_beside(self.path)}
-        check_blobs(blobs)
-        return replace(stored, blobs={**stored.blobs, **blobs})
+        return replace(stored, blobs={**stored.blobs, **sound_blobs(blobs)})
 
     def discard(self) -> None:
         """Forget this work."""
@@ -182,7 +181,7 @@ class RecoveryFile:
         kept = set(_blobs_beside(self.path))
         for path, content in blobs.items():
             if path not in kept:
-                replace_file(path, content, lambda _data: None)
+                replace_file(path, content)
         write(replace(wanted, blobs={}), self.path)
         for path in kept.difference(blobs):
             _remove(path)
