@@ -22,19 +22,21 @@ ROOT = Path(__file__).parents[2]
 MOVE = edits.move_points({"s1/f1/p1/x": (3.0, 4.0)})
 
 
-def left_by_a_dead_process(folder: Path, origin: str = "") -> Path:
+def left_by_a_dead_process(folder: Path, origin: str = "", blobs: dict[str, bytes] | None = None) -> Path:
     """The recovery file of a process that kept the example, moved, and was killed."""
+    texts = [text for digest, content in (blobs or {}).items() for text in (digest, os.fsdecode(content))]
     code = (
         "import os, sys; from pathlib import Path; from workbench.session.recovery import RecoveryFile;"
         "from workbench.document import Stored, edits;"
         "from workbench.document.samples import example_document;"
         "file = RecoveryFile(Path(sys.argv[1]));"
         "document = edits.move_points({'s1/f1/p1/x': (3.0, 4.0)})(example_document());"
-        "file.keep(Stored(document, origin=sys.argv[2])); file.flush();"
+        "blobs = dict(zip(sys.argv[3::2], map(os.fsencode, sys.argv[4::2])));"
+        "file.keep(Stored(document, blobs=blobs, origin=sys.argv[2])); file.flush();"
         "print(file.path, flush=True); os._exit(9)"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code, str(folder), origin],
+        [sys.executable, "-c", code, str(folder), origin, *texts],
         cwd=ROOT,
         capture_output=True,
         text=True,
@@ -273,6 +275,7 @@ def test_it_rests_twenty_times_as_long_as_it_wrote(tmp_path: Path, monkeypatch: 
     assert waits[:4] == [2.0, 6.0, 10.0, 2.0]
 
 
+# No zeros, and no more than fits on a command line.
 BLOBS = {hashlib.sha256(content).hexdigest(): content for content in (b"a mesh" * 1000, b"a picture" * 999)}
 
 
@@ -295,9 +298,9 @@ def test_each_blob_is_written_once_beside_the_recovery_file(tmp_path: Path) -> N
 
 
 def test_blobs_of_a_dead_process_are_restored_and_cleared_away(session: Session, tmp_path: Path) -> None:
-    path = left_by_a_dead_process(tmp_path)
-    for digest, content in BLOBS.items():
-        path.with_suffix(f".{digest}.blob").write_bytes(content)
+    path = left_by_a_dead_process(tmp_path, blobs=BLOBS)
+    # The process died before it cleared away what it needed no longer.
+    path.with_suffix(f".{'0' * 64}.blob").touch()
     (work,) = recoverable(tmp_path)
     session.recover(work)
     assert session.stored.blobs == BLOBS
@@ -305,13 +308,20 @@ def test_blobs_of_a_dead_process_are_restored_and_cleared_away(session: Session,
     assert {file.name.partition(".")[0] for file in tmp_path.iterdir()} == {session._recovery.path.stem}
 
 
-def test_a_damaged_blob_is_refused_and_nothing_is_thrown_away(session: Session, tmp_path: Path) -> None:
-    path = left_by_a_dead_process(tmp_path)
+@pytest.mark.parametrize("damage", ["does not match its content", "lacks a part"])
+def test_a_damaged_blob_is_refused_and_nothing_is_thrown_away(
+    session: Session, tmp_path: Path, damage: str
+) -> None:
+    path = left_by_a_dead_process(tmp_path, blobs=BLOBS)
     digest, content = next(iter(BLOBS.items()))
-    path.with_suffix(f".{digest}.blob").write_bytes(content[:-1])
-    with pytest.raises(DocumentError, match="does not match its content"):
+    damaged = path.with_suffix(f".{digest}.blob")
+    if "lacks" in damage:
+        damaged.unlink()
+    else:
+        damaged.write_bytes(content[:-1])
+    with pytest.raises(DocumentError, match=damage):
         session.recover(recoverable(tmp_path)[0])
-    assert len(list(tmp_path.glob(f"{path.stem}.*"))) == 3
+    assert len(list(tmp_path.glob(f"{path.stem}.*"))) == 4 - ("lacks" in damage)
 
 
 def test_blobs_without_their_recovery_file_are_cleared_away(tmp_path: Path) -> None:

@@ -101,6 +101,8 @@ def check(document: Document, before: Document | None = None) -> Document:
             _sheet(f"sheets[{index}]", sheet, by_id.get(sheet.id))
     if not (_ids_sound(document) if before is None else _new_ids_sound(before, document)):
         raise _wrong_id(document)
+    if before is None:
+        highest(document)  # every figure keeps its own, so that the first edit has not to look at all of them
     return document
 
 

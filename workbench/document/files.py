@@ -42,8 +42,9 @@ UPGRADES: Mapping[int, Upgrade] = {1: dict, 2: dict}
 class Stored(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What a file holds: the picture, the session beside it, and blobs by the SHA-256 of their content.
 
-    ``origin`` is set in recovery files only: the file that the picture came from, empty when it had none; and
-    ``origin_stamp``, the state in which that file was known.
+    The others are set in recovery files only. ``origin``: the file that the picture came from, empty when it
+    had none; ``origin_stamp``: the state in which that file was known; ``blobs_beside``: the digests of blobs
+    that are files of their own.
     """
 
     document: Document
@@ -51,6 +52,7 @@ class Stored(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     blobs: dict[str, bytes] = {}
     origin: str | None = None
     origin_stamp: tuple[int, int, int] | None = None
+    blobs_beside: tuple[str, ...] = ()
 
 
 class _Head(msgspec.Struct):
@@ -66,6 +68,7 @@ class _File(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
     blobs: dict[str, bytes]
     origin: str | None = None
     origin_stamp: tuple[int, int, int] | None = None
+    blobs_beside: tuple[str, ...] = ()
 
 
 def load(path: Path | str) -> Document:
@@ -130,7 +133,8 @@ def decode(data: bytes) -> Stored:
         raise DocumentError("", _("The file is nested too deeply; open another copy of it.")) from error
     check(file.document)
     check_state(file.session, file.document)
-    return Stored(file.document, file.session, sound_blobs(file.blobs), file.origin, file.origin_stamp)
+    blobs = sound_blobs(file.blobs)
+    return Stored(file.document, file.session, blobs, file.origin, file.origin_stamp, file.blobs_beside)
 
 
 def _refuse_too_much(data: bytes) -> None:

@@ -20,10 +20,12 @@ from pathlib import Path
 import msgspec
 from msgspec.structs import replace
 
+from workbench.document.blobs import MAX_BLOB_BYTES
 from workbench.document.content import read_content
 from workbench.document.errors import DocumentError
-from workbench.document.files import MAX_BYTES, Stored, read, sound_blobs, write
+from workbench.document.files import Stored, read, sound_blobs, write
 from workbench.document.saving import replace_file, sweep
+from workbench.engine.turns import short_turns
 from workbench.language import _
 from workbench.paths import recovery_folder
 from workbench.session.stamps import Stamp, stamp
@@ -64,8 +66,14 @@ class Recoverable:
     def read(self) -> Stored:
         """What was kept; raises DocumentError."""
         stored = read(self.path)
-        blobs = {path.suffixes[0][1:]: read_content(path, MAX_BYTES) for path in _blobs_beside(self.path)}
-        return replace(stored, blobs={**stored.blobs, **sound_blobs(blobs)})
+        beside = {path.suffixes[0][1:]: path for path in _blobs_beside(self.path)}
+        blobs = dict(stored.blobs)
+        for digest in stored.blobs_beside:
+            if digest not in beside:
+                sentence = _("{path} lacks a part that stood beside it; open another copy.")
+                raise DocumentError("blobs_beside", sentence.format(path=self.path))
+            blobs[digest] = read_content(beside[digest], MAX_BLOB_BYTES)
+        return replace(stored, blobs=sound_blobs(blobs), blobs_beside=())
 
     def discard(self) -> None:
         """Forget this work."""
@@ -157,7 +165,8 @@ class RecoveryFile:
     def _trying(self, act: Callable[[], None]) -> bool:
         """Whether ``act`` did not fail. Nothing that it raises ends the thread: the next time may do."""
         try:
-            act()
+            with short_turns:
+                act()
         except Exception as error:
             sentence = _(
                 "Unsaved work cannot be kept safe: {reason} This is tried again by itself; "
@@ -182,7 +191,7 @@ class RecoveryFile:
         for path, content in blobs.items():
             if path not in kept:
                 replace_file(path, content)
-        write(replace(wanted, blobs={}), self.path)
+        write(replace(wanted, blobs={}, blobs_beside=tuple(wanted.blobs)), self.path)
         for path in kept.difference(blobs):
             _remove(path)
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from workbench.document.errors import DocumentError
 from workbench.document.files import Stored, write
+from workbench.engine.turns import short_turns
 from workbench.language import _
 from workbench.session.stamps import Stamp, stamp
 
@@ -56,7 +57,8 @@ class Saver(QObject):
     def _write(self, stored: Stored, path: Path) -> None:
         problem = _("Something in the program failed; save under another name.")
         try:
-            write(stored, path)
+            with short_turns:
+                write(stored, path)
             problem = ""
         except DocumentError as error:
             problem = str(error)

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Qt, Signal
 
 from workbench.document.addresses import changed as changed_addresses
+from workbench.document.check import check
 from workbench.document.edits import Edit, add_sheet
 from workbench.document.errors import DocumentError
 from workbench.document.files import Stored, read, write
@@ -47,7 +48,7 @@ class Session(QObject):
 
     def __init__(self, parent: QObject | None = None, document: Document | None = None) -> None:
         super().__init__(parent)
-        self.document = blank_sheet() if document is None else document
+        self.document = blank_sheet() if document is None else check(document)
         self.revision = 0
         self.path: Path | None = None
         self.undo_stack = UndoStack(self._show, self)
