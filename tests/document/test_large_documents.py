@@ -165,3 +165,14 @@ def test_a_sheet_is_added_beside_itself_with_numbers_that_follow(looked_at: list
     twice = edits.add_sheet(document.sheets[0])(document)
     assert len({*document.sheets[0].figures[0].ids, *twice.sheets[1].figures[0].ids}) == 16
     assert [figure.id for figure in twice.sheets[1].figures[:2]] == ["f31", "f39"]
+
+
+def test_what_moves_elsewhere_keeps_its_ids() -> None:
+    document = edits.add_sheet(replace(blank_sheet().sheets[0], id="s2"))(many(4))
+    first, second = document.sheets
+    moved = (
+        replace(first, figures=first.figures[:1] + first.figures[2:]),
+        replace(second, figures=first.figures[1:2]),
+    )
+    after = replace(document, sheets=moved)
+    assert check.check(after, document) is after

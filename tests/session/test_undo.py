@@ -171,3 +171,12 @@ def test_a_session_bounds_what_undo_holds(monkeypatch: pytest.MonkeyPatch) -> No
     assert session.undo_stack.held <= 20 * one
     with pytest.raises(DocumentError):
         session.apply(edits.remove_figures(["none"]), "Remove")
+
+
+def test_a_drag_weighs_what_it_has_become() -> None:
+    session = Session(document=full_of(100))
+    start = session.document
+    session.apply(edits.rename_sheet("s1", "Other"), "Change", merge="drag")
+    session.apply(edits.remove_figures([f"f{n}" for n in range(50)]), "Change", merge="drag")
+    session.end_merge()
+    assert session.undo_stack.held == weight(start, session.document) > 50_000

@@ -110,7 +110,7 @@ class RecoveryFile:
         self._flushes = self._flushed = 0
         self._closing = False
         self._trying(self._hold_name)
-        self._thread = threading.Thread(target=self._work, name="recovery", daemon=True)
+        self._thread = threading.Thread(target=self._run, name="recovery", daemon=True)
         self._thread.start()
 
     def keep(self, stored: Stored | None) -> None:
@@ -136,6 +136,14 @@ class RecoveryFile:
             self._state.notify_all()
         self._thread.join()
         self._give_up_name()
+
+    def _run(self) -> None:
+        try:
+            self._work()
+        finally:
+            with self._state:  # whoever waits for it does not wait for ever
+                self._closing = True
+                self._state.notify_all()
 
     def _work(self) -> None:
         next_s = 0.0
