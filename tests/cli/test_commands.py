@@ -160,6 +160,25 @@ def test_help_and_version(capsys: pytest.CaptureFixture[str]) -> None:
         assert expected in printed(capsys, *words)
 
 
+def test_a_terminal_without_the_letters_and_a_closed_one() -> None:
+    root = Path(__file__).parents[2]
+    command = [sys.executable, "-m", "workbench", "list"]
+    environment = {**os.environ, "PYTHONIOENCODING": "ascii"}
+    shown = subprocess.run(command, cwd=root, env=environment, capture_output=True, text=True, check=True)
+    assert "B?zier" in shown.stdout
+    assert shown.stderr == ""
+    closed = subprocess.run(
+        [sys.executable, "-c", "import os, sys; os.close(1); os.execv(sys.argv[1], sys.argv[1:])", *command],
+        cwd=root,
+        stderr=subprocess.PIPE,
+        text=True,
+        check=False,
+    )
+    assert closed.returncode == 1
+    assert closed.stderr.startswith("graphics-workbench: what it found cannot be printed, since")
+    assert closed.stderr.count("\n") == 1
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is always full")
 @pytest.mark.parametrize("words", [("list",), ("--help",), ("trace", "bresenham_line", "0", "0", "9", "4")])
 def test_what_cannot_be_printed_is_said_in_one_line(words: tuple[str, ...]) -> None:

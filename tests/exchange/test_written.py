@@ -13,8 +13,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image, ImageSequence
 
+from workbench.algorithms import catalogue
 from workbench.document.saving import SavingError
+from workbench.engine.observation import Steps
+from workbench.engine.recorder import record
 from workbench.exchange.frames import indexed
+from workbench.exchange.run_tables import hand
 from workbench.exchange.writing import Cancelled, SuffixError, completed, of_kind, row_for, write
 from workbench.exchange.written import ROWS, rows
 
@@ -50,6 +54,17 @@ def test_a_gif_has_every_frame_and_its_time(tmp_path: Path) -> None:
     assert frames == [(k, 250) for k in range(5)] + [(5, 750)]
 
 
+def test_a_gif_that_would_fill_the_memory_is_refused_at_its_first_picture(tmp_path: Path) -> None:
+    class Many(Made):
+        def image(self, number: int) -> np.ndarray[Any, Any]:
+            assert number == 0
+            return np.zeros((933, 1200, 3), np.uint8)
+
+    with pytest.raises(ValueError, match="A GIF of 500 pictures 1200 pixels wide is too large"):
+        write(row_for(rows("run"), tmp_path / "a.gif"), Many(500), tmp_path / "a.gif")
+    assert list(tmp_path.iterdir()) == []
+
+
 @given(st.integers(2, 700), st.integers(0, 2**32 - 1))
 def test_the_frequent_colours_of_a_gif_are_exact_and_the_others_near(count: int, seed: int) -> None:
     random = np.random.default_rng(seed)
@@ -76,14 +91,14 @@ def test_frames_are_numbered_from_nothing(tmp_path: Path) -> None:
     assert [path.name for path in row.paths(Path("b.png"), 1001)][::1000] == ["b-0000.png", "b-1000.png"]
 
 
-@pytest.mark.parametrize("suffix", [".png", ".gif"])
-def test_cancelled_everything_is_as_before(suffix: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("suffix", "last"), [(".png", 3), (".gif", 3), (".gif", 5), (".png", 5)])
+def test_cancelled_everything_is_as_before(suffix: str, last: int, tmp_path: Path) -> None:
     for name in ("a-001.png", "a.gif"):
         (tmp_path / name).write_bytes(b"mine")
 
     def told(done: int, parts: int) -> None:
         assert parts == 5
-        if done == 3:
+        if done == last:
             raise Cancelled
 
     path = tmp_path / f"a{suffix}"
@@ -91,6 +106,25 @@ def test_cancelled_everything_is_as_before(suffix: str, tmp_path: Path) -> None:
         write(row_for(rows("run"), path), Made(5), path, told)
     assert sorted(each.name for each in tmp_path.iterdir()) == ["a-001.png", "a.gif"]
     assert {each.read_bytes() for each in tmp_path.iterdir()} == {b"mine"}
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".json", ".html"])
+def test_a_long_table_is_told_row_by_row_and_can_be_cancelled(suffix: str, tmp_path: Path) -> None:
+    entry = catalogue.get("bresenham_line")
+    steps = Steps(entry, record(entry.function, 0, 0, 500, 200))
+    path, done = tmp_path / f"a{suffix}", []
+
+    def told(rows_done: int, of: int) -> None:
+        done.append((rows_done, of))
+        if rows_done > 200:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        write(row_for(rows("table"), path), hand(steps), path, told)
+    assert done == [(0, 500), (64, 500), (128, 500), (192, 500), (256, 500)]
+    assert list(tmp_path.iterdir()) == []
+    write(row_for(rows("table"), path), hand(steps), path)
+    assert path.read_text(encoding="utf-8").count("(500, 200)" if suffix != ".json" else "[500, 200]") == 1
 
 
 def test_when_the_last_of_many_cannot_take_its_place_the_others_have_theirs_back(
@@ -106,7 +140,7 @@ def test_when_the_last_of_many_cannot_take_its_place_the_others_have_theirs_back
         replace(source, target)
 
     monkeypatch.setattr(os, "replace", refuse)
-    with pytest.raises(SavingError, match="no room"):
+    with pytest.raises(SavingError, match="make room"):
         write(row_for(rows("run"), tmp_path / "a.png"), Made(5), tmp_path / "a.png")
     assert sorted(each.name for each in tmp_path.iterdir()) == ["a-001.png", "a-004.png"]
     assert {each.read_bytes() for each in tmp_path.iterdir()} == {b"mine"}

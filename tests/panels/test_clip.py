@@ -12,6 +12,9 @@ from shapely import box as shapely_box
 from workbench.document.edits import add_figure, set_clip, set_clippers
 from workbench.document.model import Circle, Line, Polygon, Rectangle, WorldPoint
 from workbench.document.samples import blank_sheet, example
+from workbench.exchange.run_tables import hand
+from workbench.exchange.writing import row_for, write
+from workbench.exchange.written import rows
 from workbench.panels.clip import ClipPanel
 from workbench.panels.clip_run import clip_moment, edge_points
 from workbench.panels.clip_scene import outcomes, tally
@@ -334,7 +337,7 @@ def test_the_hand_table_is_saved_with_every_digit(qtbot, session, panel, tmp_pat
     session.update_state(active="f6")
     recorded(qtbot, session)
     target = tmp_path / "table.csv"
-    panel.exporter.write_table(target)
+    write(row_for(rows("table"), target), hand(session.run.steps), target)
     lines = target.read_text(encoding="utf-8").splitlines()
     assert len(lines) == 1 + len(session.run.steps)
     assert len(lines[0].split(",")) >= len(session.run.entry.columns)

@@ -219,7 +219,7 @@ def test_every_table_that_is_offered_is_written(qtbot: QtBot, window: MainWindow
     recorded(qtbot, window)
     window.session.run.go(3)
     titles = [each.title for each in window.files.exports.tables()]
-    assert titles[:3] == ["Hand table", "Pixels in the order of painting", "Every line with its variables"]
+    assert titles[:2] == ["Pixels in the order of painting", "Every line with its variables"]
     assert any("at this step" in title for title in titles)
     for number in range(len(titles)):
         window.files.exports.tables()[number].ask()
@@ -242,7 +242,7 @@ def test_export_is_found_by_its_name(window: MainWindow) -> None:
         "Export this run...",
         "Export the hand table...",
         "Export the points of the curve...",
-        "Export a table",
+        "Export another table",
     ]
 
 
@@ -301,7 +301,7 @@ def test_cancelled_nothing_is_left(
     (tmp_path / "walk-003.png").write_bytes(b"mine")
     choose_run(window, ".png")
     type_name(qtbot, window, "walk")
-    next(each for each in window.messages.buttons() if each.text() == "Replace them").click()
+    next(each for each in window.messages.buttons() if each.text() == "Replace it").click()
     card = window.files.exports.card
     qtbot.waitUntil(lambda: card.isVisible() and card.bar.value() >= 2, timeout=10_000)
     qtbot.mouseClick(card.cancel, Qt.MouseButton.LeftButton)

@@ -22,6 +22,8 @@ class _Parser(argparse.ArgumentParser):
 
 def main(arguments: Sequence[str]) -> int:
     """Run one command. 0 when it worked; else one line on standard error and 2 for bad input, 1 otherwise."""
+    if hasattr(sys.stdout, "reconfigure"):
+        sys.stdout.reconfigure(errors="replace")  # what the terminal cannot show stops nothing
     try:
         try:
             options = _parser().parse_args(arguments)
@@ -42,6 +44,8 @@ def main(arguments: Sequence[str]) -> int:
 
 def _print(text: str) -> None:
     """Print ``text``, and whatever still waits. Raises WorkError, and BrokenPipeError when nobody reads."""
+    if not sys.stdout:
+        raise WorkError(_("what it found cannot be printed, since the output is closed; open it."))
     try:
         sys.stdout.write(text)
         sys.stdout.flush()

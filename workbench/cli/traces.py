@@ -30,7 +30,7 @@ def run(entry: Entry, arguments: tuple[Any, ...]) -> Recording:
 
 
 TABLES: dict[str, Callable[[Entry, Recording], Table]] = {
-    "hand": lambda entry, recording: run_tables.hand(Steps(entry, recording)),
+    "hand": lambda entry, recording: run_tables.hand(Steps(entry, recording)).computed(),
     "pixels": run_tables.emitted,
-    "lines": lambda _entry, recording: run_tables.lines(recording),
+    "lines": lambda _entry, recording: run_tables.lines(recording).computed(),
 }

@@ -68,8 +68,7 @@ class Replacement:
         try:
             target = Path(os.path.realpath(path))
             old = _replaceable(path, target)
-            if not self._staged:
-                sweep(target.parent, _prefix(target))
+            sweep(target.parent, _prefix(target))
             temporary = _beside(target)
             descriptor = os.open(temporary, _EXCLUSIVE, 0o666)
             self._staged.append(_Staged(path, target, temporary, old is not None))
@@ -145,14 +144,14 @@ def _refusal(path: Path, error: OSError | ValueError) -> SavingError:
     """The sentence that says why ``path`` cannot be written."""
     number = error.errno if isinstance(error, OSError) else None
     match number:
-        case errno.ENOENT | errno.ENOTDIR:
+        case errno.ENOENT | errno.ENOTDIR if not path.parent.is_dir():
             sentence = _("There is no folder {folder} for {name}; choose another folder.")
         case errno.EACCES | errno.EPERM:
             sentence = _("You may not write {name} in the folder {folder}; choose another folder.")
         case errno.EROFS:
             sentence = _("The disk of {path} can only be read; choose a folder on another disk.")
         case errno.ENOSPC | errno.EDQUOT:
-            sentence = _("There is no room on the disk for {path}; make room, or choose another disk.")
+            sentence = _("{path} cannot be written ({reason}); make room, or choose another disk.")
         case errno.EFBIG:
             sentence = _("{path} would be larger than a file may be here; choose another disk.")
         case errno.ENAMETOOLONG:
@@ -210,9 +209,14 @@ def _kept(target: Path) -> Path:
     try:
         os.link(target, kept)
     except OSError:  # a file system without links
-        with open(os.open(kept, _EXCLUSIVE, 0o600), "wb") as copy, open(target, "rb") as original:
-            shutil.copyfileobj(original, copy)
-        shutil.copystat(target, kept)
+        try:
+            with open(os.open(kept, _EXCLUSIVE, 0o600), "wb") as copy, open(target, "rb") as original:
+                shutil.copyfileobj(original, copy)
+            shutil.copystat(target, kept)
+        except OSError:
+            with suppress(OSError):
+                kept.unlink()
+            raise
     return kept
 
 

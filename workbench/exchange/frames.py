@@ -1,18 +1,20 @@
 """Pictures that follow one another, as numbered PNG files or as one GIF that moves."""
 
 import io
-from collections.abc import Iterator
-from typing import Protocol
+from collections.abc import Callable, Iterator
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
 from workbench.exchange.writing import Progress, Put
+from workbench.language import _
 
 Picture = NDArray[np.uint8]
 
 _MOST_COLOURS = 256
+_MOST_PIXELS = 300_000_000  # of all pictures together: so many bytes are held while a GIF is made
 
 
 class Frames(Protocol):
@@ -53,8 +55,11 @@ def animation(frames: Frames, put: Put, told: Progress) -> None:
 
     images = told_of_each()
     first = next(images)
+    if first.width * first.height * frames.parts > _MOST_PIXELS:
+        sentence = _("A GIF of {parts} pictures {width} pixels wide is too large; choose a smaller size.")
+        raise ValueError(sentence.format(parts=frames.parts, width=first.width))
     each = max(round(100 * frames.seconds), 2) * 10
-    file = io.BytesIO()
+    file = _Telling(lambda: told(frames.parts, frames.parts))
     first.save(
         file,
         "GIF",
@@ -70,19 +75,32 @@ def animation(frames: Frames, put: Put, told: Progress) -> None:
 def indexed(picture: Picture) -> Image.Image:
     """``picture`` in at most 256 colours: the most frequent exactly, any other as the nearest of them."""
     red, green, blue = (picture[..., channel].astype(np.uint32) for channel in range(3))
-    colours, inverse, counts = np.unique(
-        red << 16 | green << 8 | blue, return_inverse=True, return_counts=True
-    )
-    order = np.argsort(-counts, kind="stable")
+    pixels = (red << 16 | green << 8 | blue).ravel()
+    starts = np.flatnonzero(np.diff(pixels, prepend=~pixels[:1]))  # of runs of one colour, which are few
+    lengths = np.diff(starts, append=len(pixels))
+    colours, inverse = np.unique(pixels[starts], return_inverse=True)
+    order = np.argsort(-np.bincount(inverse, lengths), kind="stable")
     rgb = np.stack([colours >> 16, colours >> 8 & 255, colours & 255], axis=-1).astype(np.int32)
     palette = rgb[order[:_MOST_COLOURS]]
     place = np.empty(len(colours), np.uint8)
     place[order[:_MOST_COLOURS]] = np.arange(len(palette))
     for rare in order[_MOST_COLOURS:]:
         place[rare] = np.argmin(((palette - rgb[rare]) ** 2).sum(axis=1))
-    image = Image.fromarray(place[inverse].reshape(picture.shape[:2]), "P")
+    image = Image.fromarray(np.repeat(place[inverse], lengths).reshape(picture.shape[:2]), "P")
     image.putpalette(palette.astype(np.uint8).tobytes())
     return image
+
+
+class _Telling(io.BytesIO):
+    """A file in memory that calls ``tell`` whenever something is written into it."""
+
+    def __init__(self, tell: Callable[[], object]) -> None:
+        super().__init__()
+        self._tell = tell
+
+    def write(self, data: Any) -> int:
+        self._tell()
+        return super().write(data)
 
 
 def _png(picture: Picture) -> bytes:

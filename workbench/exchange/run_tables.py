@@ -1,8 +1,8 @@
 """The tables of a run: the hand table, what is emitted, every line with its variables."""
 
 import linecache
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, overload
 
 from workbench.algorithms.entry import Emits, Entry
 from workbench.engine.observation import Steps
@@ -19,10 +19,33 @@ _EMITTED: dict[Emits, tuple[str, ...]] = {
 }
 
 
+class _Rows(Sequence[tuple[Any, ...]]):
+    """``count`` rows, each computed when it is read: a run has up to a million of them."""
+
+    def __init__(self, count: int, row: Callable[[int], tuple[Any, ...]]) -> None:
+        self._numbers, self._row = range(count), row
+
+    def __len__(self) -> int:
+        return len(self._numbers)
+
+    @overload
+    def __getitem__(self, number: int) -> tuple[Any, ...]: ...
+
+    @overload
+    def __getitem__(self, number: slice) -> list[tuple[Any, ...]]: ...
+
+    def __getitem__(self, number: int | slice) -> tuple[Any, ...] | list[tuple[Any, ...]]:
+        if isinstance(number, slice):
+            return [self._row(each) for each in self._numbers[number]]
+        return self._row(self._numbers[number])
+
+
 def hand(steps: Steps, most: int | None = None) -> Table:
     """The hand table, one row for each step, or for the first ``most`` of them."""
-    last = len(steps) if most is None else most
-    return Table(steps.entry.columns, [steps.row(number) for number in range(1, last + 1)])
+    return Table(
+        steps.entry.columns,
+        _Rows(len(steps) if most is None else most, lambda number: steps.row(number + 1)),
+    )
 
 
 def emitted(entry: Entry, recording: Recording) -> Table:
@@ -37,12 +60,12 @@ def emitted(entry: Entry, recording: Recording) -> Table:
 def lines(recording: Recording) -> Table:
     """Every line that ran, with the variables as they were before it; empty where a name is not bound."""
     files = {text.name: text.code.co_filename for text in recording.texts}
-    moments = [recording[number] for number in range(len(recording))]
-    names = list(dict.fromkeys(name for moment in moments for name in moment.variables))
+    ran = [recording.texts[code] for code in dict.fromkeys(recording.codes.tolist())]
+    names = list(dict.fromkeys(name for text in ran for name in text.names))
 
-    def rows() -> Iterator[tuple[Any, ...]]:
-        for number, moment in enumerate(moments, 1):
-            values = (moment.variables.get(name) for name in names)
-            yield number, moment.line, linecache.getline(files[moment.function], moment.line).strip(), *values
+    def row(number: int) -> tuple[Any, ...]:
+        moment = recording[number]
+        text = linecache.getline(files[moment.function], moment.line).strip()
+        return (number + 1, moment.line, text, *map(moment.variables.get, names))
 
-    return Table(("number", "line", "text", *names), list(rows()), formulas=False)
+    return Table(("number", "line", "text", *names), _Rows(len(recording), row), formulas=False)

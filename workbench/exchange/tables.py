@@ -10,7 +10,7 @@ import json
 import math
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -28,6 +28,10 @@ class Table:
     columns: tuple[str, ...]
     rows: Sequence[tuple[Any, ...]]
     formulas: bool = True
+
+    def computed(self) -> "Table":
+        """The same, with every row at hand that is otherwise computed when it is read."""
+        return replace(self, rows=list(self.rows))
 
     def headings(self, subscripts: bool) -> list[str]:
         """The headings with real subscripts, or in plain characters."""

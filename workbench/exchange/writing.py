@@ -15,6 +15,7 @@ from workbench.language import _
 
 Progress = Callable[[int, int], None]
 Put = Callable[[bytes], None]
+Encode = Callable[[Any, Put, Progress], object]
 
 # What stands behind the last point of a name is an ending when it looks like one: "lab 2.3" has none.
 _ENDING = re.compile(r"\.[a-z][a-z0-9]{0,7}", re.IGNORECASE)
@@ -40,7 +41,7 @@ class Row:
     kind: str
     suffix: str
     title: str
-    encode: Callable[[Any, Put, Progress], object]
+    encode: Encode
     numbered: bool = False
     verify: Callable[[bytes], object] | None = None
 
@@ -52,7 +53,7 @@ class Row:
         return [path.with_stem(f"{path.stem}-{number:0{digits}d}") for number in range(parts)]
 
 
-def whole(make: Callable[[Any], bytes]) -> Callable[[Any, Put, Progress], object]:
+def whole(make: Callable[[Any], bytes]) -> Encode:
     """The ``encode`` of a row whose content becomes one file in one go."""
 
     def encode(content: Any, put: Put, _told: Progress) -> None:
@@ -74,7 +75,7 @@ def row_for(rows: Sequence[Row], path: Path) -> Row:
     endings = [row.suffix for row in rows]
     listed = _(" or ").join(filter(None, (", ".join(endings[:-1]), endings[-1])))
     sentence = _("{name}: this is written as {endings}; let the name end so.")
-    raise SuffixError(sentence.format(name=path.name, endings=listed))
+    raise SuffixError(sentence.format(name=path.name or path, endings=listed))
 
 
 def completed(rows: Sequence[Row], path: Path, chosen: Row) -> tuple[Path, Row]:

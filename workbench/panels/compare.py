@@ -352,7 +352,7 @@ class ComparePanel(QWidget):
     def tables(self) -> list[tuple[str, Table]]:
         """Title and content of the comparison, while there is one."""
         table = self.view.content()
-        return [(self.title, table)] if table.rows else []
+        return [(_("Comparison"), table)] if table.rows else []
 
     def show_example(self) -> None:
         """Open lines to compare."""

@@ -1,7 +1,7 @@
 """What a panel of figures gives to be taken out: its steps as pages, its tables, the picture as it is."""
 
 from collections.abc import Callable
-from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -9,7 +9,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
 from workbench.language import _
-from workbench.panels.figure_pages import Page, Pages, on
+from workbench.panels.figure_pages import PICTURE_WIDTH, Page, Pages
 from workbench.panels.figure_view import FigureView
 from workbench.widgets.canvas_painter import Picture
 
@@ -41,9 +41,7 @@ class Exporter(QObject):
     def steps(self) -> int:
         """How many steps of the run may be shown; 0 without a run."""
         run = self._view.stepped_run()
-        if run is None or run.steps is None:
-            return 0
-        return min(len(run.steps), run.seen) if run.ask_first else len(run.steps)
+        return 0 if run is None else run.tellable
 
     def page(self, number: int | None = None) -> Page:
         """What the canvas shows now, or one step of the run."""
@@ -61,25 +59,38 @@ class Exporter(QObject):
         return Pages(1, lambda _number: page, self._view.session.sheet.name, self._owner.font())
 
     def this_run(
-        self, ask: Callable[[Callable[[], Any]], Any] = _here, width: int = 0, seconds: float = 1.0
+        self,
+        ask: Callable[[Callable[[], Any]], Any] = _here,
+        width: int = PICTURE_WIDTH,
+        seconds: float = 1.0,
     ) -> Pages:
         """The picture before the first step and after each, at most ``MOST_PAGES``.
 
         A page raises ChangedError once the picture or the run is another one.
         """
-        session, run = self._view.session, self._view.stepped_run()
-        revision, recording = session.revision, None if run is None else run.recording
+        begun = self._what_is_shown()
 
-        def made(number: int) -> Page:
-            now = self._view.stepped_run()
-            if session.revision != revision or (None if now is None else now.recording) is not recording:
+        def page(number: int) -> Page:
+            if self._what_is_shown() != begun:
                 raise ChangedError(
                     _("The picture was changed before all its steps were written; nothing was written.")
                 )
             return self.page(number)
 
-        pages = Pages(min(self.steps + 1, MOST_PAGES), on(ask, made), session.sheet.name, self._owner.font())
-        return pages if not width else replace(pages, width=width, seconds=seconds)
+        return Pages(
+            min(self.steps + 1, MOST_PAGES),
+            lambda number: ask(partial(page, number)),
+            self._view.session.sheet.name,
+            self._owner.font(),
+            width,
+            seconds,
+        )
+
+    def _what_is_shown(self) -> tuple[object, ...]:
+        """What the pages of a run depend on."""
+        session, run = self._view.session, self._view.stepped_run()
+        recording = None if run is None else run.recording
+        return session.revision, session.state.compare, session.state.construction, recording
 
     def copy_picture(self) -> None:
         """Put what the canvas shows on the clipboard."""

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QRectF, QSize, QSizeF, Qt
@@ -10,7 +9,7 @@ from PySide6.QtGui import QFont, QImage, QPageSize, QPainter, QPdfWriter
 from PySide6.QtSvg import QSvgGenerator
 
 from workbench.exchange.frames import Picture as Frame
-from workbench.exchange.writing import Progress, Put, Row
+from workbench.exchange.writing import Progress, Put, Row, of_kind
 from workbench.exchange.written import ROWS as WINDOWLESS
 from workbench.widgets.canvas_overlay import Overlay
 from workbench.widgets.canvas_painter import Picture, Scene, paint_rulers, paint_scene, ruler_sizes
@@ -138,9 +137,4 @@ ROWS: tuple[Row, ...] = (
 
 def rows_of(kind: str) -> tuple[Row, ...]:
     """Every way in which one kind of content is written."""
-    return tuple(row for row in ROWS if row.kind == kind)
-
-
-def on(ask: Callable[[Callable[[], Any]], Any], make: Callable[[int], Page]) -> Callable[[int], Page]:
-    """``make``, where ``ask`` does what it is given, as on another thread."""
-    return lambda number: ask(lambda: make(number))
+    return of_kind(ROWS, kind)

@@ -95,6 +95,12 @@ class Run(Cursor):
             self._seen = self._position if not self.detail else (self.step.number if self.step else 0)
             self.asked.emit()
 
+    @property
+    def tellable(self) -> int:
+        """How many steps may be told: all that are recorded, or, asked first, those that were seen."""
+        recorded = 0 if self.steps is None else len(self.steps)
+        return min(recorded, self.seen) if self.ask_first else recorded
+
     def questioned(self, number: int) -> bool:
         """Whether step ``number`` has a pixel or a choice that can be asked for."""
         if self.steps is None or not 1 <= number <= len(self.steps):

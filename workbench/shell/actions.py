@@ -56,6 +56,8 @@ def submenu_titles() -> tuple[tuple[str, str, str], ...]:
 
 def commands() -> tuple[Command, ...]:
     """The table."""
+    from workbench.shell.export_commands import export_commands  # made of these rows' kind
+
     return (
         Command(
             "new",
@@ -108,68 +110,7 @@ def commands() -> tuple[Command, ...]:
             "file",
             "document",
         ),
-        Command(
-            "export_picture",
-            _("Export the picture as PNG..."),
-            lambda w: w.files.exports.picture(),
-            (),
-            "image-square",
-            _("Every pixel of the sheet, large enough to be seen"),
-            "export",
-            "document",
-        ),
-        Command(
-            "export_drawing",
-            _("Export the figures as SVG..."),
-            lambda w: w.files.exports.drawing(),
-            (),
-            "line-segments",
-            _("Exact lines and curves for other drawing programs"),
-            "export",
-            "document",
-        ),
-        Command(
-            "export_step",
-            _("Export this step..."),
-            lambda w: w.files.exports.step(),
-            (),
-            "image",
-            _("What the canvas shows, with its sentence, as PNG, SVG or PDF"),
-            "export",
-            "document",
-            separated=True,
-        ),
-        Command(
-            "export_run",
-            _("Export this run..."),
-            lambda w: w.files.exports.run(),
-            (),
-            "files",
-            _("Every step as a PNG, as a page of a PDF, or in a GIF that moves"),
-            "export",
-            "document",
-        ),
-        Command(
-            "export_hand",
-            _("Export the hand table..."),
-            lambda w: w.files.exports.hand_table(),
-            (),
-            "table",
-            _("A row for each step, as CSV, JSON or HTML"),
-            "export",
-            "document",
-            separated=True,
-        ),
-        Command(
-            "export_points",
-            _("Export the points of the curve..."),
-            lambda w: w.files.exports.points(),
-            (),
-            "dots-three",
-            _("The chosen points, or all, as a list that can be brought in again"),
-            "export",
-            "document",
-        ),
+        *export_commands(),
         Command(
             "quit",
             _("Quit"),

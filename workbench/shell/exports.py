@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -14,8 +14,9 @@ from workbench.language import _, ngettext
 if TYPE_CHECKING:
     from workbench.exchange.writing import Row
     from workbench.panels.figure_export import Exporter
-    from workbench.session.writer import Outcome
+    from workbench.session.writer import Outcome, Writer
     from workbench.shell.window import MainWindow
+    from workbench.widgets.writing_card import WritingCard
 
 _PICTURE_PX = 1600
 # What is written within this time needs no card.
@@ -46,6 +47,8 @@ class Exports(QObject):
 
     def _offer(self, workspace: str) -> None:
         """Let the menus of the canvases lead here too."""
+        if "writer" not in self.__dict__ or not self.writer.busy:
+            self._close_card()
         for panel in self._window.panels(workspace):
             if hasattr(panel, "offer_export"):
                 panel.offer_export(self._window.menus.submenus["export"])
@@ -58,7 +61,8 @@ class Exports(QObject):
 
         sheet = self._window.session.sheet
         cell = max(1, _PICTURE_PX // max(sheet.width_px, sheet.height_px))
-        self._ask("picture", "", lambda: (frame_buffer(sheet), cell))
+        image = partial(frame_buffer, sheet)
+        self._ask("picture", "", lambda: (self.writer.ask(image), cell))
 
     def drawing(self) -> None:
         """The figures of the sheet, and what of them is not exact."""
@@ -88,10 +92,16 @@ class Exports(QObject):
         if not exporter.steps:
             self._window.say_status(_("No run is recorded; draw or select a figure whose steps are shown."))
             return
-        parts = exporter.this_run().parts
-        note = ngettext("{n} picture", "{n} pictures", parts).format(n=parts)
-        if parts <= exporter.steps:
-            note = _("The first {n} pictures of {all:,}").format(n=parts, all=exporter.steps + 1)
+        parts, whole = exporter.this_run().parts, exporter.steps + 1
+
+        def note(row: Row) -> str:
+            count = ngettext("{n} picture", "{n} pictures", parts).format(n=parts)
+            if parts < whole:
+                count = _("The first {n} of {whole:,} pictures").format(n=parts, whole=whole)
+            paths = row.paths(self.proposed(_("run"), row.suffix), parts)
+            names = paths[0].name if len(paths) == 1 else f"{paths[0].name} … {paths[-1].name}"
+            return _("{count}: {names}").format(count=count, names=names)
+
         self.card.offer(_("Export this run"), rows_of("run"), note)
 
     def points(self) -> None:
@@ -115,11 +125,11 @@ class Exports(QObject):
         self._ask("table", _("table"), lambda: hand(Steps(entry, recording), rows))
 
     def tables(self) -> list[TableOffer]:
-        """Every table that can be exported now."""
+        """Every other table that can be exported now."""
         session = self._window.session
+        offers: list[TableOffer] = []
         if session is None:
-            return []
-        offers = [TableOffer(_("Hand table"), self.hand_table)] if self._hand_rows() else []
+            return offers
         run, figure = session.run, session.active_figure
 
         def offer(title: str, make: Callable[[], Any]) -> None:
@@ -141,11 +151,8 @@ class Exports(QObject):
         return offers
 
     def _hand_rows(self) -> int:
-        """How many rows of the hand table are seen; with *Ask first* none is told beforehand."""
         run = self._window.session.run
-        if run.steps is None or run.entry is None or not run.entry.columns:
-            return 0
-        return min(len(run.steps), run.seen) if run.ask_first else len(run.steps)
+        return run.tellable if run.entry is not None and run.entry.columns else 0
 
     def _panels(self) -> list[Any]:
         return self._window.panels(self._window.place)
@@ -160,27 +167,25 @@ class Exports(QObject):
 
     # Asking and writing
 
-    @property
-    def writer(self) -> Any:
+    @cached_property
+    def writer(self) -> Writer:
         """What writes."""
-        if not hasattr(self, "_writer"):
-            from workbench.session.writer import Writer
+        from workbench.session.writer import Writer
 
-            self._writer = Writer(self)
-            self._writer.told.connect(self._tell)
-            self._writer.ended.connect(self._ended)
-        return self._writer
+        writer = Writer(self)
+        writer.told.connect(self._tell)
+        writer.ended.connect(self._ended)
+        return writer
 
-    @property
-    def card(self) -> Any:
+    @cached_property
+    def card(self) -> WritingCard:
         """What shows the choices and the progress."""
-        if not hasattr(self, "_card"):
-            from workbench.widgets.writing_card import WritingCard
+        from workbench.widgets.writing_card import WritingCard
 
-            self._card = WritingCard(self._window)
-            self._card.chosen.connect(self._ask_run)
-            self._card.cancelled.connect(self._cancel)
-        return self._card
+        card = WritingCard(self._window, self._window.stack)
+        card.chosen.connect(self._ask_run)
+        card.cancelled.connect(self._cancel)
+        return card
 
     def proposed(self, word: str, suffix: str) -> Path:
         """Beside the document, with its name, and a word for what it is."""
@@ -242,7 +247,7 @@ class Exports(QObject):
             ),
             [
                 (_("Cancel"), lambda: None),
-                (_("Replace them"), lambda: self._write(row, make, path)),
+                (ngettext("Replace it", "Replace them", len(there)), lambda: self._write(row, make, path)),
             ],
         )
 
@@ -285,7 +290,8 @@ class Exports(QObject):
 
     def _close_card(self) -> None:
         self._soon.stop()
-        self.card.hide()
+        if "card" in self.__dict__:
+            self.card.hide()
 
     def _ended(self, outcome: Outcome) -> None:
         self._window.removeEventFilter(self)
@@ -330,8 +336,8 @@ class Exports(QObject):
 def _written(paths: tuple[Path, ...]) -> str:
     folder = paths[0].parent
     if len(paths) == 1:
-        return _("{name} is written, in {folder}.").format(name=paths[0].name, folder=folder)
-    sentence = _("{n} files, {first} to {last}, are written, in {folder}.")
+        return _("{name} is written in {folder}.").format(name=paths[0].name, folder=folder)
+    sentence = _("{n} files, {first} to {last}, are written in {folder}.")
     return sentence.format(n=len(paths), first=paths[0].name, last=paths[-1].name, folder=folder)
 
 

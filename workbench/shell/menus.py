@@ -103,7 +103,7 @@ class Menus(QObject):
                     self.submenus[inner] = menu.addMenu(title)
                     self._fill_menu(self.submenus[inner], inner)
         if menu_id == "export":
-            self._tables = menu.addMenu(_("Export a table"))
+            self._tables = menu.addMenu(_("Export another table"))
             self._tables.aboutToShow.connect(self._fill_tables)
 
     def _fill_tables(self) -> None:

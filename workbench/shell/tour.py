@@ -54,7 +54,9 @@ def main(argv: Sequence[str]) -> int:
         given.folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         sys.stderr.write(
-            _("tour: the folder {path} cannot be made: {error}").format(path=given.folder, error=error)
+            _("tour: the folder {path} cannot be made: {error}").format(
+                path=given.folder, error=error.strerror
+            )
         )
         sys.stderr.write("\n")
         return 2
@@ -114,7 +116,8 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
             replace_file(path, _png(window.grab()))
             print(path, flush=True)
         except (SavingError, OSError) as error:
-            sys.stderr.write(f"tour: {error}\n")
+            reason = str(error) if isinstance(error, SavingError) else error.strerror
+            sys.stderr.write(f"tour: {reason}\n")
             application.exit(1)
             return
         patience.start()

@@ -45,19 +45,13 @@ class HandModel(QAbstractTableModel):
     def reset(self) -> None:
         """Another run."""
         self.beginResetModel()
-        self._rows = self._reachable()
+        self._rows = self._run.tellable
         self._current = 0
         self.endResetModel()
 
-    def _reachable(self) -> int:
-        steps = self._run.steps
-        if steps is None:
-            return 0
-        return min(len(steps), self._run.seen) if self._run.ask_first else len(steps)
-
     def update(self) -> None:
         """Take in what was recorded since, and mark the current step."""
-        rows = self._reachable()
+        rows = self._run.tellable
         if rows > self._rows:
             self.beginInsertRows(QModelIndex(), self._rows, rows - 1)
             self._rows = rows
@@ -215,12 +209,12 @@ class HandTable(QWidget):
         if entry is None or recording is None:
             return
         if rows <= _AT_ONCE:
-            self._to_clipboard(hand(Steps(entry, recording), rows))
+            self._to_clipboard(hand(Steps(entry, recording), rows).computed())
             return
         self.copied.emit(_("Copying {rows:,} rows ...").format(rows=rows))
 
         def copy() -> None:
-            table = hand(Steps(entry, recording), rows)
+            table = hand(Steps(entry, recording), rows).computed()
             with suppress(RuntimeError):  # this widget is gone
                 self._ready.emit(table)
 

@@ -1,6 +1,6 @@
 """The card of what is being written: how a run is to be written, how far that is, and a way to end it."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
@@ -25,19 +25,23 @@ SECONDS = (2.0, 1.0, 0.5, 0.2, 0.1, 0.04)
 
 
 class WritingCard(QFrame):
-    """Floats at the lower right of ``owner``. ``chosen(row, width, seconds)``: write it so; ``cancelled``."""
+    """Floats in ``owner`` at the lower right of ``beside``.
+
+    ``chosen(row, width, seconds)``: it is to be written so; ``cancelled``: it is not, or no longer.
+    """
 
     chosen = Signal(object, int, float)
     cancelled = Signal()
 
-    def __init__(self, owner: QWidget) -> None:
+    def __init__(self, owner: QWidget, beside: QWidget) -> None:
         super().__init__(owner)
-        self._owner = owner
+        self._owner, self._beside = owner, beside
+        self._note: Callable[[Row], str] = lambda _row: ""
         self.setObjectName("card")
         self.setFixedWidth(WIDTH_PX)
         self._rows: Sequence[Row] = ()
         self._title, self.note = QLabel(), QLabel()
-        self._title.setProperty("role", "heading")
+        self._title.setProperty("role", "title")
         self._title.setWordWrap(True)
         self.note.setProperty("role", "muted")
         self.note.setWordWrap(True)
@@ -77,7 +81,7 @@ class WritingCard(QFrame):
         for part in (self._title, self._choices, self.note, self.bar):
             column.addWidget(part)
         column.addLayout(buttons)
-        owner.installEventFilter(self)
+        beside.installEventFilter(self)
         self.hide()
 
     @property
@@ -85,14 +89,14 @@ class WritingCard(QFrame):
         """The way of writing that is chosen."""
         return self._rows[self.kind.currentIndex()]
 
-    def offer(self, title: str, rows: Sequence[Row], note: str) -> None:
-        """Let the person choose one of ``rows``, and its size and speed; ``note`` says what will be in it."""
-        self._rows = rows
+    def offer(self, title: str, rows: Sequence[Row], note: Callable[[Row], str]) -> None:
+        """Let the person choose one of ``rows``, its size and speed; ``note`` says what each will write."""
+        self._rows, self._note = rows, note
         self.kind.blockSignals(True)
         self.kind.clear()
         self.kind.addItems([_kind_text(row) for row in rows])
         self.kind.blockSignals(False)
-        self._dress(title, note, choosing=True)
+        self._dress(title, "", choosing=True)
         self._follow()
         self.kind.setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -131,6 +135,7 @@ class WritingCard(QFrame):
         suffix = self.row.suffix
         self._form.setRowVisible(self.width_px, suffix != ".pdf")
         self._form.setRowVisible(self.speed, suffix == ".gif")
+        self.note.setText(self._note(self.row))
         self._place()
 
     def _go(self) -> None:
@@ -138,8 +143,8 @@ class WritingCard(QFrame):
 
     def _place(self) -> None:
         self.adjustSize()
-        owner = self._owner
-        self.move(owner.width() - self.width() - GAP_PX, owner.height() - self.height() - 9 * GAP_PX)
+        corner = self._beside.mapTo(self._owner, self._beside.rect().bottomRight())
+        self.move(corner.x() - self.width() - GAP_PX, corner.y() - self.height() - GAP_PX)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Escape cancels."""
