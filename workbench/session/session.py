@@ -170,10 +170,13 @@ class Session(QObject):
         self.update_state(selection=(stepped.id,) if stepped else ())
 
     def open(self, path: Path | str) -> None:
-        """Open a file; raises DocumentError, and what is open stays."""
-        path = Path(path)
-        on_disk = stamp(path)  # before it is read: what another program writes from now on is a change
-        self._begin(read(path), path, on_disk)
+        """Read a file and open it, here and now; raises DocumentError, and what is open stays."""
+        now = stamp(Path(path))  # what another program writes from now on is a change
+        self.take(read(path), Path(path), now)
+
+    def take(self, stored: Stored, path: Path, on_disk: Stamp | None) -> None:
+        """Open what was read from the file ``path`` when its stamp was ``on_disk``."""
+        self._begin(stored, path, on_disk)
 
     def save(self) -> None:
         """Save to the file it came from; raises DocumentError."""
