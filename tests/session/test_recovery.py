@@ -196,7 +196,7 @@ def test_a_full_disk_is_told_and_the_next_change_tries_again(
         file.keep(Stored(example_document()))
         file.flush()
     assert len(said) == 1
-    assert "There is no room on the disk" in said[0]
+    assert "No space left" in said[0]
     assert mended == []
     file.keep(Stored(example_document()))
     file.flush()
