@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from tests.document.made_documents import documents, figures
-from workbench.document import DocumentError, check, edits
+from workbench.document import DocumentError, check, edits, identities
 from workbench.document.differences import between
 from workbench.document.model import Curve, CurvePoint, Document, Polyline, WorldPoint
 from workbench.document.samples import blank_sheet
@@ -48,14 +48,14 @@ def calls(act: Callable[[], object]) -> int:
 def looked_at(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The ids that were checked."""
     seen: list[str] = []
-    whole = check._are_ids
+    whole = identities.are_ids
 
-    def note(identities: Any) -> bool:
-        these = list(identities)
+    def note(some: Any) -> bool:
+        these = list(some)
         seen.extend(these)
         return whole(these)
 
-    monkeypatch.setattr(check, "_are_ids", note)
+    monkeypatch.setattr(identities, "are_ids", note)
     return seen
 
 
