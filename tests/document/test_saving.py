@@ -205,10 +205,16 @@ def test_what_the_disk_gives_back_differently_never_replaces(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "a").write_bytes(b"old")
+
+    def damage(descriptor: int) -> None:
+        os.lseek(descriptor, 1, os.SEEK_SET)
+        os.write(descriptor, b"x")
+
     with monkeypatch.context() as patch:
-        patch.setattr(Path, "read_bytes", lambda _path: b"nex")
-        with pytest.raises(SavingError, match="reads back from the disk differently"):
-            replace_file(tmp_path / "a", b"new")
+        patch.setattr(os, "fsync", damage)
+        for data in (b"new", [b"n", b"ew"]):
+            with pytest.raises(SavingError, match="reads back from the disk differently"):
+                replace_file(tmp_path / "a", data)
     assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [("a", b"old")]
 
 

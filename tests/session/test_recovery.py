@@ -1,9 +1,13 @@
 """Unsaved work in its recovery file: when it is written, when it goes, and what a dead process leaves."""
 
+import hashlib
 import os
+import shutil
 import subprocess
 import sys
 import threading
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -20,19 +24,21 @@ ROOT = Path(__file__).parents[2]
 MOVE = edits.move_points({"s1/f1/p1/x": (3.0, 4.0)})
 
 
-def left_by_a_dead_process(folder: Path, origin: str = "") -> Path:
+def left_by_a_dead_process(folder: Path, origin: str = "", blobs: dict[str, bytes] | None = None) -> Path:
     """The recovery file of a process that kept the example, moved, and was killed."""
+    texts = [text for digest, content in (blobs or {}).items() for text in (digest, os.fsdecode(content))]
     code = (
         "import os, sys; from pathlib import Path; from workbench.session.recovery import RecoveryFile;"
         "from workbench.document import Stored, edits;"
         "from workbench.document.samples import example_document;"
         "file = RecoveryFile(Path(sys.argv[1]));"
         "document = edits.move_points({'s1/f1/p1/x': (3.0, 4.0)})(example_document());"
-        "file.keep(Stored(document, origin=sys.argv[2])); file.flush();"
+        "blobs = dict(zip(sys.argv[3::2], map(os.fsencode, sys.argv[4::2])));"
+        "file.keep(Stored(document, blobs=blobs, origin=sys.argv[2])); file.flush();"
         "print(file.path, flush=True); os._exit(9)"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code, str(folder), origin],
+        [sys.executable, "-c", code, str(folder), origin, *texts],
         cwd=ROOT,
         capture_output=True,
         text=True,
@@ -181,7 +187,8 @@ def test_a_full_disk_is_told_and_the_next_change_tries_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     said: list[str] = []
-    file = RecoveryFile(tmp_path, failed=said.append)
+    mended: list[str] = []
+    file = RecoveryFile(tmp_path, failed=said.append, mended=mended.append)
     with monkeypatch.context() as patch:
 
         def full(*_args: object) -> None:
@@ -192,10 +199,183 @@ def test_a_full_disk_is_told_and_the_next_change_tries_again(
         file.flush()
     assert len(said) == 1
     assert "No space left" in said[0]
+    assert mended == []
     file.keep(Stored(example_document()))
     file.flush()
     assert read(file.path).document == example_document()
+    assert (len(said), mended) == (1, ["Unsaved work is kept safe again."])
     file.close()
+
+
+@pytest.mark.parametrize("broken", ["write", "_remove", "sweep", "replace_file"])
+@pytest.mark.parametrize("error", [OSError(30, "Read-only file system"), MemoryError(), ValueError("odd")])
+def test_whatever_fails_it_goes_on_by_itself(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, broken: str, error: Exception
+) -> None:
+    said: list[str] = []
+    mended = threading.Event()
+    folder = tmp_path / "recovery"
+    stored = Stored(example_document(), blobs=BLOBS)
+    with monkeypatch.context() as patch:
+
+        def refuse(*_args: object) -> None:
+            raise error
+
+        patch.setattr(recovery, broken, refuse)
+        file = RecoveryFile(folder, 0.001, said.append, lambda _sentence: mended.set())
+        file.keep(None if broken == "_remove" else stored)
+        assert not file.flush()
+        assert not file.flush()
+    # The disk is back; nothing is changed any more, and nobody asks.
+    assert mended.wait(10)
+    assert len(said) == 1
+    assert said[0].startswith("Unsaved work is not kept")
+    assert said[0].endswith("save often until then.")
+    file.keep(stored)
+    assert file.flush()
+    assert recovery.Recoverable(file.path, None, "", 0.0).read() == stored
+    file.close()
+    assert list(folder.iterdir()) == []
+
+
+def test_a_folder_that_is_removed_is_made_again(tmp_path: Path) -> None:
+    folder = tmp_path / "recovery"
+    file = RecoveryFile(folder, delay_s=0.001)
+    file.keep(Stored(example_document()))
+    assert file.flush()
+    shutil.rmtree(folder)
+    file.keep(Stored(example_document()))
+    assert file.flush()
+    assert names(folder) == [".gwb", ".lock"]
+    file.close()
+    assert names(folder) == []
+
+
+def test_it_rests_twenty_times_as_long_as_it_wrote(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = 100.0
+    waits: list[float] = []
+    file = RecoveryFile(tmp_path, delay_s=2.0)
+    whole = file._state.wait_for
+
+    def wait_for(predicate: Callable[[], bool], timeout: float | None = None) -> bool:
+        if timeout is not None:
+            waits.append(timeout)
+        return whole(predicate)
+
+    def write_slowly(_stored: Stored, _path: Path) -> None:
+        nonlocal clock
+        clock += 0.5
+
+    monkeypatch.setattr(recovery.time, "monotonic", lambda: clock)
+    monkeypatch.setattr(recovery, "write", write_slowly)
+    monkeypatch.setattr(file._state, "wait_for", wait_for)
+    for seconds_later in (0.0, 4.0, 0.0, 60.0):
+        clock += seconds_later
+        file.keep(Stored(example_document()))
+        assert file.flush()
+    file.close()
+    assert waits[:4] == [2.0, 6.0, 10.0, 2.0]
+
+
+# No zeros, and no more than fits on a command line.
+BLOBS = {hashlib.sha256(content).hexdigest(): content for content in (b"a mesh" * 1000, b"a picture" * 999)}
+
+
+def test_each_blob_is_written_once_beside_the_recovery_file(tmp_path: Path) -> None:
+    file = RecoveryFile(tmp_path)
+    written: dict[str, int] = {}
+    for number in range(4):
+        blobs = dict(list(BLOBS.items())[: 1 + number % 2])
+        document = edits.rename_sheet("s1", str(number))(example_document())
+        file.keep(Stored(document, blobs=blobs))
+        assert file.flush()
+        beside = {path.name: path.stat().st_ino for path in tmp_path.glob("*.blob")}
+        assert sorted(beside) == sorted(f"{file.path.stem}.{digest}.blob" for digest in blobs)
+        assert all(beside[name] == number for name, number in written.items() if name in beside)
+        written |= beside
+        assert file.path.stat().st_size < 2000
+        assert recovery.Recoverable(file.path, None, "", 0.0).read() == Stored(document, blobs=blobs)
+    file.close()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_blobs_of_a_dead_process_are_restored_and_cleared_away(session: Session, tmp_path: Path) -> None:
+    path = left_by_a_dead_process(tmp_path, blobs=BLOBS)
+    # The process died before it cleared away what it needed no longer.
+    path.with_suffix(f".{'0' * 64}.blob").touch()
+    (work,) = recoverable(tmp_path)
+    session.recover(work)
+    assert session.stored.blobs == BLOBS
+    assert recoverable(tmp_path) == []
+    assert {file.name.partition(".")[0] for file in tmp_path.iterdir()} == {session._recovery.path.stem}
+
+
+@pytest.mark.parametrize("damage", ["does not match its content", "lacks a part"])
+def test_a_damaged_blob_is_refused_and_nothing_is_thrown_away(
+    session: Session, tmp_path: Path, damage: str
+) -> None:
+    path = left_by_a_dead_process(tmp_path, blobs=BLOBS)
+    digest, content = next(iter(BLOBS.items()))
+    damaged = path.with_suffix(f".{digest}.blob")
+    if "lacks" in damage:
+        damaged.unlink()
+    else:
+        damaged.write_bytes(content[:-1])
+    with pytest.raises(DocumentError, match=damage):
+        session.recover(recoverable(tmp_path)[0])
+    assert len(list(tmp_path.glob(f"{path.stem}.*"))) == 4 - ("lacks" in damage)
+
+
+def test_blobs_without_their_recovery_file_are_cleared_away(tmp_path: Path) -> None:
+    (tmp_path / f"1-00000000.{'0' * 64}.blob").touch()
+    assert recoverable(tmp_path) == []
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_recovered_work_whose_file_was_saved_since_counts_as_changed_on_disk(
+    session: Session, tmp_path: Path
+) -> None:
+    origin = tmp_path / "lab 3.gwb"
+    write(Stored(example_document()), origin)
+    path = left_by_a_dead_process(tmp_path, str(origin))
+    session.recover(recoverable(tmp_path)[0])
+    assert not session.changed_on_disk
+    left_by_a_dead_process(tmp_path, str(origin))
+    later = path.stat().st_mtime + 10 if path.exists() else time.time() + 10
+    os.utime(origin, (later, later))
+    session.recover(recoverable(tmp_path)[0])
+    assert session.changed_on_disk
+
+
+def test_a_change_that_the_dead_process_had_not_seen_counts_even_if_it_is_older(
+    session: Session, tmp_path: Path
+) -> None:
+    origin = tmp_path / "lab 3.gwb"
+    write(Stored(example_document()), origin)
+    mine = Session()
+    mine.open(origin)
+    mine.start_autosave(tmp_path / "dead")
+    write(Stored(MOVE(example_document())), origin)  # another program
+    mine.apply(MOVE, "Move")
+    mine.flush()
+    assert mine._recovery.flush()
+    shutil.copytree(tmp_path / "dead", tmp_path / "left")
+    mine.close()
+    (work,) = recoverable(tmp_path / "left")
+    assert origin.stat().st_mtime < work.kept_at
+    session.recover(work)
+    assert session.changed_on_disk
+    session.save()
+    assert not session.changed_on_disk
+
+
+def test_a_file_that_comes_back_counts_as_changed(session: Session, tmp_path: Path) -> None:
+    origin = tmp_path / "lab 3.gwb"
+    left_by_a_dead_process(tmp_path, str(origin))
+    session.recover(recoverable(tmp_path)[0])
+    assert not session.changed_on_disk
+    write(Stored(example_document()), origin)
+    assert session.changed_on_disk
 
 
 def test_trouble_reaches_the_interface(qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -223,4 +403,8 @@ def test_without_a_folder_to_keep_it_in_work_goes_on(qtbot: QtBot, tmp_path: Pat
     session.apply(MOVE, "Move")
     session.flush()
     assert recoverable(tmp_path / "file" / "recovery") == []
+    (tmp_path / "file").unlink()
+    with qtbot.waitSignal(session.autosave_mended):
+        assert session._recovery.flush()
+    assert read(session._recovery.path).document == session.document
     session.close()

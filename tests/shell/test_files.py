@@ -259,6 +259,8 @@ from workbench.document.samples import example_document
 from workbench.session.session import Session
 application = QCoreApplication([])
 session = Session(None, example_document())
+if sys.argv[1:]:
+    session.open(sys.argv[1])
 session.start_autosave()
 session.apply(rename_sheet(session.sheet.id, "nearly lost"), "Rename")
 session._recovery.flush()
@@ -266,9 +268,15 @@ os._exit(1)
 """
 
 
+def crash(*opened: Path) -> None:
+    """Let another start of the program change a picture, the one ``opened`` if any, and die."""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    subprocess.run([sys.executable, "-c", CRASH, *map(str, opened)], env=environment, timeout=60)
+
+
 @pytest.mark.parametrize("wish", ["Recover", "Discard"])
 def test_what_a_crash_left_is_offered(qtbot: QtBot, window: MainWindow, wish: str) -> None:
-    subprocess.run([sys.executable, "-c", CRASH], env={**os.environ, "PYTHONPATH": str(ROOT)}, timeout=60)
+    crash()
     window.files.offer_recovery()
     assert window.messages.text.startswith("The program ended before nearly lost was saved")
     answer(window, wish)
@@ -277,6 +285,48 @@ def test_what_a_crash_left_is_offered(qtbot: QtBot, window: MainWindow, wish: st
     if wish == "Discard":
         window.files.offer_recovery()
         assert window.messages.text == ""
+
+
+def test_recovered_work_asks_before_it_replaces_what_was_saved_since(
+    qtbot: QtBot, window: MainWindow, chosen: Path
+) -> None:
+    window.files.save_as()
+    saved(window)
+    crash(chosen)
+    theirs = chosen.read_bytes() + b"\n"
+    chosen.write_bytes(theirs)
+    window.files.offer_recovery()
+    answer(window, "Recover")
+    assert window.messages.text == (
+        "my lines.gwb was changed after this work was kept; saving it asks before that is replaced."
+    )
+    qtbot.keyClick(window, "S", CONTROL)
+    assert window.messages.text == "Another program has changed my lines.gwb since it was opened here."
+    assert [button.text() for button in window.messages.buttons()] == [
+        "Save under another name",
+        "Save over it",
+        "Cancel",
+    ]
+    answer(window, "Cancel")
+    assert chosen.read_bytes() == theirs
+    qtbot.keyClick(window, "S", CONTROL)
+    answer(window, "Save over it")
+    saved(window)
+    assert load(chosen).sheets[0].name == "nearly lost"
+
+
+def test_recovered_work_is_saved_without_a_question_where_nothing_was_changed(
+    qtbot: QtBot, window: MainWindow, chosen: Path
+) -> None:
+    window.files.save_as()
+    saved(window)
+    crash(chosen)
+    window.files.offer_recovery()
+    answer(window, "Recover")
+    assert window.messages.text == ""
+    qtbot.keyClick(window, "S", CONTROL)
+    saved(window)
+    assert load(chosen).sheets[0].name == "nearly lost"
 
 
 def test_nothing_is_offered_after_a_clean_end(window: MainWindow) -> None:

@@ -5,15 +5,24 @@ As text: ``s1/width_px``, ``s1/window_world.xmin``, ``s1/palette.2``, ``s1/f2/ra
 ``s1/f2/points_world`` mean what is in the list and in which order.
 """
 
-import re
 from collections.abc import Collection
+from operator import attrgetter
 from typing import Any
 
 import msgspec
 
-from workbench.document.check import ids
+from workbench.document.differences import between
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Curve, Document, Knot, Rectangle, Sheet, WorldPoint
+from workbench.document.model import (
+    AnyFigure,
+    Curve,
+    Document,
+    Knot,
+    Rectangle,
+    Sheet,
+    WorldPoint,
+    number_of,
+)
 from workbench.language import _
 
 WHOLE = "*"
@@ -177,12 +186,9 @@ def _different(
     found: set[Address], old: tuple[Any, ...], new: tuple[Any, ...], whole: Address
 ) -> list[tuple[str, Any, Any]]:
     """Id, old and new of what is not the same; the ``whole`` list is found too where its order differs."""
-    if len(old) == len(new):
-        others = [(a.id, a, b) for a, b in zip(old, new, strict=True) if a is not b]
-        if all(identity == b.id for identity, _a, b in others):
-            return others
-    before = {item.id: item for item in old}
-    after = {item.id: item for item in new}
+    start, old_end, new_end = between(old, new)
+    before = {item.id: item for item in old[start:old_end]}
+    after = {item.id: item for item in new[start:new_end]}
     if list(before) != list(after):
         found.add(whole)
     names = before.keys() | after.keys()
@@ -201,13 +207,11 @@ def _parts(name: str, old: Any, new: Any) -> list[str]:
     return [name]
 
 
-_NUMBER = re.compile(r"[0-9]{1,15}$")
-
-
 def highest(document: Document) -> int:
-    """The highest number that an id of ``document`` ends in, or that a removed one ended in."""
-    numbers = (_NUMBER.search(identity) for _path, identity in ids(document))
-    return max((int(number.group()) for number in numbers if number), default=0)
+    """The highest number that an id in ``document`` ends in; each figure looks for its own only once."""
+    sheets = document.sheets
+    figures = [max(map(attrgetter("highest"), sheet.figures), default=0) for sheet in sheets]
+    return max(*figures, *(number_of(sheet.id) for sheet in sheets))
 
 
 def new_ids(document: Document, prefix: str, count: int) -> list[str]:

@@ -3,6 +3,7 @@
 import operator
 from collections.abc import Callable, Iterable, Iterator
 from functools import wraps
+from itertools import chain
 from typing import Any, ParamSpec, SupportsFloat, SupportsIndex
 
 from msgspec.structs import replace
@@ -52,13 +53,7 @@ def both(*edits: Edit) -> Edit:
 
 def ids_on(sheet: Sheet) -> list[str]:
     """Every id on ``sheet``, its own first."""
-    return [sheet.id, *(i for f in sheet.figures for i in ids_of(f))]
-
-
-def ids_of(figure: AnyFigure) -> list[str]:
-    """The figure's own id, those of its points and of its knots."""
-    knots = figure.knots if isinstance(figure, Curve) else ()
-    return [figure.id, *(p.id for p in figure.points_world), *(knot.id for knot in knots)]
+    return [sheet.id, *chain.from_iterable(map(operator.attrgetter("ids"), sheet.figures))]
 
 
 def with_sheet(document: Document, sheet: Sheet) -> Document:
@@ -112,7 +107,9 @@ def remembering(before: Document, after: Document) -> Document:
 
 def numbered(document: Document, figure: AnyFigure) -> AnyFigure:
     """``figure`` with new ids where its own are empty."""
-    fresh = iter(new_ids(document, "", len(ids_of(figure))))
+    if all(figure.ids):
+        return figure
+    fresh = iter(new_ids(document, "", len(figure.ids)))
     return with_ids(figure, fresh, fresh)
 
 
@@ -130,7 +127,7 @@ def with_ids(figure: AnyFigure, own: Iterator[object], parts: Iterator[object]) 
 def all_numbered(document: Document, figures: Iterable[AnyFigure]) -> tuple[AnyFigure, ...]:
     """``figures`` with Python's own numbers and new ids, whatever ids they had."""
     bare = [without_ids(plain(figure)) for figure in figures]
-    fresh = iter(new_ids(document, "", sum(len(ids_of(figure)) for figure in bare)))
+    fresh = iter(new_ids(document, "", sum(len(figure.ids) for figure in bare)))
     return tuple(with_ids(figure, fresh, fresh) for figure in bare)
 
 

@@ -5,7 +5,10 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
+from workbench.document.addresses import highest
+from workbench.document.differences import between
 from workbench.document.errors import DocumentError
+from workbench.document.identities import are_ids, ids_sound, new_ids_sound
 from workbench.document.model import (
     ENDS,
     JOINTS,
@@ -38,8 +41,6 @@ RECURSION_LIMITS = (10, 4_000)
 MAX_DEGREE = 7
 WEIGHTS = (1e-9, 1e9)
 RING_LEAST = 3
-
-_ID = re.compile(r"(?!.*[0-9]{16}$)[A-Za-z][A-Za-z0-9_-]{0,31}")
 
 
 def labels() -> dict[str, str]:
@@ -94,8 +95,10 @@ def check(document: Document, before: Document | None = None) -> Document:
     for index, sheet in enumerate(document.sheets):
         if id(sheet) not in known:
             _sheet(f"sheets[{index}]", sheet, by_id.get(sheet.id))
-    if before is None or not _same_ids(before, document):
-        _ids_unique(document)
+    if not (ids_sound(document) if before is None else new_ids_sound(before, document)):
+        raise _wrong_id(document)
+    if before is None:
+        highest(document)  # every figure keeps its own, so that the first edit has not to look at all of them
     return document
 
 
@@ -114,11 +117,16 @@ def _sheet(at: str, sheet: Sheet, before: Sheet | None) -> None:
         _integer(f"{at}.palette[{index}]", colour, 0, 0xFFFFFF)
     _palette_index(f"{at}.background", sheet.background, sheet)
     _count(f"{at}.figures", sheet.figures, 0, MAX_FIGURES, _("figure"))
-    same_palette = before is not None and len(before.palette) <= len(sheet.palette)
-    known = {figure.id: figure for figure in before.figures} if before is not None else {}
-    for index, figure in enumerate(sheet.figures):
+    figures = before.figures if before is not None else ()
+    if before is not None and len(sheet.palette) < len(before.palette):
+        for index, figure in enumerate(sheet.figures):
+            _colours(f"{at}.figures[{index}]", figure, sheet)
+    start, old_end, new_end = between(figures, sheet.figures)
+    known = {figure.id: figure for figure in figures[start:old_end]}
+    for index in range(start, new_end):
+        figure = sheet.figures[index]
         old = known.get(figure.id)
-        if old is not figure or not same_palette:
+        if old is not figure:
             _figure(f"{at}.figures[{index}]", figure, sheet, old)
 
 
@@ -131,18 +139,20 @@ def _figure(at: str, figure: AnyFigure, sheet: Sheet, before: AnyFigure | None) 
         choices = ", ".join(figure.algorithms)
         problem = _("is {value}, which cannot draw this figure; choose one of {choices}")
         raise refuse(f"{at}.algorithm", problem.format(value=shown(figure.algorithm), choices=choices))
-    _palette_index(f"{at}.colour", figure.colour, sheet)
+    _colours(at, figure, sheet)
     _count(f"{at}.points_world", figure.points_world, figure.least_points, figure.most_points, _("point"))
     known = before.points_world if before is not None and type(before) is type(figure) else ()
-    for index in _new(known, figure.points_world):
-        _point(f"{at}.points_world[{index}]", figure.points_world[index])
+    start, old_end, new_end = between(known, figure.points_world)
+    moved = set(map(id, known[start:old_end]))
+    for index in range(start, new_end):
+        if id(figure.points_world[index]) not in moved:
+            _point(f"{at}.points_world[{index}]", figure.points_world[index])
     if isinstance(figure, Circle):
         _radius(f"{at}.radius_world", figure.radius_world)
     elif isinstance(figure, Ellipse):
         _radius(f"{at}.radius_x_world", figure.radius_x_world)
         _radius(f"{at}.radius_y_world", figure.radius_y_world)
     elif isinstance(figure, SeedFill):
-        _palette_index(f"{at}.boundary", figure.boundary, sheet)
         _integer(f"{at}.recursion_limit", figure.recursion_limit, *RECURSION_LIMITS)
     elif isinstance(figure, Polygon):
         _rings(f"{at}.ring_ends", figure)
@@ -152,12 +162,10 @@ def _figure(at: str, figure: AnyFigure, sheet: Sheet, before: AnyFigure | None) 
         _curve(at, figure)
 
 
-def _new(known: tuple[Any, ...], values: tuple[Any, ...]) -> list[int]:
-    """Indices of the values that are not among the known ones, or not at the same place."""
-    if len(known) == len(values):
-        return [index for index, value in enumerate(values) if value is not known[index]]
-    seen = set(map(id, known))
-    return [index for index, value in enumerate(values) if id(value) not in seen]
+def _colours(at: str, figure: AnyFigure, sheet: Sheet) -> None:
+    _palette_index(f"{at}.colour", figure.colour, sheet)
+    if isinstance(figure, SeedFill):
+        _palette_index(f"{at}.boundary", figure.boundary, sheet)
 
 
 def _point(at: str, point: WorldPoint) -> None:
@@ -239,46 +247,20 @@ def ids(document: Document) -> Iterator[tuple[str, str]]:
                     yield f"sheets[{s}].figures[{f}].knots[{k}].id", knot.id
 
 
-def _ids_unique(document: Document) -> None:
+def _wrong_id(document: Document) -> DocumentError:
+    """What is wrong with the first id that is not sound."""
     seen: set[str] = set()
     for field, identity in ids(document):
-        if not isinstance(identity, str) or not _ID.fullmatch(identity):
+        if not are_ids([identity]):
             problem = _(
                 "is {value}; an id is a letter and up to 31 letters, digits, - or _, at most 15 digits last"
             )
-            raise refuse(field, problem.format(value=shown(identity)))
+            return refuse(field, problem.format(value=shown(identity)))
         if identity in seen:
-            raise refuse(
-                field, _("is {value}, which another has too; give it its own").format(value=shown(identity))
-            )
+            problem = _("is {value}, which another has too; give it its own")
+            return refuse(field, problem.format(value=shown(identity)))
         seen.add(identity)
-
-
-def _same_ids(before: Document, after: Document) -> bool:
-    """Whether both certainly have the same ids in the same places; what they share is not looked at."""
-    if len(before.sheets) != len(after.sheets):
-        return False
-    for old, new in zip(before.sheets, after.sheets, strict=True):
-        if old is new:
-            continue
-        if old.id != new.id or len(old.figures) != len(new.figures):
-            return False
-        for a, b in zip(old.figures, new.figures, strict=True):
-            if a is not b and not (a.id == b.id and _same_parts(a.points_world, b.points_world)):
-                return False
-            knots = [figure.knots if isinstance(figure, Curve) else () for figure in (a, b)]
-            if not _same_parts(*knots):
-                return False
-    return True
-
-
-def _same_parts(before: tuple[Any, ...], after: tuple[Any, ...]) -> bool:
-    """Whether both have the same ids in the same places."""
-    if before is after:
-        return True
-    return len(before) == len(after) and all(
-        a is b or a.id == b.id for a, b in zip(before, after, strict=True)
-    )
+    raise AssertionError("all ids are sound")
 
 
 def _coordinate(field: str, value: Any) -> None:

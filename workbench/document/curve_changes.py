@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from workbench.document.addresses import figure_with
-from workbench.document.building import Edit, ids_of, numbered, remembering, with_changed
+from workbench.document.building import Edit, numbered, remembering, with_changed
 from workbench.document.errors import DocumentError
 from workbench.document.model import Curve, Document
 from workbench.language import _
@@ -28,6 +28,6 @@ def changing(figure: str, change: Callable[[Curve], Curve]) -> Edit:
         except ValueError as problem:
             raise DocumentError(figure, str(problem)) from problem
         after = with_changed(document, [new])
-        return after if set(ids_of(old)) <= set(ids_of(new)) else remembering(document, after)
+        return after if set(old.ids) <= set(new.ids) else remembering(document, after)
 
     return edit

@@ -6,26 +6,32 @@ Blobs (large meshes, pictures) are base64 by the SHA-256 of their content. Whate
 told as a DocumentError that names the field.
 """
 
-import os
 import re
-import stat
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import msgspec
 
+from workbench.document.blobs import Blob
 from workbench.document.check import check, refuse
+from workbench.document.content import Progress, read_content, silent
+from workbench.document.encoding import pieces
 from workbench.document.errors import DocumentError
 from workbench.document.model import Document
-from workbench.document.places import line_of, path_at
+from workbench.document.places import legible, line_of, path_at
 from workbench.document.saving import replace_file
 from workbench.document.state import SessionState, check_state
 from workbench.language import _
 
 FORMAT = "graphics-workbench"
 VERSION = 3
+# What is opened, and so what is saved: a few of the largest blobs, and fewer values than memory is there for.
 MAX_BYTES = 256 * 2**20
+MAX_VALUES = 2_000_000  # numbers, texts, lists and objects together
+_CHUNK = 2**20
+_LONGEST_REASON = 200
+_LONGEST_CONSTANT = 40  # NaN or Infinity, and the blanks before it
 
 Upgrade = Callable[[dict[str, Any]], dict[str, Any]]
 # From each older version to the next one: UPGRADES[1] makes a version 2 of a version 1, as plain JSON values.
@@ -36,13 +42,17 @@ UPGRADES: Mapping[int, Upgrade] = {1: dict, 2: dict}
 class Stored(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What a file holds: the picture, the session beside it, and blobs by the SHA-256 of their content.
 
-    ``origin`` is set in recovery files only: the file that the picture came from, empty when it had none.
+    The others are set in recovery files only. ``origin``: the file that the picture came from, empty when it
+    had none; ``origin_stamp``: the state in which that file was known; ``blobs_beside``: the digests of blobs
+    that are files of their own.
     """
 
     document: Document
     session: SessionState = SessionState()
     blobs: dict[str, bytes] = {}
     origin: str | None = None
+    origin_stamp: tuple[int, int, int] | None = None
+    blobs_beside: tuple[str, ...] = ()
 
 
 class _Head(msgspec.Struct):
@@ -57,6 +67,8 @@ class _File(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
     session: SessionState
     blobs: dict[str, bytes]
     origin: str | None = None
+    origin_stamp: tuple[int, int, int] | None = None
+    blobs_beside: tuple[str, ...] = ()
 
 
 def load(path: Path | str) -> Document:
@@ -69,74 +81,50 @@ def save(document: Document, path: Path | str) -> None:
     write(Stored(document), path)
 
 
-def read(path: Path | str) -> Stored:
+def read(path: Path | str, progress: Progress = silent) -> Stored:
     """Everything in a file; raises DocumentError."""
-    shown = str(path)
-    try:
-        status = os.stat(path)
-        if stat.S_ISDIR(status.st_mode):
-            raise DocumentError("", _("{path} is a folder; choose a file in it.").format(path=shown))
-        if not stat.S_ISREG(status.st_mode):
-            raise DocumentError(
-                "", _("{path} is not a file that can be opened; choose another.").format(path=shown)
-            )
-        if status.st_size > MAX_BYTES:
-            sentence = _(
-                "{path} has {size:,} bytes, and at most {most:,} can be opened; choose another file."
-            )
-            raise DocumentError("", sentence.format(path=shown, size=status.st_size, most=MAX_BYTES))
-        with open(path, "rb") as file:
-            data = file.read(MAX_BYTES + 1)
-    except FileNotFoundError as error:
-        raise DocumentError("", _("There is no file {path}; choose another.").format(path=shown)) from error
-    except PermissionError as error:
-        sentence = _("{path} may not be read by you; change its permissions or choose another file.")
-        raise DocumentError("", sentence.format(path=shown)) from error
-    except (OSError, ValueError) as error:
-        if isinstance(error, DocumentError):
-            raise
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        sentence = _("{path} cannot be read ({reason}); choose another file.")
-        raise DocumentError("", sentence.format(path=shown, reason=reason)) from error
-    return decode(data)
+    return decode(read_content(path, MAX_BYTES, progress))
 
 
 def write(stored: Stored, path: Path | str) -> None:
-    """Put ``stored`` into a file, atomically; raises DocumentError, and the old file stays."""
+    """Put ``stored`` into a file, atomically; raises DocumentError, and the old file stays.
 
-    def verify(data: bytes) -> None:
-        if decode(data) != stored:
-            raise DocumentError(
-                "", _("What was written reads back differently, so the old file was kept; save again.")
-            )
-
-    replace_file(Path(path), encode(stored), verify)
+    Other threads go on meanwhile: nothing here holds the interpreter for long.
+    """
+    replace_file(Path(path), _pieces(stored))
 
 
 def encode(stored: Stored) -> bytes:
     """The text of a file; raises DocumentError when ``stored`` is not sound."""
+    return b"".join(_pieces(stored))
+
+
+def _pieces(stored: Stored) -> Iterator[bytes]:
+    """The text of a file; raises DocumentError when ``stored`` is not sound, or larger than can be opened."""
     check(stored.document)
     check_state(stored.session, stored.document)
-    _check_blobs(stored.blobs)
-    file = _File(FORMAT, VERSION, stored.document, stored.session, stored.blobs, stored.origin)
-    try:
-        return msgspec.json.format(_encoder.encode(file), indent=1) + b"\n"
-    except (TypeError, ValueError) as error:
-        raise DocumentError(
-            "", _("This cannot be put into a file ({reason}).").format(reason=error)
-        ) from error
+    sound_blobs(stored.blobs)
+    file = _File(FORMAT, VERSION, *(getattr(stored, name) for name in stored.__struct_fields__))
+    size = 0
+    for piece in pieces(file, _file_decoder):
+        size += len(piece)
+        if size > MAX_BYTES:
+            sentence = _("The file would have over {most:,} bytes, too many to be opened; remove something.")
+            raise DocumentError("", sentence.format(most=MAX_BYTES))
+        yield piece
 
 
 def decode(data: bytes) -> Stored:
     """What the text of a file holds; raises DocumentError, and nothing else, for whatever bytes."""
-    if not data.strip():
-        raise DocumentError("", _("The file is empty; open another copy of it."))
+    _refuse_too_much(data)
     data = data.removeprefix(b"\xef\xbb\xbf")
+    if not data or data.isspace():
+        raise DocumentError("", _("The file is empty; open another copy of it."))
+    wrong = _not_utf_8(data)
+    if wrong is not None:
+        raise _broken(data, wrong, _("is not UTF-8 text"))
     try:
-        data.decode("utf-8")
         file = _typed(data)
-    except UnicodeDecodeError as error:
-        raise _broken(data, error.start, _("is not UTF-8 text")) from error
     except msgspec.ValidationError as error:
         raise _translated(str(error)) from error
     except msgspec.DecodeError as error:
@@ -145,13 +133,40 @@ def decode(data: bytes) -> Stored:
         raise DocumentError("", _("The file is nested too deeply; open another copy of it.")) from error
     check(file.document)
     check_state(file.session, file.document)
-    _check_blobs(file.blobs)
-    return Stored(file.document, file.session, file.blobs, file.origin)
+    blobs = sound_blobs(file.blobs)
+    return Stored(file.document, file.session, blobs, file.origin, file.origin_stamp, file.blobs_beside)
+
+
+def _refuse_too_much(data: bytes) -> None:
+    if len(data) > MAX_BYTES:
+        sentence = _("The file has {size:,} bytes, and at most {most:,} can be opened; choose a smaller one.")
+        raise DocumentError("", sentence.format(size=len(data), most=MAX_BYTES))
+    # Every value but the first in a list or an object follows a comma; those in texts are counted too.
+    values = sum(data.count(sign) for sign in (b",", b"[", b"{"))
+    if values > MAX_VALUES:
+        sentence = _(
+            "The file has {count:,} values, and at most {most:,} can be opened; choose a smaller one."
+        )
+        raise DocumentError("", sentence.format(count=values, most=MAX_VALUES))
+
+
+def _not_utf_8(data: bytes) -> int | None:
+    """The first byte that is no UTF-8, found without a second copy of the whole."""
+    begin = 0
+    while begin < len(data):
+        end = begin + _CHUNK
+        while end < len(data) and end > begin + _CHUNK - 4 and data[end] & 0xC0 == 0x80:
+            end -= 1  # a character is not cut in two
+        try:
+            data[begin:end].decode("utf-8")
+        except UnicodeDecodeError as error:
+            return begin + error.start
+        begin = end
+    return None
 
 
 # Made while the module is imported, by one thread: msgspec 0.22 crashes when two threads decode a type for
 # the first time at once, as saving and keeping safe may.
-_encoder = msgspec.json.Encoder()
 _head_decoder = msgspec.json.Decoder(_Head)
 _file_decoder = msgspec.json.Decoder(_File)
 
@@ -196,17 +211,18 @@ def upgraded(
     return {**raw, "version": newest}
 
 
-def _check_blobs(blobs: Mapping[str, bytes]) -> None:
-    if not blobs:
-        return
-    import hashlib  # here, since few files have blobs and the first frame waits for this module
-
+def sound_blobs(blobs: Mapping[str, bytes]) -> dict[str, bytes]:
+    """``blobs`` as values that know their digest; raises DocumentError where that is not their name."""
+    sound: dict[str, bytes] = {}
     for name, content in blobs.items():
-        if hashlib.sha256(content).hexdigest() != name:
+        blob = content if isinstance(content, Blob) else Blob(content)
+        if blob.digest != name:
             shown = name if len(name) <= 16 else name[:16] + "…"
             raise refuse(
                 f"blobs.{shown}", _("does not match its content, which was damaged; open another copy")
             )
+        sound[name] = blob
+    return sound
 
 
 def _malformed(data: bytes, message: str) -> DocumentError:
@@ -214,8 +230,9 @@ def _malformed(data: bytes, message: str) -> DocumentError:
     if found is None:
         return _broken(data, len(data), _("breaks off"))
     at = int(found.group(1))
-    constant = re.match(rb"-?(NaN|Infinity)", data[max(0, at - 1) :].lstrip(b" :[,\n")) or re.match(
-        rb"-?(NaN|Infinity)", data[at:]
+    around = data[max(0, at - 1) : at + _LONGEST_CONSTANT]
+    constant = re.match(rb"-?(NaN|Infinity)", around.lstrip(b" :[,\n")) or re.match(
+        rb"-?(NaN|Infinity)", data[at : at + _LONGEST_CONSTANT]
     )
     if constant:
         field = path_at(data, at).removeprefix("document.")
@@ -247,10 +264,12 @@ def _translated(message: str) -> DocumentError:
     """A DocumentError for what msgspec says of a value of the wrong shape."""
     what, _separator, path = message.partition(" - at `$")
     field = path.rstrip("`").removeprefix(".").removeprefix("document.").replace("[...]", "")
+    field = legible(field, _LONGEST_REASON)
     named = re.search(r"(unknown|missing required) field `(.*)`", what, re.DOTALL)
     if named:
         inside = "" if field == "document" else field
-        field = f"{inside}.{named.group(2)}" if inside else named.group(2)
+        name = legible(named.group(2))
+        field = f"{inside}.{name}" if inside else name
         if named.group(1) == "unknown":
             return refuse(field, _("is a field that this version does not know; remove it from the file"))
         return refuse(field, _("is missing; add it to the file or open another copy"))
@@ -262,4 +281,6 @@ def _translated(message: str) -> DocumentError:
         problem = _("is {got} where {wanted} belongs; correct it in the file or open another copy")
         return refuse(field or "document", problem.format(got=got, wanted=wanted))
     problem = _("is not right ({what}); correct it in the file or open another copy")
-    return refuse(field or "document", problem.format(what=what[0].lower() + what[1:]))
+    return refuse(
+        field or "document", problem.format(what=legible(what[0].lower() + what[1:], _LONGEST_REASON))
+    )

@@ -4,10 +4,20 @@ Two frames, named in every field: world (float) and device (integer pixels, orig
 Ids are short texts, unique in their document, and survive edits, insertion and undo.
 """
 
+import re
+from functools import cached_property
 from itertools import pairwise
 from typing import ClassVar
 
 import msgspec
+
+_NUMBER = re.compile(r"[0-9]{1,15}$")
+
+
+def number_of(identity: str) -> int:
+    """The number that an id ends in; 0 where it ends in none."""
+    number = _NUMBER.search(identity)
+    return int(number.group()) if number else 0
 
 
 class WorldPoint(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
@@ -32,7 +42,14 @@ def whole_sheet(width_px: int, height_px: int) -> Rectangle:
     return Rectangle(-0.5, -0.5, width_px - 0.5, height_px - 0.5)
 
 
-class Figure(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", cache_hash=True):
+class Figure(
+    msgspec.Struct,
+    frozen=True,
+    forbid_unknown_fields=True,
+    tag_field="kind",
+    cache_hash=True,
+    dict=True,  # where the cached properties are kept
+):
     """What all figures share. ``colour`` is a palette index of the sheet, ``algorithm`` a catalogue slug.
 
     ``algorithms`` are the slugs that can draw this kind of figure, the first one new figures get;
@@ -50,6 +67,21 @@ class Figure(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field=
     colour: int = 1
     name: str = ""
     visible: bool = True
+
+    @cached_property
+    def ids(self) -> tuple[str, ...]:
+        """Its own id and those of its parts."""
+        return (self.id, *(part.id for part in self.parts))
+
+    @cached_property
+    def highest(self) -> int:
+        """The highest number that one of its ids ends in; 0 where none does."""
+        return max(map(number_of, self.ids))
+
+    @property
+    def parts(self) -> "tuple[WorldPoint | Knot, ...]":
+        """What in it has an id."""
+        return self.points_world
 
 
 class Line(Figure, frozen=True, tag="line"):
@@ -216,6 +248,11 @@ class Curve(Figure, frozen=True, tag="curve", omit_defaults=True):
     alpha: float = 0.5
     ends: str = ENDS[0]
     tolerance_px: float = 0.1
+
+    @property
+    def parts(self) -> "tuple[WorldPoint | Knot, ...]":
+        """What in it has an id."""
+        return (*self.points_world, *self.knots)
 
 
 AnyFigure = Line | Polyline | Polygon | Circle | Ellipse | SeedFill | Curve

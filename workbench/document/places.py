@@ -2,7 +2,15 @@
 
 import re
 
-_TOKEN = re.compile(rb'"(?:[^"\\]|\\.)*(?:"|\Z)|[{}\[\],:]', re.DOTALL)
+LONGEST_NAME = 60
+_DEEPEST = 32
+_TEXT = rb'"(?:[^"\\]++|\\.)*+'
+_FLAT = rb'(?:[^{}\[\]"]++|' + _TEXT + rb'")*+'
+# A list or an object with no other in it is one token, and so are commas with nothing but numbers between
+# them: a file has a hundred times as many bytes as such tokens.
+_TOKEN = re.compile(
+    rb"\{" + _FLAT + rb"\}|\[" + _FLAT + rb"\]|" + _TEXT + rb'(?:"|\Z)|,[^{}\[\]":]*+|[{}\[\]:]', re.DOTALL
+)
 
 
 def path_at(text: bytes, offset: int) -> str:
@@ -11,29 +19,37 @@ def path_at(text: bytes, offset: int) -> str:
     string = ""
     for token in _TOKEN.finditer(text, 0, max(0, min(offset, len(text)))):
         symbol = token.group()
+        if len(symbol) > 1 and symbol[:1] in (b"{", b"["):
+            continue
         if symbol[:1] == b'"':
-            string = symbol.strip(b'"').decode("utf-8", "replace")
+            string = legible(symbol[: 8 * LONGEST_NAME].strip(b'"').decode("utf-8", "replace"))
         elif symbol in (b"{", b"["):
             keys.append("" if symbol == b"{" else 0)
         elif symbol in (b"}", b"]"):
             del keys[-1:]
         elif keys and symbol == b":" and isinstance(keys[-1], str):
             keys[-1] = string
-        elif keys and symbol == b",":
+        elif keys and symbol[:1] == b",":
             last = keys[-1]
-            keys[-1] = last + 1 if isinstance(last, int) else ""
+            keys[-1] = last + symbol.count(b",") if isinstance(last, int) else ""
     return joined(keys)
 
 
 def joined(keys: list[str | int]) -> str:
     """The text form of a path of names and indices."""
     text = ""
-    for key in keys:
+    for key in keys[:_DEEPEST]:
         if isinstance(key, int):
             text += f"[{key}]"
         elif key:
             text += f".{key}" if text else key
-    return text
+    return text if len(keys) <= _DEEPEST else text + "…"
+
+
+def legible(name: str, most: int = LONGEST_NAME) -> str:
+    """``name``, whatever stands in it, as a sentence can hold it: on one line, and at most so long."""
+    cut = name if len(name) <= most else name[: most - 1] + "…"
+    return "".join(sign if sign.isprintable() else "\ufffd" for sign in cut)
 
 
 def line_of(text: bytes, offset: int) -> int:

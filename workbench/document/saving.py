@@ -7,7 +7,7 @@ import shutil
 import stat
 import sys
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
@@ -17,6 +17,7 @@ from workbench.document.errors import DocumentError
 from workbench.language import _
 
 _ENDING = ".saving"
+_CHUNK = 2**18
 _EXCLUSIVE = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 
 
@@ -55,9 +56,12 @@ class Replacement:
                 staged.temporary.unlink()
         self._staged.clear()
 
-    def put(self, path: Path, data: bytes, verify: Callable[[bytes], object] | None = None) -> None:
+    def put(
+        self, path: Path, data: bytes | Iterable[bytes], verify: Callable[[bytes], object] | None = None
+    ) -> None:
         """Let ``data`` be the content of ``path``, which keeps its permissions; links are followed.
 
+        What comes in pieces is never held as a whole; what making them raises is passed on.
         ``verify`` is given what was read back from the disk, and raises what it finds wrong. Raises
         SavingError when the file system refuses.
         """
@@ -68,16 +72,19 @@ class Replacement:
             temporary = _beside(target)
             descriptor = os.open(temporary, _EXCLUSIVE, 0o666)
             self._staged.append(_Staged(path, target, temporary, old is not None))
-            _fill(descriptor, data, old)
-            back = temporary.read_bytes()
+            written = _fill(descriptor, (data,) if isinstance(data, bytes) else data, old)
+            back = _read_back(temporary)
+            content = b"" if verify is None else temporary.read_bytes()
+        except DocumentError:
+            raise
         except (OSError, ValueError) as error:
             raise _refusal(path, error) from error
-        if back != data:
+        if back != written:
             raise SavingError(
                 _("{path} reads back from the disk differently; save under another name.").format(path=path)
             )
         if verify is not None:
-            verify(back)
+            verify(content)
 
     def commit(self) -> None:
         """Let every file take its place. Raises SavingError, and then those before it have theirs back."""
@@ -105,11 +112,13 @@ class Replacement:
             _sync_folder(folder)
 
 
-def replace_file(path: Path, data: bytes, verify: Callable[[bytes], object] | None = None) -> None:
+def replace_file(
+    path: Path, data: bytes | Iterable[bytes], verify: Callable[[bytes], object] | None = None
+) -> None:
     """Make ``data`` the content of ``path``, keeping its permissions and following symbolic links.
 
-    ``verify`` is as in ``Replacement.put``. Raises SavingError when the file system refuses; then the old
-    file is as it was.
+    ``data`` and ``verify`` are as in ``Replacement.put``. Raises SavingError when the file system refuses;
+    then the old file is as it was.
     """
     with Replacement() as replacement:
         replacement.put(path, data, verify)
@@ -133,8 +142,6 @@ def _replaceable(path: Path, target: Path) -> os.stat_result | None:
 
 def _refusal(path: Path, error: OSError | ValueError) -> SavingError:
     """The sentence that says why ``path`` cannot be written."""
-    if isinstance(error, SavingError):
-        return error
     number = error.errno if isinstance(error, OSError) else None
     match number:
         case errno.ENOENT | errno.ENOTDIR if not path.parent.is_dir():
@@ -167,15 +174,33 @@ def _beside(target: Path) -> Path:
     return target.with_name(f"{_prefix(target)}{secrets.token_hex(8)}.{os.getpid()}{_ENDING}")
 
 
-def _fill(descriptor: int, data: bytes, old: os.stat_result | None) -> None:
+def _fill(descriptor: int, pieces: Iterable[bytes], old: os.stat_result | None) -> tuple[int, int]:
+    """Write ``pieces``; how many bytes these are, and their checksum."""
+    written = (0, 0)
     with open(descriptor, "wb") as file:
         if old is not None and sys.platform != "win32":
             with suppress(PermissionError):
                 os.fchown(descriptor, old.st_uid, old.st_gid)
             os.fchmod(descriptor, stat.S_IMODE(old.st_mode))
-        file.write(data)
+        for piece in pieces:
+            file.write(piece)
+            written = _counted(written, piece)
         file.flush()
         os.fsync(descriptor)
+    return written
+
+
+def _read_back(path: Path) -> tuple[int, int]:
+    """As many bytes as are there, and their checksum."""
+    back = (0, 0)
+    with open(path, "rb") as file:
+        while chunk := file.read(_CHUNK):
+            back = _counted(back, chunk)
+    return back
+
+
+def _counted(before: tuple[int, int], piece: bytes) -> tuple[int, int]:
+    return before[0] + len(piece), zlib.crc32(piece, before[1])
 
 
 def _kept(target: Path) -> Path:

@@ -1,22 +1,22 @@
 """Edits of whole sheets: their size, their window and viewport, what clips on them, their palette."""
 
 from collections.abc import Iterable
+from itertools import count
 
 from msgspec.structs import replace
 
-from workbench.document.addresses import new_ids, sheet_with
+from workbench.document.addresses import highest, new_ids, sheet_with
 from workbench.document.building import (
     Edit,
     checked,
-    ids_of,
     ids_on,
-    numbered,
     plain,
     plain_rectangle,
     position,
     remembering,
     whole_number,
     with_figures,
+    with_ids,
     with_sheet,
     without_ids,
 )
@@ -35,14 +35,16 @@ def add_sheet(sheet: Sheet, index: int | None = None) -> Edit:
             identity = new_ids(document, "s", 1)[0]
         added = replace(sheet, id=identity, figures=())
         document = replace(document, sheets=(*document.sheets[:at], added, *document.sheets[at:]))
-        taken = {known for other in document.sheets for known in ids_on(other)}
+        mine = set(ids_on(sheet))
+        taken = {known for other in document.sheets for known in mine.intersection(ids_on(other))}
+        numbers = (document.last_id, highest(document), *(figure.highest for figure in sheet.figures))
+        fresh = count(max(numbers) + 1)
         figures: list[AnyFigure] = []
         for figure in sheet.figures:
             figure = plain(figure)
-            mine = ids_of(figure)
-            if taken.intersection(mine) or not all(mine):
-                figure = numbered(with_figures(document, added, tuple(figures)), without_ids(figure))
-            taken.update(ids_of(figure))
+            if not all(figure.ids) or not taken.isdisjoint(figure.ids):
+                figure = with_ids(without_ids(figure), fresh, fresh)
+            taken.update(figure.ids)
             figures.append(figure)
         return with_figures(document, added, tuple(figures))
 

@@ -4,6 +4,7 @@ Two numbers a line, parted by commas, semicolons, tabs or blanks; a comma may be
 something else parts the numbers. One heading line is passed over, as are empty lines and those after #.
 """
 
+import io
 import math
 import re
 from collections.abc import Iterable
@@ -12,11 +13,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from workbench.document.check import MAX_COORDINATE
+from workbench.document.content import Progress, silent
 from workbench.language import _
 
 MOST_POINTS = 100_000
+MOST_CHARACTERS = 16 * 2**20
+LONGEST_LINE = 10_000
+_BETWEEN_REPORTS = 1000
 
-_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
+_DECIMAL_COMMA = re.compile(r"\d,\d")
 _SEPARATORS = {"\t": r"\t", ";": ";", ",": ",", " ": r"\s+"}
 
 
@@ -24,13 +30,12 @@ class PointsError(ValueError):
     """Text that holds no points: one sentence with line and column."""
 
 
-def read_points(text: str) -> NDArray[np.float64]:
+def read_points(text: str, progress: Progress = silent) -> NDArray[np.float64]:
     """The points (n, 2) in a text, world units. Raises: PointsError."""
-    lines = [
-        (number, line.partition("#")[0].strip(" \r\ufeff"))
-        for number, line in enumerate(text.splitlines(), 1)
-    ]
-    lines = [(number, line) for number, line in lines if line.strip()]
+    if len(text) > MOST_CHARACTERS:
+        sentence = _("The list has {size:,} characters, and at most {most:,} can be read; give fewer points.")
+        raise PointsError(sentence.format(size=len(text), most=MOST_CHARACTERS))
+    lines = _lines(text)
     if not lines:
         raise PointsError(_("There are no points; give two numbers a line."))
     if _is_heading(lines[0][1]):
@@ -38,10 +43,31 @@ def read_points(text: str) -> NDArray[np.float64]:
     if not lines:
         raise PointsError(_("There is a heading and no points; give two numbers a line."))
     if len(lines) > MOST_POINTS:
-        sentence = _("There are {count:,} points, and at most {most:,} can be read; give fewer.")
-        raise PointsError(sentence.format(count=len(lines), most=MOST_POINTS))
+        sentence = _("There are more than {most:,} points, which is all that can be read; give fewer.")
+        raise PointsError(sentence.format(most=MOST_POINTS))
     separator, comma = _dialect([line for _number, line in lines])
-    return np.array([_point(number, line, separator, comma) for number, line in lines])
+    points = np.empty((len(lines), 2))
+    for row, (number, line) in enumerate(lines):
+        if row % _BETWEEN_REPORTS == 0:
+            progress(row / len(lines))
+        points[row] = _point(number, line, separator, comma)
+    return points
+
+
+def _lines(text: str) -> list[tuple[int, str]]:
+    """Number and content of the lines that say something, of no more than are read and a heading."""
+    said: list[tuple[int, str]] = []
+    for number, line in enumerate(io.StringIO(text, newline=None), 1):
+        content = line.partition("#")[0].strip(" \r\n\ufeff")
+        if not content or content.isspace():
+            continue
+        if len(content) > LONGEST_LINE:
+            sentence = _("Line {line}: it has {size:,} characters; give x and y, and nothing else.")
+            raise PointsError(sentence.format(line=number, size=len(content)))
+        said.append((number, content))
+        if len(said) > MOST_POINTS + 1:
+            break
+    return said
 
 
 def write_points(points: ArrayLike, separator: str = ",") -> str:
@@ -57,9 +83,16 @@ def _dialect(lines: list[str]) -> tuple[str, bool]:
             return sign, any("," in line for line in lines)
     # Blanks part numbers with decimal commas: 1,5 2,5; a comma with blanks around it parts by itself.
     if any("," in line for line in lines):
-        blank = all(re.fullmatch(r"\S*\d,\d\S*\s+\S*\d\S*|\S+\s+\S*\d,\d\S*", line.strip()) for line in lines)
-        return (" ", True) if blank else (",", False)
+        return (" ", True) if all(map(_has_decimal_comma, lines)) else (",", False)
     return " ", False
+
+
+def _has_decimal_comma(line: str) -> bool:
+    """Whether blanks part two numbers, at least one of which has a decimal comma."""
+    match line.split():
+        case [x, y]:
+            return bool(_DECIMAL_COMMA.search(y) or (_DECIMAL_COMMA.search(x) and re.search(r"\d", y)))
+    return False
 
 
 def _is_heading(line: str) -> bool:

@@ -1,7 +1,8 @@
 """Unsaved work outlives a crash: a recovery file per session, written behind its back, and a lock beside it.
 
 The lock is held by the operating system for as long as the process lives, so that a file whose lock is free
-belongs to nobody any more and can be offered. No Qt here.
+belongs to nobody any more and can be offered. Blobs are files of their own beside it, each written once.
+No Qt here.
 """
 
 import os
@@ -9,51 +10,84 @@ import re
 import secrets
 import sys
 import threading
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
+import msgspec
+from msgspec.structs import replace
+
+from workbench.document.blobs import MAX_BLOB_BYTES
+from workbench.document.content import read_content
 from workbench.document.errors import DocumentError
-from workbench.document.files import Stored, read, write
-from workbench.document.saving import sweep
+from workbench.document.files import Stored, read, sound_blobs, write
+from workbench.document.saving import replace_file, sweep
+from workbench.engine.turns import short_turns
 from workbench.language import _
 from workbench.paths import recovery_folder, try_writing
+from workbench.session.stamps import Stamp, stamp
 
 # A write starts this long after the first change that is not yet written, so that with the time of the write
-# itself the file is at most five seconds behind.
+# itself the file is at most five seconds behind; but it rests this many times as long as the last one took.
 DELAY_S = 2.0
+REST = 20
 
 _DOCUMENT = ".gwb"
 _LOCK = ".lock"
-_STEM = re.compile(r"[0-9]+-[0-9a-f]{8}")
+_BLOB = ".blob"
+_STEM = re.compile(r"[0-9]+-[0-9a-f]{8}(?=\.)")
+_NO_NAME = "0-00000000.gwb"
 
 
 @dataclass(frozen=True, slots=True)
 class Recoverable:
-    """Work that a dead process left: its recovery file, the file it came from if any, when it was kept."""
+    """Work that a dead process left: its recovery file, the file it came from if any, when it was kept.
+
+    ``origin_stamp`` is the state in which that process knew its file.
+    """
 
     path: Path
     origin: Path | None
     name: str
     kept_at: float
+    origin_stamp: Stamp | None = None
+
+    @property
+    def origin_changed(self) -> bool:
+        """Whether the file that it came from is another by now than the one it was made from."""
+        now = None if self.origin is None else stamp(self.origin)
+        if now is None:
+            return False
+        return now != self.origin_stamp if self.origin_stamp else now[0] / 1e9 > self.kept_at
 
     def read(self) -> Stored:
         """What was kept; raises DocumentError."""
-        return read(self.path)
+        stored = read(self.path)
+        beside = {path.suffixes[0][1:]: path for path in _blobs_beside(self.path)}
+        blobs = dict(stored.blobs)
+        for digest in stored.blobs_beside:
+            if digest not in beside:
+                sentence = _("{path} lacks a part that stood beside it; open another copy.")
+                raise DocumentError("blobs_beside", sentence.format(path=self.path))
+            blobs[digest] = read_content(beside[digest], MAX_BLOB_BYTES)
+        return replace(stored, blobs=sound_blobs(blobs), blobs_beside=())
 
     def discard(self) -> None:
         """Forget this work."""
-        for ending in (_DOCUMENT, _LOCK):
-            with suppress(OSError):
-                self.path.with_suffix(ending).unlink()
+        _discard(self.path)
+        with suppress(OSError):
+            _remove(self.path.with_suffix(_LOCK))
 
 
 class RecoveryFile:
     """The recovery file of one session, written on a thread of its own from frozen values.
 
-    ``keep`` costs its caller nothing but a lock. ``failed`` is called on the writing thread with the sentence
-    when a write fails; the next change tries again.
+    ``keep`` costs its caller nothing but a lock. What cannot be written is tried again until it can:
+    ``failed`` is called with a sentence when that begins, and when it has another reason; ``mended`` when it
+    has ended. Both are called on the writing thread.
     """
 
     def __init__(
@@ -61,37 +95,39 @@ class RecoveryFile:
         folder: Path | None = None,
         delay_s: float = DELAY_S,
         failed: Callable[[str], None] = lambda sentence: None,
+        mended: Callable[[str], None] = lambda sentence: None,
     ) -> None:
-        folder = recovery_folder() if folder is None else folder
-        try_writing(folder)
-        sweep(folder)
-        self.path, self._lock_file = _fresh(folder)
+        self._folder = recovery_folder() if folder is None else folder
         self._delay_s = delay_s
         self._failed = failed
+        self._mended = mended
+        self._trouble = ""
+        self._lock_file: int | None = None
+        self.path = self._folder / _NO_NAME
         self._state = threading.Condition()
         self._wanted: Stored | None = None
-        self._changed = False
-        self._hurry = False
+        self._changes = self._kept = 0
+        self._flushes = self._flushed = 0
         self._closing = False
-        self._idle = True
-        self._thread = threading.Thread(target=self._work, name="recovery", daemon=True)
+        self._trying(self._hold_name)
+        self._thread = threading.Thread(target=self._run, name="recovery", daemon=True)
         self._thread.start()
 
     def keep(self, stored: Stored | None) -> None:
         """Write ``stored`` soon; None when there is nothing unsaved any more, and the file is removed."""
         with self._state:
             self._wanted = stored
-            self._changed = True
-            self._idle = False
+            self._changes += 1
             self._state.notify_all()
 
-    def flush(self) -> None:
-        """Write now what is waiting, and come back when it is done."""
+    def flush(self) -> bool:
+        """Try now to write what is waiting, and come back when that has ended; whether all is kept."""
         with self._state:
-            self._hurry = True
+            self._flushes += 1
+            mine = self._flushes
             self._state.notify_all()
-            self._state.wait_for(lambda: self._idle or not self._thread.is_alive())
-            self._hurry = False
+            self._state.wait_for(lambda: self._flushed >= mine or self._closing)
+            return self._kept == self._changes
 
     def close(self) -> None:
         """End cleanly: the recovery file and its lock are removed."""
@@ -99,31 +135,104 @@ class RecoveryFile:
             self._closing = True
             self._state.notify_all()
         self._thread.join()
-        _remove(self.path)
-        os.close(self._lock_file)
-        _remove(self.path.with_suffix(_LOCK))
+        self._give_up_name()
 
-    def _work(self) -> None:
-        while True:
-            with self._state:
-                self._state.wait_for(lambda: self._changed or self._closing)
-                self._state.wait_for(lambda: self._hurry or self._closing, self._delay_s)
-                if self._closing:
-                    return
-                wanted, self._changed = self._wanted, False
-            self._write(wanted)
-            with self._state:
-                self._idle = not self._changed
+    def _run(self) -> None:
+        try:
+            self._work()
+        finally:
+            with self._state:  # whoever waits for it does not wait for ever
+                self._closing = True
                 self._state.notify_all()
 
-    def _write(self, wanted: Stored | None) -> None:
+    def _work(self) -> None:
+        next_s = 0.0
+        while True:
+            with self._state:
+                self._state.wait_for(self._has_work)
+                self._state.wait_for(self._hurries, max(self._delay_s, next_s - time.monotonic()))
+                if self._closing:
+                    return
+                wanted, changes, flushes = self._wanted, self._changes, self._flushes
+            began_s = time.monotonic()
+            kept = changes == self._kept or self._trying(partial(self._write, wanted))
+            ended_s = time.monotonic()
+            next_s = max(next_s, ended_s + REST * (ended_s - began_s))
+            with self._state:
+                if kept:
+                    self._kept = changes
+                self._flushed = flushes
+                self._state.notify_all()
+
+    def _has_work(self) -> bool:
+        return self._changes > self._kept or self._flushes > self._flushed or self._closing
+
+    def _hurries(self) -> bool:
+        return self._wanted is None or self._flushes > self._flushed or self._closing
+
+    def _trying(self, act: Callable[[], None]) -> bool:
+        """Whether ``act`` did not fail. Nothing that it raises ends the thread: the next time may do."""
         try:
-            if wanted is None:
-                _remove(self.path)
-            else:
-                write(wanted, self.path)
-        except DocumentError as error:
-            self._failed(_("Unsaved work could not be kept safe: {reason}").format(reason=error))
+            with short_turns:
+                act()
+        except Exception as error:
+            sentence = self._complaint(error)
+            if sentence != self._trouble:
+                self._trouble = sentence
+                _tell(self._failed, sentence)
+            return False
+        if self._trouble:
+            self._trouble = ""
+            _tell(self._mended, _("Unsaved work is kept safe again."))
+        return True
+
+    def _complaint(self, error: Exception) -> str:
+        if isinstance(error, OSError):
+            sentence = _(
+                "Unsaved work is not kept, as {folder} cannot be written ({reason}). "
+                "This is tried again by itself; save often until then."
+            )
+            return sentence.format(folder=self._folder, reason=error.strerror or error)
+        sentence = _(
+            "Unsaved work is not kept: {reason} This is tried again by itself; save often until then."
+        )
+        return sentence.format(reason=error if isinstance(error, DocumentError) else f"{error!r}.")
+
+    def _write(self, wanted: Stored | None) -> None:
+        self._hold_name()
+        if wanted is None:
+            _remove(self.path)
+            return
+        blobs = {_blob_path(self.path, digest): content for digest, content in wanted.blobs.items()}
+        kept = set(_blobs_beside(self.path))
+        for path, content in blobs.items():
+            if path not in kept:
+                replace_file(path, content)
+        write(replace(wanted, blobs={}, blobs_beside=tuple(wanted.blobs)), self.path)
+        for path in kept.difference(blobs):
+            _remove(path)
+
+    def _hold_name(self) -> None:
+        """Have a name in the folder that no other session has; raises OSError."""
+        if self._lock_file is not None and self.path.with_suffix(_LOCK).exists():
+            return
+        self._give_up_name()
+        try_writing(self._folder)
+        sweep(self._folder)
+        self.path, self._lock_file = _fresh(self._folder)
+
+    def _give_up_name(self) -> None:
+        if self._lock_file is not None:
+            _discard(self.path)
+            os.close(self._lock_file)
+            self._lock_file = None
+            with suppress(OSError):
+                _remove(self.path.with_suffix(_LOCK))
+
+
+def _tell(listener: Callable[[str], None], sentence: str) -> None:
+    with suppress(RuntimeError):  # nobody is there any more
+        listener(sentence)
 
 
 def recoverable(folder: Path | None = None) -> list[Recoverable]:
@@ -132,33 +241,75 @@ def recoverable(folder: Path | None = None) -> list[Recoverable]:
     found: list[Recoverable] = []
     if not os.path.isdir(folder) or not os.access(folder, os.R_OK | os.W_OK | os.X_OK):
         return found
-    sweep(folder)
-    files = [file for ending in (_DOCUMENT, _LOCK) for file in folder.glob(f"*{ending}")]
-    stems = {file.stem for file in files if _STEM.fullmatch(file.stem)}
-    for lock in (folder / (stem + _LOCK) for stem in sorted(stems)):
-        try:
-            descriptor = _locked(lock)
-        except OSError:
-            continue  # its process lives
-        try:
-            path = lock.with_suffix(_DOCUMENT)
-            if path.exists():
-                found.append(_described(path))
-            else:
-                _remove(lock)
-        finally:
-            os.close(descriptor)
+    with suppress(OSError):
+        sweep(folder)
+    for stem in sorted({match.group() for match in map(_STEM.match, os.listdir(folder)) if match}):
+        with suppress(OSError):  # its process lives, or it cannot be read now
+            work = _left(folder / (stem + _DOCUMENT))
+            if work is not None:
+                found.append(work)
     return sorted(found, key=lambda work: -work.kept_at)
+
+
+def _left(path: Path) -> Recoverable | None:
+    """The work in a recovery file whose process is dead; raises OSError."""
+    lock = path.with_suffix(_LOCK)
+    descriptor = _locked(lock)
+    try:
+        if path.exists():
+            return _described(path)
+        _discard(path)
+        _remove(lock)
+        return None
+    finally:
+        os.close(descriptor)
+
+
+class _SheetName(msgspec.Struct):
+    name: str
+
+
+class _SheetNames(msgspec.Struct):
+    sheets: list[_SheetName]
+
+
+class _Description(msgspec.Struct):
+    """What of a recovery file is told before it is read."""
+
+    document: _SheetNames
+    origin: str | None = None
+    origin_stamp: Stamp | None = None
+
+
+# Made here, by the thread that imports: as in ``document.files``.
+_description_decoder = msgspec.json.Decoder(_Description)
 
 
 def _described(path: Path) -> Recoverable:
     kept_at = path.stat().st_mtime
     try:
-        stored = read(path)
-    except DocumentError:
+        told = _description_decoder.decode(path.read_bytes())
+        name = told.document.sheets[0].name
+    except (msgspec.DecodeError, UnicodeDecodeError, IndexError):
         return Recoverable(path, None, _("Damaged"), kept_at)
-    origin = Path(stored.origin) if stored.origin else None
-    return Recoverable(path, origin, origin.name if origin else stored.document.sheets[0].name, kept_at)
+    origin = Path(told.origin) if told.origin else None
+    return Recoverable(path, origin, origin.name if origin else name, kept_at, told.origin_stamp)
+
+
+def _blob_path(path: Path, digest: str) -> Path:
+    """Where a blob is kept that belongs to the recovery file ``path``."""
+    return path.with_suffix(f".{digest}{_BLOB}")
+
+
+def _blobs_beside(path: Path) -> list[Path]:
+    return sorted(path.parent.glob(f"{path.stem}.*{_BLOB}"))
+
+
+def _discard(path: Path) -> None:
+    """Remove a recovery file and its blobs, as far as they can be removed; its lock stays."""
+    for file in (path, *_blobs_beside(path)):
+        with suppress(OSError):
+            _remove(file)
 
 
 def _fresh(folder: Path) -> tuple[Path, int]:

@@ -1,6 +1,5 @@
 """Writes the file of a session behind its back, since a disk may take its time."""
 
-import os
 import threading
 from contextlib import suppress
 from dataclasses import dataclass
@@ -10,16 +9,9 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from workbench.document.errors import DocumentError
 from workbench.document.files import Stored, write
-
-Stamp = tuple[int, int, int]
-
-
-def stamp(path: Path) -> Stamp | None:
-    """What tells one state of a file on the disk from another; None when there is no such file."""
-    with suppress(OSError):
-        found = os.stat(path)
-        return found.st_mtime_ns, found.st_size, found.st_ino
-    return None
+from workbench.engine.turns import short_turns
+from workbench.language import _
+from workbench.session.stamps import Stamp, stamp
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,13 +55,17 @@ class Saver(QObject):
             self._deliver()
 
     def _write(self, stored: Stored, path: Path) -> None:
+        problem = _("Something in the program failed; save under another name.")
         try:
-            write(stored, path)
-            self._outcome = Saved(stored, path, stamp(path))
+            with short_turns:
+                write(stored, path)
+            problem = ""
         except DocumentError as error:
-            self._outcome = Saved(stored, path, None, str(error))
-        with suppress(RuntimeError):  # nobody is there any more
-            self._written.emit()
+            problem = str(error)
+        finally:  # whatever it was, its end is told
+            self._outcome = Saved(stored, path, None if problem else stamp(path), problem)
+            with suppress(RuntimeError):  # nobody is there any more
+                self._written.emit()
 
     def _deliver(self) -> None:
         outcome, self._outcome = self._outcome, None

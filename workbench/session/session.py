@@ -9,9 +9,9 @@ from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from workbench.document.addresses import changed as changed_addresses
+from workbench.document.check import check
 from workbench.document.edits import Edit, add_sheet
 from workbench.document.errors import DocumentError
 from workbench.document.files import Stored, read, write
@@ -19,27 +19,12 @@ from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.document.samples import blank_sheet, example
 from workbench.document.state import SessionState, check_state, cleaned
 from workbench.language import _
-from workbench.paths import recovery_folder
 from workbench.session.following import Following
 from workbench.session.recovery import Recoverable, RecoveryFile
 from workbench.session.run import Run
-from workbench.session.saver import Saved, Saver, Stamp, stamp
-
-
-class _Change(QUndoCommand):
-    """One step of undo: the documents before and after it."""
-
-    def __init__(self, session: "Session", old: Document, new: Document, name: str) -> None:
-        super().__init__(name)
-        self._session = session
-        self.old = old
-        self.new = new
-
-    def redo(self) -> None:
-        self._session._show(self.new)
-
-    def undo(self) -> None:
-        self._session._show(self.old)
+from workbench.session.saver import Saved, Saver
+from workbench.session.stamps import Stamp, stamp
+from workbench.session.undo import Step, UndoStack
 
 
 class Session(QObject):
@@ -58,19 +43,20 @@ class Session(QObject):
     saved = Signal(object)
     storing = Signal()
     autosave_failed = Signal(str)
+    autosave_mended = Signal(str)
     _due = Signal()
 
     def __init__(self, parent: QObject | None = None, document: Document | None = None) -> None:
         super().__init__(parent)
-        self.document = blank_sheet() if document is None else document
+        self.document = blank_sheet() if document is None else check(document)
         self.revision = 0
         self.path: Path | None = None
-        self.undo_stack = QUndoStack(self)
+        self.undo_stack = UndoStack(self._show, self)
         self.state = cleaned(SessionState(), self.document)
         self._blobs: dict[str, bytes] = {}
         self._told = (self.document, self.state)
         self._waiting = False
-        self._merging: tuple[str, _Change] | None = None
+        self._merging: tuple[str, Step] | None = None
         self._pushing = False
         self._recovery: RecoveryFile | None = None
         self._on_disk: Stamp | None = None
@@ -113,18 +99,16 @@ class Session(QObject):
         if new == old:
             return
         if merge and self._merging and self._merging[0] == merge:
-            self._merging[1].new = new
-            self._show(new)
+            self.undo_stack.extend(self._merging[1], new)
             return
         self.end_merge()
-        change = _Change(self, old, new, name)
         self._pushing = True
         try:
-            self.undo_stack.push(change)
+            step = self.undo_stack.push(name, old, new)
         finally:
             self._pushing = False
         if merge:
-            self._merging = (merge, change)
+            self._merging = (merge, step)
 
     def end_merge(self, merge: str = "") -> None:
         """End a drag: the next edit is a step of its own. A drag back to its start leaves none.
@@ -133,11 +117,9 @@ class Session(QObject):
         """
         if self._merging is None or (merge and self._merging[0] != merge):
             return
-        change = self._merging[1]
+        step = self._merging[1]
         self._merging = None
-        if change.old == change.new:
-            change.setObsolete(True)
-            self.undo_stack.undo()
+        self.undo_stack.end(step)
 
     def update_state(self, **changes: Any) -> None:
         """Change fields of the session's state; raises DocumentError when they refer to nothing.
@@ -165,7 +147,7 @@ class Session(QObject):
 
     def new(self, document: Document | None = None) -> None:
         """Begin anew with a blank sheet or with ``document``, which then has no file and is not dirty."""
-        self._begin(Stored(document or blank_sheet(), SessionState()), None)
+        self._begin(Stored(document or blank_sheet(), SessionState()))
 
     def open_example(self, slug: str) -> None:
         """Open a built-in example: as a document of its own, or as a sheet beside unsaved work."""
@@ -188,8 +170,13 @@ class Session(QObject):
         self.update_state(selection=(stepped.id,) if stepped else ())
 
     def open(self, path: Path | str) -> None:
-        """Open a file; raises DocumentError, and what is open stays."""
-        self._begin(read(path), Path(path))
+        """Read a file and open it, here and now; raises DocumentError, and what is open stays."""
+        now = stamp(Path(path))  # what another program writes from now on is a change
+        self.take(read(path), Path(path), now)
+
+    def take(self, stored: Stored, path: Path, on_disk: Stamp | None) -> None:
+        """Open what was read from the file ``path`` when its stamp was ``on_disk``."""
+        self._begin(stored, path, on_disk)
 
     def save(self) -> None:
         """Save to the file it came from; raises DocumentError."""
@@ -224,7 +211,7 @@ class Session(QObject):
     def changed_on_disk(self) -> bool:
         """Whether another program has changed the file since it was opened or saved here."""
         now = stamp(self.path) if self.path is not None else None
-        return now is not None and self._on_disk is not None and now != self._on_disk
+        return now is not None and now != self._on_disk
 
     def _take_saved(self, saved: Saved) -> None:
         """The document has a file now; what was changed meanwhile is not in it."""
@@ -236,25 +223,27 @@ class Session(QObject):
         self.saved.emit(saved)
 
     def start_autosave(self, folder: Path | None = None) -> None:
-        """Keep unsaved work in a recovery file until ``close``; ``autosave_failed`` tells of trouble."""
-        if self._recovery is not None:
-            return
-        try:
-            self._recovery = RecoveryFile(folder, failed=self.autosave_failed.emit)
-        except OSError as error:
-            sentence = _("Unsaved work is not kept, as {folder} cannot be written ({reason}): save often.")
-            where, reason = folder or recovery_folder(), error.strerror or error
-            self.autosave_failed.emit(sentence.format(folder=where, reason=reason))
-        self._keep_safe()
+        """Keep unsaved work in a recovery file until ``close``.
+
+        ``autosave_failed`` tells of trouble, ``autosave_mended`` of its end.
+        """
+        if self._recovery is None:
+            self._recovery = RecoveryFile(
+                folder, failed=self.autosave_failed.emit, mended=self.autosave_mended.emit
+            )
+            self._keep_safe()
 
     def recover(self, work: Recoverable) -> None:
-        """Open what a dead process left, as unsaved work; raises DocumentError, and what is open stays."""
-        self._begin(work.read(), work.origin)
+        """Open what a dead process left, as unsaved work; raises DocumentError, and what is open stays.
+
+        Where the file it came from is another by now, it counts as changed on the disk.
+        """
+        on_disk = work.origin_stamp if work.origin is None or work.origin_changed else stamp(work.origin)
+        self._begin(work.read(), work.origin, on_disk)
         self.undo_stack.resetClean()
         if self._recovery is not None:
             self._keep_safe()
-            self._recovery.flush()
-            if self._recovery.path.exists():
+            if self._recovery.flush():
                 work.discard()
 
     def close(self) -> None:
@@ -266,13 +255,13 @@ class Session(QObject):
             self._recovery.close()
             self._recovery = None
 
-    def _begin(self, stored: Stored, path: Path | None) -> None:
+    def _begin(self, stored: Stored, path: Path | None = None, on_disk: Stamp | None = None) -> None:
         self.finish_saving()
         self._merging = None
         self.undo_stack.clear()
         self._blobs = stored.blobs
         self.path = path
-        self._on_disk = stamp(path) if path is not None else None
+        self._on_disk = on_disk
         self._show(stored.document)
         self.state = cleaned(stored.session, stored.document)
         self.path_changed.emit(path)
@@ -284,7 +273,8 @@ class Session(QObject):
     def _keep_safe(self) -> None:
         if self._recovery is not None:
             origin = "" if self.path is None else str(self.path.absolute())
-            self._recovery.keep(replace(self.stored, origin=origin) if self.dirty else None)
+            kept = replace(self.stored, origin=origin, origin_stamp=self._on_disk)
+            self._recovery.keep(kept if self.dirty else None)
 
     def _show(self, document: Document) -> None:
         figure = self.active_figure

@@ -53,6 +53,10 @@ class Files(QObject):
         """Say that unsaved work could not be kept safe."""
         self._window.messages.say(sentence, "warn")
 
+    def reassure(self, sentence: str) -> None:
+        """Say that unsaved work is kept safe again."""
+        self._window.messages.say(sentence)
+
     def new(self) -> None:
         """Begin an empty picture."""
         self.unless_unsaved(self._new)
@@ -206,6 +210,13 @@ class Files(QObject):
             self._window.messages.say(_("Nothing could be recovered: {error}").format(error=error), "error")
             return
         self._window.enter("draw")
+        if self._session.changed_on_disk:
+            self._window.messages.say(
+                _(
+                    "{name} was changed after this work was kept; saving it asks before that is replaced."
+                ).format(name=lost.name),
+                "warn",
+            )
 
     def _new(self) -> None:
         self._session.new()

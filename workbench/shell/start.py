@@ -93,14 +93,15 @@ class Building(QObject):
         if self._path is not None:
             window.files.open_path(self._path)
             yield
-        window.files.offer_recovery()
         problems = [window.settings.problem]
         beginning = session.autosave_failed.connect(problems.append)
         session.start_autosave()
         session.autosave_failed.disconnect(beginning)
         session.autosave_failed.connect(window.files.warn)
+        session.autosave_mended.connect(window.files.reassure)
         if any(problems):
             window.files.warn(" ".join(filter(None, problems)))
+        window.files.offer_recovery()
         window.status.preparing("")
         if self._warms:
             self._warming.prepare("draw")

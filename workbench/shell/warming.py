@@ -59,6 +59,12 @@ class Warming(QObject):
             self._thread.start()
 
     def _work(self, topics: Sequence[str]) -> None:
+        try:
+            self._compile(topics)
+        finally:  # whatever happens, what waits has its turn
+            self._ended.emit(*readiness())
+
+    def _compile(self, topics: Sequence[str]) -> None:
         from workbench.algorithms import catalogue
         from workbench.engine import compiled
         from workbench.engine.warm import Warming as Child
@@ -70,7 +76,6 @@ class Warming(QObject):
                 self._child.stop()
             else:
                 self._child.follow(self._report)
-        self._ended.emit(*readiness())
 
     def _report(self, progress: Progress) -> None:
         self._progressed.emit(progress.done, progress.total)

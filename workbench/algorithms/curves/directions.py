@@ -1,7 +1,5 @@
 """Where a row of points turns sharply, and in which direction it runs, seen past its unsteadiness."""
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,25 +13,22 @@ _MOST = 12  # neighbours on each side
 def corners(points: Array, reach: float, angle: float) -> list[int]:
     """Numbers of the inner points where a row (n, k) turns by more than ``angle`` (radians).
 
-    Directions are taken to the first points at least ``reach`` away; of corners so near to each other only
-    the sharpest counts.
+    Directions are taken to the first points at least ``reach`` away; of corners so near to each other, and
+    near along the row, only the sharpest counts.
     """
-    turns = np.zeros(len(points))
-    for i in range(1, len(points) - 1):
-        before, after = points[_away(points, i, -1, reach)], points[_away(points, i, 1, reach)]
-        one, other = points[i] - before, after - points[i]
-        size = math.sqrt(float(one @ one) * float(other @ other))
-        if size > 0:
-            turns[i] = math.acos(min(max(float(one @ other) / size, -1.0), 1.0))
-    found: list[int] = []
-    for i in np.argsort(-turns, kind="stable"):
-        if turns[i] <= angle:
-            break
-        apart = lengths(points[found] - points[i]) if found else np.array([math.inf])
-        nearest = min((abs(int(i) - j) for j in found), default=_MOST)
-        if apart.min() > reach or nearest >= _MOST:
-            found.append(int(i))
-    return sorted(found)
+    before, after = (points[_all_away(points, step, reach)] for step in (-1, 1))
+    one, other = points - before, after - points
+    size = lengths(one) * lengths(other)
+    cosine = np.divide((one * other).sum(axis=-1), size, out=np.ones(len(points)), where=size > 0)
+    turns = np.arccos(np.clip(cosine, -1.0, 1.0))
+    turns[[0, -1]] = 0.0
+    sharp = np.flatnonzero(turns > angle)
+    chosen: set[int] = set()
+    for i in sharp[np.argsort(-turns[sharp], kind="stable")].tolist():
+        near = [j for j in range(i - _MOST + 1, i + _MOST) if j in chosen]
+        if not near or lengths(points[near] - points[i]).min() > reach:
+            chosen.add(i)
+    return sorted(chosen)
 
 
 def tangent(points: Array, at: int, first: int, last: int, reach: float) -> Array:
@@ -71,3 +66,16 @@ def _away(points: Array, at: int, step: int, reach: float) -> int:
         if float(apart @ apart) >= reach * reach:
             break
     return i
+
+
+def _all_away(points: Array, step: int, reach: float) -> NDArray[np.intp]:
+    """For every point what ``_away`` says of it, (n,)."""
+    last = len(points) - 1
+    here = np.arange(len(points))
+    there = here.copy()
+    going = np.full(len(points), True)
+    for _neighbour in range(_MOST):
+        there[going] = np.clip(there[going] + step, 0, last)
+        apart = points[there] - points
+        going &= (apart * apart).sum(axis=-1) < reach * reach
+    return there

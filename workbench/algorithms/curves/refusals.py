@@ -76,3 +76,12 @@ def refuse_tolerance(tolerance: float) -> None:
     """Raise ValueError unless the tolerance is a finite number above 0."""
     if not (math.isfinite(tolerance) and tolerance > 0):
         raise ValueError(f"The tolerance is {tolerance:g}; choose a finite one above 0.")
+
+
+def refuse_many_pieces(count: int, most: float, tolerance: float) -> None:
+    """Raise ValueError where a curve within ``tolerance`` of its points takes more than ``most`` pieces."""
+    if count > most:
+        raise ValueError(
+            f"Within {tolerance:.3g}, these points take more than {most:,} pieces; "
+            "give fewer points, or allow more distance."
+        )

@@ -1,0 +1,84 @@
+"""What is read from outside: the content of a regular file, bounded, with progress, and ended when asked.
+
+A pipe, a device or a folder is refused before a byte is waited for.
+"""
+
+import os
+import stat
+from collections.abc import Callable
+from pathlib import Path
+
+from workbench.document.errors import DocumentError
+from workbench.language import _
+
+# Called with the share that is done, 0 to 1, at least every few milliseconds. What it raises ends the work.
+Progress = Callable[[float], None]
+
+_CHUNK = 2**20
+
+
+class Stopped(Exception):  # noqa: N818 - nothing went wrong
+    """Raised by a ``Progress`` to end the work that reports to it."""
+
+
+def silent(share: float) -> None:
+    """The progress that nobody watches."""
+
+
+def read_content(path: Path | str, most: int, progress: Progress = silent) -> bytes:
+    """The bytes of a regular file that has at most ``most``; raises DocumentError."""
+    where = str(path)
+    try:
+        _refuse_irregular(os.stat(path), where, most)
+        with open(path, "rb", opener=_unwaiting) as file:
+            size = os.fstat(file.fileno())
+            _refuse_irregular(size, where, most)
+            parts: list[bytes] = []
+            read = 0
+            while part := file.read(_CHUNK):
+                parts.append(part)
+                read += len(part)
+                if read > most:  # it grows while it is read
+                    raise _too_large(where, read, most)
+                progress(min(read / max(size.st_size, 1), 1.0))
+            return b"".join(parts)
+    except FileNotFoundError as error:
+        raise DocumentError("", _("There is no file {path}; choose another.").format(path=where)) from error
+    except PermissionError as error:
+        sentence = _("{path} may not be read by you; change its permissions or choose another file.")
+        raise DocumentError("", sentence.format(path=where)) from error
+    except (OSError, ValueError) as error:
+        if isinstance(error, DocumentError):
+            raise
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        sentence = _("{path} cannot be read ({reason}); choose another file.")
+        raise DocumentError("", sentence.format(path=where, reason=reason)) from error
+
+
+def read_text(path: Path | str, most: int, progress: Progress = silent) -> str:
+    """The text of a regular file in UTF-8, with or without its mark; raises DocumentError."""
+    try:
+        return read_content(path, most, progress).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        sentence = _("{path} is not UTF-8 text; save it as UTF-8, or choose another file.")
+        raise DocumentError("", sentence.format(path=path)) from error
+
+
+def _refuse_irregular(status: os.stat_result, where: str, most: int) -> None:
+    if stat.S_ISDIR(status.st_mode):
+        raise DocumentError("", _("{path} is a folder; choose a file in it.").format(path=where))
+    if not stat.S_ISREG(status.st_mode):
+        sentence = _("{path} is not a file that can be opened; choose another.")
+        raise DocumentError("", sentence.format(path=where))
+    if status.st_size > most:
+        raise _too_large(where, status.st_size, most)
+
+
+def _too_large(where: str, size: int, most: int) -> DocumentError:
+    sentence = _("{path} has {size:,} bytes, and at most {most:,} can be opened; choose another file.")
+    return DocumentError("", sentence.format(path=where, size=size, most=most))
+
+
+def _unwaiting(path: str, flags: int) -> int:
+    """A descriptor that does not wait for the other end of a pipe that has just taken the file's place."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0), 0o666)

@@ -1,0 +1,68 @@
+"""Whether ids are ids, and no two in a document the same; after an edit by the new ones alone."""
+
+import re
+from collections.abc import Iterable, Iterator
+from itertools import chain
+from operator import attrgetter
+from typing import Any
+
+from workbench.document.addresses import highest
+from workbench.document.differences import between
+from workbench.document.model import Document, Sheet, number_of
+
+_ID = re.compile(r"(?!.*[0-9]{16}$)[A-Za-z][A-Za-z0-9_-]{0,31}")
+
+
+def _all_ids(sheets: Iterable[Sheet]) -> Iterator[str]:
+    for sheet in sheets:
+        yield sheet.id
+        yield from chain.from_iterable(map(attrgetter("ids"), sheet.figures))
+
+
+def are_ids(identities: Iterable[str]) -> bool:
+    """Whether each is a letter and up to 31 letters, digits, - or _, at most 15 digits last."""
+    return all(isinstance(identity, str) and _ID.fullmatch(identity) for identity in identities)
+
+
+def ids_sound(document: Document) -> bool:
+    """Whether all are ids, and none is there twice."""
+    identities = list(_all_ids(document.sheets))
+    return are_ids(identities) and len(set(identities)) == len(identities)
+
+
+def new_ids_sound(before: Document, document: Document) -> bool:
+    """Whether all are ids, and none is there twice, where ``before`` is sound: looks at the new ones only."""
+    gone: list[str] = []
+    come: list[str] = []
+    sheets = {sheet.id: sheet for sheet in before.sheets}
+    for sheet in document.sheets:
+        old = sheets.pop(sheet.id, None)
+        if old is None:
+            come += _all_ids([sheet])
+        elif old is not sheet:
+            _exchanged(old.figures, sheet.figures, gone, come)
+    gone += _all_ids(sheets.values())
+    new = set(come).difference(gone)
+    if len(set(come)) != len(come) or not are_ids(new):
+        return False
+    # Whatever ends in a higher number than every id of ``before`` is none of them.
+    fresh = not new or min(map(number_of, new)) > highest(before)
+    return fresh or new.isdisjoint(_all_ids(before.sheets))
+
+
+def _exchanged(old: tuple[Any, ...], new: tuple[Any, ...], gone: list[str], come: list[str]) -> None:
+    """Add the ids of figures and their parts that only ``old`` has to ``gone``, those of ``new`` to ``come``.
+
+    Ids that both have may be in both lists; what both share is in none.
+    """
+    start, old_end, new_end = between(old, new)
+    before = {figure.id: figure for figure in old[start:old_end]}
+    for figure in new[start:new_end]:
+        other = before.pop(figure.id, None)
+        if other is None:
+            come += figure.ids
+        elif other is not figure:
+            first, old_part, new_part = between(other.parts, figure.parts)
+            gone += [part.id for part in other.parts[first:old_part]]
+            come += [part.id for part in figure.parts[first:new_part]]
+    gone += chain.from_iterable(figure.ids for figure in before.values())
