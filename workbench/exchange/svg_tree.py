@@ -36,16 +36,6 @@ _CHUNK = 2**20
 _READ = {name for names in GEOMETRY.values() for name in names} | PROPERTIES
 _READ |= {"own:figure", "own:geometry", "id", "class", "style", "transform", "href"}
 _READ |= {"viewBox", "preserveAspectRatio"}
-    "own:figure",
-    "own:geometry",
-    "id",
-    "class",
-    "style",
-    "transform",
-    "href",
-    "viewBox",
-    "preserveAspectRatio",
-}
 # Elements without an <svg> around them, as they are copied from a page; it is put into the line before them.
 _FRAGMENT = re.compile(r"\s*<(?:path|g|line|polyline|polygon|rect|circle|ellipse)[\s/>]")
 _AROUND = (
