@@ -137,7 +137,7 @@ def test_a_picture_can_be_written_on_the_command_line(capsys: pytest.CaptureFixt
         (("trace", "midpoint_circle", "0", "0", "-1"), "r = -1: it must be at least 0"),
         (
             ("trace", "bresenham_line", "1", "2", "3", "@nowhere.txt"),
-            "y1 = @nowhere.txt: the file cannot be read",
+            "y1 = @nowhere.txt: There is no file nowhere.txt",
         ),
         (("trace", "boundary_fill_4", "['01', '0']", "0", "0", "2", "1"), "row 2"),
         (("trace", "boundary_fill_4", "['0a']", "0", "0", "2", "1"), "row 1"),

@@ -94,7 +94,7 @@ def test_a_surface_becomes_a_mesh(capsys: pytest.CaptureFixture[str], folder: Pa
 @pytest.mark.parametrize(
     ("words", "named"),
     [
-        (("convert", "nowhere.svg", "-o", "a.gwb"), "nowhere.svg: No such file"),
+        (("convert", "nowhere.svg", "-o", "a.gwb"), "There is no file nowhere.svg; choose another"),
         (("convert", "a.svg", "-o", "a.pdf"), "a.pdf: it is written as .gwb or .svg"),
         (("convert", "a.doc", "-o", "a.gwb"), "a.doc: this cannot be read"),
         (("convert", "broken.svg", "-o", "a.gwb"), "broken.svg: Line 1, column 61, <path>: command 2"),
@@ -108,7 +108,7 @@ def test_a_surface_becomes_a_mesh(capsys: pytest.CaptureFixture[str], folder: Pa
         (("convert", "a.svg", "-o", "a.gwb", "--size", "big"), "write it as 640x480"),
         (
             ("surface", "cube", "-o", "a.obj"),
-            "cube: No such file or directory; give a JSON file or one of",
+            "There is no file cube; give a JSON file or one of",
         ),
         (("surface", "sphere", "-o", "a.fbx"), "a.fbx: a mesh is written as .obj"),
         (("surface", "sphere", "-o", "a.obj", "--tolerance", "-1"), "The tolerance is -1"),

@@ -131,7 +131,7 @@ def test_points_fitted_from_the_clipboard_tell_their_error(qtbot):
 def test_curves_are_written_as_svg_and_come_back(qtbot, zigzag, tmp_path):
     zigzag.exchange.write_curves(tmp_path / "curves.svg")
     other = opened(qtbot)
-    other.exchange.take_svg((tmp_path / "curves.svg").read_bytes())
+    other.exchange.take_file(tmp_path / "curves.svg")
     assert the_curve(other).spline == "b_spline"
     assert places(other) == pytest.approx(np.array(ZIGZAG))
 

@@ -50,6 +50,15 @@ def both(*edits: Edit) -> Edit:
     return edit
 
 
+def foreseen(edit: Edit, document: Document) -> Edit:
+    """``edit`` with what it makes of ``document`` made now, perhaps beside the interface.
+
+    Raises: DocumentError.
+    """
+    after = edit(document)
+    return lambda now: after if now is document else edit(now)
+
+
 def ids_on(sheet: Sheet) -> list[str]:
     """Every id on ``sheet``, its own first."""
     return [sheet.id, *(i for f in sheet.figures for i in ids_of(f))]

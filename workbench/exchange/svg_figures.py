@@ -29,7 +29,7 @@ from workbench.language import _
 
 Array = NDArray[np.float64]
 
-_MOST_PIECES = (Curve.most_points - 1) // 3
+MOST_PIECES = (Curve.most_points - 1) // 3
 # The handles of a circle of radius 1 in quarters: no point of it is outside of them.
 _HANDLE = 4.0 / 3.0 * (math.sqrt(2.0) - 1.0)
 _ROUND = np.array([(s * x, t * y) for s in (1, -1) for t in (1, -1) for x, y in ((1, _HANDLE), (_HANDLE, 1))])
@@ -237,8 +237,8 @@ def _curves(run: Outline, colour: int) -> list[AnyFigure]:
     if not run.degrees:
         return []
     cubics = run.cubics()
-    whole = len(cubics) <= _MOST_PIECES
-    parts = [cubics[k : k + _MOST_PIECES] for k in range(0, len(cubics), _MOST_PIECES)]
+    whole = len(cubics) <= MOST_PIECES
+    parts = [cubics[k : k + MOST_PIECES] for k in range(0, len(cubics), MOST_PIECES)]
     return [path_of(part, run.closed and whole, colour) for part in parts]
 
 

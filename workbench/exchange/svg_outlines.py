@@ -21,7 +21,7 @@ from workbench.language import _
 
 Array = NDArray[np.float64]
 
-_LENGTH = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?(?:px|pt|pc|mm|cm|in|em|ex|Q|%)?")
+_LENGTH = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?(px|pt|pc|mm|cm|in|em|ex|Q|%)?")
 _LONGEST_LENGTH = 100
 _OF_PAIRS = set("0123456789.,+-eE \t\r\n")
 _TRANSFORM = re.compile(
@@ -123,11 +123,16 @@ def length_of(element: Element, name: str, default: float = 0.0) -> float:
     text = element.attributes.get(name, "").strip()
     if not text or text == "auto":
         return default
-    width, height = element.viewport
-    whole = math.hypot(width, height) / math.sqrt(2.0) if name == "r" else height if "y" in name else width
-    whole = height if name == "height" else whole
+    match = _LENGTH.fullmatch(text) if len(text) <= _LONGEST_LENGTH else None
     value = math.nan
-    if len(text) <= _LONGEST_LENGTH and _LENGTH.fullmatch(text):
+    if match and not match[1]:
+        value = float(text)
+    elif match:
+        width, height = element.viewport
+        whole = (
+            math.hypot(width, height) / math.sqrt(2.0) if name == "r" else height if "y" in name else width
+        )
+        whole = height if name == "height" else whole
         with suppress(ValueError, TypeError, AttributeError):
             length = svgelements.Length(text)
             value = float(length.value(ppi=96.0, relative_length=whole or math.nan, font_size=16.0))

@@ -20,6 +20,7 @@ from workbench.document.samples import blank_sheet, example
 from workbench.document.state import SessionState, check_state, cleaned
 from workbench.language import _
 from workbench.session.following import Following
+from workbench.session.incoming import Incoming
 from workbench.session.recovery import Recoverable, RecoveryFile
 from workbench.session.run import Run
 from workbench.session.saver import Saved, Saver, Stamp, stamp
@@ -75,6 +76,7 @@ class Session(QObject):
         self._on_disk: Stamp | None = None
         self._saver = Saver(self)
         self._saver.saved.connect(self._take_saved)
+        self.incoming = Incoming(self)
         self.run, self.follower = Run(self), Run(self)
         self._following = Following(self, self.run, self.follower)
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
@@ -187,8 +189,14 @@ class Session(QObject):
         self.update_state(selection=(stepped.id,) if stepped else ())
 
     def open(self, path: Path | str) -> None:
-        """Open a file; raises DocumentError, and what is open stays."""
-        self._begin(read(path), Path(path))
+        """Read a file and open it, here and now; raises DocumentError, and what is open stays."""
+        now = stamp(Path(path))
+        self.take(read(path), Path(path), now)
+
+    def take(self, stored: Stored, path: Path, on_disk: Stamp | None) -> None:
+        """Open what was read from the file ``path`` when its stamp was ``on_disk``."""
+        self._begin(stored, path)
+        self._on_disk = on_disk
 
     def save(self) -> None:
         """Save to the file it came from; raises DocumentError."""
@@ -257,6 +265,7 @@ class Session(QObject):
 
     def close(self) -> None:
         """End the session: nothing unsaved is kept any longer."""
+        self.incoming.cancel()
         self.finish_saving()
         self.run.clear()
         self.follower.clear()
@@ -265,6 +274,7 @@ class Session(QObject):
             self._recovery = None
 
     def _begin(self, stored: Stored, path: Path | None) -> None:
+        self.incoming.cancel()
         self.finish_saving()
         self._merging = None
         self.undo_stack.clear()

@@ -41,6 +41,24 @@ class Files(QObject):
         self._window.setWindowTitle(f"{self.name}[*] - {PROGRAM}")
         self._window.setWindowModified(self._session.dirty)
 
+    def follow(self, session: Any) -> None:
+        """Show what is being read for a session, with a button that ends it."""
+        incoming, messages = session.incoming, self._window.messages
+        name = ""
+
+        def began(what: str) -> None:
+            nonlocal name
+            name = what
+            progressed(0.0)
+
+        def progressed(share: float) -> None:
+            text = _("Reading {name} ... {percent} %").format(name=name, percent=round(100 * share))
+            messages.work(text, (_("Cancel"), incoming.cancel))
+
+        incoming.began.connect(began)
+        incoming.progressed.connect(progressed)
+        incoming.ended.connect(messages.end_work)
+
     def warn(self, sentence: str) -> None:
         """Say that unsaved work could not be kept safe."""
         self._window.messages.say(sentence, "warn")
@@ -159,15 +177,27 @@ class Files(QObject):
         self._window.enter("draw")
 
     def _open(self, path: Path) -> None:
-        from workbench.document.errors import DocumentError
+        from workbench.exchange.reading import Job
+        from workbench.session.saver import stamp
 
-        try:
-            self._session.open(path)
-        except DocumentError as error:
-            self._window.messages.say(
-                _("{name} was not opened: {error}").format(name=path.name, error=error), "error"
-            )
-            return
+        take = partial(self._read, path, stamp(path), self._session.revision)
+        self._session.incoming.read(Job("picture", str(path)), path.name, take, partial(self._unread, path))
+
+    def _unread(self, path: Path, error: str) -> None:
+        self._window.messages.say(
+            _("{name} was not opened: {error}").format(name=path.name, error=error), "error"
+        )
+
+    def _read(self, path: Path, on_disk: Any, revision: int, stored: Any) -> None:
+        """Show what was read; what was changed meanwhile is not lost unasked."""
+        show = partial(self._show, path, on_disk, stored)
+        if self._session.revision == revision:
+            show()
+        else:
+            self.unless_unsaved(show)
+
+    def _show(self, path: Path, on_disk: Any, stored: Any) -> None:
+        self._session.take(stored, path, on_disk)
         self._remember(path)
         if self._window.place not in self._window.workspace_slugs:
             self._window.enter("draw")

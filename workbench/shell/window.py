@@ -162,6 +162,7 @@ class MainWindow(QMainWindow):
         session.state_changed.connect(self.menus.take_state)
         session.path_changed.connect(self.files.refresh_title)
         session.dirty_changed.connect(self.files.refresh_title)
+        self.files.follow(session)
         run = getattr(session, "run", None)
         if run is not None:
             run.changed.connect(self.menus.refresh)
