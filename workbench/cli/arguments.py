@@ -80,9 +80,13 @@ def _whole(value: Any) -> int:
 def _real(value: Any) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise ValueError(_("it must be a number."))
-    if not math.isfinite(value):
+    try:
+        real = float(value)
+    except OverflowError:
+        real = math.inf
+    if not math.isfinite(real):
         raise ValueError(_("it must be a finite number."))
-    return float(value)
+    return real
 
 
 def _truth(value: Any) -> bool:

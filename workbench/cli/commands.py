@@ -9,9 +9,11 @@ from typing import NoReturn
 
 from workbench import __version__
 from workbench.cli.failure import BadInputError, WorkError
+from workbench.document.places import legible
 from workbench.language import _
 
 PROGRAM = "graphics-workbench"
+_LONGEST_SENTENCE = 500  # whatever was typed and is quoted in it
 
 
 class _Parser(argparse.ArgumentParser):
@@ -28,7 +30,7 @@ def main(arguments: Sequence[str]) -> int:
             sys.stdout.write(output)
             sys.stdout.flush()
     except (BadInputError, WorkError) as failure:
-        print(f"{PROGRAM}: {failure}", file=sys.stderr)
+        print(f"{PROGRAM}: {legible(str(failure), _LONGEST_SENTENCE)}", file=sys.stderr)
         return 2 if isinstance(failure, BadInputError) else 1
     except BrokenPipeError:
         # The reader has gone; what Python still wants to flush on leaving goes nowhere.

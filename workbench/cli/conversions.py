@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from workbench.cli.failure import BadInputError, WorkError
 from workbench.document import DocumentError, save
-from workbench.document.check import MAX_SIDE_PX
+from workbench.document.check import MAX_COORDINATE, MAX_SIDE_PX, WEIGHTS
 from workbench.document.content import read_content, read_text
 from workbench.document.files import MAX_BYTES, decode
 from workbench.document.model import AnyFigure, Document, Rectangle, Sheet
@@ -197,7 +197,8 @@ def _patches(path: Path) -> Any:
     except (ValueError, RecursionError) as error:
         raise ValueError(_("{file} is not JSON ({reason}).").format(file=path, reason=error)) from None
     try:
-        net, weights = _numbers(found["points"]), _numbers(found.get("weights"))
+        net = _numbers("points", found["points"], -MAX_COORDINATE, MAX_COORDINATE)
+        weights = _numbers("weights", found.get("weights"), *WEIGHTS)
         if "degrees" not in found:
             _refuse_degrees(len(net) - 1, len(net[0]) - 1)
             return bezier_patch(net, weights)
@@ -206,9 +207,11 @@ def _patches(path: Path) -> Any:
         if net.size > 3 * _MOST_NET_POINTS:
             sentence = _("the net has {count:,} points, and at most {most:,} can be read.")
             raise ValueError(sentence.format(count=net.size // 3, most=_MOST_NET_POINTS))
-        u_knots = _numbers(found.get("u_knots") or open_uniform_knots(len(net), p))
-        v_knots = _numbers(found.get("v_knots") or open_uniform_knots(len(net[0]), q))
-        return b_spline_patch(net, u_knots, v_knots, (p, q), weights)
+        knots = []
+        for name, count, degree in (("u_knots", len(net), p), ("v_knots", len(net[0]), q)):
+            given = _numbers(name, found.get(name) or None, -MAX_COORDINATE, MAX_COORDINATE)
+            knots.append(open_uniform_knots(count, degree) if given is None else given)
+        return b_spline_patch(net, knots[0], knots[1], (p, q), weights)
     except (KeyError, TypeError, AttributeError, IndexError, OverflowError):
         sentence = _('{file} holds no surface; write {{"points": [[[x, y, z], …], …]}}.')
         raise ValueError(sentence.format(file=path)) from None
@@ -224,9 +227,18 @@ def _refuse_degrees(*degrees: int) -> None:
             raise ValueError(sentence.format(degree=degree, most=_MOST_DEGREE))
 
 
-def _numbers(value: Any) -> Any:
-    """Nested lists of numbers, all rows equally long, as an array; None stays. Raises: TypeError."""
+def _numbers(name: str, value: Any, low: float, high: float) -> Any:
+    """Nested lists of numbers, all rows equally long, as an array; None stays.
+
+    Raises: TypeError where it is none; ValueError for a number that is not between ``low`` and ``high``.
+    """
+    if value is None:
+        return None
     try:
-        return None if value is None else np.array(value, float)
+        numbers = np.array(value, float)
     except ValueError:
         raise TypeError from None
+    if not ((numbers >= low) & (numbers <= high)).all():
+        sentence = _("{name} has a number that is not between {low:g} and {high:g}.")
+        raise ValueError(sentence.format(name=name, low=low, high=high))
+    return numbers
