@@ -35,7 +35,7 @@ LONGEST_SENTENCE = 600
 SHEET = example_document().sheets[0]
 SVGS = [
     *(write_svg(one.document.sheets[0]).text.encode() for one in examples()),
-    b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50"><style>.a,#p{fill:none;stroke:#f00}</style>'
+    b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 5"><style>.a,#p{fill:none;stroke:#f00}</style>'
     b'<g class="a" transform="rotate(10) scale(2)"><path id="p" style="stroke:#123;stroke-width:2" '
     b'd="M 1,1 a 2 3 4 0 1 5 5 q 1 2 3 4 t 1 1 C1 2 3 4 5 6S3 4 5 6z"/>'
     b'<rect x="1mm" y="10%" width="5" height="4" rx="1"/><use href="#p" x="3"/><svg viewBox="0 0 1 1" '
