@@ -172,9 +172,8 @@ def _typed(data: bytes) -> _File:
         sentence = _("This is not a Graphics Workbench file ({field}); choose one that ends in .gwb.")
         raise DocumentError(field, sentence.format(field=field)) from error
     if head.format != FORMAT:
-        raise refuse(
-            "format", _("is {value!r}; choose a file that Graphics Workbench saved").format(value=head.format)
-        )
+        problem = _("is {value!r}; choose a file that Graphics Workbench saved")
+        raise refuse("format", problem.format(value=legible(head.format)))
     if head.version == VERSION:
         return _file_decoder.decode(data)
     return msgspec.convert(upgraded(msgspec.json.decode(data), head.version), _File)
