@@ -134,6 +134,11 @@ def test_a_picture_can_be_written_on_the_command_line(capsys: pytest.CaptureFixt
         (("trace", "bresenham_line", "1", "2", "3", "10**3"), "y1 = 10**3"),
         (("trace", "bresenham_line", "1", "2", "3", "9" * 30), "y1 = 999"),
         (("trace", "bresenham_line", "1", "2", "3", "(" * 9000), "y1"),
+        (("trace", "bresenham_line", "1", "2", "3", "{{1}}"), "y1 = {{1}}: this is not a number"),
+        (("trace", "bresenham_line", "1", "2", "3", "\v1-\6\u2028"), "y1 = "),
+        (("trace", "bresenham_line", "1", "2", "3", "[" + "1," * 400_000 + "]"), "at most 500,000"),
+        (("trace", "bresenham_line", "1", "2", "3", "-x" * 9000), "unrecognized arguments: -x-x"),
+        (("trace", "liang_barsky", "9" * 400, *"0000000"), "x0: it must be a finite number"),
         (("trace", "midpoint_circle", "0", "0", "-1"), "r = -1: it must be at least 0"),
         (
             ("trace", "bresenham_line", "1", "2", "3", "@nowhere.txt"),

@@ -46,7 +46,7 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
         (SVG, """svg('<g ' + ' '.join(f'a{k}=""' for k in range(500_000)) + '/>')""", "read"),
         (
             SVG,
-            """svg('<g id="' + '&a;' * 3_000_000 + '"/>', '<!DOCTYPE svg [<!ENTITY a "' + 'b' * 200 + '">]>')""",
+            """svg('<g id="' + '&a;' * 3_000_000 + '"/>', f'<!DOCTYPE svg [<!ENTITY a "{"b" * 99}">]>')""",
             "could make more than 16,777,216 characters",
         ),
         (
@@ -58,7 +58,7 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
         (CSV, "read_points('1,2' + ',3' * 20_000)", "Line 1: it has 40,003 characters"),
         (CSV, "read_points('1,2' + ',3' * 4_000)", "there are 4002 values"),
         (CSV, "read_points('1.5 2\\n' * 100_000)", "read"),
-        (CSV, "read_points('\\n' * 16_000_000)", "There are no points"),
+        (CSV, "read_points('\\n' * 5_000_000)", "There are no points"),
         (CSV, "read_points('1 2\\n' * 25_000_000)", "100,000,000 characters, and at most 16,777,216"),
         (GWB, "gwb(3, sheet + b'[' + b'1,' * 100_000_000)", "bytes, and at most 67,108,864"),
         (GWB, "gwb(3, sheet + b'[' + b'1,' * 30_000_000)", "values, and at most 2,000,000"),
@@ -75,7 +75,7 @@ def test_it_is_read_or_refused_before_it_takes_long_or_much(imports: str, call: 
     assert said in confined(imports, call)
 
 
-@pytest.mark.parametrize(("kind", "count"), [("svg", 60), ("csv", 150), ("gwb", 150), ("cli", 30)])
+@pytest.mark.parametrize(("kind", "count"), [("svg", 30), ("csv", 150), ("gwb", 150), ("cli", 30)])
 def test_whatever_is_mangled_is_read_or_refused_in_one_sentence(kind: str, count: int) -> None:
     outcome = soaked(kind, count, 7)
     assert outcome.faults == []

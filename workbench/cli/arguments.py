@@ -55,7 +55,7 @@ def _literal(text: str) -> Any:
         raise ValueError(sentence.format(size=len(text), most=MOST_CHARACTERS))
     try:
         return ast.literal_eval(text.strip())
-    except (ValueError, SyntaxError, RecursionError, MemoryError):
+    except (ValueError, TypeError, SyntaxError, RecursionError, MemoryError):
         raise ValueError(_("this is not a number or a list as Python writes it.")) from None
 
 
