@@ -39,9 +39,9 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
             """ + ''.join(f'<g class="a c{k}"/>' for k in range(40_000)))""",
             "too many rules",
         ),
-        (SVG, """svg('<path d="M 0 0' + 'l1 1' * 250_000 + '"/>')""", "more than 300,000 points"),
+        (SVG, """svg('<path d="M 0 0' + 'l1 1' * 250_000 + '"/>')""", "more than 200,000 points"),
         (SVG, """svg('<path d="M 0 0' + 'l1 1' * 20_000 + '"/>')""", "read"),
-        (SVG, """svg('<polyline points="' + '1 2 ' * 1_000_000 + '"/>')""", "more than 300,000 points"),
+        (SVG, """svg('<polyline points="' + '1 2 ' * 1_000_000 + '"/>')""", "more than 200,000 points"),
         (SVG, "svg('<g/>' * 2_500_000)", "more than 100,000 elements"),
         (SVG, """svg('<g ' + ' '.join(f'a{k}=""' for k in range(500_000)) + '/>')""", "read"),
         (

@@ -13,7 +13,7 @@ from workbench.exchange.svg_tree import SvgError
 from workbench.language import _
 
 LARGEST = 1e12
-MOST_POINTS = 300_000  # in one drawing, handles of curves included
+MOST_POINTS = 200_000  # in one drawing, handles of curves included
 
 _BETWEEN = re.compile(r"[\s,]*")
 _BLANK = re.compile(r"\s*")

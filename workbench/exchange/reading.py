@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import IO, Literal, NamedTuple
 
@@ -264,6 +265,8 @@ class Reading:
         finally:
             self._process.kill()
             self._process.wait()
+            with suppress(OSError):
+                self._process.stdin.close()
             self._process.stdout.close()
         if self._stopped:
             raise Stopped

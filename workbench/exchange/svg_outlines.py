@@ -23,6 +23,8 @@ Array = NDArray[np.float64]
 
 _LENGTH = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?(px|pt|pc|mm|cm|in|em|ex|Q|%)?")
 _LONGEST_LENGTH = 100
+# What makes the control points of a cubic of those of a segment of this degree.
+_RAISED = {degree: raised_to_cubic(np.eye(degree + 1)[None])[0] for degree in (1, 2, 3)}
 _OF_PAIRS = set("0123456789.,+-eE \t\r\n")
 _TRANSFORM = re.compile(
     r"\s*(matrix|translate|scale|rotate|skewX|skewY)\s*\(([-+.,eE\d\s]*)\)[\s,]*", re.IGNORECASE
@@ -51,7 +53,7 @@ class Outline:
             if not which.any():
                 continue
             inside = starts[which][:, None] + np.arange(degree + 1)
-            cubics[which] = raised_to_cubic(self.points[inside])
+            cubics[which] = _RAISED[degree] @ self.points[inside]
         return cubics
 
 
