@@ -94,8 +94,8 @@ def test_a_surface_becomes_a_mesh(capsys: pytest.CaptureFixture[str], folder: Pa
 @pytest.mark.parametrize(
     ("words", "named"),
     [
-        (("convert", "nowhere.svg", "-o", "a.gwb"), "nowhere.svg: No such file"),
         (("convert", "a.svg", "-o", "a.pdf"), "a.pdf: this is written as .gwb or .svg"),
+        (("convert", "nowhere.svg", "-o", "a.gwb"), "There is no file nowhere.svg; choose another"),
         (("convert", "a.doc", "-o", "a.gwb"), "a.doc: this cannot be read"),
         (("convert", "broken.svg", "-o", "a.gwb"), "broken.svg: Line 1, column 61, <path>: command 2"),
         (("convert", "broken.csv", "-o", "a.gwb"), "broken.csv: Line 2, column 1: 'b' is no number"),
@@ -108,7 +108,7 @@ def test_a_surface_becomes_a_mesh(capsys: pytest.CaptureFixture[str], folder: Pa
         (("convert", "a.svg", "-o", "a.gwb", "--size", "big"), "write it as 640x480"),
         (
             ("surface", "cube", "-o", "a.obj"),
-            "cube: No such file or directory; give a JSON file or one of",
+            "There is no file cube; give a JSON file or one of",
         ),
         (("surface", "sphere", "-o", "a.fbx"), "a.fbx: this is written as .obj, .ply or .stl"),
         (("surface", "sphere", "-o", "a.obj", "--tolerance", "-1"), "The tolerance is -1"),
@@ -116,6 +116,9 @@ def test_a_surface_becomes_a_mesh(capsys: pytest.CaptureFixture[str], folder: Pa
         (("surface", "list.json", "-o", "a.obj"), "list.json holds no surface"),
         (("surface", "ragged.json", "-o", "a.obj"), "ragged.json holds no surface"),
         (("surface", "knots.json", "-o", "a.obj"), "knots.json: There are 3 knots, and 2 points"),
+        (("surface", "far.json", "-o", "a.obj"), "points has a number that is not between -1e+06 and 1e+06"),
+        (("surface", "steep.json", "-o", "a.obj"), "the surface has degree 99; it can be 1 to 15"),
+        (("surface", "long.json", "-o", "a.obj"), "the surface has degree 29; it can be 1 to 15"),
     ],
 )
 def test_bad_input_is_named_in_one_line(
@@ -131,6 +134,9 @@ def test_bad_input_is_named_in_one_line(
     (folder / "list.json").write_text("[1, 2]")
     (folder / "ragged.json").write_text('{"points": [[[0, 0, 0], [1, 1, 1]], [[2, 2, 2]]]}')
     net: Any = {"points": [[[0, 0, 0], [1, 1, 1]], [[2, 2, 2], [3, 3, 3]]], "degrees": [1, 1]}
+    (folder / "far.json").write_text(json.dumps({"points": [[[0, 0, 0], [1, 1, 1e300]]] * 2}))
+    (folder / "steep.json").write_text(json.dumps({**net, "degrees": [99, 1]}))
+    (folder / "long.json").write_text(json.dumps({"points": net["points"] * 15}))
     (folder / "knots.json").write_text(json.dumps({**net, "u_knots": [0, 0, 1]}))
     assert named in refused(capsys, *words)
     assert not list(folder.glob("a.[gop]*"))

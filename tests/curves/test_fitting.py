@@ -9,7 +9,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from tests.curves.made_curves import Array, point_lists
-from workbench.algorithms.curves import Pieces, bezier_point, fit_pieces
+from workbench.algorithms.curves import Pieces, bezier_point, directions, fit_pieces
 
 
 def chain(pieces: Pieces, steps: int = 200) -> Array:
@@ -136,3 +136,25 @@ def test_what_cannot_be_fitted_is_said() -> None:
         fit_pieces([[1, 1], [math.nan, 2]], 1.0)
     with pytest.raises(ValueError, match="The tolerance is 0"):
         fit_pieces([[1, 1], [2, 2]], 0.0)
+
+
+def test_more_pieces_than_are_allowed_are_refused_and_the_share_is_told() -> None:
+    turn = np.linspace(0, 40, 3000)
+    points = np.column_stack([3 * turn, 50 * np.sin(turn)])
+    shares: list[float] = []
+    pieces, error = fit_pieces(points, 0.1, progress=shares.append)
+    assert error <= 0.1
+    assert shares == sorted(shares)
+    assert 0.0 <= shares[0] <= shares[-1] <= 1.0
+    count = len(pieces.controls)
+    assert len(fit_pieces(points, 0.1, most_pieces=count + 20)[0].controls) == count
+    with pytest.raises(ValueError, match=f"more than {count // 2} pieces"):
+        fit_pieces(points, 0.1, most_pieces=count // 2)
+
+
+@given(st.integers(0, 2**32 - 1), st.sampled_from([0.1, 1.0, 30.0]))
+def test_the_first_points_far_enough_away_are_those_of_each_point_alone(seed: int, reach: float) -> None:
+    points = np.random.default_rng(seed).normal(0, 1, (40, 2)).cumsum(axis=0)
+    for step in (-1, 1):
+        alone = [directions._away(points, at, step, reach) for at in range(len(points))]
+        assert directions._all_away(points, step, reach).tolist() == alone

@@ -16,6 +16,7 @@ from tests.document.made_documents import documents
 from workbench.document import DocumentError, Stored, load, read, save, write
 from workbench.document.files import MAX_BYTES, VERSION, decode, encode, upgraded
 from workbench.document.model import Document
+from workbench.document.places import joined, path_at
 from workbench.document.samples import example, example_document, examples
 from workbench.document.state import SessionState, TubeSettings
 
@@ -309,3 +310,40 @@ def test_base64_is_what_it_says() -> None:
     content = bytes(range(256))
     raw = json.loads(encode(Stored(example_document(), blobs={hashlib.sha256(content).hexdigest(): content})))
     assert base64.b64decode(next(iter(raw["blobs"].values()))) == content
+
+
+def _path_sign_by_sign(text: str, offset: int) -> list[str | int]:
+    """The path at an offset of a JSON text without escapes, as one would find it with a finger."""
+    keys: list[str | int] = []
+    word, in_word = "", False
+    for sign in text[:offset]:
+        if sign == '"':
+            word, in_word = ("", True) if not in_word else (word, False)
+        elif in_word:
+            word += sign
+        elif sign in "{[":
+            keys.append("" if sign == "{" else 0)
+        elif sign in "}]":
+            keys.pop()
+        elif sign == ":":
+            keys[-1] = word
+        elif sign == ",":
+            last = keys[-1]
+            keys[-1] = last + 1 if isinstance(last, int) else ""
+    return keys
+
+
+JSON = st.recursive(
+    st.integers(-9, 999) | st.text("ab,:[]{} ", max_size=4) | st.none(),
+    lambda inner: (
+        st.lists(inner, max_size=5) | st.dictionaries(st.text("xyz,[{", max_size=3), inner, max_size=4)
+    ),
+    max_leaves=25,
+)
+
+
+@given(JSON, st.floats(0, 1), st.sampled_from([None, 1]))
+def test_the_place_of_any_byte_is_found(value: Any, share: float, indent: int | None) -> None:
+    text = json.dumps(value, indent=indent)
+    offset = round(share * len(text))
+    assert path_at(text.encode(), offset) == joined(_path_sign_by_sign(text, offset))

@@ -344,6 +344,27 @@ def test_style_sheets_say_what_is_painted() -> None:
     assert [type(figure) for figure in figures[3:5]] == [Polyline, Polygon]
 
 
+def test_of_rules_said_twice_each_keeps_its_own_turn() -> None:
+    sheet = (
+        "<style>.a { stroke: #f00; fill: none } .b { stroke: #000 } .a { fill: #000 }"
+        " .c.d { stroke: #f00 } .d.c { opacity: 1 } .e { stroke: #000 } line { stroke: #f00 }</style>"
+    )
+    body = (
+        '<line class="a b" x2="1"/><line class="b" x2="1"/><line class="d c e" x2="1"/><line x2="1"/>'
+        '<polygon class="a b" points="0,0 1,0 1,1"/>'
+    )
+    figures = read_svg(svg(f"{sheet}{body}"), SHEET).figures
+    assert [figure.colour for figure in figures] == [1, 1, 2, 2, 1]
+    assert isinstance(figures[-1], Polygon)
+
+
+def test_of_too_many_remarks_the_first_are_said() -> None:
+    notes = read_svg(svg("".join(f"<t{k}/>" for k in range(50))), SHEET).notes
+    assert len(notes) == 21
+    assert notes[0] == "Left out: 1 <t0>."
+    assert notes[-1] == "And 30 more remarks like these."
+
+
 def test_a_drawing_inside_a_drawing_has_a_frame_of_its_own() -> None:
     inner = '<svg x="10" y="-20" width="40" height="20" viewBox="0 0 2 2"{}><path d="M 0 0 L 2 2"/></svg>'
     (fitted,) = read_svg(svg(inner.format("")), SHEET).figures

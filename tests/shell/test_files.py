@@ -8,12 +8,16 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QFileDialog, QPushButton
+from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
 from pytestqt.qtbot import QtBot
 
 from tests.shell.dialogs import dialog_of, type_name
-from workbench.document.files import load
+from workbench.document.files import load, save
+from workbench.document.model import Document, Polyline, WorldPoint
+from workbench.document.samples import example_document
+from workbench.engine import background
 from workbench.session import saver
 from workbench.shell.command_palette import offers
 from workbench.shell.window import MainWindow
@@ -249,6 +253,76 @@ def test_the_sheets_are_in_the_menu_and_among_the_commands(qtbot: QtBot, window:
     assert window.place == "draw"
     next(each for each in offers(window) if each.text == "Sheet: A star in all octants").act()
     assert window.session.sheet.name == "A star in all octants"
+
+
+def long_picture(path: Path) -> Document:
+    """A picture that is too long to be read at once."""
+    points = tuple(WorldPoint(f"q{k}x", k % 30, k % 20) for k in range(2_000))
+    sheet = replace(example_document().sheets[0], figures=(Polyline("long", points, "dda_line"),))
+    document = replace(example_document(), sheets=(sheet,))
+    save(document, path)
+    return document
+
+
+def test_a_long_picture_is_read_beside_and_says_how_far_it_is(
+    qtbot: QtBot, window: MainWindow, chosen: Path
+) -> None:
+    document = long_picture(chosen)
+    before = window.session.document
+    qtbot.keyClick(window, "O", CONTROL)
+    assert window.session.document is before
+    assert window.messages.text.startswith("Reading my lines.gwb ... ")
+    assert [button.text() for button in window.messages.buttons()] == ["Cancel"]
+    qtbot.waitUntil(lambda: window.session.path == chosen, timeout=30_000)
+    assert window.session.document == document
+    assert window.messages.text == ""
+    assert not window.session.dirty
+    assert not window.session.changed_on_disk
+    assert window.settings.recent() == [chosen.resolve()]
+
+
+@pytest.mark.parametrize("how", ["button", "escape", "new"])
+def test_a_reading_can_be_cancelled(qtbot: QtBot, window: MainWindow, chosen: Path, how: str) -> None:
+    long_picture(chosen)
+    before = window.session.document
+    qtbot.keyClick(window, "O", CONTROL)
+    assert window.session.incoming.busy
+    if how == "button":
+        answer(window, "Cancel")
+    elif how == "escape":
+        qtbot.keyClick(window.messages, Qt.Key.Key_Escape)
+    else:
+        qtbot.keyClick(window, "N", CONTROL)
+        before = window.session.document
+    assert not window.session.incoming.busy
+    assert window.messages.text == ""
+    assert background.end_all()
+    QApplication.processEvents()
+    assert window.session.document is before
+    assert window.session.path is None
+
+
+def test_what_is_drawn_while_a_picture_is_read_is_asked_about(
+    qtbot: QtBot, window: MainWindow, chosen: Path
+) -> None:
+    document = long_picture(chosen)
+    qtbot.keyClick(window, "O", CONTROL)
+    draw_a_line(qtbot, window)
+    drawn = window.session.document
+    qtbot.waitUntil(lambda: "changes that are not saved" in window.messages.text, timeout=30_000)
+    assert window.session.document is drawn
+    answer(window, "Discard changes")
+    assert window.session.document == document
+
+
+def test_a_long_picture_that_is_broken_is_refused(qtbot: QtBot, window: MainWindow, chosen: Path) -> None:
+    long_picture(chosen)
+    chosen.write_bytes(chosen.read_bytes()[:-40])
+    before = window.session.document
+    qtbot.keyClick(window, "O", CONTROL)
+    qtbot.waitUntil(lambda: "was not opened" in window.messages.text, timeout=30_000)
+    assert "breaks off at line" in window.messages.text
+    assert window.session.document is before
 
 
 CRASH = """

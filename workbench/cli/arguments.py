@@ -7,14 +7,17 @@ first: in the file one row a line, on the command line a list of texts.
 import ast
 import math
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from workbench.algorithms.entry import Entry, Parameter
 from workbench.cli.failure import BadInputError
+from workbench.document.content import read_text
 from workbench.language import _
+
+MOST_BYTES = 20_000_000  # of a file: a picture as large as a sheet may be
+MOST_CHARACTERS = 500_000  # of a literal: Python takes a thousand times the memory of its text to read one
 
 
 def read_arguments(entry: Entry, words: Sequence[str]) -> tuple[Any, ...]:
@@ -36,7 +39,7 @@ def read_arguments(entry: Entry, words: Sequence[str]) -> tuple[Any, ...]:
 def _read(parameter: Parameter, word: str) -> Any:
     where = f"{parameter.name} = {word}" if len(word) <= 40 else parameter.name
     try:
-        text = _file(word[1:]) if word.startswith("@") else word
+        text = read_text(word[1:], MOST_BYTES) if word.startswith("@") else word
         if parameter.kind == "image" and word.startswith("@"):
             return _picture(text.split())
         value = _CONVERT[parameter.kind](_literal(text))
@@ -46,18 +49,13 @@ def _read(parameter: Parameter, word: str) -> Any:
     return value
 
 
-def _file(name: str) -> str:
-    try:
-        return Path(name).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else _("it is not text")
-        raise ValueError(_("the file cannot be read: {reason}.").format(reason=reason)) from None
-
-
 def _literal(text: str) -> Any:
+    if len(text) > MOST_CHARACTERS:
+        sentence = _("this has {size:,} characters, and at most {most:,} can be read; give less.")
+        raise ValueError(sentence.format(size=len(text), most=MOST_CHARACTERS))
     try:
         return ast.literal_eval(text.strip())
-    except (ValueError, SyntaxError, RecursionError, MemoryError):
+    except (ValueError, TypeError, SyntaxError, RecursionError, MemoryError):
         raise ValueError(_("this is not a number or a list as Python writes it.")) from None
 
 
@@ -82,9 +80,13 @@ def _whole(value: Any) -> int:
 def _real(value: Any) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise ValueError(_("it must be a number."))
-    if not math.isfinite(value):
+    try:
+        real = float(value)
+    except OverflowError:
+        real = math.inf
+    if not math.isfinite(real):
         raise ValueError(_("it must be a finite number."))
-    return float(value)
+    return real
 
 
 def _truth(value: Any) -> bool:

@@ -10,9 +10,11 @@ from typing import NoReturn
 
 from workbench import __version__
 from workbench.cli.failure import BadInputError, WorkError
+from workbench.document.places import legible
 from workbench.language import _
 
 PROGRAM = "graphics-workbench"
+_LONGEST_SENTENCE = 500  # whatever was typed and is quoted in it
 
 
 class _Parser(argparse.ArgumentParser):
@@ -33,7 +35,8 @@ def main(arguments: Sequence[str]) -> int:
         _print(options.run(options))
     except (BadInputError, WorkError) as failure:
         with suppress(OSError):
-            print(f"{PROGRAM}: {failure}", file=sys.stderr, flush=True)
+            sentence = legible(str(failure), _LONGEST_SENTENCE)
+            print(f"{PROGRAM}: {sentence}", file=sys.stderr, flush=True)
         return 2 if isinstance(failure, BadInputError) else 1
     except BrokenPipeError:
         return 141

@@ -12,14 +12,19 @@ from msgspec.structs import replace
 
 from workbench.cli import outputs
 from workbench.cli.failure import BadInputError
-from workbench.document import Stored, load
-from workbench.document.check import MAX_SIDE_PX
+from workbench.document import DocumentError, Stored
+from workbench.document.check import MAX_COORDINATE, MAX_SIDE_PX, WEIGHTS
+from workbench.document.content import read_content, read_text
+from workbench.document.files import MAX_BYTES, decode
 from workbench.document.model import AnyFigure, Document, Rectangle, Sheet
 from workbench.document.sample_figures import document_of
 from workbench.language import _
 
 POINTS = (".csv", ".tsv", ".txt")
 _LONGER_SIDE_PX = 200
+_MOST_NET_BYTES = 8 * 2**20
+_MOST_NET_POINTS = 10_000
+_MOST_DEGREE = 15
 _LEAST_SIDE_PX = 16
 _SHARE = 0.005  # of the size of the points, the tolerance of a curve fitted to them
 
@@ -76,22 +81,26 @@ def _read(
     source: Path, number: int, tolerance: float | None, wanted: tuple[int, int] | None
 ) -> tuple[Document, list[str]]:
     """A document of one sheet, and what there is to say about it."""
+    from workbench.exchange.point_lists import MOST_CHARACTERS
+    from workbench.exchange.svg_tree import MOST_BYTES
+
     kind = source.suffix.lower()
+    most = {".gwb": MAX_BYTES, ".svg": MOST_BYTES, **dict.fromkeys(POINTS, MOST_CHARACTERS)}
+    if kind not in most:
+        sentence = _("{file}: this cannot be read; give one of {kinds}.")
+        raise BadInputError(sentence.format(file=source, kinds=", ".join(most)))
+    try:
+        content = read_content(source, most[kind])
+    except DocumentError as error:
+        raise BadInputError(str(error)) from None
     try:
         if kind == ".gwb":
-            return _sheet(load(source), source, number), []
+            return _sheet(decode(content).document, source, number), []
         if kind == ".svg":
-            return _from_svg(source, tolerance, wanted)
-        if kind in POINTS:
-            return _from_points(source, tolerance, wanted)
-    except OSError as error:
-        raise BadInputError(f"{source}: {error.strerror}") from None
+            return _from_svg(source, content, tolerance, wanted)
+        return _from_points(source, content, tolerance, wanted)
     except ValueError as error:
         raise BadInputError(f"{source}: {error}") from None
-    kinds = ", ".join((".gwb", ".svg", *POINTS))
-    raise BadInputError(
-        _("{file}: this cannot be read; give one of {kinds}.").format(file=source, kinds=kinds)
-    )
 
 
 def _sheet(document: Document, source: Path, number: int) -> Document:
@@ -102,11 +111,11 @@ def _sheet(document: Document, source: Path, number: int) -> Document:
 
 
 def _from_svg(
-    source: Path, tolerance: float | None, wanted: tuple[int, int] | None
+    source: Path, content: bytes, tolerance: float | None, wanted: tuple[int, int] | None
 ) -> tuple[Document, list[str]]:
     from workbench.exchange.svg_paths import frame_of, read_svg, read_tree, size_of
 
-    root = read_tree(source.read_bytes())
+    root = read_tree(content)
     window = frame_of(root)
     sheet = _blank(window, wanted or _pixels(size_of(root) or (0.0, 0.0), window))
     found = read_svg(root, sheet, tolerance)
@@ -115,16 +124,17 @@ def _from_svg(
 
 
 def _from_points(
-    source: Path, tolerance: float | None, wanted: tuple[int, int] | None
+    source: Path, content: bytes, tolerance: float | None, wanted: tuple[int, int] | None
 ) -> tuple[Document, list[str]]:
     from workbench.algorithms.curves import fit_pieces
     from workbench.exchange.point_lists import read_points
-    from workbench.exchange.svg_figures import path_of
+    from workbench.exchange.svg_figures import MOST_PIECES, path_of
 
-    points = read_points(source.read_text(encoding="utf-8-sig"))
+    points = read_points(content.decode("utf-8-sig"))
     low, high = points.min(axis=0), points.max(axis=0)
     extent = float((high - low).max())
-    pieces, error = fit_pieces(points, tolerance or max(_SHARE * extent, 1e-9))
+    within = tolerance or max(_SHARE * extent, 1e-9)
+    pieces, error = fit_pieces(points, within, most_pieces=MOST_PIECES)
     edge, closed = 0.05 * extent, len(points) > 2 and np.array_equal(points[0], points[-1])
     window = Rectangle(*(low - edge).tolist(), *(high + edge).tolist())
     sheet = _blank(window, wanted or _pixels((0.0, 0.0), window))
@@ -166,23 +176,30 @@ def _patches(path: Path) -> Any:
     from workbench.algorithms.curves import open_uniform_knots
     from workbench.algorithms.surfaces import EXAMPLES, b_spline_patch, bezier_patch
 
+    if not path.exists():
+        sentence = _("There is no file {file}; give a JSON file or one of {examples}.")
+        raise ValueError(sentence.format(file=path, examples=", ".join(EXAMPLES)))
+    text = read_text(path, _MOST_NET_BYTES)
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        sentence = _("{file}: {reason}; give a JSON file or one of {examples}.")
-        raise ValueError(
-            sentence.format(file=path, reason=error.strerror, examples=", ".join(EXAMPLES))
-        ) from None
+        found = json.loads(text)
     except (ValueError, RecursionError) as error:
         raise ValueError(_("{file} is not JSON ({reason}).").format(file=path, reason=error)) from None
     try:
-        net, weights = _numbers(found["points"]), _numbers(found.get("weights"))
+        net = _numbers("points", found["points"], -MAX_COORDINATE, MAX_COORDINATE)
+        weights = _numbers("weights", found.get("weights"), *WEIGHTS)
         if "degrees" not in found:
+            _refuse_degrees(len(net) - 1, len(net[0]) - 1)
             return bezier_patch(net, weights)
         p, q = (int(degree) for degree in found["degrees"])
-        u_knots = _numbers(found.get("u_knots") or open_uniform_knots(len(net), p))
-        v_knots = _numbers(found.get("v_knots") or open_uniform_knots(len(net[0]), q))
-        return b_spline_patch(net, u_knots, v_knots, (p, q), weights)
+        _refuse_degrees(p, q)
+        if net.size > 3 * _MOST_NET_POINTS:
+            sentence = _("the net has {count:,} points, and at most {most:,} can be read.")
+            raise ValueError(sentence.format(count=net.size // 3, most=_MOST_NET_POINTS))
+        knots = []
+        for name, count, degree in (("u_knots", len(net), p), ("v_knots", len(net[0]), q)):
+            given = _numbers(name, found.get(name) or None, -MAX_COORDINATE, MAX_COORDINATE)
+            knots.append(open_uniform_knots(count, degree) if given is None else given)
+        return b_spline_patch(net, knots[0], knots[1], (p, q), weights)
     except (KeyError, TypeError, AttributeError, IndexError, OverflowError):
         sentence = _('{file} holds no surface; write {{"points": [[[x, y, z], …], …]}}.')
         raise ValueError(sentence.format(file=path)) from None
@@ -190,9 +207,26 @@ def _patches(path: Path) -> Any:
         raise ValueError(f"{path}: {error}") from None
 
 
-def _numbers(value: Any) -> Any:
-    """Nested lists of numbers, all rows equally long, as an array; None stays. Raises: TypeError."""
+def _refuse_degrees(*degrees: int) -> None:
+    """Raises: ValueError."""
+    for degree in degrees:
+        if not 1 <= degree <= _MOST_DEGREE:
+            sentence = _("the surface has degree {degree}; it can be 1 to {most}.")
+            raise ValueError(sentence.format(degree=degree, most=_MOST_DEGREE))
+
+
+def _numbers(name: str, value: Any, low: float, high: float) -> Any:
+    """Nested lists of numbers, all rows equally long, as an array; None stays.
+
+    Raises: TypeError where it is none; ValueError for a number that is not between ``low`` and ``high``.
+    """
+    if value is None:
+        return None
     try:
-        return None if value is None else np.array(value, float)
+        numbers = np.array(value, float)
     except ValueError:
         raise TypeError from None
+    if not ((numbers >= low) & (numbers <= high)).all():
+        sentence = _("{name} has a number that is not between {low:g} and {high:g}.")
+        raise ValueError(sentence.format(name=name, low=low, high=high))
+    return numbers

@@ -51,6 +51,15 @@ def both(*edits: Edit) -> Edit:
     return edit
 
 
+def foreseen(edit: Edit, document: Document) -> Edit:
+    """``edit`` with what it makes of ``document`` made now, perhaps beside the interface.
+
+    Raises: DocumentError.
+    """
+    after = edit(document)
+    return lambda now: after if now is document else edit(now)
+
+
 def ids_on(sheet: Sheet) -> list[str]:
     """Every id on ``sheet``, its own first."""
     return [sheet.id, *chain.from_iterable(map(operator.attrgetter("ids"), sheet.figures))]

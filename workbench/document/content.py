@@ -25,6 +25,11 @@ def silent(share: float) -> None:
     """The progress that nobody watches."""
 
 
+def part(progress: Progress, begin: float, end: float) -> Progress:
+    """The progress of a part of the work that goes from share ``begin`` to ``end`` of the whole."""
+    return lambda share: progress(begin + (end - begin) * min(share, 1.0))
+
+
 def read_content(path: Path | str, most: int, progress: Progress = silent) -> bytes:
     """The bytes of a regular file that has at most ``most``; raises DocumentError."""
     where = str(path)

@@ -86,6 +86,8 @@ def _pair(row: Array) -> tuple[float, float]:
 
 def _ids_at(curve: Curve, ends: Array, nothing: float) -> list[str]:
     """For each place the id of the point that lies there, of points in their order; empty where none does."""
+    if not curve.points_world:
+        return [""] * len(ends)
     found, start = [], 0
     points = points_of(curve)
     for end in ends:

@@ -27,7 +27,7 @@ from workbench.language import _
 FORMAT = "graphics-workbench"
 VERSION = 3
 # What is opened, and so what is saved: a few of the largest blobs, and fewer values than memory is there for.
-MAX_BYTES = 256 * 2**20
+MAX_BYTES = 128 * 2**20
 MAX_VALUES = 2_000_000  # numbers, texts, lists and objects together
 _CHUNK = 2**20
 _LONGEST_REASON = 200
@@ -181,9 +181,8 @@ def _typed(data: bytes) -> _File:
         sentence = _("This is not a Graphics Workbench file ({field}); choose one that ends in .gwb.")
         raise DocumentError(field, sentence.format(field=field)) from error
     if head.format != FORMAT:
-        raise refuse(
-            "format", _("is {value!r}; choose a file that Graphics Workbench saved").format(value=head.format)
-        )
+        problem = _("is {value!r}; choose a file that Graphics Workbench saved")
+        raise refuse("format", problem.format(value=legible(head.format)))
     if head.version == VERSION:
         return _file_decoder.decode(data)
     return msgspec.convert(upgraded(msgspec.json.decode(data), head.version), _File)

@@ -16,6 +16,8 @@ from workbench.document.check import MAX_COORDINATE
 from workbench.document.content import Progress, silent
 from workbench.language import _
 
+Array = NDArray[np.float64]
+
 MOST_POINTS = 100_000
 MOST_CHARACTERS = 16 * 2**20
 LONGEST_LINE = 10_000
@@ -30,7 +32,7 @@ class PointsError(ValueError):
     """Text that holds no points: one sentence with line and column."""
 
 
-def read_points(text: str, progress: Progress = silent) -> NDArray[np.float64]:
+def read_points(text: str, progress: Progress = silent) -> Array:
     """The points (n, 2) in a text, world units. Raises: PointsError."""
     if len(text) > MOST_CHARACTERS:
         sentence = _("The list has {size:,} characters, and at most {most:,} can be read; give fewer points.")

@@ -1,5 +1,6 @@
 """Figures made of single SVG elements."""
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -7,7 +8,6 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import Pieces
-from workbench.algorithms.curves.cubic_pieces import raised_to_cubic
 from workbench.document.curve_conversions import path_through
 from workbench.document.model import (
     AnyFigure,
@@ -20,24 +20,54 @@ from workbench.document.model import (
     Sheet,
     WorldPoint,
 )
+from workbench.exchange.path_data import Run, TooManyPointsError, runs
+from workbench.exchange.svg_arcs import Arc
 from workbench.exchange.svg_colours import colour_of, nearest_colour
-from workbench.exchange.svg_originals import fault_in
-from workbench.exchange.svg_outlines import Outline, length_of, outlines, points_of
+from workbench.exchange.svg_outlines import Outline, length_of, outline, points_of
 from workbench.exchange.svg_tree import Element, SvgError
 from workbench.language import _
 
 Array = NDArray[np.float64]
 
-_MOST_PIECES = (Curve.most_points - 1) // 3
+MOST_PIECES = (Curve.most_points - 1) // 3
+# The handles of a circle of radius 1 in quarters: no point of it is outside of them.
+_HANDLE = 4.0 / 3.0 * (math.sqrt(2.0) - 1.0)
+_ROUND = np.array([(s * x, t * y) for s in (1, -1) for t in (1, -1) for x, y in ((1, _HANDLE), (_HANDLE, 1))])
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
+class Geometry:
+    """What an element draws, in its own coordinates; ``size`` is how many points its figures have."""
+
+    element: Element
+    runs: list[Run]
+    size: int
+
+    @classmethod
+    def of(cls, element: Element) -> "Geometry":
+        """That of any element that draws. Raises: SvgError with the place."""
+        drawn = _runs(element)
+        segments, points = sum(len(run.kinds) for run in drawn), sum(len(run.points) for run in drawn)
+        return cls(element, drawn, 3 * segments + len(drawn) if element.tag == "path" else points)
+
+    def outlines(self, matrix: Array, tolerance: float) -> list[Outline]:
+        """Under ``matrix`` (2, 3), arcs within ``tolerance``. Raises: SvgError with the place."""
+        try:
+            return [outline(run, matrix, tolerance) for run in self.runs]
+        except TooManyPointsError as error:
+            raise self.element.refusal(str(error)) from error
+        except (ValueError, ArithmeticError, IndexError) as error:
+            raise self.element.refusal(_("the path cannot be understood; correct it.")) from error
+
+
+@dataclass(slots=True, eq=False)
 class Shape:
     """An element that draws, the matrix (2, 3) it stands under, and the style that holds for it."""
 
     element: Element
     matrix: Array
     style: dict[str, str]
+    geometry: Geometry
 
     @property
     def fill(self) -> int | None:
@@ -63,8 +93,13 @@ class Shape:
 
     def corners(self) -> Array:
         """Control points (n, 2) of its outline under its matrix."""
-        runs = [[run.begin[None], *run.segments] for run in _outlines(self.element, self.matrix, 1e9)]
-        return np.vstack([np.zeros((0, 2)), *(part for run in runs for part in run)])
+        if self.element.tag in ("circle", "ellipse"):
+            x, y, rx, ry = _ellipse(self.element)
+            around = _ROUND * [rx, ry] + [x, y] if rx > 0 and ry > 0 else np.zeros((0, 2))
+            placed: Array = around @ self.matrix[:, :2].T + self.matrix[:, 2]
+            return placed
+        parts = [part.points for part in self.geometry.outlines(self.matrix, 1e9)]
+        return np.vstack([np.zeros((0, 2)), *parts])
 
     def _paint(self, name: str, default: str) -> str:
         text = self.style.get(name, default)
@@ -94,7 +129,7 @@ def figures_of(shape: Shape, matrix: Array, sheet: Sheet, tolerance: float) -> M
     if plain is not None:
         made.figures.append(plain)
     else:
-        for run in _outlines(element, matrix, tolerance):
+        for run in shape.geometry.outlines(matrix, tolerance):
             made.error = max(made.error, run.error)
             made.figures += _curves(run, colour)
         if shape.fill is not None and made.figures:
@@ -102,46 +137,32 @@ def figures_of(shape: Shape, matrix: Array, sheet: Sheet, tolerance: float) -> M
     made.figures = [
         _named(figure, name, not shape.hidden) for figure in made.figures if len(figure.points_world)
     ]
-    for figure in made.figures:
-        fault = fault_in(figure, sheet)
-        if fault:
-            raise element.refusal(fault)
     if not made.figures:
         made.notes.append(_("{name} draws nothing.").format(name=made.name))
     return made
 
 
-def outline_data(element: Element) -> str:
-    """The path data of any element that draws. Raises: SvgError."""
+def _runs(element: Element) -> list[Run]:
+    """The outline of any element that draws. Raises: SvgError with the place."""
     match element.tag:
         case "path":
-            return element.attributes.get("d", "")
+            try:
+                return runs(element.attributes.get("d", ""))
+            except SvgError as error:
+                raise element.refusal(str(error)) from error
         case "line":
             x1, y1, x2, y2 = (length_of(element, name) for name in ("x1", "y1", "x2", "y2"))
-            return f"M {x1!r} {y1!r} L {x2!r} {y2!r}"
+            return [Run([(x1, y1), (x2, y2)], [1])]
         case "polyline" | "polygon":
             points = points_of(element)
-            joined = " ".join(f"{x!r} {y!r}" for x, y in points.tolist())
-            return f"M {joined} {'Z' * (element.tag == 'polygon')}" if len(points) else ""
+            return [Run(points, [1] * (len(points) - 1), element.tag == "polygon")] if points else []
         case "rect":
-            return _rectangle_data(element)
+            return _rectangle(element)
         case _:
             x, y, rx, ry = _ellipse(element)
-            if not (rx > 0 and ry > 0):
-                return ""
-            half = f"A {rx!r} {ry!r} 0 0 1"
-            return f"M {x + rx!r} {y!r} {half} {x - rx!r} {y!r} {half} {x + rx!r} {y!r} Z"
-
-
-def _outlines(element: Element, matrix: Array, tolerance: float) -> list[Outline]:
-    try:
-        return outlines(outline_data(element), matrix, tolerance)
-    except SvgError as error:
-        if element.tag == "path":
-            raise element.refusal(str(error)) from error
-        raise
-    except (ValueError, ArithmeticError, IndexError) as error:
-        raise element.refusal(_("the path cannot be understood; correct it.")) from error
+            half = Arc(rx, ry, 0.0, False, True)
+            ends = [(x + rx, y), (x - rx, y), (x + rx, y)]
+            return [Run(ends, [half, half], True)] if rx > 0 and ry > 0 else []
 
 
 def _ellipse(element: Element) -> tuple[float, float, float, float]:
@@ -153,22 +174,25 @@ def _ellipse(element: Element) -> tuple[float, float, float, float]:
     return x, y, length_of(element, "rx"), length_of(element, "ry")
 
 
-def _rectangle_data(element: Element) -> str:
+def _rectangle(element: Element) -> list[Run]:
     x, y, width, height = (length_of(element, name) for name in ("x", "y", "width", "height"))
     if not (width > 0 and height > 0):
-        return ""
+        return []
     rx, ry = length_of(element, "rx", -1.0), length_of(element, "ry", -1.0)
     rx, ry = (ry if rx < 0 else rx), (rx if ry < 0 else ry)
     rx, ry = min(max(rx, 0.0), 0.5 * width), min(max(ry, 0.0), 0.5 * height)
     right, top = x + width, y + height
     if not (rx > 0 and ry > 0):
-        return f"M {x!r} {y!r} L {right!r} {y!r} {right!r} {top!r} {x!r} {top!r} Z"
-    arc = f"A {rx!r} {ry!r} 0 0 1"
-    return (
-        f"M {x + rx!r} {y!r} H {right - rx!r} {arc} {right!r} {y + ry!r} V {top - ry!r} "
-        f"{arc} {right - rx!r} {top!r} H {x + rx!r} {arc} {x!r} {top - ry!r} V {y + ry!r} "
-        f"{arc} {x + rx!r} {y!r} Z"
-    )
+        return [Run([(x, y), (right, y), (right, top), (x, top)], [1, 1, 1], True)]
+    # Along each side, and then round the corner at its end.
+    sides = [
+        ((x + rx, y), (right - rx, y)),
+        ((right, y + ry), (right, top - ry)),
+        ((right - rx, top), (x + rx, top)),
+        ((x, top - ry), (x, y + ry)),
+    ]
+    points = [*(end for side in sides for end in side), sides[0][0]]
+    return [Run(points, [1, Arc(rx, ry, 0.0, False, True)] * 4, True)]
 
 
 def _plain_figure(shape: Shape, matrix: Array, colour: int) -> AnyFigure | None:
@@ -177,15 +201,14 @@ def _plain_figure(shape: Shape, matrix: Array, colour: int) -> AnyFigure | None:
     tag = element.tag
     if tag in ("circle", "ellipse"):
         return _round_figure(element, matrix, colour, filled)
-    rounded = tag == "rect" and "A" in outline_data(element)
-    if tag == "path" or rounded:
+    if tag == "path" or any(run.curved for run in shape.geometry.runs):
         return None
-    runs = _outlines(element, matrix, 1.0)
-    corners = [run.begin for run in runs] + [segment[-1] for run in runs for segment in run.segments]
+    drawn = shape.geometry.outlines(matrix, 1.0)
+    corners = drawn[0].points.tolist() if drawn else []
     closed = tag in ("polygon", "rect")
-    if closed and len(corners) > 1 and np.array_equal(corners[0], corners[-1]):
+    if closed and len(corners) > 1 and corners[0] == corners[-1]:
         corners.pop()
-    points = tuple(WorldPoint("", float(x), float(y)) for x, y in corners)
+    points = tuple(WorldPoint("", x, y) for x, y in corners)
     if tag == "line":
         return Line("", points, Line.algorithms[0], colour) if len(points) == 2 else None
     if len(points) < 2:
@@ -211,11 +234,11 @@ def _round_figure(element: Element, matrix: Array, colour: int, filled: bool) ->
 
 def _curves(run: Outline, colour: int) -> list[AnyFigure]:
     """A run as paths of Bézier pieces: one, or several where there are too many pieces for one."""
-    if not run.segments:
+    if not run.degrees:
         return []
-    cubics = np.concatenate([raised_to_cubic(segment[None]) for segment in run.segments])
-    whole = len(cubics) <= _MOST_PIECES
-    parts = [cubics[k : k + _MOST_PIECES] for k in range(0, len(cubics), _MOST_PIECES)]
+    cubics = run.cubics()
+    whole = len(cubics) <= MOST_PIECES
+    parts = [cubics[k : k + MOST_PIECES] for k in range(0, len(cubics), MOST_PIECES)]
     return [path_of(part, run.closed and whole, colour) for part in parts]
 
 

@@ -5,27 +5,22 @@ A program that changes the geometry leaves the attribute behind, and the digest 
 """
 
 import hashlib
+import itertools
 import json
+import re
+from collections.abc import Sequence
 
 import msgspec
 from msgspec.structs import replace
 
-from workbench.document.building import numbered
+from workbench.document.addresses import highest
+from workbench.document.building import with_ids
 from workbench.document.check import check
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Circle, Curve, Document, Ellipse, Sheet
+from workbench.exchange.svg_tree import GEOMETRY
 
 FIGURE, DIGEST = "figure", "geometry"
-GEOMETRY = {
-    "path": ("d",),
-    "line": ("x1", "y1", "x2", "y2"),
-    "polyline": ("points",),
-    "polygon": ("points",),
-    "rect": ("x", "y", "width", "height", "rx", "ry"),
-    "circle": ("cx", "cy", "r"),
-    "ellipse": ("cx", "cy", "rx", "ry"),
-}
-
 _decoder = msgspec.json.Decoder(AnyFigure)
 
 
@@ -75,10 +70,17 @@ def moved(figure: AnyFigure, scale: float, dx: float, dy: float) -> AnyFigure:
 
 def fault_in(figure: AnyFigure, sheet: Sheet) -> str:
     """The sentence that says why ``figure`` cannot be put on ``sheet``; empty if it can."""
-    alone = Document((replace(sheet, figures=()),))
+    wrong = first_fault([figure], sheet)
+    return wrong[1] if wrong else ""
+
+
+def first_fault(figures: Sequence[AnyFigure], sheet: Sheet) -> tuple[int, str] | None:
+    """Which of ``figures`` cannot be put on an empty ``sheet``, and the sentence that says why."""
+    fresh = itertools.count(highest(Document((replace(sheet, figures=()),))) + 1)
+    added = tuple(with_ids(figure, fresh, fresh) for figure in figures)
     try:
-        added = numbered(alone, figure)
-        check(Document((replace(sheet, figures=(added,)),)))
+        check(Document((replace(sheet, figures=added),)))
     except DocumentError as error:
-        return error.short
-    return ""
+        place = re.search(r"\.figures\[(\d+)\]", error.field)
+        return int(place[1]) if place else len(figures) - 1, error.short
+    return None

@@ -1,99 +1,123 @@
 """Outlines of SVG elements as Bézier segments in the element's own coordinates; arcs become cubics.
 
-Path data is understood by svgelements, after it was looked at strictly.
+Lengths and transforms are understood by svgelements, after they were looked at strictly.
 Source: SVG 1.1, chapters 8 and 9.
 """
 
 import math
 import re
-from dataclasses import dataclass, field
+from contextlib import suppress
+from dataclasses import dataclass
 
 import numpy as np
 import svgelements
 from numpy.typing import NDArray
 
-from workbench.exchange.path_data import LARGEST, checked
+from workbench.algorithms.curves.cubic_pieces import raised_to_cubic
+from workbench.exchange.path_data import LARGEST, MOST_POINTS, Run, TooManyPointsError, runs
 from workbench.exchange.svg_arcs import arc_pieces
 from workbench.exchange.svg_tree import Element, SvgError
 from workbench.language import _
 
 Array = NDArray[np.float64]
 
-_LENGTH = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?:px|pt|pc|mm|cm|in|em|ex|Q|%)?")
+_LENGTH = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?(px|pt|pc|mm|cm|in|em|ex|Q|%)?")
+_LONGEST_LENGTH = 100
+# What makes the control points of a cubic of those of a segment of this degree.
+_RAISED = {degree: raised_to_cubic(np.eye(degree + 1)[None])[0] for degree in (1, 2, 3)}
+_OF_PAIRS = set("0123456789.,+-eE \t\r\n")
+_TRANSFORM = re.compile(
+    r"\s*(matrix|translate|scale|rotate|skewX|skewY)\s*\(([-+.,eE\d\s]*)\)[\s,]*", re.IGNORECASE
+)
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class Outline:
-    """One run of segments (k+1, 2), each from the end of the one before; ``error``: how far they are off."""
+    """One run of segments, each from the end of the one before; ``error``: how far they are off.
 
-    begin: Array
-    segments: list[Array] = field(default_factory=list)
+    ``points`` (n, 2) are the begin, and then of each segment as many points as its degree in ``degrees``.
+    """
+
+    points: Array
+    degrees: list[int]
     closed: bool = False
     error: float = 0.0
 
+    def cubics(self) -> Array:
+        """The segments (m, 4, 2), those of lower degree raised."""
+        degrees = np.array(self.degrees)
+        starts = np.cumsum(degrees) - degrees
+        cubics = np.empty((len(degrees), 4, 2))
+        for degree in (1, 2, 3):
+            which = degrees == degree
+            if not which.any():
+                continue
+            inside = starts[which][:, None] + np.arange(degree + 1)
+            cubics[which] = _RAISED[degree] @ self.points[inside]
+        return cubics
 
-def outlines(data: str, matrix: Array, tolerance: float) -> list[Outline]:
-    """The runs of path data under ``matrix`` (2, 3), arcs then within ``tolerance``. Raises: SvgError."""
-    found: list[Outline] = []
-    looked_at = checked(data)
-    for number, part in enumerate(svgelements.Path(looked_at.text)):
-        if number in looked_at.put_in:
+
+def outline(run: Run, matrix: Array, tolerance: float) -> Outline:
+    """A run of path data under ``matrix`` (2, 3), arcs then within ``tolerance``. Raises: SvgError."""
+    given = np.array(run.points)
+    points = matrix[:, 0] * given[:, :1] + matrix[:, 1] * given[:, 1:] + matrix[:, 2]
+    placed = Outline(points, [kind for kind in run.kinds if isinstance(kind, int)])
+    if len(placed.degrees) < len(run.kinds):
+        placed = _with_arcs(run, points, matrix, tolerance)
+    if run.closed:
+        _close(placed)
+    return placed
+
+
+def _with_arcs(run: Run, points: Array, matrix: Array, tolerance: float) -> Outline:
+    parts, degrees, error, at = [points[:1]], [], 0.0, 0  # type: list[Array], list[int], float, int
+    for kind in run.kinds:
+        if isinstance(kind, int):
+            parts.append(points[at + 1 : at + 1 + kind])
+            degrees.append(kind)
+            at += kind
             continue
-        end = _point(part.end, matrix)
-        if isinstance(part, svgelements.Move):
-            found.append(Outline(end))
-            continue
-        if found[-1].closed:
-            found.append(Outline(found[-1].begin))
-        run = found[-1]
-        begin = run.segments[-1][-1] if run.segments else run.begin
-        if isinstance(part, svgelements.Close):
-            _close(run, begin)
-        elif number in looked_at.arcs:
-            ends = np.array([[part.start.x, part.end.x], [part.start.y, part.end.y]], float)
-            cubics, error = arc_pieces(looked_at.arcs[number], ends, matrix, tolerance)
-            run.segments += cubics
-            run.error = max(run.error, error)
-        else:
-            inner = [getattr(part, name, None) for name in ("control", "control1", "control2")]
-            controls = [begin, *(_point(p, matrix) for p in inner if p is not None), end]
-            run.segments.append(np.array(controls))
-    return found
+        cubics, off = arc_pieces(kind, np.array(run.points[at : at + 2]).T, matrix, tolerance)
+        parts += [piece[1:] for piece in cubics]
+        degrees += [len(piece) - 1 for piece in cubics]
+        error = max(error, off)
+        at += 1
+        if len(degrees) > MOST_POINTS:
+            raise TooManyPointsError
+    return Outline(np.concatenate(parts), degrees, error=error)
 
 
-def _close(run: Outline, begin: Array) -> None:
+def _close(placed: Outline) -> None:
     """Close a run with a line, or, where only rounding parts the ends, with the last segment."""
-    run.closed = True
-    gap = float(np.abs(begin - run.begin).max())
-    size = max((float(np.abs(s).max()) for s in run.segments), default=0.0)
-    if run.segments and gap <= 1e-12 * size:
-        run.segments[-1][-1] = run.begin
+    placed.closed = True
+    gap = float(np.abs(placed.points[-1] - placed.points[0]).max())
+    if placed.degrees and gap <= 1e-12 * float(np.abs(placed.points).max()):
+        placed.points[-1] = placed.points[0]
     elif gap > 0:
-        run.segments.append(np.array([begin, run.begin]))
+        placed.points = np.vstack([placed.points, placed.points[:1]])
+        placed.degrees.append(1)
 
 
-def _point(point: svgelements.Point, matrix: Array) -> Array:
-    found: Array = matrix[:, :2] @ np.array([float(point.x), float(point.y)]) + matrix[:, 2]
-    return found
-
-
-def transform_of(element: Element) -> Array:
-    """The matrix (2, 3) of an element's ``transform``. Raises: SvgError."""
+def transform_of(element: Element) -> Array | None:
+    """The matrix (2, 3) of an element's ``transform``, None where it has none. Raises: SvgError."""
     text = element.attributes.get("transform", "").strip()
     if not text:
-        return np.eye(2, 3)
-    try:
-        m = svgelements.Matrix(text)
-        found = np.array([[m.a, m.c, m.e], [m.b, m.d, m.f]], float)
-    except (ValueError, TypeError, IndexError, ZeroDivisionError, OverflowError, AttributeError):
-        found = np.full((2, 3), math.nan)
-    names = text.lower().replace("matrix", "").replace("translate", "").replace("scale", "")
-    names = names.replace("rotate", "").replace("skewx", "").replace("skewy", "")
-    if set(names) - set("()+-.,e0123456789 \t\r\n") or names.count("(") != names.count(")"):
-        found[:] = math.nan
-    if not (np.isfinite(found).all() and np.abs(found).max() <= LARGEST):
+        return None
+    placed: Array = np.full((2, 3), math.nan)
+    words, at = [], 0
+    while match := _TRANSFORM.match(text, at):
+        numbers = match[2].replace(",", " ").split()
+        if len(numbers) > 6 or any(len(number) > _LONGEST_LENGTH for number in numbers):
+            break
+        words.append(f"{match[1]}({' '.join(numbers)})")
+        at = match.end()
+    if at == len(text):
+        with suppress(ValueError, TypeError, IndexError, ZeroDivisionError, OverflowError, AttributeError):
+            m = svgelements.Matrix(" ".join(words))
+            placed = np.array([[m.a, m.c, m.e], [m.b, m.d, m.f]], float)
+    if not (np.isfinite(placed).all() and np.abs(placed).max() <= LARGEST):
         raise element.refusal(_("transform {text!r} cannot be read; correct it.").format(text=text[:40]))
-    return found
+    return placed
 
 
 def length_of(element: Element, name: str, default: float = 0.0) -> float:
@@ -101,26 +125,34 @@ def length_of(element: Element, name: str, default: float = 0.0) -> float:
     text = element.attributes.get(name, "").strip()
     if not text or text == "auto":
         return default
-    width, height = element.viewport
-    whole = math.hypot(width, height) / math.sqrt(2.0) if name == "r" else height if "y" in name else width
-    whole = height if name == "height" else whole
-    try:
-        value = float(
-            svgelements.Length(text).value(ppi=96.0, relative_length=whole or math.nan, font_size=16.0)
+    match = _LENGTH.fullmatch(text) if len(text) <= _LONGEST_LENGTH else None
+    value = math.nan
+    if match and not match[1]:
+        value = float(text)
+    elif match:
+        width, height = element.viewport
+        whole = (
+            math.hypot(width, height) / math.sqrt(2.0) if name == "r" else height if "y" in name else width
         )
-    except (ValueError, TypeError, AttributeError):
-        value = math.nan
-    if not (_LENGTH.fullmatch(text) and math.isfinite(value) and abs(value) <= LARGEST):
+        whole = height if name == "height" else whole
+        with suppress(ValueError, TypeError, AttributeError):
+            length = svgelements.Length(text)
+            value = float(length.value(ppi=96.0, relative_length=whole or math.nan, font_size=16.0))
+    if not (math.isfinite(value) and abs(value) <= LARGEST):
         sentence = _("{name} is {text!r}, which is no length that can be drawn; correct it.")
         raise element.refusal(sentence.format(name=name, text=text[:20]))
     return value
 
 
-def points_of(element: Element) -> Array:
-    """The points (n, 2) of a polyline or polygon. Raises: SvgError."""
+def points_of(element: Element) -> list[tuple[float, float]]:
+    """The points of a polyline or polygon. Raises: SvgError."""
     text = element.attributes.get("points", "").strip()
     try:
-        words = checked("M " + text).text.split()[1:] if text else []
+        drawn = runs("M " + text) if text else []
+    except TooManyPointsError as error:
+        raise element.refusal(str(error)) from None
     except SvgError:
-        raise element.refusal(_("its points are no pairs of numbers; correct them.")) from None
-    return np.array(words, float).reshape(-1, 2)
+        drawn = [Run([]), Run([])]
+    if len(drawn) > 1 or not set(text) <= _OF_PAIRS:
+        raise element.refusal(_("its points are no pairs of numbers; correct them."))
+    return drawn[0].points if drawn else []

@@ -1,30 +1,31 @@
 """Curves in and out: points by clipboard and CSV, paths by SVG."""
 
 from collections.abc import Callable
-from contextlib import suppress
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from workbench.document.building import Edit, foreseen
 from workbench.document.curve_edits import add_points
 from workbench.document.curve_pieces import goes_round
-from workbench.document.edits import Edit, add_figures
+from workbench.document.edits import add_figures
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Curve, CurvePoint, Sheet
-from workbench.engine import background
-from workbench.exchange.point_lists import PointsError, read_points, write_points
-from workbench.exchange.svg_paths import Imported, SvgError, read_svg
+from workbench.document.model import Curve, CurvePoint, Sheet
+from workbench.exchange.point_lists import Array, write_points
+from workbench.exchange.reading import LIMITS, Fitted, Job
+from workbench.exchange.svg_paths import Imported
 from workbench.language import _, ngettext
 from workbench.panels.curve_focus import CurveFocus
-from workbench.panels.curve_freehand import FIT_PX, fit_words, fitted
+from workbench.panels.curve_freehand import FIT_PX, fit_words
 from workbench.panels.figure_actions import Row
-from workbench.rendering import device_map
+from workbench.session.incoming import Prepare
 
 _SVG = "SVG (*.svg)"
-_READ_AT_ONCE = 20_000
 _POINTS = "CSV (*.csv);;" + "TXT (*.txt)"
 
 
@@ -35,13 +36,11 @@ class CurveExchange(QObject):
     """
 
     said = Signal(str)
-    _read = Signal(object, object)
 
     def __init__(self, focus: CurveFocus, model: Callable[[], Curve], owner: QWidget) -> None:
         super().__init__(owner)
         self.focus, self._model, self._owner = focus, model, owner
         self.session = focus.session
-        self._read.connect(self._take_found)
 
     def rows(self) -> list[Row]:
         """Name, text, icon, key and what it does."""
@@ -81,71 +80,93 @@ class CurveExchange(QObject):
 
     def paste_fitted(self) -> None:
         """Fit a Bézier path to the points on the clipboard."""
-        try:
-            world = read_points(QGuiApplication.clipboard().text())
-            points = device_map(self.session.sheet).points(world)
-            made, error = fitted(self.focus, points, FIT_PX, self._model().colour)
-        except ValueError as problem:
-            self.said.emit(str(problem))
-            return
-        if self._add([made], _("Fit a curve")):
-            self.said.emit(fit_words(made, len(points), error))
+        text, sheet = QGuiApplication.clipboard().text(), self.session.sheet
+        job = Job("fit", sheet=sheet, tolerance_px=FIT_PX, colour=self._model().colour)
+        self._read_text(job, text, _("points"), partial(self._take_fitted, sheet))
 
     # What text holds
 
     def take_points(self, text: str) -> None:
         """Points go on the end of the selected open curve, or make a new one."""
-        try:
-            places = read_points(text).tolist()
-        except PointsError as problem:
-            self.said.emit(str(problem))
-            return
+        self._read_text(Job("points"), text, _("points"), self._take_places)
+
+    def take_svg(self, text: str) -> None:
+        """The figures of an SVG come onto the sheet."""
+        sheet = self.session.sheet
+        take, prepare = partial(self._take_drawing, sheet), partial(self._with_edit, sheet)
+        self._read_text(Job("drawing", sheet=sheet), text, _("SVG"), take, prepare)
+
+    def take_file(self, path: Path) -> None:
+        """Bring in a file: an SVG by its ending, or else a table of points."""
+        sheet = self.session.sheet
+        if path.suffix.lower() == ".svg":
+            take, prepare = partial(self._take_drawing, sheet), partial(self._with_edit, sheet)
+            self._read(Job("drawing", str(path), sheet=sheet), path.name, take, prepare)
+        else:
+            self._read(Job("points", str(path)), path.name, self._take_places)
+
+    def _read_text(self, job: Job, text: str, *how: Any) -> None:
+        content = text[: LIMITS[job.kind] + 1].encode("utf-8", "replace")  # what is more is refused anyway
+        self._read(replace(job, content=content), *how)
+
+    def _read(self, job: Job, name: str, take: Callable[[Any], None], *prepare: Prepare) -> None:
+        """Read what is short at once, and else beside: meanwhile one may go on."""
+        if not self.session.incoming.read(job, name, take, self.said.emit, *prepare):
+            self.said.emit(_("Reading {name} ...").format(name=name))
+
+    def _take_fitted(self, sheet: Sheet, result: Fitted) -> None:
+        if self._is_still(sheet) and self._add(add_figures(sheet.id, [result.curve]), _("Fit a curve")):
+            self.said.emit(fit_words(result.curve, result.points, result.error))
+
+    def _take_places(self, points: Array) -> None:
+        places = points.tolist()
         curve = self.focus.selected
         if curve is not None and not goes_round(curve):
             done = self._apply(add_points(curve.id, [(x, y) for x, y in places]), _("Add points"))
         else:
-            points = tuple(CurvePoint("", x, y) for x, y in places)
-            done = self._add([replace(self._model(), points_world=points)], _("Add points"))
+            curve_points = tuple(CurvePoint("", x, y) for x, y in places)
+            curve = replace(self._model(), points_world=curve_points)
+            done = self._add(add_figures(self.session.sheet.id, [curve]), _("Add points"))
         if done:
             text = ngettext("{n} point added.", "{n} points added.", len(places))
             self.said.emit(text.format(n=len(places)))
 
-    def take_svg(self, text: str | bytes) -> None:
-        """The figures of an SVG come onto the sheet; a long one is read beside, meanwhile one may go on."""
-        sheet = self.session.sheet
-        if len(text) <= _READ_AT_ONCE:
-            self._take_found(sheet, _found_in(text, sheet))
-            return
-        self.said.emit(_("Reading {size:,} kB of SVG ...").format(size=len(text) // 1000))
+    def _with_edit(self, sheet: Sheet, result: Any) -> tuple[Imported, Edit]:
+        """A drawing, and the edit that brings it onto the sheet, which for a large one takes its time.
 
-        def read() -> None:
-            found = _found_in(text, sheet)
-            with suppress(RuntimeError):  # this panel is gone
-                self._read.emit(sheet, found)
+        Raises: ValueError with one sentence.
+        """
+        try:
+            return result, foreseen(add_figures(sheet.id, result.figures), self.session.document)
+        except DocumentError as problem:
+            raise ValueError(problem.short) from None
 
-        background.thread(read, "read SVG").start()
-
-    def _take_found(self, sheet: Sheet, found: Imported | str) -> None:
-        """What an SVG held, or the sentence that says why nothing."""
-        if isinstance(found, str):
-            self.said.emit(found)
+    def _take_drawing(self, sheet: Sheet, prepared: tuple[Imported, Edit]) -> None:
+        """Put what an SVG held on the sheet, or say why there is nothing."""
+        drawing, edit = prepared
+        if not self._is_still(sheet):
             return
-        if self.session.sheet.id != sheet.id:
-            self.said.emit(_("Another sheet was opened before the SVG was read; bring it in again here."))
+        if not drawing.figures:
+            self.said.emit(" ".join(drawing.notes) or _("This SVG shows nothing that is a figure."))
             return
-        if not found.figures:
-            self.said.emit(" ".join(found.notes) or _("This SVG shows nothing that is a figure."))
-            return
-        if self._add(found.figures, _("Bring in SVG")):
-            count = len(found.figures)
+        if self._add(edit, _("Bring in SVG")):
+            count = len(drawing.figures)
             said = [ngettext("{n} figure came in.", "{n} figures came in.", count).format(n=count)]
-            if found.error > 0:
-                said.append(_("Arcs are at most {error:.2g} off.").format(error=found.error))
-            self.said.emit(" ".join([*said, *found.notes]))
+            if drawing.error > 0:
+                said.append(_("Arcs are at most {error:.2g} off.").format(error=drawing.error))
+            self.said.emit(" ".join([*said, *drawing.notes]))
 
-    def _add(self, figures: list[Curve] | tuple[AnyFigure, ...], name: str) -> bool:
+    def _is_still(self, sheet: Sheet) -> bool:
+        """Whether the sheet that something was read for is still the current one; says so if not."""
+        if self.session.sheet.id == sheet.id:
+            return True
+        self.said.emit(_("Another sheet was opened before this was read; bring it in again here."))
+        return False
+
+    def _add(self, edit: Edit, name: str) -> bool:
+        """Do an edit that adds figures, and select them."""
         known = {figure.id for figure in self.session.sheet.figures}
-        if not self._apply(add_figures(self.session.sheet.id, figures), name):
+        if not self._apply(edit, name):
             return False
         made = [figure.id for figure in self.session.sheet.figures if figure.id not in known]
         self.session.update_state(selection=tuple(made), active=made[-1])
@@ -169,28 +190,7 @@ class CurveExchange(QObject):
         """Ask for a table of points and bring it in."""
         self._open(_("Bring in points"), _POINTS)
 
-    def take_file(self, path: Path) -> None:
-        """Bring in a file: an SVG by its ending, or else a table of points."""
-        try:
-            content = path.read_bytes()
-        except OSError as problem:
-            text = _("{path} was not read: {reason}. Choose another file.")
-            self.said.emit(text.format(path=path, reason=problem.strerror or problem))
-            return
-        if path.suffix.lower() == ".svg":
-            self.take_svg(content)
-        else:
-            self.take_points(content.decode("utf-8", "replace"))
-
     def _open(self, title: str, kinds: str) -> None:
         chosen, _kind = QFileDialog.getOpenFileName(self._owner, title, "", kinds)
         if chosen:
             self.take_file(Path(chosen))
-
-
-def _found_in(text: str | bytes, sheet: Sheet) -> Imported | str:
-    """What an SVG holds, placed on the sheet, or the sentence that says what is wrong with it."""
-    try:
-        return read_svg(text, sheet)
-    except SvgError as problem:
-        return str(problem)

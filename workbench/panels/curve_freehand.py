@@ -3,17 +3,16 @@
 import numpy as np
 from PySide6.QtCore import Qt
 
-from workbench.algorithms.curves import closest_point, fit_pieces, in_rows
+from workbench.algorithms.curves import closest_point, in_rows
 from workbench.document.curve_pieces import share_at
 from workbench.document.edits import add_figure
 from workbench.document.model import Curve
-from workbench.exchange.svg_figures import path_of
+from workbench.exchange.fitted_curve import fitted
 from workbench.language import _, ngettext
 from workbench.panels.curve_focus import CurveFocus
-from workbench.panels.curve_shape import Array, device_pieces
+from workbench.panels.curve_shape import device_pieces
 from workbench.panels.figure_gesture import Modifiers, Tool
 from workbench.panels.figure_tools import FigureTool
-from workbench.rendering import device_map
 from workbench.widgets.canvas_drawing import Drawn, Spot, Stroke, Word
 
 FIT_PX = 0.6
@@ -59,21 +58,13 @@ class FreehandTool(FigureTool):
         closes = float(np.hypot(*(points[-1] - points[0]))) <= _CLOSE_PX / self.focus.cell_px
         if closes and len(points) > 8:
             points[-1] = points[0]
-        made, error = fitted(self.focus, points, self.tolerance, self.next_colour())
+        made, error = fitted(self.session.sheet, points, self.tolerance, self.next_colour())
         if self.show(add_figure(self.session.sheet.id, made), _("Draw freehand")):
             last = self.session.sheet.figures[-1].id
             self.session.update_state(selection=(last,), active=last, step=0)
             self.failed.emit(fit_words(made, len(points), error))
         self._drawn = []
         self.commit()
-
-
-def fitted(focus: CurveFocus, points: Array, tolerance: float, colour: int) -> tuple[Curve, float]:
-    """The Bézier path that passes device ``points`` (n, 2) within ``tolerance`` pixels, and its error."""
-    pieces, error = fit_pieces(points, tolerance)
-    world = device_map(focus.session.sheet).world(pieces.controls)
-    closed = bool((points[0] == points[-1]).all())
-    return path_of(np.round(world, 6), closed, colour), error
 
 
 def fit_words(curve: Curve, count: int, error: float) -> str:

@@ -20,6 +20,7 @@ from workbench.document.samples import blank_sheet, example
 from workbench.document.state import SessionState, check_state, cleaned
 from workbench.language import _
 from workbench.session.following import Following
+from workbench.session.incoming import Incoming
 from workbench.session.recovery import Recoverable, RecoveryFile
 from workbench.session.run import Run
 from workbench.session.saver import Saved, Saver
@@ -62,6 +63,7 @@ class Session(QObject):
         self._on_disk: Stamp | None = None
         self._saver = Saver(self)
         self._saver.saved.connect(self._take_saved)
+        self.incoming = Incoming(self)
         self.run, self.follower = Run(self), Run(self)
         self._following = Following(self, self.run, self.follower)
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
@@ -248,6 +250,7 @@ class Session(QObject):
 
     def close(self) -> None:
         """End the session: nothing unsaved is kept any longer."""
+        self.incoming.cancel()
         self.finish_saving()
         self.run.clear()
         self.follower.clear()
@@ -256,6 +259,7 @@ class Session(QObject):
             self._recovery = None
 
     def _begin(self, stored: Stored, path: Path | None = None, on_disk: Stamp | None = None) -> None:
+        self.incoming.cancel()
         self.finish_saving()
         self._merging = None
         self.undo_stack.clear()

@@ -1,7 +1,7 @@
 """Opening and saving: names, the question about unsaved changes, recent files, recovery after a crash."""
 
 from collections.abc import Callable
-from functools import partial, reduce
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,9 +15,11 @@ from workbench.shell.exports import Exports
 from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
+    from workbench.document.files import Stored
     from workbench.session.recovery import Recoverable
     from workbench.session.saver import Saved
     from workbench.session.session import Session
+    from workbench.session.stamps import Stamp
     from workbench.shell.window import MainWindow
 
 PROGRAM = "Graphics Workbench"
@@ -48,6 +50,24 @@ class Files(QObject):
         """Name the picture in the title, with a mark while it is not saved."""
         self._window.setWindowTitle(f"{self.name}[*] - {PROGRAM}")
         self._window.setWindowModified(self._session.dirty)
+
+    def follow(self, session: "Session") -> None:
+        """Show what is being read for a session, with a button that ends it."""
+        incoming, messages = session.incoming, self._window.messages
+        name = ""
+
+        def began(what: str) -> None:
+            nonlocal name
+            name = what
+            progressed(0.0)
+
+        def progressed(share: float) -> None:
+            text = _("Reading {name} ... {percent} %").format(name=name, percent=round(100 * share))
+            messages.work(text, (_("Cancel"), incoming.cancel))
+
+        incoming.began.connect(began)
+        incoming.progressed.connect(progressed)
+        incoming.ended.connect(messages.end_work)
 
     def warn(self, sentence: str) -> None:
         """Say that unsaved work could not be kept safe."""
@@ -89,27 +109,30 @@ class Files(QObject):
             self._window.enter("curves")
             panel_of(self._window.panels("curves"), CurvesPanel).exchange.take_file(path)
         else:
-            self._add_sheets(path)
+            from workbench.exchange.reading import Job
 
-    def _add_sheets(self, path: Path) -> None:
+            take, refuse = partial(self._add_sheets, path), partial(self._not_imported, path)
+            self._session.incoming.read(Job("picture", str(path)), path.name, take, refuse)
+
+    def _add_sheets(self, path: Path, stored: "Stored") -> None:
         """The sheets of another picture come beside those of the open one, as one step of undo."""
+        from workbench.document.building import both
         from workbench.document.errors import DocumentError
-        from workbench.document.files import read
         from workbench.document.sheet_edits import add_sheet
 
         session = self._session
         known = {sheet.id for sheet in session.document.sheets}
         try:
-            edits = [add_sheet(sheet) for sheet in read(path).document.sheets]
-            session.apply(
-                lambda document: reduce(lambda made, edit: edit(made), edits, document),
-                _("Import {name}").format(name=path.name),
-            )
+            edits = [add_sheet(sheet) for sheet in stored.document.sheets]
+            session.apply(both(*edits), _("Import {name}").format(name=path.name))
         except DocumentError as error:
-            sentence = _("{name} was not imported: {error}").format(name=path.name, error=error)
-            self._window.messages.say(sentence, "error")
+            self._not_imported(path, str(error))
             return
         self.show_sheet(next(sheet.id for sheet in session.document.sheets if sheet.id not in known))
+
+    def _not_imported(self, path: Path, error: str) -> None:
+        sentence = _("{name} was not imported: {error}").format(name=path.name, error=error)
+        self._window.messages.say(sentence, "error")
 
     def open_path(self, path: Path) -> None:
         """Open a file, after the question about unsaved changes."""
@@ -223,15 +246,27 @@ class Files(QObject):
         self._window.enter("draw")
 
     def _open(self, path: Path) -> None:
-        from workbench.document.errors import DocumentError
+        from workbench.exchange.reading import Job
+        from workbench.session.stamps import stamp
 
-        try:
-            self._session.open(path)
-        except DocumentError as error:
-            self._window.messages.say(
-                _("{name} was not opened: {error}").format(name=path.name, error=error), "error"
-            )
-            return
+        take = partial(self._read, path, stamp(path), self._session.revision)
+        self._session.incoming.read(Job("picture", str(path)), path.name, take, partial(self._unread, path))
+
+    def _unread(self, path: Path, error: str) -> None:
+        self._window.messages.say(
+            _("{name} was not opened: {error}").format(name=path.name, error=error), "error"
+        )
+
+    def _read(self, path: Path, on_disk: "Stamp | None", revision: int, stored: "Stored") -> None:
+        """Show what was read; what was changed meanwhile is not lost unasked."""
+        show = partial(self._show, path, on_disk, stored)
+        if self._session.revision == revision:
+            show()
+        else:
+            self.unless_unsaved(show)
+
+    def _show(self, path: Path, on_disk: "Stamp | None", stored: "Stored") -> None:
+        self._session.take(stored, path, on_disk)
         self._remember(path)
         if self._window.place not in self._window.workspace_slugs:
             self._window.enter("draw")

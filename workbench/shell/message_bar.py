@@ -60,7 +60,7 @@ class MessageBar(QFrame):
         row.addWidget(self._text, 1)
         row.addLayout(self._buttons)
         row.addWidget(self._close)
-        self._asking = False
+        self._asking = self._working = False
         self._waiting: tuple[str, str, str] | None = None
         self._refuse: Callable[[], object] | None = None
         self.hide()
@@ -94,8 +94,26 @@ class MessageBar(QFrame):
         if offered:
             offered[0].setFocus(Qt.FocusReason.OtherFocusReason)
 
+    def work(self, text: str, stop: Button) -> None:
+        """Say what is being done, or how far it is, with the button that ends it; a question goes before."""
+        if self._asking:
+            return
+        if self._working and not self.isHidden():
+            self._text.setText(text)
+            self.setAccessibleName(text)
+            return
+        self._show(text, "info", [stop], closes=True)
+        self._working = True
+        self._refuse = stop[1]
+
+    def end_work(self) -> None:
+        """What was being done has ended."""
+        if self._working:
+            self._refuse = None
+            self._end()
+
     def dismiss(self) -> None:
-        """Close the message; a question is then answered with no."""
+        """Close the message; a question is then answered with no, and work is ended."""
         refuse, self._refuse = self._refuse, None
         self._end()
         if refuse:
@@ -108,13 +126,14 @@ class MessageBar(QFrame):
             super().keyPressEvent(event)
 
     def _end(self) -> None:
-        self._asking = False
+        self._asking = self._working = False
         self.hide()
         waiting, self._waiting = self._waiting, None
         if waiting:
             self.say(*waiting)
 
     def _show(self, text: str, kind: str, buttons: Sequence[Button], closes: bool) -> None:
+        self._working = False
         self._mark.kind = kind
         self._mark.setAccessibleName({"warn": _("Warning"), "error": _("Error")}.get(kind, _("Message")))
         self._text.setText(text)

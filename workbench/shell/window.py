@@ -165,6 +165,7 @@ class MainWindow(QMainWindow):
         session.dirty_changed.connect(self.files.refresh_title)
         session.run.changed.connect(self.menus.refresh)
         self.status.follow(session.run)
+        self.files.follow(session)
         self.files.refresh_title()
         self.menus.refresh()
         self.menus.take_state(session.state, session.state)

@@ -1,0 +1,111 @@
+"""The child process reads what the parent would have read, tells how far it is, and can be stopped."""
+
+import hashlib
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from workbench.document.content import Stopped
+from workbench.document.files import Stored, encode
+from workbench.document.model import Polyline, WorldPoint
+from workbench.document.samples import example_document, examples
+from workbench.document.state import SessionState
+from workbench.exchange import reading
+from workbench.exchange.reading import Fitted, Job, Reading, ReadingError, read_at_once, read_now
+
+SHEET = example_document().sheets[0]
+WAVE = "".join(f"{k / 9:.3f};{np.sin(k / 40):.6f}\n" for k in range(3000)).encode()
+PATHS = "".join(f'<path id="p{k}" d="M {k} 0 C {k} 2 9 4 3 0A1 2 3 0 1 {k} 9"/>' for k in range(1500))
+DRAWING = f'<svg xmlns="http://www.w3.org/2000/svg">{PATHS}<text/></svg>'.encode()
+
+
+def large_picture() -> Stored:
+    """Two sheets, one bare, a figure of more points than go in one part, a blob of several parts."""
+    points = tuple(WorldPoint(f"q{k}x", k / 7, -k) for k in range(12_000))
+    sheet = example_document().sheets[0]
+    figures = (*sheet.figures, Polyline("long", points, "dda_line"))
+    bare = replace(sheet, id="other", figures=())
+    document = replace(example_document(), sheets=(replace(sheet, figures=figures), bare))
+    blob = bytes(range(256)) * 10_000
+    blobs = {hashlib.sha256(content).hexdigest(): content for content in (blob, b"")}
+    return Stored(document, SessionState(sheet="other", step=3), blobs, "/from/there.gwb")
+
+
+def test_a_picture_comes_whole(tmp_path: Path) -> None:
+    stored = large_picture()
+    (tmp_path / "a.gwb").write_bytes(encode(stored))
+    job = Job("picture", str(tmp_path / "a.gwb"))
+    assert read_at_once(job) is None
+    shares: list[float] = []
+    assert Reading(job).follow(shares.append) == stored
+    assert shares == sorted(shares)
+    assert all(0.0 <= share <= 1.0 for share in shares)
+
+
+@pytest.mark.parametrize("job", [Job("drawing", content=DRAWING, sheet=SHEET), Job("points", content=WAVE)])
+def test_the_child_reads_what_is_read_here(job: Job) -> None:
+    there, here = Reading(job).follow(), read_now(job)
+    if isinstance(here, np.ndarray):
+        assert np.array_equal(there, here)
+    else:
+        assert there == here
+
+
+def test_a_curve_is_fitted_by_the_child() -> None:
+    job = Job("fit", content=WAVE, sheet=SHEET, tolerance_px=0.6, colour=2)
+    there = Reading(job).follow()
+    assert isinstance(there, Fitted)
+    assert there == read_now(job)
+    assert (there.points, there.curve.colour) == (3000, 2)
+    assert there.error <= 0.6
+
+
+@pytest.mark.parametrize(
+    ("job", "said"),
+    [
+        (Job("drawing", content=DRAWING + b"<", sheet=SHEET), "the XML is broken"),
+        (Job("points", content=WAVE + b"a;b"), "Line 3001, column 1: 'a' is no number"),
+        (Job("picture", "/dev/zero"), "/dev/zero is not a file that can be opened"),
+        (Job("picture", "/no/such.gwb"), "There is no file /no/such.gwb"),
+    ],
+)
+def test_a_refusal_is_the_same_sentence(job: Job, said: str) -> None:
+    with pytest.raises(ReadingError) as there:
+        Reading(job).follow()
+    with pytest.raises(ValueError) as here:
+        read_now(job)
+    assert str(there.value) == str(here.value)
+    assert said in str(here.value)
+
+
+def test_every_example_is_read_at_once(tmp_path: Path) -> None:
+    for one in examples():
+        (tmp_path / "a.gwb").write_bytes(encode(Stored(one.document)))
+        assert read_at_once(Job("picture", str(tmp_path / "a.gwb"))) == Stored(one.document)
+
+
+def test_short_text_that_takes_long_is_left_to_the_child() -> None:
+    depth = "".join(f'<g id="g{k}"><use href="#g{k + 1}"/><use href="#g{k + 1}"/></g>' for k in range(16))
+    text = f'<svg xmlns="http://www.w3.org/2000/svg">{depth}<path id="g16" d="M0 0 9 9"/></svg>'
+    assert read_at_once(Job("drawing", content=text.encode(), sheet=SHEET)) is None
+
+
+def test_more_text_than_the_limit_is_refused_at_once() -> None:
+    with pytest.raises(ReadingError, match="at most 16,777,216"):
+        read_at_once(Job("points", content=b"1 2\n" * 5_000_000))
+
+
+def test_a_reading_that_is_stopped_gives_nothing() -> None:
+    stopped = Reading(Job("points", content=WAVE))
+    threading.Timer(0.05, stopped.stop).start()
+    with pytest.raises(Stopped):
+        stopped.follow(lambda share: stopped.stop())
+
+
+def test_a_child_that_dies_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reading.sys, "executable", "/bin/false")
+    with pytest.raises(ReadingError, match="broke off"):
+        Reading(Job("points", content=WAVE)).follow()

@@ -1,0 +1,328 @@
+"""Reading beside the program: a child process that reads one thing, tells how far it is, and can be stopped.
+
+What is short is read at once by ``read_now``. Whatever is in a file, the child alone pays for it: the parent
+is given only what was read and checked, in parts so small that none of them holds it up.
+"""
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import IO, Literal, NamedTuple
+
+import msgspec
+import numpy as np
+from msgspec.structs import replace
+
+from workbench.document.content import Progress, Stopped, part, read_content, silent
+from workbench.document.files import MAX_BYTES, Stored, decode
+from workbench.document.model import AnyFigure, Curve, Document, Sheet
+from workbench.document.state import SessionState
+from workbench.exchange.fitted_curve import fitted
+from workbench.exchange.point_lists import MOST_CHARACTERS, Array, read_points
+from workbench.exchange.svg_reading import Imported, read_svg
+from workbench.exchange.svg_tree import MOST_BYTES
+from workbench.language import _
+from workbench.rendering.mapping import device_map
+
+AT_ONCE = 50_000  # bytes that may be read without a child
+_AT_ONCE_S = 0.05  # of the processor, after which a child is asked after all
+_POINTS_IN_A_PART = 5_000
+_BLOB_IN_A_PART = 2**20
+_CHILD_BYTES = 4 * 2**30  # of addresses, far above what any limit of a reader lets it use
+LIMITS = {"picture": MAX_BYTES, "drawing": MOST_BYTES, "points": MOST_CHARACTERS, "fit": MOST_CHARACTERS}
+
+
+class ReadingError(ValueError):
+    """What was to be read was refused: one sentence."""
+
+
+class Job(msgspec.Struct, frozen=True):
+    """What is read: a file, or with an empty path the ``content``.
+
+    A picture becomes Stored, a drawing (SVG, placed on ``sheet``) Imported, points an (n, 2) array, world;
+    fit becomes Fitted: a path in ``colour`` that passes the points within ``tolerance_px``.
+    """
+
+    kind: Literal["picture", "drawing", "points", "fit"]
+    path: str = ""
+    content: bytes = b""
+    sheet: Sheet | None = None
+    tolerance_px: float = 1.0
+    colour: int = 1
+
+    @property
+    def size(self) -> int:
+        """Bytes to be read; 0 where that is not known."""
+        try:
+            return os.stat(self.path).st_size if self.path else len(self.content)
+        except (OSError, ValueError):
+            return 0
+
+
+class Fitted(NamedTuple):
+    """A curve fitted to so many ``points``, none of which is farther than ``error`` pixels from it."""
+
+    curve: Curve
+    points: int
+    error: float
+
+
+Result = Stored | Imported | Array | Fitted
+
+
+def read_now(job: Job, progress: Progress = silent) -> Result:
+    """What the job asks for. Raises: ValueError with one sentence."""
+    content = job.content
+    if job.path:
+        content = read_content(job.path, LIMITS[job.kind], part(progress, 0.0, 0.1))
+    progress(0.1)
+    rest = part(progress, 0.1, 1.0)
+    if job.kind == "picture":
+        return decode(content)
+    if job.kind == "drawing":
+        assert job.sheet is not None
+        return read_svg(content if job.path else content.decode("utf-8", "replace"), job.sheet, progress=rest)
+    text = content.decode("utf-8", "replace")
+    if job.kind == "points":
+        return read_points(text, rest)
+    assert job.sheet is not None
+    points = device_map(job.sheet).points(read_points(text, part(progress, 0.1, 0.3)))
+    curve, error = fitted(job.sheet, points, job.tolerance_px, job.colour, part(progress, 0.3, 1.0))
+    return Fitted(curve, len(points), error)
+
+
+def read_at_once(job: Job) -> Result | None:
+    """As ``read_now`` where that is a matter of milliseconds; None where it would take longer.
+
+    Raises: ValueError with one sentence.
+    """
+    if not job.path and job.size > LIMITS[job.kind]:
+        sentence = _("The text has {size:,} bytes, and at most {most:,} can be read; choose less of it.")
+        raise ReadingError(sentence.format(size=job.size, most=LIMITS[job.kind]))
+    if job.size > AT_ONCE:
+        return None
+    end = time.thread_time() + _AT_ONCE_S
+
+    def watch(_share: float) -> None:
+        if time.thread_time() > end:
+            raise Stopped
+
+    try:
+        return read_now(job, watch)
+    except Stopped:
+        return None
+
+
+# What the child says, one after the other.
+
+
+class _Share(msgspec.Struct, tag=True):
+    share: float
+
+
+class _Refused(msgspec.Struct, tag=True):
+    sentence: str
+
+
+class _Frame(msgspec.Struct, tag=True):
+    """A picture without its figures and blobs."""
+
+    sheets: list[Sheet]
+    last_id: int
+    session: SessionState
+    origin: str | None
+
+
+class _Figures(msgspec.Struct, tag=True):
+    sheet: int
+    figures: list[AnyFigure]
+
+
+class _Blob(msgspec.Struct, tag=True):
+    name: str
+    content: bytes
+
+
+class _Drawn(msgspec.Struct, tag=True):
+    approximated: list[tuple[str, float]]
+    notes: list[str]
+
+
+class _Points(msgspec.Struct, tag=True):
+    content: bytes
+
+
+class _Fit(msgspec.Struct, tag=True):
+    points: int
+    error: float
+
+
+_Part = _Share | _Refused | _Frame | _Figures | _Blob | _Drawn | _Points | _Fit
+
+_encoder = msgspec.msgpack.Encoder()
+_part_decoder = msgspec.msgpack.Decoder(_Part)
+_job_decoder = msgspec.msgpack.Decoder(Job)
+
+
+def _parts(result: Result) -> Iterator[_Part]:
+    """The result in parts, each quickly decoded."""
+    match result:
+        case Stored(document=document, session=session, blobs=blobs, origin=origin):
+            bare = [replace(sheet, figures=()) for sheet in document.sheets]
+            yield _Frame(bare, document.last_id, session, origin)
+            for number, sheet in enumerate(document.sheets):
+                yield from _batches(number, sheet.figures)
+            for name, content in blobs.items():
+                for at in range(0, max(len(content), 1), _BLOB_IN_A_PART):
+                    yield _Blob(name, content[at : at + _BLOB_IN_A_PART])
+        case Imported(figures=figures, approximated=approximated, notes=notes):
+            yield from _batches(0, figures)
+            yield _Drawn(list(approximated), list(notes))
+        case Fitted(curve=curve, points=points, error=error):
+            yield from _batches(0, [curve])
+            yield _Fit(points, error)
+        case _:
+            yield _Points(np.ascontiguousarray(result, np.float64).tobytes())
+
+
+def _batches(sheet: int, figures: Iterable[AnyFigure]) -> Iterator[_Figures]:
+    batch: list[AnyFigure] = []
+    points = 0
+    for figure in figures:
+        batch.append(figure)
+        points += len(figure.points_world) + 1
+        if points > _POINTS_IN_A_PART:
+            yield _Figures(sheet, batch)
+            batch, points = [], 0
+    yield _Figures(sheet, batch)
+
+
+def _joined(parts: list[_Part]) -> Result:
+    """The result again."""
+    figures: dict[int, list[AnyFigure]] = {}
+    blobs: dict[str, list[bytes]] = {}
+    for each in parts:
+        if isinstance(each, _Figures):
+            figures.setdefault(each.sheet, []).extend(each.figures)
+        elif isinstance(each, _Blob):
+            blobs.setdefault(each.name, []).append(each.content)
+    for each in parts:
+        match each:
+            case _Frame(sheets=bare, last_id=last_id, session=session, origin=origin):
+                sheets = (replace(s, figures=tuple(figures[k])) for k, s in enumerate(bare))
+                document = Document(tuple(sheets), last_id)
+                return Stored(document, session, {k: b"".join(v) for k, v in blobs.items()}, origin)
+            case _Drawn(approximated=approximated, notes=notes):
+                return Imported(tuple(figures[0]), tuple(approximated), tuple(notes))
+            case _Fit(points=points, error=error):
+                (curve,) = figures[0]
+                assert isinstance(curve, Curve)
+                return Fitted(curve, points, error)
+            case _Points(content=content):
+                return np.frombuffer(content, np.float64).reshape(-1, 2)
+    raise ReadingError(_("The reading broke off before its end; try again, or choose a smaller file."))
+
+
+class Reading:
+    """A child process that does ``job``. It is begun by ``follow``, on a thread that may wait."""
+
+    def __init__(self, job: Job) -> None:
+        bare = None if job.sheet is None else replace(job.sheet, figures=())
+        self._job = replace(job, sheet=bare)
+        self._process: subprocess.Popen[bytes] | None = None
+        self._stopped = False
+
+    def follow(self, progress: Progress = silent) -> Result:
+        """The result, once it is there. Raises: ReadingError with one sentence; Stopped after ``stop``."""
+        self._process = subprocess.Popen(
+            [sys.executable, "-m", "workbench.exchange.reading"],
+            cwd=Path(__file__).parents[2],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+        )
+        assert self._process.stdin is not None
+        assert self._process.stdout is not None
+        if self._stopped:
+            self._process.kill()
+        parts: list[_Part] = []
+        try:
+            _send(self._process.stdin, self._job)
+            self._process.stdin.close()
+            for said in _received(self._process.stdout):
+                if isinstance(said, _Share):
+                    progress(said.share)
+                elif isinstance(said, _Refused):
+                    raise ReadingError(said.sentence)
+                else:
+                    parts.append(said)
+        except BrokenPipeError:
+            pass  # it has ended: what is missing is said below
+        finally:
+            self._process.kill()
+            self._process.wait()
+            with suppress(OSError):
+                self._process.stdin.close()
+            self._process.stdout.close()
+        if self._stopped:
+            raise Stopped
+        return _joined(parts)
+
+    def stop(self) -> None:
+        """End the child; from any thread."""
+        self._stopped = True
+        if self._process is not None:
+            self._process.kill()
+
+
+def _send(stream: IO[bytes], message: object) -> None:
+    data = _encoder.encode(message)
+    stream.write(len(data).to_bytes(8, "little") + data)
+    stream.flush()
+
+
+def _received(stream: IO[bytes]) -> Iterator[_Part]:
+    while len(head := stream.read(8)) == 8:
+        data = stream.read(int.from_bytes(head, "little"))
+        if len(data) < int.from_bytes(head, "little"):
+            return
+        yield _part_decoder.decode(data)
+
+
+def main() -> int:
+    """The child: a job on standard input, parts of what it gives on standard output."""
+    out = sys.stdout.buffer
+    _bound_memory()
+    told = -1.0
+
+    def tell(share: float) -> None:
+        nonlocal told
+        if share - told >= 0.01:
+            told = share
+            _send(out, _Share(share))
+
+    try:
+        size = int.from_bytes(sys.stdin.buffer.read(8), "little")
+        result = read_now(_job_decoder.decode(sys.stdin.buffer.read(size)), tell)
+        for each in _parts(result):
+            _send(out, each)
+    except ValueError as error:
+        _send(out, _Refused(str(error)))
+    except MemoryError:
+        _send(out, _Refused(_("It takes more memory than there is; choose a smaller file.")))
+    return 0
+
+
+def _bound_memory() -> None:
+    if sys.platform != "win32":
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (_CHILD_BYTES, _CHILD_BYTES))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
