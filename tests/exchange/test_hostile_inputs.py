@@ -60,7 +60,7 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
         (CSV, "read_points('1.5 2\\n' * 100_000)", "read"),
         (CSV, "read_points('\\n' * 5_000_000)", "There are no points"),
         (CSV, "read_points('1 2\\n' * 25_000_000)", "100,000,000 characters, and at most 16,777,216"),
-        (GWB, "gwb(3, sheet + b'[' + b'1,' * 100_000_000)", "bytes, and at most 67,108,864"),
+        (GWB, "gwb(3, sheet + b'[' + b'1,' * 100_000_000)", "bytes, and at most 134,217,728"),
         (GWB, "gwb(3, sheet + b'[' + b'1,' * 30_000_000)", "values, and at most 2,000,000"),
         (
             GWB,

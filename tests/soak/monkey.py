@@ -24,7 +24,7 @@ from typing import Any, TextIO
 
 from PySide6.QtCore import QEvent, QObject, QTimer, QtMsgType, qInstallMessageHandler
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QFileDialog
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
 from tests.soak.events import KINDS, Hand
 
@@ -65,7 +65,7 @@ class Faults:
 
 
 class Keeper(QObject):
-    """Keeps the main window open, and ends menus that hold the event they came from."""
+    """Keeps the main window open, and ends menus and questions that hold the event they came from."""
 
     def __init__(self, window: Any) -> None:
         super().__init__(window)
@@ -83,7 +83,8 @@ class Keeper(QObject):
         return False
 
     def _look(self) -> None:
-        popup = QApplication.activePopupWidget()
+        question = QApplication.activeModalWidget()
+        popup = QApplication.activePopupWidget() or (question if isinstance(question, QMessageBox) else None)
         if self.inside and popup is not None and popup is self._seen:
             popup.close()
             popup = None
@@ -213,6 +214,7 @@ def main() -> int:
         os.environ["GRAPHICS_WORKBENCH_PROFILE"] = str(Path(folder, "profile"))
         work = Path(folder, "work")
         work.mkdir()
+        os.environ["HOME"] = str(work)  # where dialogs begin
         files_at_hand(work)
         log = given.log or Path(folder, "log")
         faulthandler.enable()
