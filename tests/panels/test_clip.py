@@ -8,12 +8,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionButton
 from shapely import LineString
 from shapely import box as shapely_box
+from workbench.panels.clip_run import clip_moment, edge_points
 
 from workbench.document.edits import add_figure, set_clip, set_clippers
 from workbench.document.model import Circle, Line, Polygon, Rectangle, WorldPoint
 from workbench.document.samples import blank_sheet, example
 from workbench.panels.clip import ClipPanel
-from workbench.panels.clip_run import clip_moment, edge_points
 from workbench.panels.clip_scene import outcomes, tally
 from workbench.rendering import frame_buffer
 from workbench.rendering.clipping import segments_of
@@ -225,11 +225,11 @@ def test_each_step_marks_its_edge_and_shows_what_is_left(qtbot, session, panel):
     settle()
     box = (8.0, 10.0, 38.0, 30.0)
     assert strokes(panel, "accent", 5.0) == [edge_points(box, 8).tolist()]
-    assert strokes(panel, "data 1", 3.0) == [[[28, 30], [48, 10]]]
+    assert strokes(panel, "data1", 3.0) == [[[28, 30], [48, 10]]]
     session.run.go(2)
     settle()
     assert strokes(panel, "accent", 5.0) == [edge_points(box, 2).tolist()]
-    assert strokes(panel, "data 1", 3.0) == [[[28, 30], [38, 20]]]
+    assert strokes(panel, "data1", 3.0) == [[[28, 30], [38, 20]]]
 
 
 def test_liang_barsky_shows_its_interval_shrinking(qtbot, session, panel):
@@ -243,7 +243,7 @@ def test_liang_barsky_shows_its_interval_shrinking(qtbot, session, panel):
     for step in range(1, 5):
         session.run.go(step)
         settle()
-        (interval,) = strokes(panel, "data 1", 4.0)
+        (interval,) = strokes(panel, "data1", 4.0)
         lengths.append(float(np.hypot(*np.subtract(*interval))))
     assert lengths == sorted(lengths, reverse=True)
     assert lengths[0] > lengths[-1] > 0

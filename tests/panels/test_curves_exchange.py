@@ -199,7 +199,7 @@ def test_the_nearest_point_is_shown_and_a_click_goes_to_its_u(zigzag):
     send(zigzag, QEvent.Type.MouseMove, *away)
     zigzag.refresh()
     *_others, spot = [each for each in zigzag.view.drawn() if isinstance(each, Spot)]
-    assert (spot.ink, spot.shape) == ("data 2", "dot")
+    assert (spot.ink, spot.shape) == ("data2", "dot")
     line = polyline_of(zigzag.session.sheet, the_curve(zigzag))
     nearest = np.hypot(*(line - away).T).min()
     assert np.hypot(spot.x - away[0], spot.y - away[1]) == pytest.approx(nearest, abs=0.2)
