@@ -20,6 +20,7 @@ from tests.panels.curves_by_hand import (
     settle,
     the_curve,
 )
+from workbench.algorithms import marks
 from workbench.rendering.curves import polyline_of
 from workbench.widgets.canvas_drawing import Spot
 from workbench.widgets.tokens import LIGHT
@@ -209,7 +210,7 @@ def test_the_nearest_point_is_shown_and_a_click_goes_to_its_u(zigzag):
 def test_every_page_of_a_run_has_the_points_made_so_far(qtbot, zigzag):
     qtbot.waitUntil(lambda: zigzag.session.run.done, timeout=15000)
     pages = [zigzag.view.on_paper(number) for number in range(len(zigzag.session.run.steps) + 1)]
-    dots = [sum(isinstance(d, Spot) and d.shape == "dot" for d in page.overlay.drawn) for page in pages]
+    dots = [sum(isinstance(d, marks.Spot) and d.shape == "dot" for d in page.overlay.drawn) for page in pages]
     assert dots[0] == 0
     assert dots == sorted(dots)
     assert dots[-1] >= 5

@@ -7,12 +7,12 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
+from workbench.algorithms.marks import Spot, Stroke, Word
 from workbench.document.model import Circle, Polygon, Polyline, SeedFill
 from workbench.document.samples import blank_sheet, example
 from workbench.panels.fill import FillPanel
 from workbench.rendering import frame_buffer, painter_of
 from workbench.session.session import Session
-from workbench.widgets.canvas_drawing import Spot, Stroke, Word
 
 LEFT = Qt.MouseButton.LeftButton
 

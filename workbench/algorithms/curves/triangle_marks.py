@@ -16,16 +16,18 @@ _MOST_TOLD_APART = 64
 def triangle_marks(controls: Points, emitted: NDArray[np.float64]) -> Iterator[Mark]:
     """The levels that are there: of ``controls`` (k, 2) k - 1 legs are divided, then k - 2, and so on.
 
-    Nothing of so many that nobody could tell the points apart.
+    Of so many that nobody could tell the points apart only the last one is drawn.
     """
     count = len(controls)
-    if count > _MOST_TOLD_APART:
-        return
-    yield Stroke(controls, "text", "hair", "dot")
+    told_apart = count <= _MOST_TOLD_APART
+    if told_apart:
+        yield Stroke(controls, "text", "hair", "dot")
     first = 0
     for r in range(1, count - 1):
         level, ink = emitted[first : first + count - r], _INKS[(r - 1) % len(_INKS)]
         first += count - r
+        if not told_apart:
+            continue
         if len(level):
             yield Stroke(level, ink)
         for x, y in level.tolist():
