@@ -7,6 +7,7 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
+from workbench.algorithms import marks
 from workbench.algorithms.curves import Pieces, piece_points, polyline
 from workbench.document.curve_pieces import goes_round, parameter_at, pieces_of
 from workbench.document.model import Curve, Sheet
@@ -116,12 +117,16 @@ def names(sheet: Sheet, curve: Curve) -> list[Drawn]:
 # The place at the parameter u
 
 
-def place_name(sheet: Sheet, curve: Curve, share: float) -> list[Drawn]:
-    """What the point of the curve at a share of its parameter is called."""
+def place_at(sheet: Sheet, curve: Curve, share: float) -> list[Drawn]:
+    """The point of the curve at a share of its parameter, which can be dragged, with its name."""
     place = point_at(sheet, curve, share)
     if place is None:
         return []
-    return [Word(f"C({parameter_at(curve, share):.4g})", *place, "text", 1, 1, carded=True, strong=True)]
+    name = f"C({parameter_at(curve, share):.4g})"
+    return [
+        marks.Spot(*place, "text", "ring", "large"),
+        Word(name, *place, "text", 1, 1, carded=True, strong=True),
+    ]
 
 
 def point_at(sheet: Sheet, curve: Curve, share: float) -> tuple[float, float] | None:

@@ -21,7 +21,7 @@ from workbench.panels.curve_scene import (
     influence,
     names,
     others,
-    place_name,
+    place_at,
     region,
 )
 from workbench.panels.curve_shape import Array, device_points, tangent_ends
@@ -179,16 +179,17 @@ class CurveView(FigureView):
             return []
         ((entry, arguments, _limit),) = calls
         everything = emitted(calls[0])
-        named = place_name(sheet, curve, share)
         if reached is None or run is None:
             marks = entry.marks(arguments, {}, everything, True)
         elif run.entry is entry and all(map(same_value, arguments, run.arguments)):
             marks = run.marks(number)
         else:
             marks = entry.marks(arguments, {}, everything[: len(reached.emitted)], False)
+        drawn: list[Drawn] = [*on_device(sheet, entry.frame, marks)]
         arrived = reached is None or len(reached.emitted) == len(everything)
-        leads_there = "u" in entry.parameter_names
-        return [*on_device(sheet, entry.frame, marks), *(named if arrived or not leads_there else ())]
+        if arrived or "u" not in entry.parameter_names:
+            drawn += place_at(sheet, curve, share)
+        return drawn
 
     def _snapped(self) -> Cell | None:
         """The pixel that a dragged point has snapped to."""

@@ -6,8 +6,8 @@ from workbench.widgets.canvas_drawing import Drawn, Region, Sized, Spot, Stroke,
 
 _WIDTHS: dict[Weight, float] = {"hair": 1.0, "thin": 1.5, "medium": 3.0, "bold": 4.0, "heavy": 5.0}
 _SIZES: dict[Size, float] = {"small": 6.0, "medium": 8.0, "large": 13.0}
-# A cross has no body and a square has corners: of one size they look alike.
-_MORE: dict[Shape, float] = {"cross": 1.0, "square": -1.0}
+# A square has corners, a cross and a ring have no body: so they look alike.
+_MORE: dict[Shape, float] = {"square": -1.0, "cross": 1.0, "ring": 2.0}
 _TINT = 40
 
 

@@ -41,7 +41,7 @@ def leg_marks(
     start: tuple[float, float], end: tuple[float, float], point: tuple[float, float], last: bool
 ) -> tuple[Mark, ...]:
     """The leg that is divided, and where; the ``last`` point is that of the curve."""
-    leg = Stroke(along(start, end), "accent", "medium")
+    leg = Stroke(along(start, end), "text", "medium")
     return (leg, Spot(*point, "text" if last else "accent", "ring", "large"))
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from workbench.algorithms.marks import MOST_WORDS, Mark, Ray, Spot, Stroke, Word, along
+from workbench.algorithms.marks import MOST_SPOTS, MOST_WORDS, Mark, Ray, Spot, Stroke, Word, along
 from workbench.algorithms.polygons.edges import Edge
 
 _CLOSE = 1.5
@@ -29,7 +29,7 @@ def marks(
     yield Ray(0.0, float(row), 1.0, 0.0, "accent", "thin", "dash", both_ways=True)
     for y, left, right in emitted[emitted[:, 0] == row].tolist() if len(emitted) else ():
         yield Stroke(along((left, y), (right, y)), "accent", "bold")
-    for number, x in enumerate(crossings):
+    for number, x in enumerate(crossings[:MOST_SPOTS]):
         yield Spot(x, float(row), "data2", "ring")
         if len(crossings) <= MOST_WORDS:
             close = number > 0 and x - crossings[number - 1] < _CLOSE
