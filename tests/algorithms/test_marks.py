@@ -330,6 +330,23 @@ def test_a_constructions_marks_are_its_row(slug: str, data: st.DataObject) -> No
         assert len(made) <= step.number
 
 
+def test_in_detail_what_is_drawn_of_a_block_is_that_of_the_sentence() -> None:
+    entry = catalogue.get("de_boor")
+    steps = run_of(entry, entry.example)
+    recording = steps.recording
+    assert steps.marks_told(0) == ()
+    seen = 0
+    for event in range(len(recording)):
+        told = "".join(part.text for part in steps.told(event))
+        for leg, ring in [steps.marks_told(event)] if steps.marks_told(event) else []:
+            assert isinstance(leg, Stroke)
+            assert isinstance(ring, Spot)
+            assert f"{ring.x:.6g}, {ring.y:.6g}" in told
+            assert (ring.x, ring.y) == tuple(recording.emitted[recording.emitted_count(event) - 1])
+            seen += 1
+    assert seen > 10
+
+
 def test_the_crossings_of_the_ray_are_those_of_the_table() -> None:
     for step, found in example_steps("inside_outside"):
         crossings = step.row[-2]

@@ -45,10 +45,10 @@ def slugs_in(node: ast.AST) -> Iterator[str]:
 def decisions(tree: ast.AST) -> Iterator[ast.AST]:
     """What asks which algorithm it is: comparisons, patterns of a match, and methods that test a text."""
     for node in ast.walk(tree):
-        if isinstance(node, ast.Compare | ast.MatchValue):
-            yield node
-        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-            if node.func.attr in ("startswith", "endswith"):
+        match node:
+            case ast.Compare() | ast.MatchValue():
+                yield node
+            case ast.Call(func=ast.Attribute(attr="startswith" | "endswith")):
                 yield node
 
 
