@@ -89,3 +89,14 @@ def test_of_a_text_that_calls_itself_the_innermost_call_counts() -> None:
         under_way = recording.stack(event)[::-1]
         assert [(c["x"], c["y"]) for c in calls] == [(v["x"], v["y"]) for _line, _name, v in under_way]
         assert [c["x"] for c in calls[-2:]] == [c["x"] for c in list(calls)[-2:]]
+
+
+def test_what_the_next_call_emits_before_its_first_step_is_not_its_own() -> None:
+    curves = [(np.array([(0.0, 0.0), (9.0, y), (20.0, 0.0)]), 1.0) for y in (6.0, -3.0)]
+    entry, recording, steps = recorded("flatten_bezier", curves)
+    for step in list(steps)[1:]:
+        state = state_of(recording, step)
+        whole = np.array(list(entry.function(*curves[state.number])))
+        assert len(state.emitted) <= len(whole)
+        assert (state.emitted == whole[: len(state.emitted)]).all()
+        assert state.ended == (len(state.emitted) == len(whole))
