@@ -190,7 +190,7 @@ class Cursor(RecordedRun):
             else self.steps[self.step_number if number is None else number].marks
         )
         own = self.entry.marks(self.calls[call.number], call.variables, call.emitted, call.ended)
-        return (*own, *of_block)
+        return (*of_block, *own)
 
     @property
     def variables(self) -> dict[str, Any]:

@@ -16,7 +16,7 @@ _MOST_TOLD_APART = 64
 def triangle_marks(controls: Points, emitted: NDArray[np.float64]) -> Iterator[Mark]:
     """The levels that are there: of ``controls`` (k, 2) k - 1 legs are divided, then k - 2, and so on.
 
-    Of so many that nobody could tell the points apart only the last one is drawn.
+    The last point is ringed. Of so many that nobody could tell them apart only that one is drawn.
     """
     count = len(controls)
     told_apart = count <= _MOST_TOLD_APART
@@ -32,17 +32,14 @@ def triangle_marks(controls: Points, emitted: NDArray[np.float64]) -> Iterator[M
             yield Stroke(level, ink)
         for x, y in level.tolist():
             yield Spot(x, y, ink, "dot", "small")
-    if len(emitted) > first:
+    if len(emitted):
         x, y = emitted[-1].tolist()
-        yield Spot(x, y, "text", "ring", "large")
+        yield Spot(x, y, "text" if len(emitted) > first else "accent", "ring", "large")
 
 
-def leg_marks(
-    start: tuple[float, float], end: tuple[float, float], point: tuple[float, float], last: bool
-) -> tuple[Mark, ...]:
-    """The leg that is divided, and where; the ``last`` point is that of the curve."""
-    leg = Stroke(along(start, end), "text", "medium")
-    return (leg, Spot(*point, "text" if last else "accent", "ring", "large"))
+def leg_mark(start: tuple[float, float], end: tuple[float, float]) -> tuple[Mark, ...]:
+    """The leg that is divided."""
+    return (Stroke(along(start, end), "text", "medium"),)
 
 
 def bezier_marks(

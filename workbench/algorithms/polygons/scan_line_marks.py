@@ -32,5 +32,5 @@ def marks(
     for number, x in enumerate(crossings[:MOST_SPOTS]):
         yield Spot(x, float(row), "data2", "ring")
         if len(crossings) <= MOST_WORDS:
-            close = number > 0 and x - crossings[number - 1] < _CLOSE
+            close = any(0.0 < x - other < _CLOSE for other in crossings[:number])
             yield Word(f"{x:.4g}", x, float(row), "text", 0, -1 if close else 1, carded=True)
