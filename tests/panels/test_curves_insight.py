@@ -114,6 +114,22 @@ def test_stepping_builds_the_construction_point_by_point(qtbot):
     assert seen == sorted(set(seen))
 
 
+def test_under_a_drag_the_construction_stays_as_far_as_it_was_on_the_curve_as_it_is(qtbot):
+    panel = opened(qtbot, curve_through(*ZIGZAG, spline="bezier"))
+    panel.focus.switch("construction", True)
+    qtbot.waitUntil(lambda: panel.session.run.done, timeout=15000)
+    panel.session.run.go_to_step(2)
+    settle()
+    start, end = ZIGZAG[1], (ZIGZAG[1][0] + 9.0, ZIGZAG[1][1] - 14.0)
+    send(panel, QEvent.Type.MouseButtonPress, *start)
+    send(panel, QEvent.Type.MouseMove, *end)
+    assert panel.session.run.arguments[0][1].tolist() == list(start)
+    dots = [(e.x, e.y) for e in panel.view.drawn() if isinstance(e, marks.Spot) and e.shape == "dot"]
+    moved, u = np.array([ZIGZAG[0], end, ZIGZAG[2]]), panel.focus.u
+    np.testing.assert_allclose(dots, (1 - u) * moved[:-1] + u * moved[1:], atol=1e-6)
+    send(panel, QEvent.Type.MouseButtonRelease, *end)
+
+
 def test_every_switch_draws_something_and_takes_it_away(qtbot):
     loop = ((24.0, 10.0), (58.0, 40.0), (58.0, 10.0), (24.0, 40.0), (22.0, 20.0))
     panel = with_docks(qtbot, curve_through(*loop, spline="catmull_rom"))
