@@ -85,8 +85,9 @@ def arrived_at(panel, share):
     panel.focus.switch("construction", True)
     panel.session.update_state(curve_u=share, step=0)
     settle()
-    (place,) = [e for e in panel.view.drawn() if isinstance(e, marks.Spot) and e.size == "large"]
-    return place
+    last, place = [e for e in panel.view.drawn() if isinstance(e, marks.Spot) and e.size == "large"]
+    assert (last.x, last.y) == pytest.approx((place.x, place.y))
+    return last
 
 
 @pytest.mark.parametrize("spline", SPLINES)
