@@ -57,7 +57,7 @@ class View:
     it, for *Why this pixel?*. ``options`` are the texts that a person who is asked first may choose from, as
     they stand on entering, and ``answer`` is the right one: where a choice is no pixel. ``when`` tells
     several views of one block apart: the first that holds is shown; where it changes, a decision changed.
-    ``marks`` gives what is drawn of this block under ``Entry.marks``, as a sequence of marks.
+    ``marks`` gives what is drawn of this block over ``Entry.marks``, as a sequence of marks.
     """
 
     block: str

@@ -190,7 +190,7 @@ class Cursor(RecordedRun):
             else self.steps[self.step_number if number is None else number].marks
         )
         own = self.entry.marks(self.calls[call.number], call.variables, call.emitted, call.ended)
-        return (*of_block, *own)
+        return (*own, *of_block)
 
     @property
     def variables(self) -> dict[str, Any]:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.curves.parameters import BEZIER_POINTS, U
 from workbench.algorithms.curves.refusals import refuse_bezier
 from workbench.algorithms.curves.triangle import level_rows
-from workbench.algorithms.curves.triangle_marks import bezier_marks, leg_mark
+from workbench.algorithms.curves.triangle_marks import bezier_marks, leg_marks
 from workbench.algorithms.entry import Entry, View
 
 
@@ -48,7 +48,7 @@ def de_casteljau(points: NDArray[Any], u: float) -> Iterator[tuple[float, float]
 
 _LEG = "Divide a leg"
 _ROW = "(r, i, (x0, y0), (x1, y1), (x, y))"
-_MARKS = "leg_mark((x0, y0), (x1, y1))"
+_MARKS = "leg_marks((x0, y0), (x1, y1), (x, y), r == n)"
 _TABLES = {"Triangle": ("level_rows(triangle, n + 1)", ("r", "points"))}
 
 ENTRY = Entry(
@@ -60,7 +60,7 @@ ENTRY = Entry(
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 10-8",
     columns=("r", "i", "P_i^{r-1}", "P_{i+1}^{r-1}", "P_i^r"),
-    view_functions=(level_rows, leg_mark),
+    view_functions=(level_rows, leg_marks),
     views=(
         View(
             block="Begin with the control points",

@@ -37,9 +37,16 @@ def triangle_marks(controls: Points, emitted: NDArray[np.float64]) -> Iterator[M
         yield Spot(x, y, "text" if len(emitted) > first else "accent", "ring", "large")
 
 
-def leg_mark(start: tuple[float, float], end: tuple[float, float]) -> tuple[Mark, ...]:
-    """The leg that is divided."""
-    return (Stroke(along(start, end), "text", "medium"),)
+def leg_marks(
+    start: tuple[float, float], end: tuple[float, float], point: tuple[float, float], last: bool
+) -> tuple[Mark, ...]:
+    """The leg that is divided, both its ends, and where; the ``last`` point is that of the curve."""
+    return (
+        Stroke(along(start, end), "text", "medium"),
+        Spot(*start, "text", "dot", "small"),
+        Spot(*end, "text", "dot", "small"),
+        Spot(*point, "text" if last else "accent", "ring", "large"),
+    )
 
 
 def bezier_marks(
