@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 
 from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.marks import Mark
+from workbench.engine.calls import own_call
 from workbench.engine.observation import Step, Steps, Table
 from workbench.engine.recorder import record
 from workbench.engine.sentences import Part, number_text
@@ -79,7 +81,7 @@ def _run(entry: Entry, run: Run) -> Iterator[str]:
             titles = Counter(steps[left_out].title for left_out in range(before + 1, number))
             counted = ", ".join(f"{title} ({times})" for title, times in titles.items())
             yield from (f"… left out: steps {before + 1} to {number - 1}: {counted}", "")
-        yield from _step(entry, steps, steps[number], shown)
+        yield from _step(entry, run, steps, steps[number], shown)
         shown |= steps[number].tables
         before = number
 
@@ -106,7 +108,7 @@ def tells(view: View, shown: View | None, sentences: Iterable[str]) -> bool:
     return view is shown or (bool(view.sentence) and any(is_sentence_of(view, one) for one in sentences))
 
 
-def _step(entry: Entry, steps: Steps, step: Step, shown: dict[str, Table]) -> Iterator[str]:
+def _step(entry: Entry, run: Run, steps: Steps, step: Step, shown: dict[str, Table]) -> Iterator[str]:
     yield (
         f"{step.number}. {step.title}".rstrip(". ") if step.number else f"Before the first step. {step.title}"
     )
@@ -126,6 +128,8 @@ def _step(entry: Entry, steps: Steps, step: Step, shown: dict[str, Table]) -> It
     emitted = [steps.recording.emitted[n] for n in range(step.emitted_from, step.emitted_to)]
     if emitted:
         yield f"   emits: {_places(emitted)}"
+    for mark in _marks(entry, run, steps, step):
+        yield f"   draws: {_text(mark)}"
     for title, table in step.tables.items():
         if shown.get(title) != table:
             yield from _table(title, *table)
@@ -143,6 +147,16 @@ def _asides(steps: Steps, step: Step) -> list[str]:
     events = range(step.first + 1, step.last + 2)
     told_in_detail = dict.fromkeys(words(steps.told(event)) for event in events)
     return [told for told in told_in_detail if told not in whole and told not in before]
+
+
+def _marks(entry: Entry, run: Run, steps: Steps, step: Step) -> list[Mark]:
+    """What the entry draws at the end of a step."""
+    recording = steps.recording
+    if not len(recording):
+        return []
+    over = recording.complete and step.last == len(recording) - 1
+    call = own_call(recording, max(step.first, 0), max(step.last, 0), step.emitted_to, over)
+    return list(entry.marks(run, call.variables, call.emitted, call.ended))
 
 
 def _cell(heading: str, value: object) -> str:

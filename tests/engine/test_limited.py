@@ -13,7 +13,7 @@ from workbench.algorithms.entry import Entry
 from workbench.algorithms.seed_fill.example import BOUNDED
 from workbench.engine.limited import collect_limited
 from workbench.engine.observation import Steps
-from workbench.engine.pending import Depths, PixelTests, calls_itself, keeps_stack, pending
+from workbench.engine.pending import Depths, PixelTests, largest, stack_at
 from workbench.engine.recorder import Recorder, record
 
 RECURSIVE = catalogue.get("boundary_fill_recursive").function
@@ -80,17 +80,18 @@ def test_the_stack_that_is_read_is_the_one_in_the_table(picture: np.ndarray, slu
     arguments = [picture, picture.shape[1] // 2, picture.shape[0] // 2, 2, 1][: len(entry.parameters)]
     recording = record(entry.function, *arguments)
     steps = Steps(entry, recording)
-    assert keeps_stack(recording)
     depths = Depths(steps)
     while depths.advance(7):
         pass
     for number in range(1, len(steps) + 1):
         step = steps[number]
-        waiting = pending(recording, step.last, False)
+        waiting = list(stack_at(entry, recording, step.last))
         assert len(waiting) == depths.values[number]
         table = step.tables.get("Stack")
         if table is not None and step.last < len(recording) - 1:
             assert [tuple(row) for row in table[1]] == waiting
+    sizes = [len(stack_at(entry, recording, event)) for event in range(len(recording))]
+    assert largest(entry, recording) == max(sizes)
 
 
 @settings(max_examples=25, deadline=None)
@@ -146,9 +147,13 @@ def test_tests_are_counted_in_the_functions_that_an_entry_names() -> None:
 
 def test_calls_under_way_are_the_path_to_the_pixel() -> None:
     recording = record(RECURSIVE, np.zeros((3, 5), np.int64), 0, 1, 2, 1, depth_limit=50)
-    assert calls_itself(recording)
     deepest = int(np.argmax(recording.depths))
-    path = pending(recording, deepest, False)
+    entry = catalogue.get("boundary_fill_recursive")
+    calls = stack_at(entry, recording, deepest)
+    path = [(call["x"], call["y"]) for call in calls]
+    assert calls[-1]["image"].shape == (3, 5)
+    assert (calls[0]["x"], calls[0]["y"]) == (0, 1)
+    assert len(calls) == largest(entry, recording)
     assert len(path) == recording.depths.max() + 1
     assert path[0] == (0, 1)
     assert all(abs(a[0] - b[0]) + abs(a[1] - b[1]) == 1 for a, b in pairwise(path))

@@ -9,6 +9,8 @@ from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionButton
 from shapely import LineString
 from shapely import box as shapely_box
 
+from workbench.algorithms import marks
+from workbench.algorithms.clipping.window_marks import edge_mark
 from workbench.document.edits import add_figure, set_clip, set_clippers
 from workbench.document.model import Circle, Line, Polygon, Rectangle, WorldPoint
 from workbench.document.samples import blank_sheet, example
@@ -16,13 +18,12 @@ from workbench.exchange.run_tables import hand
 from workbench.exchange.writing import row_for, write
 from workbench.exchange.written import rows
 from workbench.panels.clip import ClipPanel
-from workbench.panels.clip_run import clip_moment, edge_points
 from workbench.panels.clip_scene import outcomes, tally
 from workbench.rendering import frame_buffer
 from workbench.rendering.clipping import segments_of
 from workbench.session.session import Session
 from workbench.shell.style_sheet import style_sheet
-from workbench.widgets.canvas_drawing import Stroke, Word
+from workbench.widgets.canvas_drawing import Word
 from workbench.widgets.option_buttons import OptionButtons
 from workbench.widgets.sentence_view import SentenceView
 from workbench.widgets.tokens import LIGHT
@@ -189,7 +190,7 @@ def test_the_example_says_how_many_lines_are_inside_cut_and_outside(session, pan
 
 
 def words(panel):
-    return [each.text for each in panel.canvas.overlay.drawn if isinstance(each, Word)]
+    return [each.text for each in panel.canvas.overlay.drawn if isinstance(each, Word | marks.Word)]
 
 
 def test_nine_regions_have_their_codes_and_can_be_without(qtbot, session, panel):
@@ -212,11 +213,11 @@ def test_the_code_of_an_end_keeps_clear_of_its_label(session, panel):
 # The stepped run
 
 
-def strokes(panel, ink, width):
+def strokes(panel, ink, weight):
     return [
         each.points.tolist()
         for each in panel.canvas.overlay.drawn
-        if isinstance(each, Stroke) and each.ink == ink and each.width == width
+        if isinstance(each, marks.Stroke) and each.ink == ink and each.weight == weight
     ]
 
 
@@ -227,12 +228,12 @@ def test_each_step_marks_its_edge_and_shows_what_is_left(qtbot, session, panel):
     session.run.go(1)
     settle()
     box = (8.0, 10.0, 38.0, 30.0)
-    assert strokes(panel, "accent", 5.0) == [edge_points(box, 8).tolist()]
-    assert strokes(panel, "data 1", 3.0) == [[[28, 30], [48, 10]]]
+    assert strokes(panel, "accent", "heavy") == [edge_mark(box, 8).points.tolist()]
+    assert strokes(panel, "data1", "medium") == [[[28, 30], [48, 10]]]
     session.run.go(2)
     settle()
-    assert strokes(panel, "accent", 5.0) == [edge_points(box, 2).tolist()]
-    assert strokes(panel, "data 1", 3.0) == [[[28, 30], [38, 20]]]
+    assert strokes(panel, "accent", "heavy") == [edge_mark(box, 2).points.tolist()]
+    assert strokes(panel, "data1", "medium") == [[[28, 30], [38, 20]]]
 
 
 def test_liang_barsky_shows_its_interval_shrinking(qtbot, session, panel):
@@ -246,7 +247,7 @@ def test_liang_barsky_shows_its_interval_shrinking(qtbot, session, panel):
     for step in range(1, 5):
         session.run.go(step)
         settle()
-        (interval,) = strokes(panel, "data 1", 4.0)
+        (interval,) = strokes(panel, "data1", "bold")
         lengths.append(float(np.hypot(*np.subtract(*interval))))
     assert lengths == sorted(lengths, reverse=True)
     assert lengths[0] > lengths[-1] > 0
@@ -261,7 +262,7 @@ def test_a_polyline_is_clipped_side_by_side_and_the_run_knows_which(qtbot, sessi
     calls = set()
     for step in range(1, len(session.run.steps) + 1):
         session.run.go(step)
-        calls.add(clip_moment(session.run).call)
+        calls.add(session.run.own_call().number)
     assert calls == {0, 1}
 
 
@@ -273,7 +274,7 @@ def test_a_concave_polygon_leaves_degenerate_edges_which_are_said(qtbot, session
     assert "degenerate edge" in panel.card.outcome.text()
     session.run.last()
     settle()
-    assert strokes(panel, "error", 4.0) != []
+    assert strokes(panel, "error", "bold") != []
 
 
 def test_a_point_is_put_and_its_four_comparisons_are_stepped(qtbot, session, panel):
@@ -330,7 +331,7 @@ def test_one_step_on_paper_has_the_construction_and_no_grips(qtbot, session, pan
     recorded(qtbot, session)
     made = panel.view.on_paper(2)
     assert made.overlay.handles == ()
-    assert any(isinstance(each, Stroke) and each.ink == "accent" for each in made.overlay.drawn)
+    assert any(isinstance(each, marks.Stroke) and each.ink == "accent" for each in made.overlay.drawn)
 
 
 def test_the_hand_table_is_saved_with_every_digit(qtbot, session, panel, tmp_path):

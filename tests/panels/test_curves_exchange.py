@@ -20,6 +20,7 @@ from tests.panels.curves_by_hand import (
     settle,
     the_curve,
 )
+from workbench.algorithms import marks
 from workbench.exchange.svg_paths import write_svg
 from workbench.exchange.writing import row_for, write
 from workbench.panels.figure_pages import rows_of
@@ -196,7 +197,7 @@ def test_the_nearest_point_is_shown_and_a_click_goes_to_its_u(zigzag):
     send(zigzag, QEvent.Type.MouseMove, *away)
     zigzag.refresh()
     *_others, spot = [each for each in zigzag.view.drawn() if isinstance(each, Spot)]
-    assert (spot.ink, spot.shape) == ("data 2", "dot")
+    assert (spot.ink, spot.shape) == ("data2", "dot")
     line = polyline_of(zigzag.session.sheet, the_curve(zigzag))
     nearest = np.hypot(*(line - away).T).min()
     assert np.hypot(spot.x - away[0], spot.y - away[1]) == pytest.approx(nearest, abs=0.2)
@@ -206,7 +207,7 @@ def test_the_nearest_point_is_shown_and_a_click_goes_to_its_u(zigzag):
 def test_every_page_of_a_run_has_the_points_made_so_far(qtbot, zigzag):
     qtbot.waitUntil(lambda: zigzag.session.run.done, timeout=15000)
     pages = [zigzag.view.on_paper(number) for number in range(len(zigzag.session.run.steps) + 1)]
-    dots = [sum(isinstance(d, Spot) and d.shape == "dot" for d in page.overlay.drawn) for page in pages]
+    dots = [sum(isinstance(d, marks.Spot) and d.shape == "dot" for d in page.overlay.drawn) for page in pages]
     assert dots[0] == 0
     assert dots == sorted(dots)
     assert dots[-1] >= 5

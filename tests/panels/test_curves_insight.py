@@ -18,7 +18,7 @@ from tests.panels.curves_by_hand import (
     settle,
     the_curve,
 )
-from workbench.algorithms import curves
+from workbench.algorithms import curves, marks
 from workbench.algorithms.curves import piece_points
 from workbench.document.curve_pieces import parameter_at, pieces_of
 from workbench.document.curve_settings import set_spline
@@ -27,7 +27,7 @@ from workbench.panels.curve_basis import MOST, basis_of
 from workbench.panels.curve_compare import MEASURED_DEGREE
 from workbench.panels.curve_insight import switches
 from workbench.panels.curve_marks import ALONG, MOST_CROSSED, crossings
-from workbench.panels.curve_scene import construction, point_at
+from workbench.panels.curve_scene import point_at
 from workbench.widgets.canvas_drawing import Spot, Stroke
 
 PLACES = ((26.0, 10.0), (32.0, 34.0), (40.0, 40.0), (46.0, 12.0), (58.0, 30.0), (60.0, 8.0), (50.0, 4.0))
@@ -80,14 +80,24 @@ def test_of_very_many_functions_those_that_matter_at_u_are_shown(spline, share):
     assert at_u.sum() == pytest.approx(1.0)
 
 
+def arrived_at(panel, share):
+    """The point that a whole construction has come to."""
+    panel.focus.switch("construction", True)
+    panel.session.update_state(curve_u=share, step=0)
+    settle()
+    last, place = [e for e in panel.view.drawn() if isinstance(e, marks.Spot) and e.size == "large"]
+    assert (last.x, last.y) == pytest.approx((place.x, place.y))
+    return last
+
+
 @pytest.mark.parametrize("spline", SPLINES)
 @pytest.mark.parametrize("share", [0.0, 0.37, 0.5, 1.0])
 def test_the_construction_ends_on_the_curve(qtbot, spline, share):
     curve = curve_through(*PLACES, spline=spline)
     weighted = tuple(replace(p, weight=1.0 + k % 3) for k, p in enumerate(curve.points_world))
     panel = opened(qtbot, replace(curve, points_world=weighted))
-    sheet, curve = panel.session.sheet, the_curve(panel)
-    (last,) = [each for each in construction(sheet, curve, share) if isinstance(each, Spot)][-1:]
+    curve = the_curve(panel)
+    last = arrived_at(panel, share)
     assert (last.x, last.y) == pytest.approx(piece_points(pieces_of(curve), parameter_at(curve, share)))
 
 
@@ -101,8 +111,24 @@ def test_stepping_builds_the_construction_point_by_point(qtbot):
         panel.session.run.go_to_step(number)
         settle()
         drawn = panel.view.drawn()
-        seen.append(sum(isinstance(each, Spot) and each.shape == "dot" for each in drawn))
+        seen.append(sum(isinstance(each, marks.Spot) and each.shape == "dot" for each in drawn))
     assert seen == sorted(set(seen))
+
+
+def test_under_a_drag_the_construction_stays_as_far_as_it_was_on_the_curve_as_it_is(qtbot):
+    panel = opened(qtbot, curve_through(*ZIGZAG, spline="bezier"))
+    panel.focus.switch("construction", True)
+    qtbot.waitUntil(lambda: panel.session.run.done, timeout=15000)
+    panel.session.run.go_to_step(2)
+    settle()
+    start, end = ZIGZAG[1], (ZIGZAG[1][0] + 9.0, ZIGZAG[1][1] - 14.0)
+    send(panel, QEvent.Type.MouseButtonPress, *start)
+    send(panel, QEvent.Type.MouseMove, *end)
+    assert panel.session.run.arguments[0][1].tolist() == list(start)
+    dots = [(e.x, e.y) for e in panel.view.drawn() if isinstance(e, marks.Spot) and e.shape == "dot"]
+    moved, u = np.array([ZIGZAG[0], end, ZIGZAG[2]]), panel.focus.u
+    np.testing.assert_allclose(dots, (1 - u) * moved[:-1] + u * moved[1:], atol=1e-6)
+    send(panel, QEvent.Type.MouseButtonRelease, *end)
 
 
 def test_every_switch_draws_something_and_takes_it_away(qtbot):
@@ -298,9 +324,9 @@ def test_the_functions_of_closed_curves_add_up_too(spline):
 @pytest.mark.parametrize("spline", SPLINES)
 def test_the_construction_of_closed_curves_ends_on_them(qtbot, spline):
     panel = opened(qtbot, replace(curve_through(*PLACES[:6], spline=spline), closed=True))
-    sheet, curve = panel.session.sheet, the_curve(panel)
+    curve = the_curve(panel)
     for share in (0.05, 0.6, 0.97):
-        (last,) = [each for each in construction(sheet, curve, share) if isinstance(each, Spot)][-1:]
+        last = arrived_at(panel, share)
         at = piece_points(pieces_of(curve), parameter_at(curve, share))
         assert (last.x, last.y) == pytest.approx(at)
 

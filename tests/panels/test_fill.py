@@ -7,12 +7,12 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
+from workbench.algorithms.marks import Spot, Stroke, Word
 from workbench.document.model import Circle, Polygon, Polyline, SeedFill
 from workbench.document.samples import blank_sheet, example
 from workbench.panels.fill import FillPanel
 from workbench.rendering import frame_buffer, painter_of
 from workbench.session.session import Session
-from workbench.widgets.canvas_drawing import Spot, Stroke, Word
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -281,6 +281,34 @@ def test_ask_first_wants_the_next_pixel(qtbot):
     x, y = run.steps[run.position + 1].chosen[0]
     click(qtbot, panel, x, y)
     assert (run.right, run.wrong) == (1, 0)
+
+
+def test_the_card_asks_for_what_the_text_takes(qtbot, blank):
+    blank.choose_tool("seed")
+    asked = {}
+    for algorithm in ("boundary_fill_4", "flood_fill_8", "boundary_fill_recursive", "boundary_fill_spans"):
+        blank.tool.algorithm = algorithm
+        blank.refresh()
+        settle()
+        asked[algorithm] = blank.card.boundary.isVisible(), blank.card.limit.isVisible()
+    assert asked == {
+        "boundary_fill_4": (True, False),
+        "flood_fill_8": (False, False),
+        "boundary_fill_recursive": (True, True),
+        "boundary_fill_spans": (True, False),
+    }
+
+
+def test_every_page_of_a_run_has_its_own_scan_line(qtbot):
+    panel = opened(qtbot, example("triangle").document)
+    qtbot.waitUntil(lambda: panel.session.run.done, timeout=15000)
+    for number in (2, 5):
+        (line,) = [
+            mark
+            for mark in panel.view.on_paper(number).overlay.drawn
+            if isinstance(mark, Stroke) and mark.pattern == "dash"
+        ]
+        assert line.points[:, 1].tolist() == [number, number]
 
 
 def test_a_scan_line_shows_its_crossings(qtbot):

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from tests.document.made_curves import curves
 from workbench.algorithms.curves import piece_points
+from workbench.algorithms.marks import Spot, Stroke
 from workbench.document import curve_edits
 from workbench.document.curve_pieces import fault_of, parameter_at, share_at
 from workbench.document.model import Curve, CurvePoint, Rectangle, Sheet
@@ -18,12 +19,11 @@ from workbench.rendering import frame_buffer, why
 from workbench.rendering.compare import compare, distances
 from workbench.rendering.curve_runs import (
     construction_fault,
-    construction_levels,
     construction_of,
     curve_calls,
 )
 from workbench.rendering.curves import device_pieces
-from workbench.rendering.raster import figure_calls
+from workbench.rendering.raster import emitted, figure_calls
 from workbench.rendering.why_steps import why_steps
 
 
@@ -106,20 +106,22 @@ def test_a_curve_is_drawn_as_its_chords_are() -> None:
 
 @settings(max_examples=80)
 @given(curves(), st.floats(0, 1))
-def test_each_level_of_a_construction_has_a_point_less_and_lies_on_the_legs_above(
+def test_each_level_that_is_drawn_has_a_point_less_and_lies_on_the_legs_above(
     curve: Curve, share: float
 ) -> None:
     sheet = sheet_with(curve)
     (made,) = sheet.figures
     assert isinstance(made, Curve)
-    levels = construction_levels(sheet, made, share)
-    if fault_of(made):
-        assert levels == []
-        return
-    assert [len(level) for level in levels] == list(range(len(levels), 0, -1))
-    for above, level in pairwise(levels):
-        legs, along = np.diff(above, axis=0), level - above[:-1]
-        size = 1.0 + np.abs(above).max()
-        assert np.abs(legs[:, 0] * along[:, 1] - legs[:, 1] * along[:, 0]).max() <= 1e-9 * size * size
-    there = piece_points(device_pieces(sheet, made), parameter_at(made, share))
-    np.testing.assert_allclose(levels[-1][0], there, atol=1e-7)
+    calls = curve_calls(sheet, made, "", share)
+    assert bool(calls) == (not fault_of(made))
+    for entry, arguments, _limit in calls:
+        drawn = list(entry.marks(arguments, {}, emitted(calls[0]), True))
+        levels = [mark.points for mark in drawn if isinstance(mark, Stroke)]
+        assert [len(level) for level in levels] == list(range(len(levels) + 1, 1, -1))
+        for above, level in pairwise(levels):
+            legs, along = np.diff(above, axis=0), level - above[:-1]
+            size = 1.0 + np.abs(above).max()
+            assert np.abs(legs[:, 0] * along[:, 1] - legs[:, 1] * along[:, 0]).max() <= 1e-9 * size * size
+        (place,) = [mark for mark in drawn if isinstance(mark, Spot) and mark.size == "large"]
+        there = piece_points(device_pieces(sheet, made), parameter_at(made, share))
+        np.testing.assert_allclose((place.x, place.y), there, atol=1e-7)

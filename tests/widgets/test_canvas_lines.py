@@ -172,7 +172,7 @@ def test_each_shape_of_grip_is_told_from_the_others(canvas):
 def test_a_grip_has_its_ink_and_is_filled_when_selected(canvas, tokens):
     theme.use(tokens)
     try:
-        for ink, value in (("accent", tokens.accent), ("data 2", tokens.data[1])):
+        for ink, value in (("accent", tokens.accent), ("data2", tokens.data[1])):
             handle = Handle("a", "", 20, 10, selected=True, ink=ink)
             canvas.set_overlay(Overlay(handles=(handle,)))
             assert around(canvas, 20, 10)[7][7] == value
@@ -234,7 +234,7 @@ def test_of_many_handles_only_the_selected_bear_their_names(canvas):
 
 def test_a_stroke_lies_over_what_was_drawn_before_it(canvas):
     across, up = np.array([(0, 14), (39, 14)], float), np.array([(20, 0), (20, 27)], float)
-    for first, second in (("data 1", "data 2"), ("data 2", "data 1")):
+    for first, second in (("data1", "data2"), ("data2", "data1")):
         higher = across + np.array([0, 5])
         strokes = (Stroke(across, first, 5.0), Stroke(higher, first, 5.0), Stroke(up, second, 5.0))
         canvas.set_overlay(Overlay(drawn=strokes))
@@ -265,7 +265,7 @@ def test_strokes_and_regions_reach_the_picture(canvas):
     canvas.set_overlay(
         Overlay(
             drawn=(
-                Region(np.array([(10, 5), (30, 5), (30, 20), (10, 20)], float), "data 1", 255),
+                Region(np.array([(10, 5), (30, 5), (30, 20), (10, 20)], float), "data1", 255),
                 Stroke(np.array([(0, 14), (39, 14)], float), "error", 6.0, haloed=True),
             )
         )

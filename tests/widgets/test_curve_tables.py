@@ -175,8 +175,8 @@ MEASURES = [
     Measure("joints"),
 ]
 KINDS = [
-    Measured("Natural", "data 1", (True, 0.0, 3.0, "C2")),
-    Measured("B-spline", "data 2", (False, 21.4, 3.0, "C2"), "dash"),
+    Measured("Natural", "data1", (True, 0.0, 3.0, "C2")),
+    Measured("B-spline", "data2", (False, 21.4, 3.0, "C2"), "dash"),
     Measured("Hermite", "", (True, 0.0, 3.0, None)),
 ]
 

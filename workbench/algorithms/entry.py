@@ -17,6 +17,11 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from workbench.algorithms.marks import Frame, MarksFunction, no_marks
+
+CALLS = "calls"
+"""Under this name a text that calls itself has the variables of each call under way, the first call first."""
+
 Emits = Literal["pixels", "coverage", "spans", "fragments", "points", "segments"]
 Kind = Literal["int", "float", "bool", "colour", "image", "depth", "points", "floats", "ints"]
 
@@ -52,6 +57,7 @@ class View:
     it, for *Why this pixel?*. ``options`` are the texts that a person who is asked first may choose from, as
     they stand on entering, and ``answer`` is the right one: where a choice is no pixel. ``when`` tells
     several views of one block apart: the first that holds is shown; where it changes, a decision changed.
+    ``marks`` gives what is drawn of this block over ``Entry.marks``, as a sequence of marks.
     """
 
     block: str
@@ -65,6 +71,7 @@ class View:
     considers: str = ""
     options: str = "()"
     answer: str = ""
+    marks: str = "()"
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +89,13 @@ class Entry:
     ``count`` is one for how many tuples are emitted, where that is known beforehand. Each look at
     the condition of the loop in one of ``tests_in``, functions that the text calls, tests a pixel: their x in
     the caller's y.
+
+    ``marks(arguments, now, emitted, ended)`` gives all else that is drawn of the text, from back to front, in
+    the ``frame`` of its arguments. It is called at any line of the text or of what it calls: ``now`` are the
+    variables of the text's own call, ``emitted`` (n, k) what that has emitted so far, ``ended`` whether it is
+    over. Without a recording, as while something is dragged, ``now`` is empty, ``emitted`` everything and
+    ``ended`` true. ``stack`` names the local whose length is plotted, or CALLS for a text that calls itself.
+    ``counted`` maps what is counted beside the arithmetic to the beginnings of the titles of its blocks.
     """
 
     function: Callable[..., Iterator[tuple[Any, ...]]]
@@ -105,6 +119,15 @@ class Entry:
     extent: str = ""
     count: str = ""
     tests_in: tuple[Callable[..., Any], ...] = ()
+    marks: MarksFunction = no_marks
+    frame: Frame = "device"
+    stack: str = ""
+    counted: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+
+    @property
+    def parameter_names(self) -> tuple[str, ...]:
+        """The names of its parameters, in order."""
+        return tuple(parameter.name for parameter in self.parameters)
 
     @property
     def slug(self) -> str:

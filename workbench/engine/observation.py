@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.marks import Mark
 from workbench.engine.blocks import block_at
 from workbench.engine.recording import Recording
 from workbench.engine.sentences import Part, fill_in, joined
@@ -39,7 +40,7 @@ class Step:
     ``first`` and ``last`` are its line events, both included; ``emitted_from`` up to ``emitted_to`` is
     what it emitted. ``tables`` maps a title to column headings and rows. ``view`` is the view that held,
     ``row`` is empty in step 0. ``options`` are the choices a person has who is asked first, ``answer`` is the
-    right one; none where a pixel is asked for.
+    right one; none where a pixel is asked for. ``marks`` are what is drawn of its block alone.
     """
 
     number: int
@@ -57,6 +58,7 @@ class Step:
     view: View | None
     options: tuple[Any, ...] = ()
     answer: Any = None
+    marks: tuple[Mark, ...] = ()
 
 
 class _Latest(OrderedDict[int, T]):
@@ -163,13 +165,22 @@ class Steps:
 
     def told(self, event: int) -> tuple[Part, ...]:
         """The sentence of the last visit that was left before ``event``, for stepping in detail."""
+        return self._teller(event)[1]
+
+    def marks_told(self, event: int) -> tuple[Mark, ...]:
+        """What is drawn of the block whose sentence ``told`` gives."""
+        visit = self._teller(event)[0]
+        return self._marks(visit, None if visit is None else self._view_of(visit))
+
+    def _teller(self, event: int) -> tuple[int | None, tuple[Part, ...]]:
+        """The last visit with a sentence that was left before ``event``, and that sentence."""
         visits = self._visits
         for visit in range(bisect_right(visits.entered, event) - 1, -1, -1):
             if visits.last[visit] < event and self._is_left(visit):
                 sentence = self._sentence_of(visit)
                 if sentence:
-                    return sentence
-        return ()
+                    return visit, sentence
+        return None, ()
 
     def candidates_next(self, number: int) -> Pixels:
         """The candidates of the step after this one, as they stand before its choice; none after the last."""
@@ -270,6 +281,7 @@ class Steps:
             answer=self._value(shown, view, view.answer)
             if shown is not None and view and view.answer
             else None,
+            marks=self._marks(shown, view),
         )
 
     def _row(self, number: int) -> tuple[Any, ...]:
@@ -327,6 +339,9 @@ class Steps:
         if visit is None or view is None:
             return ()
         return tuple(self._evaluate(visit, view, view.options, self._before(visit)))
+
+    def _marks(self, visit: int | None, view: View | None) -> tuple[Mark, ...]:
+        return () if visit is None or view is None else tuple(self._value(visit, view, view.marks))
 
     def _evaluate(self, visit: int, view: View, expression: str, variables: dict[str, Any]) -> Any:
         if expression == "()":

@@ -1,87 +1,47 @@
 """What a fill still has to do at an event, how deep it is, and how often it has tested each pixel.
 
-A text with a list named ``stack`` keeps it itself; one that calls itself has the calls under way for a stack.
-Only the columns that are needed are read, since a picture among the variables makes a whole moment dear.
+``Entry.stack`` names the list that a text keeps; one that calls itself has the calls under way for a stack.
 """
 
 import ast
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from textwrap import dedent
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.engine.columns import MISSING
+from workbench.algorithms.entry import CALLS, Entry
+from workbench.engine.calls import Variables, variables_at
 from workbench.engine.observation import Steps
 from workbench.engine.recording import Recording
 
 Cell = tuple[int, int]
-STACK = "stack"
 
 
-def read(recording: Recording, event: int, names: tuple[str, ...]) -> dict[str, Any] | None:
-    """The values of ``names`` at an event, in the innermost call that has them all; None where none has."""
-    frame = int(recording.frame_column[event])
-    while frame >= 0:
-        text = recording.frame_texts[frame]
-        if set(names) <= set(recording.texts[text].names):
-            columns = recording.columns(recording.frame_depths[frame], text)
-            since = recording.frame_starts[frame]
-            values = {name: columns[name].read(since, 2 * event) for name in names}
-            if all(value is not MISSING for value in values.values()):
-                return values
-        frame = recording.frame_parents[frame]
-    return None
+def stack_at(entry: Entry, recording: Recording, event: int) -> Sequence[Any]:
+    """What is on the stack of a text at an event, its foot first; for one that calls itself, its calls."""
+    if not entry.stack:
+        return ()
+    found: Sequence[Any] = variables_at(recording, event).get(entry.stack, ())
+    return found
 
 
-def keeps_stack(recording: Recording) -> bool:
-    """Whether the text keeps a stack of its own."""
-    return any(STACK in text.names for text in recording.texts)
-
-
-def calls_itself(recording: Recording) -> bool:
-    """Whether the entry's text calls itself."""
-    first = recording.texts[0]
-    return first.name in first.code.co_names and not keeps_stack(recording)
-
-
-def pending(recording: Recording, event: int, spans: bool) -> list[Any]:
-    """The stack at an event, its foot first: pixels (x, y), or with ``spans`` the rows of its own stack.
-
-    For a text that calls itself, the pixels of the calls under way, the first call first.
-    """
-    if keeps_stack(recording):
-        found = read(recording, event, (STACK,))
-        rows = [] if found is None else list(found[STACK])
-        return rows if spans else [(int(row[0]), int(row[1])) for row in rows]
-    cells: list[Cell] = []
-    frame, stamp = int(recording.frame_column[event]), 2 * event
-    while frame >= 0:
-        columns = recording.columns(recording.frame_depths[frame], recording.frame_texts[frame])
-        since = recording.frame_starts[frame]
-        x, y = columns["x"].read(since, stamp), columns["y"].read(since, stamp)
-        if x is not MISSING and y is not MISSING:
-            cells.append((int(x), int(y)))
-        frame = recording.frame_parents[frame]
-    return cells[::-1]
-
-
-def largest(recording: Recording) -> int:
+def largest(entry: Entry, recording: Recording) -> int:
     """The most entries that the stack ever had, or how many calls nested at most; of what is recorded.
 
     A text that keeps a stack changes it on lines of their own, so that their runs tell its size at any time.
     """
-    if not keeps_stack(recording):
+    if entry.stack == CALLS:
         return max(recording.frame_depths[:], default=-1) + 1
-    text = next(text for text in recording.texts if STACK in text.names)
-    source, first = inspect.getsourcelines(text.function)
+    stack = entry.stack
+    source, first = inspect.getsourcelines(entry.function)
     change = np.zeros(first + len(source), np.int64)
     for number, line in enumerate(source, first):
-        pushes = line.strip().startswith((f"{STACK}.append(", f"{STACK} = [("))
-        change[number] = int(pushes) - int(f"{STACK}.pop()" in line)
-    lines = recording.lines[recording.codes == recording.texts.index(text)]
+        pushes = line.strip().startswith((f"{stack}.append(", f"{stack} = [("))
+        change[number] = int(pushes) - int(f"{stack}.pop()" in line)
+    lines = recording.lines[recording.codes == 0]
     return int(np.cumsum(change[lines]).max(initial=0))
 
 
@@ -90,7 +50,6 @@ class Depths:
 
     def __init__(self, steps: Steps) -> None:
         self._steps = steps
-        self._own = keeps_stack(steps.recording)
         self._room = np.zeros(256, np.int64)
         self._known = 0
 
@@ -109,12 +68,7 @@ class Depths:
             event = max(steps.span(number)[1], 0)
             if event >= len(recording):
                 return False
-            if self._own:
-                found = read(recording, event, (STACK,))
-                depth = 0 if found is None else len(found[STACK])
-            else:
-                depth = int(recording.frame_depths[recording.frame_column[event]]) + 1
-            self._room[number] = depth
+            self._room[number] = len(stack_at(steps.entry, recording, event))
             self._known = number + 1
         return self._known <= len(steps)
 
@@ -161,13 +115,10 @@ class PixelTests:
         for event in range(self._looked, last):
             frame = recording.frame_column[event]
             if recording.line_column[event] == headers[recording.frame_texts[frame]]:
-                found = read(recording, event, ("x",))
-                parent = recording.frame_parents[frame]
-                above = recording.columns(recording.frame_depths[parent], recording.frame_texts[parent])
-                y = above["y"].read(recording.frame_starts[parent], 2 * event)
-                if found is not None and y is not MISSING:
-                    self._step.append(self._steps.step_of(event))
-                    self._cells.append((int(found["x"]), int(y)))
+                x = Variables(recording, frame, 2 * event)["x"]
+                y = Variables(recording, recording.frame_parents[frame], 2 * event)["y"]
+                self._step.append(self._steps.step_of(event))
+                self._cells.append((int(x), int(y)))
         self._looked = last
         return last < len(recording)
 

@@ -279,6 +279,7 @@ def _run(tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[An
     try:
         with _tracing(tracer.first):
             for args in calls:
+                recording.begin_call()
                 running = function(*args)
                 if not generator:
                     recording.result = running

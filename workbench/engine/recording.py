@@ -43,7 +43,8 @@ class Recording:
     ``complete`` is set when the run came to its own end, ``truncated`` when the limit on line events stopped
     it, ``error`` when it raised. ``result`` is what a plain function returned. ``steps_before`` steps ran
     before the first event that is recorded, and ``begun_in`` and ``begun_at`` tell in which viewed block and
-    line each of the calls was that were then under way.
+    line each of the calls was that were then under way. ``call_emissions`` and ``call_frames`` are how many
+    emissions and frames there were when each call of the run itself began.
     """
 
     def __init__(self, texts: tuple[Text, ...]) -> None:
@@ -55,6 +56,8 @@ class Recording:
         self.error: Failure | None = None
         self.result: Any = None
         self.steps_before = 0
+        self.call_emissions = array("I")
+        self.call_frames = array("I")
         self.begun_in = array("h")
         self.begun_at = array("I")
         self.line_column = array("I")
@@ -66,6 +69,11 @@ class Recording:
         self.frame_ends = array("I")
         self._columns: dict[tuple[int, int], dict[str, Column]] = {}
         self._arrays: tuple[int, NDArray[np.uint32], NDArray[np.uint32]] | None = None
+
+    def begin_call(self) -> None:
+        """The run calls the entry (once more) with arguments of its own."""
+        self.call_emissions.append(len(self.emitted))
+        self.call_frames.append(len(self.frame_starts))
 
     @property
     def functions(self) -> Mapping[str, Callable[..., Any]]:

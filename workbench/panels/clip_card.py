@@ -126,9 +126,9 @@ class ClipCard(ParameterCard):
         now = tokens()
         counted = tally(self._session.sheet)
         marks: dict[Fate, tuple[str, str, str]] = {
-            "accepted": ("data 3", "━━", _("{n} inside, accepted")),
-            "clipped": ("data 1", "━ ╌", _("{n} clipped")),
-            "rejected": ("data 4", "┈┈", _("{n} outside, rejected")),
+            "accepted": ("data3", "━━", _("{n} inside, accepted")),
+            "clipped": ("data1", "━ ╌", _("{n} clipped")),
+            "rejected": ("data4", "┈┈", _("{n} outside, rejected")),
         }
         lines = [
             f'<span style="color:{ink_of(now, ink)}">{mark}</span>&nbsp; {text.format(n=counted[fate])}'

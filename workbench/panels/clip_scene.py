@@ -2,16 +2,18 @@
 polygon with what is kept of it and what is cut off.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from workbench.algorithms.clipping.cutting import bits
 from workbench.algorithms.clipping.degenerate_edges import degenerate_edges
 from workbench.algorithms.clipping.edges import region_code
+from workbench.algorithms.clipping.window_marks import corners, degenerate_marks
+from workbench.algorithms.marks import closed
 from workbench.document.model import AnyFigure, Circle, Curve, Line, Polygon, Polyline, Sheet
 from workbench.rendering.clipping import Segment, clip_box, clipped_segment, clipper_calls, segments_of
 from workbench.rendering.mapping import Box
@@ -19,9 +21,8 @@ from workbench.rendering.raster import emitted
 from workbench.widgets.canvas_drawing import Drawn, Pattern, Region, Spot, Stroke, Word
 
 Fate = Literal["accepted", "clipped", "rejected"]
-Points = NDArray[np.float64]
 
-INKS: dict[Fate, str] = {"accepted": "data 3", "clipped": "data 1", "rejected": "data 4"}
+INKS: dict[Fate, str] = {"accepted": "data3", "clipped": "data1", "rejected": "data4"}
 PATTERNS: dict[Fate, Pattern] = {"accepted": "solid", "clipped": "dash", "rejected": "dot"}
 MOST_CODED = 12
 
@@ -33,11 +34,6 @@ class Outcome:
     given: tuple[Any, ...]
     fate: Fate
     kept: tuple[tuple[float, ...], ...] = ()
-
-
-def code_text(code: int) -> str:
-    """A region code as the course writes it: top, bottom, right, left."""
-    return f"{code:04b}"
 
 
 def outcomes(sheet: Sheet, figure: AnyFigure) -> list[Outcome]:
@@ -77,21 +73,15 @@ def tally(sheet: Sheet) -> dict[Fate, int]:
     return counted
 
 
-def window_corners(window: Box) -> Points:
-    """The window as a closed polyline (5, 2)."""
-    x0, y0, x1, y1 = window
-    return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)], np.float64)
-
-
 def scene(sheet: Sheet, active: AnyFigure | None, stepping: bool, codes: bool) -> Iterator[Drawn]:
     """Everything but the run: ``stepping`` leaves the active figure to it, ``codes`` labels the regions."""
     window = clip_box(sheet)
     if window is None:
         return
-    yield Region(window_corners(window)[:4], "accent", 22)
+    yield Region(corners(window)[:4], "accent", 22)
     if codes:
         yield from _regions(sheet, window)
-    yield Stroke(window_corners(window), "text", 2.0, haloed=True)
+    yield Stroke(corners(window), "text", 2.0, haloed=True)
     coded = 0
     for figure in sheet.figures:
         if not figure.visible:
@@ -119,7 +109,7 @@ def _regions(sheet: Sheet, window: Box) -> Iterator[Drawn]:
     for (low_x, high_x), (low_y, high_y) in product(columns, rows):
         if high_x - low_x > 1 and high_y - low_y > 1:
             x, y = (low_x + high_x) / 2, low_y + 0.8 * (high_y - low_y)
-            yield Word(code_text(region_code(x, y, *window)), x, y, "muted", strong=True)
+            yield Word(bits(region_code(x, y, *window)), x, y, "muted", strong=True)
 
 
 def end_codes(sheet: Sheet, figure: Line | Polyline, window: Box, carded: bool) -> Iterator[Drawn]:
@@ -129,7 +119,7 @@ def end_codes(sheet: Sheet, figure: Line | Polyline, window: Box, carded: bool) 
         for x, y, other_x, other_y in ((x0, y0, x1, y1), (x1, y1, x0, y0)):
             if (x, y) not in seen:
                 seen.add((x, y))
-                text = code_text(region_code(x, y, *window))
+                text = bits(region_code(x, y, *window))
                 yield Word(text, x, y, "text", 1 if x >= other_x else -1, 1 if y < other_y else -1, carded)
 
 
@@ -160,7 +150,7 @@ def line_marks(outcome: Outcome) -> Iterator[Drawn]:
     yield Stroke(np.array([a, b]), ink, 2.5, haloed=True)
     for end, cut in (((x0, y0), a), ((x1, y1), b)):
         if end != cut:
-            yield Spot(*cut, "data 2", "ring", 7)
+            yield Spot(*cut, "data2", "ring", 7)
 
 
 def _ring_marks(outcome: Outcome, window: Box) -> Iterator[Drawn]:
@@ -173,22 +163,9 @@ def _ring_marks(outcome: Outcome, window: Box) -> Iterator[Drawn]:
         yield from degenerate_marks(outcome.kept, window)
 
 
-def degenerate_marks(polygon: Sequence[Sequence[float]], window: Box) -> Iterator[Drawn]:
-    """What Sutherland-Hodgman leaves of a concave polygon along the window: edges that enclose nothing."""
-    for start, end in degenerate_edges(polygon, window):
-        yield Stroke(np.array([start, end]), "error", 4.0, "dot", haloed=True)
-        for x, y in (start, end):
-            yield Spot(x, y, "error", "square", 6)
-
-
 def degenerate_count(sheet: Sheet, figure: AnyFigure | None) -> int:
     """How many such edges the figure, clipped, has."""
     window = clip_box(sheet)
     if window is None or not isinstance(figure, Polygon):
         return 0
     return sum(len(degenerate_edges(emitted(call).tolist(), window)) for call in clipper_calls(sheet, figure))
-
-
-def closed(ring: Points) -> Points:
-    """A ring (n, 2) with its first corner at the end again."""
-    return np.concatenate([ring, ring[:1]]) if len(ring) else ring.reshape(0, 2)

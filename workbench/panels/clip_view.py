@@ -4,11 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from workbench.algorithms.clipping.cutting import bits
 from workbench.algorithms.clipping.edges import region_code
+from workbench.engine.calls import OwnCall
 from workbench.language import _
 from workbench.panels.clip_card import ClipCard
-from workbench.panels.clip_run import ClipMoment, clip_moment, run_marks
-from workbench.panels.clip_scene import code_text, scene
+from workbench.panels.clip_scene import scene
 from workbench.panels.clip_window import ClipSelectTool, window_handles
 from workbench.panels.figure_compose import Composition, with_band
 from workbench.panels.figure_gesture import HandleDrag, Tool
@@ -36,7 +37,7 @@ class ClipView(FigureView):
         session = self.session
         sheet = session.sheet
         busy = tool.busy or drag.busy
-        made = self._composed(None if busy else self._moment(), tokens())
+        made = self._composed(None if busy else self._own_call(), None, tokens())
         held = drag.held or (tool.side.held if isinstance(tool, ClipSelectTool) else "")
         chosen = set(session.state.selection)
         selected = [figure for figure in sheet.figures if figure.id in chosen]
@@ -49,27 +50,27 @@ class ClipView(FigureView):
         self.canvas.set_overlay(replace(overlay, snap=drawing.snap if drawing else None))
         self.card.refresh(drawing, selected, "")
 
-    def _moment(self, number: int | None = None) -> ClipMoment | None:
-        """Where the run is, or one of its steps; before the first step only while something is asked."""
+    def _own_call(self, number: int | None = None) -> OwnCall | None:
+        """How far the run is, or one of its steps; before the first step only while something is asked."""
         run = self.stepped_run()
         if run is None or (run.number == 0 and not run.waiting and number is None):
             return None
-        return clip_moment(run, number)
+        return run.own_call(number)
 
-    def _composed(self, moment: ClipMoment | None, now: Tokens) -> Composition:
+    def _composed(self, call: OwnCall | None, number: int | None, now: Tokens) -> Composition:
         sheet, active = self.session.sheet, self.session.active_figure
         shown = picture(sheet, now)
-        if moment is not None and active is not None and not moment.ended:
+        if call is not None and active is not None and not call.ended:
             nothing = np.empty((0, 2), np.int64)
             shown = with_faint(shown, sheet, active, nothing, now, hidden=self.session.run.ask_first)
-        drawn = [*scene(sheet, active, moment is not None, self.card.codes.isChecked())]
-        if moment is not None:
-            drawn += run_marks(moment)
+        drawn = [*scene(sheet, active, call is not None, self.card.codes.isChecked())]
+        if call is not None:
+            drawn += self.step_marks(number)
         return Composition(shown, packed(now.canvas), Overlay(drawn=tuple(drawn)))
 
     def on_paper(self, number: int | None = None) -> Composition:
         """What is shown, or one step of the run, in the light theme and without handles."""
-        return self._composed(self._moment(number) if number != 0 else None, LIGHT)
+        return self._composed(self._own_call(number) if number != 0 else None, number, LIGHT)
 
     def describe(self, x: int, y: int) -> str:
         """A cell with its region code, and what painted it."""
@@ -79,4 +80,4 @@ class ClipView(FigureView):
             return said
         code = region_code(x, y, *window)
         where = _("in the window") if code == 0 else _("outside the window")
-        return _("{cell}, code {code}, {where}").format(cell=said, code=code_text(code), where=where)
+        return _("{cell}, code {code}, {where}").format(cell=said, code=bits(code), where=where)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -21,7 +22,7 @@ from workbench.document.model import (
 )
 from workbench.engine.compiled import Stop
 from workbench.engine.counts import counts
-from workbench.engine.pending import calls_itself, keeps_stack, largest
+from workbench.engine.pending import largest
 from workbench.engine.recording import Recording
 from workbench.language import _
 from workbench.rendering.clipping import clipper_calls, clipper_of
@@ -32,7 +33,6 @@ from workbench.rendering.raster import emitted, figure_calls, pixels
 from workbench.widgets.canvas_overlay import compare_classes
 
 Cells = NDArray[np.int64]
-INTERSECTION = "Find the intersection"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,7 +66,9 @@ class Job:
 
 @dataclass(slots=True)
 class Work:
-    """What one side did; ``deepest`` is its largest stack, ``stopped`` says why it is not all."""
+    """What one side did; ``counted`` is what its entry names beside, ``deepest`` is its largest stack, and
+    ``stopped`` says why it is not all.
+    """
 
     title: str
     calls: int = 0
@@ -74,7 +76,7 @@ class Work:
     additions: int = 0
     multiplications: int = 0
     divisions: int = 0
-    intersections: int = 0
+    counted: dict[str, int] = field(default_factory=dict)
     emitted: int = 0
     writes: int | None = None
     before: int | None = None
@@ -153,9 +155,9 @@ def work_of(side: Side, stop: Stop) -> Work:
         work.multiplications += counted.multiplications
         work.divisions += counted.divisions
         work.emitted += counted.emitted
-        work.intersections += sum(
-            times for title, times in counted.block_visits.items() if title.startswith(INTERSECTION)
-        )
+        for label, titles in call.entry.counted.items():
+            visits = (times for title, times in counted.block_visits.items() if title.startswith(titles))
+            work.counted[label] = work.counted.get(label, 0) + sum(visits)
         if call.entry.writes:
             spans = call.entry.emits == "spans"
             written = len(pixels(call.entry, emitted(call))) if spans else counted.writes
@@ -163,24 +165,23 @@ def work_of(side: Side, stop: Stop) -> Work:
     return work
 
 
-def deepest_of(recording: Recording | None) -> str:
+def deepest_of(slug: str, recording: Recording | None) -> str:
     """The largest stack of a recorded run, or how many calls nested; empty for texts without either."""
-    if recording is None:
+    entry = catalogue.get(slug)
+    if recording is None or not entry.stack:
         return ""
-    if not (keeps_stack(recording) or calls_itself(recording)):
-        return ""
-    most = largest(recording)
+    most = largest(entry, recording)
     return str(most) if recording.complete else _("at least {n}").format(n=most)
 
 
 def outcome_of(job: Job, stop: Stop) -> Outcome:
     """Do a job. Raises Stopped."""
     first = work_of(side_of(job, job.first), stop)
-    first.deepest = deepest_of(job.recordings[0])
+    first.deepest = deepest_of(job.first, job.recordings[0])
     if not job.second:
         return Outcome(job, first, None)
     second = work_of(side_of(job, job.second), stop)
-    second.deepest = deepest_of(job.recordings[1])
+    second.deepest = deepest_of(job.second, job.recordings[1])
     sets = [_painted(job, slug) for slug in (job.first, job.second)]
     first.cells, second.cells = sets
     tied = _ties(job)
@@ -220,14 +221,19 @@ def _ties(job: Job) -> Cells | None:
 Row = tuple[str, Any, Any]
 
 
+def _counted(label: str, work: Work) -> int | None:
+    return work.counted.get(label)
+
+
 def table_rows(outcome: Outcome) -> list[Row]:
     """Label and the number of each side; rows in which neither did anything are left out."""
     first, second = outcome.first, outcome.second
     emits = catalogue.get(outcome.job.first).emits
     what = {"segments": _("Lines kept"), "points": _("Points handed on"), "spans": _("Spans")}
     clips = outcome.job.clipping
+    labels = dict.fromkeys(label for work in (first, second) if work is not None for label in work.counted)
     readers: list[tuple[str, Callable[[Work], Any]]] = [
-        (_("Intersections"), lambda work: work.intersections if clips else None),
+        *((_(label), partial(_counted, label)) for label in labels),
         (_("Tests"), lambda work: work.tests),
         (_("Additions"), lambda work: work.additions),
         (_("Multiplications"), lambda work: work.multiplications),
@@ -239,7 +245,7 @@ def table_rows(outcome: Outcome) -> list[Row]:
         (_("Runs"), lambda work: work.calls if work.calls > 1 else None),
     ]
     kept = {_("Tests"), _("Additions"), _("Multiplications"), _("Divisions")}
-    kept |= {_("Intersections")} if clips else set()
+    kept |= {_(label) for label in labels}
     rows: list[Row] = []
     for label, read in readers:
         values = read(first), read(second) if second is not None else None

@@ -54,7 +54,6 @@ from workbench.widgets.number_field import NumberField
 from workbench.widgets.tokens import tokens
 
 _MOST_CHOSEN = 2
-FLATTENING = "flatten_bezier"
 _EDITS: dict[str, Callable[..., Edit]] = {
     "spline": set_spline,
     "beside": set_beside,
@@ -223,7 +222,7 @@ class CurveCard(ParameterCard):
             widget.setVisible(model is not None)
         for widget in (*self.shape.values(), self.joint, self.legend, self.count, self.fault, self.steps):
             widget.setVisible(False)
-        flattened = curve is not None and self._session.state.construction == FLATTENING
+        flattened = curve is not None and "tolerance" in _stepped(curve, self._session.state.construction)
         self.tolerance.setVisible(flattened or self._freehand is not None)
         if self._freehand is not None:
             self.tolerance.set_value(self._freehand.tolerance)
@@ -381,3 +380,8 @@ def countings(curve: Curve) -> str:
         pieces,
     )
     return text.format(points=points, pieces=pieces)
+
+
+def _stepped(curve: Curve, slug: str) -> tuple[str, ...]:
+    """The names of what the stepped text of a curve takes."""
+    return catalogue.get(slug or construction_of(curve)).parameter_names

@@ -123,7 +123,7 @@ class ProbeTool(Tool):
         u, x, y, away = found
         words = _("{away:.3g} px, u = {u:.4g}").format(away=away, u=u)
         return [
-            Stroke(np.array([at, (x, y)]), "data 2", 1.75, "dash", haloed=True),
-            Spot(x, y, "data 2", "dot", 9),
+            Stroke(np.array([at, (x, y)]), "data2", 1.75, "dash", haloed=True),
+            Spot(x, y, "data2", "dot", 9),
             Word(words, x, y, "text", 1, -1, carded=True),
         ]

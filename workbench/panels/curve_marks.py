@@ -62,7 +62,7 @@ def hull(points: Array) -> list[Drawn]:
     if len(corners) < 3:
         return []
     around = np.vstack([corners, corners[:1]])
-    return [Region(corners, "data 3", 28), Stroke(around, "data 3", 1.25, "dash")]
+    return [Region(corners, "data3", 28), Stroke(around, "data3", 1.25, "dash")]
 
 
 def box(pieces: Pieces) -> list[Drawn]:
@@ -101,11 +101,11 @@ def circle(pieces: Pieces, u: float) -> list[Drawn]:
     around = centre + radius * np.column_stack([np.cos(angle), np.sin(angle)])
     cx, cy = centre.tolist()
     return [
-        Stroke(around, "data 5", 1.5, "dash"),
-        Stroke(np.array([(cx, cy), (x, y)]), "data 5", 1.0),
-        Spot(cx, cy, "data 5", "cross", 8),
+        Stroke(around, "data5", 1.5, "dash"),
+        Stroke(np.array([(cx, cy), (x, y)]), "data5", 1.0),
+        Spot(cx, cy, "data5", "cross", 8),
         Word(f"r = {radius:.4g}", cx, cy, "text", 0, -1, carded=True),
-        Spot(x, y, "data 5", "dot", 7),
+        Spot(x, y, "data5", "dot", 7),
     ]
 
 
@@ -116,16 +116,16 @@ def tangent(pieces: Pieces, u: float) -> list[Drawn]:
     # Of a part without meaning beside the other 0 is shown.
     said_x, said_y = (part if abs(part) > 1e-9 * length else 0.0 for part in (dx, dy))
     if length <= 0.0:
-        return [Spot(x, y, "data 2", "cross", 9)]
+        return [Spot(x, y, "data2", "cross", 9)]
     shown = min(length / 3, _FAR) / length
     tip = np.array([x + dx * shown, y + dy * shown])
     along, across = np.array([dx, dy]) / length, np.array([-dy, dx]) / length
     barb = np.array([tip - 1.1 * along + 0.45 * across, tip, tip - 1.1 * along - 0.45 * across])
     angle = math.degrees(math.atan2(dy, dx))
     return [
-        Stroke(np.array([(x, y), tip]), "data 2", 2.0, haloed=True),
-        Stroke(barb, "data 2", 2.0),
-        Spot(x, y, "data 2", "dot", 7),
+        Stroke(np.array([(x, y), tip]), "data2", 2.0, haloed=True),
+        Stroke(barb, "data2", 2.0),
+        Spot(x, y, "data2", "dot", 7),
         Word(f"C′ = ({said_x:.4g}, {said_y:.4g}), {angle:.0f}°", tip[0], tip[1], "text", 1, 1, carded=True),
     ]
 
@@ -136,17 +136,15 @@ def extrema(pieces: Pieces) -> list[Drawn]:
     for _u, axis, point in curves.extrema(pieces)[:MOST_MARKS]:
         x, y = point.tolist()
         half = (0.0, 1.2) if axis == 0 else (1.2, 0.0)
-        drawn.append(
-            Stroke(np.array([(x - half[0], y - half[1]), (x + half[0], y + half[1])]), "data 1", 2.0)
-        )
-        drawn.append(Spot(x, y, "data 1", "square", 6))
+        drawn.append(Stroke(np.array([(x - half[0], y - half[1]), (x + half[0], y + half[1])]), "data1", 2.0))
+        drawn.append(Spot(x, y, "data1", "square", 6))
     return drawn
 
 
 def inflections(pieces: Pieces) -> list[Drawn]:
     """Where the curve changes the side it bends to."""
     at = piece_points(pieces, curves.inflections(pieces)[:MOST_MARKS]).reshape(-1, 2)
-    return [Spot(x, y, "data 4", "ring", 11) for x, y in at.tolist()]
+    return [Spot(x, y, "data4", "ring", 11) for x, y in at.tolist()]
 
 
 def crossings(pieces: Pieces) -> list[Drawn]:
@@ -162,18 +160,18 @@ def crossings(pieces: Pieces) -> list[Drawn]:
     for begin, end in sorted({stretch.u for stretch in stretches}):
         line = piece_points(pieces, np.linspace(begin, end, ALONG))
         x, y = line[ALONG // 2].tolist()
-        drawn.append(Stroke(line, "data 2", 3.0, "dash"))
+        drawn.append(Stroke(line, "data2", 3.0, "dash"))
         drawn.append(Word(_("runs along itself"), x, y, "text", 1, 1, carded=True))
-    return [*drawn, *(Spot(x, y, "data 2", "cross", 11) for x, y in (at.tolist() for _u, _v, at in places))]
+    return [*drawn, *(Spot(x, y, "data2", "cross", 11) for x, y in (at.tolist() for _u, _v, at in places))]
 
 
 def steps_of_u(pieces: Pieces) -> list[Drawn]:
     """Points at equal steps of the parameter."""
     at = piece_points(pieces, np.linspace(pieces.knots[0], pieces.knots[-1], STEPS + 1))
-    return [Spot(x, y, "data 2", "ring", 9) for x, y in at.tolist()]
+    return [Spot(x, y, "data2", "ring", 9) for x, y in at.tolist()]
 
 
 def steps_of_length(pieces: Pieces) -> list[Drawn]:
     """As many points at equal steps of the length."""
     at = piece_points(pieces, curves.equal_lengths(pieces, STEPS + 1))
-    return [Spot(x, y, "data 3", "square", 7) for x, y in at.tolist()]
+    return [Spot(x, y, "data3", "square", 7) for x, y in at.tolist()]

@@ -5,17 +5,17 @@ from workbench.language import _
 from workbench.widgets.canvas_drawing import Pattern
 
 _LOOKS: dict[str, tuple[str, Pattern]] = {
-    "bezier": ("data 2", "solid"),
-    "bezier_path": ("data 2", "dash"),
-    "b_spline": ("data 3", "solid"),
-    "nurbs": ("data 3", "dash"),
-    "hermite": ("data 5", "dash"),
-    "natural_cubic": ("data 4", "solid"),
-    "clamped_cubic": ("data 4", "dash"),
-    "periodic_cubic": ("data 4", "dot"),
-    "cardinal": ("data 6", "dash"),
-    "catmull_rom": ("data 6", "solid"),
-    "kochanek_bartels": ("data 6", "dot"),
+    "bezier": ("data2", "solid"),
+    "bezier_path": ("data2", "dash"),
+    "b_spline": ("data3", "solid"),
+    "nurbs": ("data3", "dash"),
+    "hermite": ("data5", "dash"),
+    "natural_cubic": ("data4", "solid"),
+    "clamped_cubic": ("data4", "dash"),
+    "periodic_cubic": ("data4", "dot"),
+    "cardinal": ("data6", "dash"),
+    "catmull_rom": ("data6", "solid"),
+    "kochanek_bartels": ("data6", "dot"),
 }
 _MARKS: dict[Pattern, str] = {"solid": "\N{BOX DRAWINGS HEAVY HORIZONTAL}" * 2, "dash": "╍╍", "dot": "┅┅"}
 

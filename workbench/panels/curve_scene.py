@@ -1,4 +1,4 @@
-"""What the canvas shows of curves: the smooth curve, its polygon, other kinds, constructions, influence."""
+"""What the canvas shows of curves: the smooth curve, its polygon, other kinds, the place at u, influence."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -7,6 +7,7 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
+from workbench.algorithms import marks
 from workbench.algorithms.curves import Pieces, piece_points, polyline
 from workbench.document.curve_pieces import goes_round, parameter_at, pieces_of
 from workbench.document.model import Curve, Sheet
@@ -18,8 +19,7 @@ from workbench.panels.curve_shape import (
     smooth_line,
     tangent_ends,
 )
-from workbench.rendering.curve_runs import construction_levels
-from workbench.widgets.canvas_drawing import Drawn, Spot, Stroke, Word
+from workbench.widgets.canvas_drawing import Drawn, Stroke, Word
 
 Array = NDArray[np.float64]
 
@@ -28,7 +28,6 @@ MOST_NAMED = 24
 MOST_HANDLES = 60
 # Of more corners neither halo nor dashes can be told apart, and both take time.
 MANY = 400
-_LEVELS = ("data 2", "data 3", "data 4", "data 5", "data 6", "data 1")
 
 
 def others(sheet: Sheet, active: Curve | None) -> list[Drawn]:
@@ -76,7 +75,7 @@ def control_polygon(sheet: Sheet, curve: Curve, numbers: Sequence[int] = ()) -> 
         legs = np.vstack([points, points[:1]]) if goes_round(curve) else points
         drawn.append(Stroke(legs, "muted", 1.0, "dash" if len(legs) < MANY else "solid"))
     for k, end in tangent_ends(sheet, curve).items():
-        drawn.append(Stroke(np.array([points[k], end]), "data 5", 1.25))
+        drawn.append(Stroke(np.array([points[k], end]), "data5", 1.25))
     return drawn
 
 
@@ -115,40 +114,19 @@ def names(sheet: Sheet, curve: Curve) -> list[Drawn]:
     return drawn
 
 
-# Constructions at the parameter u
+# The place at the parameter u
 
 
-def construction(sheet: Sheet, curve: Curve, share: float, reached: int | None = None) -> list[Drawn]:
-    """The legs of every level in a colour of its own, and the point that they lead to.
-
-    Of a run that has come so far only the first ``reached`` points are there, the last of them ringed.
-    """
+def place_at(sheet: Sheet, curve: Curve, share: float) -> list[Drawn]:
+    """The point of the curve at a share of its parameter, which can be dragged, with its name."""
     place = point_at(sheet, curve, share)
     if place is None:
         return []
-    made = construction_levels(sheet, curve, share)
-    drawn: list[Drawn] = []
-    left = reached
-    for r, level in enumerate(made[:-1]):
-        if r == 0:
-            if curve.spline != "bezier":
-                drawn.append(Stroke(level, "text", 1.25, "dot"))
-            continue
-        ink = _LEVELS[(r - 1) % len(_LEVELS)]
-        seen = level if left is None else level[: max(left, 0)]
-        drawn.append(Stroke(seen, ink, 1.75, haloed=True))
-        drawn += [Spot(x, y, ink, "dot", 6) for x, y in seen.tolist()]
-        if left is not None:
-            if 0 < left <= len(level):
-                x, y = level[left - 1].tolist()
-                drawn.append(Spot(x, y, "accent", "ring", 13))
-            left -= len(level)
-    if left is not None and left <= 0:
-        return drawn
-    x, y = place
-    drawn.append(Spot(x, y, "text", "ring", 13))
-    drawn.append(Word(f"C({parameter_at(curve, share):.4g})", x, y, "text", 1, 1, carded=True, strong=True))
-    return drawn
+    name = f"C({parameter_at(curve, share):.4g})"
+    return [
+        marks.Spot(*place, "text", "ring", "large"),
+        Word(name, *place, "text", 1, 1, carded=True, strong=True),
+    ]
 
 
 def point_at(sheet: Sheet, curve: Curve, share: float) -> tuple[float, float] | None:
@@ -195,5 +173,5 @@ def region(sheet: Sheet, curve: Curve, strength: Array) -> list[Stroke]:
         if widths[first] > 0:
             weights = None if pieces.weights is None else pieces.weights[first:end]
             run = Pieces(pieces.knots[first : end + 1], pieces.controls[first:end], weights)
-            drawn.append(Stroke(polyline(run, SMOOTH_PX), "data 5", float(widths[first])))
+            drawn.append(Stroke(polyline(run, SMOOTH_PX), "data5", float(widths[first])))
     return sorted(drawn, key=lambda stroke: stroke.width)

@@ -15,13 +15,13 @@ from workbench.panels.curve_scene import (
     CURVE_INK,
     MANY,
     beside,
-    construction,
     control_polygon,
     curve_line,
     handles_shown,
     influence,
     names,
     others,
+    place_at,
     region,
 )
 from workbench.panels.curve_shape import Array, device_points, tangent_ends
@@ -33,7 +33,10 @@ from workbench.panels.figure_outline import outline
 from workbench.panels.figure_picture import packed, pale_picture, picture
 from workbench.panels.figure_tools import FigureTool
 from workbench.panels.figure_view import FigureView
-from workbench.rendering import device_map
+from workbench.rendering import device_map, emitted
+from workbench.rendering.curve_runs import curve_calls
+from workbench.rendering.marks import on_device
+from workbench.session.variables import same_value
 from workbench.widgets.canvas_drawing import Drawn, Spot, Stroke, data_ink
 from workbench.widgets.canvas_overlay import Cell, GripShape, Handle, Overlay
 from workbench.widgets.pixel_canvas import PixelCanvas
@@ -41,7 +44,6 @@ from workbench.widgets.tokens import LIGHT, tokens
 
 # While something is dragged the pixels may take this long; else they follow when it is let go.
 PIXELS_MS = 2.0
-STEPPED = ("de_casteljau", "de_boor", "de_boor_rational")
 
 
 class CurveView(FigureView):
@@ -137,7 +139,7 @@ class CurveView(FigureView):
             drawn += control_polygon(sheet, curve, self.focus.numbers(curve))
         drawn += moving_part(sheet, curve, parting)
         if "construction" in shown:
-            drawn += construction(sheet, curve, self.focus.u)
+            drawn += self._construction(curve)
         return drawn
 
     def drawn(self, number: int | None = None) -> list[Drawn]:
@@ -156,23 +158,38 @@ class CurveView(FigureView):
         if "names" in shown and self.focus.selected is not None:
             drawn += names(sheet, curve)
         if "construction" in shown:
-            drawn += construction(sheet, curve, self.focus.u, self._reached(number))
+            drawn += self._construction(curve, number)
         drawn += self._probe
         if 0 <= self.focus.hovered < len(curve.points_world):
             x, y = device_points(sheet, curve)[self.focus.hovered].tolist()
             drawn.append(Spot(x, y, data_ink(self.focus.hovered), "ring", 17))
         return drawn
 
-    def _reached(self, number: int | None = None) -> int | None:
-        """How many points of the construction its run has made, now or at a step; None before the first."""
-        run = self.stepped_run()
-        if run is None or run.step is None or run.entry is None or run.entry.slug not in STEPPED:
-            return None
-        if number is not None:
-            return run.steps[number].emitted_to if run.steps is not None and number else 0
-        if run.detail and run.moment is not None:
-            return len(run.moment.emitted)
-        return None if run.number == 0 and not run.ask_first else run.step.emitted_to
+    def _construction(self, curve: Curve, number: int | None = None) -> list[Drawn]:
+        """What the stepped text draws, now or at a step; before the first the whole construction at u.
+
+        While the run waits, as under a drag, its text is drawn as far as it had come, on the curve as it is.
+        """
+        sheet, state, share = self.session.sheet, self.session.state, self.focus.u
+        run = self.stepped_run() if state.stepped == "curve" else None
+        before = run is not None and number is None and not (run.number or run.detail or run.ask_first)
+        reached = None if run is None or before else run.own_call(number)
+        calls = curve_calls(sheet, curve, "" if reached is None else state.construction, share)
+        if not calls:
+            return []
+        ((entry, arguments, _limit),) = calls
+        everything = emitted(calls[0])
+        if reached is None or run is None:
+            marks = entry.marks(arguments, {}, everything, True)
+        elif run.entry is entry and all(map(same_value, arguments, run.arguments)):
+            marks = run.marks(number)
+        else:
+            marks = entry.marks(arguments, {}, everything[: len(reached.emitted)], False)
+        drawn: list[Drawn] = [*on_device(sheet, entry.frame, marks)]
+        arrived = reached is None or len(reached.emitted) == len(everything)
+        if arrived or "u" not in entry.parameter_names:
+            drawn += place_at(sheet, curve, share)
+        return drawn
 
     def _snapped(self) -> Cell | None:
         """The pixel that a dragged point has snapped to."""

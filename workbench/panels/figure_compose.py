@@ -102,9 +102,9 @@ def compose(
     return Composition(
         shown,
         background,
-        replace(overlay, classes=first, drawn=(_name(sheet, active.algorithm, "data 1"),)),
+        replace(overlay, classes=first, drawn=(_name(sheet, active.algorithm, "data1"),)),
         comparison,
-        Overlay(ideal=overlay.ideal, classes=second, drawn=(_name(sheet, compared, "data 2"),)),
+        Overlay(ideal=overlay.ideal, classes=second, drawn=(_name(sheet, compared, "data2"),)),
     )
 
 

@@ -4,6 +4,7 @@ from dataclasses import replace
 from html import escape
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.marks import Mark
 from workbench.document.model import AnyFigure
 from workbench.language import _
 from workbench.panels.figure_card import ParameterCard, kind_title
@@ -21,6 +22,7 @@ from workbench.panels.figure_gesture import HandleDrag, Tool
 from workbench.panels.figure_tools import FigureTool
 from workbench.rendering import painter_of
 from workbench.rendering.compare import Comparison, figure_pixels
+from workbench.rendering.marks import on_device
 from workbench.session.run import Run
 from workbench.session.session import Session
 from workbench.widgets.canvas_overlay import Cell
@@ -31,7 +33,7 @@ from workbench.widgets.tokens import LIGHT, tokens
 class FigureView:
     """Shows a session on canvases and card: ``refresh`` after anything changed.
 
-    A panel may add an algorithm's construction, and show more beside the canvas.
+    A panel may add to what is drawn of the run, and show more beside the canvas.
     """
 
     def __init__(
@@ -67,9 +69,14 @@ class FigureView:
         if not tool.busy and not drag.busy:
             self.show_beside(active, compared, progress)
 
-    def completed(self, made: Composition, progress: Progress | None) -> Composition:
-        """What is shown, with what this panel adds to it."""
-        return made
+    def completed(
+        self, made: Composition, progress: Progress | None, number: int | None = None
+    ) -> Composition:
+        """What is shown, now or at a step, with what is drawn of the run; a panel may add to it."""
+        if progress is None or made.comparison is not None:
+            return made
+        overlay = made.overlay
+        return replace(made, overlay=replace(overlay, drawn=(*overlay.drawn, *self.step_marks(number))))
 
     def show_beside(self, active: AnyFigure | None, compared: str, progress: Progress | None) -> None:
         """Bring what stands beside the canvas up to date; not while something is being drawn."""
@@ -94,6 +101,13 @@ class FigureView:
             made = replace(made, second=painted(follower, len(follower.moment.emitted)))
         return replace(made, hidden=run.ask_first)
 
+    def step_marks(self, number: int | None = None) -> tuple[Mark, ...]:
+        """What the run's algorithm draws at the cursor, or at the end of a step, device coordinates."""
+        run = self.stepped_run()
+        if run is None or run.entry is None:
+            return ()
+        return on_device(self.session.sheet, run.entry.frame, run.marks(number))
+
     def compared(self) -> str:
         """The slug of the second algorithm, when there is one that can draw the active figure."""
         active, slug = self.session.active_figure, self.session.state.compare
@@ -106,7 +120,7 @@ class FigureView:
         progress = self.progress() if number is None or run is None else progress_at(run, number)
         session = self.session
         made = compose(session.sheet, session.active_figure, progress, self.compared(), LIGHT)
-        return self.completed(made, progress) if number is None else made
+        return self.completed(made, progress, number)
 
     def answer(self, cell: Cell) -> bool:
         """*Ask first*: ``cell`` is what the person expects next; False when nothing was asked."""

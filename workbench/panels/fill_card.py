@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QWidget
 
+from workbench.algorithms import catalogue
+from workbench.algorithms.entry import CALLS
 from workbench.document.check import RECURSION_LIMITS
 from workbench.document.edits import set_attributes
 from workbench.document.model import AnyFigure, Polygon, SeedFill
@@ -15,13 +17,11 @@ from workbench.panels.figure_card import ParameterCard
 from workbench.panels.figure_gesture import snapped
 from workbench.panels.figure_picture import themed
 from workbench.panels.figure_tools import FigureTool
-from workbench.panels.fill_tools import FLOOD, SeedTool, seed_problem
+from workbench.panels.fill_tools import SeedTool, seed_problem
 from workbench.rendering import device_map
 from workbench.widgets.number_field import NumberField
 from workbench.widgets.swatches import Swatches
 from workbench.widgets.tokens import tokens
-
-RECURSIVE = "boundary_fill_recursive"
 
 
 class FillCard(ParameterCard):
@@ -86,8 +86,9 @@ class FillCard(ParameterCard):
         if colour is not None:
             self.colours.show_colours(shown, colour, sheet.background)
         kind: SeedFill | SeedTool | None = fills[0] if len(fills) == 1 == len(figures) else seed
-        self.boundary.setVisible(kind is not None and kind.algorithm not in FLOOD)
-        self.limit.setVisible(kind is not None and kind.algorithm == RECURSIVE)
+        entry = None if kind is None else catalogue.get(kind.algorithm)
+        self.boundary.setVisible(entry is not None and "boundary" in entry.parameter_names)
+        self.limit.setVisible(entry is not None and entry.stack == CALLS)
         if kind is not None:
             self.boundary.show_colours(shown, kind.boundary, sheet.background)
             self.limit.set_value(kind.recursion_limit)

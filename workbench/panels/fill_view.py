@@ -7,17 +7,18 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QTimer
 
+from workbench.algorithms.entry import CALLS
 from workbench.document.model import AnyFigure
 from workbench.engine.observation import Steps
-from workbench.engine.pending import Depths, PixelTests, calls_itself
+from workbench.engine.pending import Depths, PixelTests
 from workbench.panels.figure_compose import Composition, Progress
 from workbench.panels.figure_view import FigureView
 from workbench.panels.fill_card import FillCard
-from workbench.panels.fill_scene import Verdict, construction, heat_words, heated, ray, verdict
+from workbench.panels.fill_scene import heat_words, heated
 from workbench.panels.fill_tools import InsideTool
+from workbench.rendering.inside import Verdict, verdict
 from workbench.session.run import Run
 from workbench.session.session import Session
-from workbench.widgets.canvas_overlay import Overlay
 from workbench.widgets.depth_plot import DepthPlot
 from workbench.widgets.pixel_canvas import PixelCanvas
 from workbench.widgets.tokens import tokens
@@ -54,23 +55,24 @@ class FillView(FigureView):
         self._slices.setInterval(_SLICE_MS)
         self._slices.timeout.connect(self._look_on)
 
-    def completed(self, made: Composition, progress: Progress | None) -> Composition:
-        """With the run's construction, the heat map, and the ray of a point that is asked about."""
-        run, sheet = self.stepped_run(), self.session.sheet
-        overlay: Overlay = made.overlay
-        pixels = made.pixels
-        heat = self._heat(run)
-        if heat is not None:
-            pixels = heated(pixels, heat, tokens())
-            if self._cell_px >= _READABLE_PX:
-                overlay = replace(overlay, drawn=heat_words(heat))
-        elif run is not None and progress is not None and made.comparison is None:
-            overlay = replace(overlay, drawn=construction(run, sheet.width_px, self._cell_px))
+    def completed(
+        self, made: Composition, progress: Progress | None, number: int | None = None
+    ) -> Composition:
+        """With the heat map in place of what is drawn of the run, and the ray of a point asked about."""
+        if number is not None:
+            return super().completed(made, progress, number)
+        heat = self._heat(self.stepped_run())
+        if heat is None:
+            made = super().completed(made, progress)
+        else:
+            words = heat_words(heat) if self._cell_px >= _READABLE_PX else ()
+            overlay = replace(made.overlay, drawn=words)
+            made = replace(made, pixels=heated(made.pixels, heat, tokens()), overlay=overlay)
         self.verdict = self._verdict()
         self.fill_card.say_verdict("" if self.verdict is None else self.verdict.sentence)
-        if self.verdict is not None:
-            overlay = replace(overlay, drawn=(*overlay.drawn, *ray(sheet, self.verdict)))
-        return replace(made, pixels=pixels, overlay=overlay)
+        if self.verdict is None:
+            return made
+        return replace(made, overlay=replace(made.overlay, drawn=(*made.overlay.drawn, *self.verdict.marks)))
 
     @property
     def _cell_px(self) -> float:
@@ -100,15 +102,15 @@ class FillView(FigureView):
         if run is None or self._depths is None or recording is None:
             self.plot.show_depths(_NOTHING, False)
             return
-        recursive = calls_itself(recording)
+        recursive = self._steps is not None and self._steps.entry.stack == CALLS
         self.plot.show_depths(self._depths.values, recursive, run.depth_limit if recursive else 0)
         self.plot.show_cursor(run.step_number)
         self.fill_card.say_overflow(run.message if recording.error is not None else "")
 
     def _take(self, run: Run | None) -> None:
-        """Follow another run, or more of the same; only a seed fill has a stack."""
+        """Follow another run, or more of the same; only one with a stack is looked at."""
         steps = None
-        if run is not None and run.entry is not None and run.entry.topic == "seed_fill":
+        if run is not None and run.entry is not None and run.entry.stack:
             steps = run.steps
         if steps is not self._steps:
             self._steps = steps

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.entry import CALLS
 from workbench.document.model import Polygon, Sheet
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering.clipping import visible_rings
@@ -15,6 +16,7 @@ from workbench.rendering.raster import emitted, figure_calls, pixels
 
 Cells = NDArray[np.int64]
 OUTLINE = "bresenham_line"
+_DEEPEST = 1000
 
 
 class OutlineFill(NamedTuple):
@@ -46,7 +48,7 @@ def outline_fill(sheet: Sheet, polygon: Polygon, slug: str) -> OutlineFill:
     x, y = (int(value) for value in free[int(away.argmin())])
     given = {"image": image, "x": x, "y": y, "fill": fill, "boundary": boundary}
     entry = catalogue.get(slug)
-    limit = 1000 if slug == "boundary_fill_recursive" else 0
+    limit = _DEEPEST if entry.stack == CALLS else 0
     return OutlineFill(Call(entry, tuple(given[p.name] for p in entry.parameters), limit), cells)
 
 

@@ -14,9 +14,10 @@ from workbench.document.model import AnyFigure, Polygon, Sheet
 from workbench.engine.compiled import Stop
 from workbench.engine.observation import Step, Steps
 from workbench.engine.pending import PixelTests
-from workbench.engine.recorder import LIMIT, Recorder, record
+from workbench.engine.recorder import LIMIT, Recorder
 from workbench.engine.touches import StepTouch, touches
 from workbench.language import _, ngettext
+from workbench.rendering.inside import verdict
 from workbench.rendering.mapping import Call
 from workbench.rendering.raster import emitted, figure_calls, painter_of, seen_bounds
 
@@ -153,13 +154,9 @@ def nothing_happened(sheet: Sheet, x: int, y: int) -> str:
     said = []
     for figure in sheet.figures:
         if isinstance(figure, Polygon) and figure.visible:
-            calls = figure_calls(sheet, figure)
-            if calls:
-                vertices, ring_ends = calls[0].arguments[:2]
-                entry = catalogue.get("inside_outside")
-                run = record(entry.function, vertices, ring_ends, float(x), float(y), figure.nonzero)
-                words = "".join(part.text for part in Steps(entry, run).told(len(run)))
-                said.append(f"{figure.name or _('Polygon')}: {words}")
+            asked = verdict(sheet, figure, float(x), float(y))
+            if asked is not None:
+                said.append(f"{figure.name or _('Polygon')}: {asked.sentence}")
     if said:
         return "\n".join(said)
     nearest = _distance(sheet, x, y)

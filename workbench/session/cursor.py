@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
+from workbench.algorithms.marks import Mark
+from workbench.engine.calls import OwnCall, own_call
 from workbench.engine.columns import EmittedSoFar
 from workbench.engine.observation import Step
 from workbench.engine.recording import Moment
@@ -161,6 +163,34 @@ class Cursor(RecordedRun):
             return self.steps.told(self._event())
         step = self.step
         return step.sentence if step else ()
+
+    def own_call(self, number: int | None = None) -> OwnCall | None:
+        """How far the text's own call has come, at the cursor or at the end of a step; None where that is
+        not recorded.
+        """
+        recording, steps, event = self.recording, self.steps, self._event()
+        if recording is None or steps is None or event < 0 or (number or 0) > len(steps):
+            return None
+        if number is None and self.detail:
+            count = len(recording.emitted) if self._at_end else recording.emitted_count(event)
+            return own_call(recording, event, event, count, self._at_end)
+        step = steps[self._position if number is None else number]
+        last = max(step.last, 0)
+        over = recording.complete and last == len(recording) - 1
+        return own_call(recording, max(step.first, 0), last, step.emitted_to, over)
+
+    def marks(self, number: int | None = None) -> tuple[Mark, ...]:
+        """What the algorithm draws at the cursor or at the end of a step, in the frame of its arguments."""
+        call = self.own_call(number)
+        if call is None or self.entry is None or self.steps is None:
+            return ()
+        of_block = (
+            self.steps.marks_told(self._event())
+            if number is None and self.detail and not self._at_end
+            else self.steps[self.step_number if number is None else number].marks
+        )
+        own = self.entry.marks(self.calls[call.number], call.variables, call.emitted, call.ended)
+        return (*own, *of_block)
 
     @property
     def variables(self) -> dict[str, Any]:

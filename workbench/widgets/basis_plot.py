@@ -59,7 +59,7 @@ class BasisPlot(QWidget):
 
     def set_functions(self, us: Array, values: Array, names: Sequence[str], inks: Sequence[str] = ()) -> None:
         """Plot functions: ``us`` (m,) ascending, ``values`` (m, n), n names such as "N_{3}", and names of
-        colours of the theme ("data 1" to "data 6" in turn when left out). Empty arrays show the empty state.
+        colours of the theme ("data1" to "data6" in turn when left out). Empty arrays show the empty state.
         """
         self.curves.set_functions(us, values, names, inks)
         self._fit()

@@ -1,7 +1,7 @@
-"""What an algorithm's construction looks like on a canvas: strokes, areas, spots and words, as values.
+"""What is drawn on a canvas over its cells: strokes, areas, spots and words with their sizes, as values.
 
 Everything is in device coordinates; ``ink`` names a colour of the theme: "text", "accent", "muted", "error",
-or "data 1" to "data 6". A pattern or a shape stands beside every colour.
+or "data1" to "data6". A pattern or a shape stands beside every colour.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 
+from workbench.algorithms.marks import Mark
 from workbench.widgets.canvas_lines import on_screen, paint_lines
 from workbench.widgets.polygons import polygon
 from workbench.widgets.tokens import Tokens, colour
@@ -84,22 +85,24 @@ class Word:
     strong: bool = False
 
 
-Drawn = Stroke | Region | Spot | Word
+Sized = Stroke | Region | Spot | Word
+Drawn = Sized | Mark
+"""What a canvas is given: these, or marks of a step, whose sizes it chooses."""
 
 
 def ink_of(tokens: Tokens, name: str) -> str:
     """The colour that a name of an ink stands for."""
-    if name.startswith("data "):
-        return tokens.data[int(name[5:]) - 1]
+    if name.startswith("data"):
+        return tokens.data[int(name[4:]) - 1]
     return str(getattr(tokens, name))
 
 
 def data_ink(number: int) -> str:
     """The data colours in turn."""
-    return f"data {number % DATA_INKS + 1}"
+    return f"data{number % DATA_INKS + 1}"
 
 
-def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Drawn, ...]) -> None:
+def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Sized, ...]) -> None:
     """Paint them in the order given."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
     for _style, alike in groupby(drawn, _style_of):
@@ -120,7 +123,7 @@ def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Drawn, ...]) -> No
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
 
 
-def _style_of(drawn: Drawn) -> object:
+def _style_of(drawn: Sized) -> object:
     """Strokes of one style that follow one another are painted at once; a halo is for one alone."""
     if isinstance(drawn, Stroke) and not drawn.haloed:
         return drawn.ink, drawn.width, drawn.pattern

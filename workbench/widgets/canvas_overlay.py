@@ -48,7 +48,8 @@ class Overlay:
     compares two algorithms: 0 neither, ONLY_FIRST, ONLY_SECOND, BOTH, and TIE_FIRST, TIE_SECOND where the
     ideal curve passes exactly half way. ``ideal`` are open polylines, each (n, 2), thin in muted;
     ``outlined`` the same in accent for what is selected. ``snap`` is the cell the pointer has snapped to.
-    ``drawn`` is an algorithm's construction, under the marks and over the picture; ``still`` lies under it.
+    ``drawn`` lies under these and over the picture: the marks of a step, and what a panel draws of figures;
+    ``still`` lies under it.
     """
 
     candidates: tuple[Cell, ...] = ()

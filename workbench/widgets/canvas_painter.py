@@ -12,6 +12,7 @@ from workbench.widgets.canvas_lines import paint_lines
 from workbench.widgets.canvas_marks import paint_handles, paint_marks
 from workbench.widgets.canvas_overlay import BOTH, ONLY_FIRST, ONLY_SECOND, TIE_FIRST, TIE_SECOND, Overlay
 from workbench.widgets.canvas_view import Area, CanvasView, label_step
+from workbench.widgets.mark_styles import sized
 from workbench.widgets.tokens import Tokens, colour
 
 GRID_FROM, GAP_FROM = 6, 8
@@ -113,7 +114,7 @@ def paint_over(painter: QPainter, scene: Scene) -> None:
     painter.save()
     painter.setClipRect(QRect(area.left, area.top, area.width, area.height))
     _paint_curves(painter, scene)
-    drawn = scene.overlay.drawn
+    drawn = tuple(sized(each, scene.view.cell / scene.unit) for each in scene.overlay.drawn)
     words = tuple(each for each in drawn if isinstance(each, Word))
     paint_drawn(painter, scene, tuple(each for each in drawn if not isinstance(each, Word)))
     paint_marks(painter, scene)

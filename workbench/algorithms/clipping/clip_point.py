@@ -3,11 +3,15 @@
 inside      whether the point passes all four
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from numpy.typing import NDArray
 
 from workbench.algorithms.clipping.cutting import pixels
 from workbench.algorithms.clipping.window import POINT, WINDOW
 from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.marks import Mark, Spot
 
 
 def clip_point(
@@ -33,6 +37,14 @@ _ROW = (
     "('yes' if xmin <= x else 'no', 'yes' if x <= xmax else 'no', 'yes' if ymin <= y else 'no', "
     "'yes' if y <= ymax else 'no', {verdict!r})"
 )
+
+
+def marks(
+    arguments: tuple[Any, ...], _now: Mapping[str, Any], _emitted: NDArray[Any], _ended: bool
+) -> Iterator[Mark]:
+    """The point."""
+    yield Spot(float(arguments[0]), float(arguments[1]), "accent", "ring", "large")
+
 
 ENTRY = Entry(
     function=clip_point,
@@ -78,4 +90,5 @@ ENTRY = Entry(
     laws=("A point in the window or on its edge is kept as it is, any other is left out.",),
     labs=("Clipping: points",),
     next_rung="cohen_sutherland",
+    marks=marks,
 )

@@ -9,8 +9,10 @@ k                   number of the step, from 0
 
 from collections.abc import Iterator
 
+from workbench.algorithms.clipping.cohen_sutherland_marks import marks
 from workbench.algorithms.clipping.cutting import (
     INTERSECTION_VIEWS,
+    INTERSECTIONS,
     bits,
     crossings,
     edge_name,
@@ -18,7 +20,7 @@ from workbench.algorithms.clipping.cutting import (
     pixels,
 )
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP, between, intersection, region_code
-from workbench.algorithms.clipping.window import LINE, WINDOW
+from workbench.algorithms.clipping.window import LINE, LINE_LAWS, NO_LINE_LAW, WINDOW
 from workbench.algorithms.entry import Entry, View
 
 
@@ -131,18 +133,17 @@ ENTRY = Entry(
         *INTERSECTION_VIEWS,
     ),
     laws=(
-        "What is emitted lies in the window, to the last digit, and on the line, to a relative 1e-9.",
-        "The ends keep their order; an end inside the window stays as it is.",
+        *LINE_LAWS,
         "Four intersections are reckoned at most, and none for a line that is accepted or rejected at once.",
         "Clipped again, the line stays as it is.",
-        "Of lines and windows of whole numbers nothing visible is lost, not even the touch of a corner.",
         "Mirrored left to right or top to bottom, line and window give the mirrored line, to the last digit.",
     ),
     not_laws=(
-        "A line that passes a corner of the window by less than a rounding is told rightly: it may be lost, "
-        "or found though it misses.",
+        NO_LINE_LAW,
         "Only intersections on the window are reckoned: some lie on an edge's extension and are cut again.",
     ),
     labs=("Clipping: Cohen-Sutherland",),
     next_rung="liang_barsky",
+    marks=marks,
+    counted=INTERSECTIONS,
 )

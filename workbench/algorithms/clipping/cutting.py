@@ -63,6 +63,9 @@ def output(points: Sequence[Point]) -> object:
     return points[0] if len(points) == 1 else tuple(points) or ""
 
 
+INTERSECTIONS = {"Intersections": ("Find the intersection",)}
+
+
 def _intersection_view(when: str, given: str, found: str) -> View:
     """The arithmetic of ``intersection``: ``found`` where ``given`` is that of the edge."""
     return View(

@@ -9,9 +9,10 @@ k           number of the edge: 1 left, 2 right, 3 bottom, 4 top
 
 from collections.abc import Iterator
 
-from workbench.algorithms.clipping.cutting import edge_symbol, pixels
+from workbench.algorithms.clipping.cutting import INTERSECTIONS, edge_symbol, pixels
 from workbench.algorithms.clipping.edges import between
-from workbench.algorithms.clipping.window import LINE, WINDOW
+from workbench.algorithms.clipping.liang_barsky_marks import marks
+from workbench.algorithms.clipping.window import LINE, LINE_LAWS, NO_LINE_LAW, WINDOW
 from workbench.algorithms.entry import Entry, View
 
 
@@ -133,18 +134,17 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "What is emitted lies in the window, to the last digit, and on the line, to a relative 1e-9.",
-        "The ends keep their order; an end inside the window stays as it is.",
+        *LINE_LAWS,
         "Four divisions at most, and two intersections, both of them ends of what is visible.",
         "Clipped again, the line stays as it is; mirrored or with x and y changed over, so is what is left.",
-        "Of lines and windows of whole numbers nothing visible is lost, not even the touch of a corner.",
         "It finds what Cohen-Sutherland finds, to a relative 1e-9, but along an edge a rounding away.",
     ),
     not_laws=(
-        "A line that passes a corner of the window by less than a rounding is told rightly: it may be lost, "
-        "or found though it misses.",
+        NO_LINE_LAW,
         "An end that was cut off lies on the window's edge to the last digit.",
     ),
     labs=("Clipping: Liang-Barsky",),
     next_rung="sutherland_hodgman",
+    marks=marks,
+    counted=INTERSECTIONS,
 )

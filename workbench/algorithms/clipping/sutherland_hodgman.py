@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.clipping.cutting import (
     INTERSECTION_VIEWS,
+    INTERSECTIONS,
     edge_name,
     edge_symbol,
     met,
@@ -23,6 +24,7 @@ from workbench.algorithms.clipping.cutting import (
     pixels,
 )
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP, intersection, region_code
+from workbench.algorithms.clipping.sutherland_hodgman_marks import marks
 from workbench.algorithms.clipping.window import WINDOW
 from workbench.algorithms.entry import Entry, Parameter, View
 
@@ -136,4 +138,6 @@ ENTRY = Entry(
         "by edges that run back over each other along the window's boundary.",
     ),
     labs=("Clipping: Sutherland-Hodgman",),
+    marks=marks,
+    counted=INTERSECTIONS,
 )

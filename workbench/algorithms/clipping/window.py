@@ -1,4 +1,5 @@
-"""The window that is clipped to, and the line of the course's example, as the clipping texts take them.
+"""The window that is clipped to, and the line of the course's example, as the clipping texts take them; and
+what holds of every text that clips lines.
 
 A point on the window's edge is inside. A window without area, a polygon of fewer than three points and
 numbers that are not finite are refused before they come here, by the document's check; the command line
@@ -27,4 +28,14 @@ LINE = (
 POINT = (
     Parameter("x", "x", "float", 12.0, _LOW, _HIGH, "px", "column of the point"),
     Parameter("y", "y", "float", 20.0, _LOW, _HIGH, "px", "row of the point"),
+)
+
+LINE_LAWS = (
+    "What is emitted lies in the window, to the last digit, and on the line, to a relative 1e-9.",
+    "The ends keep their order; an end inside the window stays as it is.",
+    "Of lines and windows of whole numbers nothing visible is lost, not even the touch of a corner.",
+)
+NO_LINE_LAW = (
+    "A line that passes a corner of the window by less than a rounding is told rightly: it may be lost, "
+    "or found though it misses."
 )

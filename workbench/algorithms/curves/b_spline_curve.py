@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.curves.chain_marks import chain_marks
 from workbench.algorithms.curves.parameters import B_SPLINE
 from workbench.algorithms.curves.refusals import refuse_b_spline
 from workbench.algorithms.curves.span_polynomial import span_polynomial
@@ -102,4 +103,5 @@ ENTRY = Entry(
     labs=("Curves: B-spline",),
     next_rung="flatten_bezier",
     count="samples",
+    marks=chain_marks,
 )

@@ -17,6 +17,7 @@ from workbench.algorithms.curves.knot_views import IN_SPAN, KNOT_TABLES, NEXT_SP
 from workbench.algorithms.curves.parameters import B_SPLINE, B_SPLINE_U
 from workbench.algorithms.curves.refusals import refuse_b_spline, refuse_parameter
 from workbench.algorithms.curves.triangle import level_rows
+from workbench.algorithms.curves.triangle_marks import b_spline_marks, leg_marks
 from workbench.algorithms.entry import Entry, View
 
 
@@ -66,6 +67,7 @@ def de_boor(
 
 _LEG = "Divide a leg"
 _ROW = "(r, i, alpha, (x0, y0), (x1, y1), (x, y))"
+_MARKS = "leg_marks((x0, y0), (x1, y1), (x, y), r == degree)"
 _TABLES = {
     "Triangle": ("level_rows(triangle, degree + 1)", ("r", "points")),
     **KNOT_TABLES,
@@ -80,7 +82,7 @@ ENTRY = Entry(
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 10-9",
     columns=("r", "i", "α", "d_{i-1}^{r-1}", "d_i^{r-1}", "d_i^r"),
-    view_functions=(level_rows, basis_rows, knot_rows),
+    view_functions=(level_rows, leg_marks, basis_rows, knot_rows),
     views=(
         View(
             block="Check the knots",
@@ -93,6 +95,7 @@ ENTRY = Entry(
             block=_LEG,
             when="r == degree",
             row=_ROW,
+            marks=_MARKS,
             tables=_TABLES,
             sentence="α = {alpha}: (1 − α) {(x0, y0)} + α {(x1, y1)} = {(x, y)}. One point is left, and "
             "it is on the curve.",
@@ -100,6 +103,7 @@ ENTRY = Entry(
         View(
             block=_LEG,
             row=_ROW,
+            marks=_MARKS,
             tables=_TABLES,
             sentence="α = ({u} − {left}) / ({right} − {left}) = {alpha}: "
             "(1 − α) {(x0, y0)} + α {(x1, y1)} = {(x, y)}.",
@@ -117,4 +121,5 @@ ENTRY = Entry(
     questions=(8,),
     labs=("Curves: B-spline",),
     next_rung="de_boor_rational",
+    marks=b_spline_marks,
 )

@@ -20,6 +20,7 @@ from workbench.algorithms.curves.knot_views import IN_SPAN, KNOT_TABLES, NEXT_SP
 from workbench.algorithms.curves.parameters import B_SPLINE, B_SPLINE_U, WEIGHTS
 from workbench.algorithms.curves.refusals import refuse_b_spline, refuse_parameter, refuse_weights
 from workbench.algorithms.curves.triangle import level_rows, weight_rows
+from workbench.algorithms.curves.triangle_marks import b_spline_marks, leg_marks
 from workbench.algorithms.entry import Entry, View
 
 
@@ -92,13 +93,14 @@ ENTRY = Entry(
     emits="points",
     source="Piegl and Tiller, The NURBS Book, section 4.2",
     columns=("r", "i", "α", "w_{i-1}^{r-1}", "w_i^{r-1}", "w_i^r", "share", "d_i^r"),
-    view_functions=(level_rows, weight_rows, basis_rows, knot_rows),
+    view_functions=(level_rows, leg_marks, weight_rows, basis_rows, knot_rows),
     views=(
         NEXT_SPAN,
         View(block="Begin with the control points that matter", tables=_TABLES, sentence=IN_SPAN),
         View(
             block=_LEG,
             row=_ROW,
+            marks="leg_marks((x0, y0), (x1, y1), (x, y), r == degree)",
             tables=_TABLES,
             sentence="α = {alpha}, so the weight is (1 − α) {w0} + α {w1} = {w}; the leg is divided at "
             "α {w1} / {w} = {share}: {(x, y)}.",
@@ -113,4 +115,5 @@ ENTRY = Entry(
     ),
     questions=(8,),
     labs=("Curves: B-spline",),
+    marks=b_spline_marks,
 )

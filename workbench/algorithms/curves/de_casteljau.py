@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.curves.parameters import BEZIER_POINTS, U
 from workbench.algorithms.curves.refusals import refuse_bezier
 from workbench.algorithms.curves.triangle import level_rows
+from workbench.algorithms.curves.triangle_marks import bezier_marks, leg_marks
 from workbench.algorithms.entry import Entry, View
 
 
@@ -47,6 +48,7 @@ def de_casteljau(points: NDArray[Any], u: float) -> Iterator[tuple[float, float]
 
 _LEG = "Divide a leg"
 _ROW = "(r, i, (x0, y0), (x1, y1), (x, y))"
+_MARKS = "leg_marks((x0, y0), (x1, y1), (x, y), r == n)"
 _TABLES = {"Triangle": ("level_rows(triangle, n + 1)", ("r", "points"))}
 
 ENTRY = Entry(
@@ -58,7 +60,7 @@ ENTRY = Entry(
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 10-8",
     columns=("r", "i", "P_i^{r-1}", "P_{i+1}^{r-1}", "P_i^r"),
-    view_functions=(level_rows,),
+    view_functions=(level_rows, leg_marks),
     views=(
         View(
             block="Begin with the control points",
@@ -69,6 +71,7 @@ ENTRY = Entry(
             block=_LEG,
             when="r == n",
             row=_ROW,
+            marks=_MARKS,
             tables=_TABLES,
             sentence="(1 − u) {(x0, y0)} + u {(x1, y1)} = {(x, y)}: one point is left, and it is on the "
             "curve; the last leg is its tangent.",
@@ -76,6 +79,7 @@ ENTRY = Entry(
         View(
             block=_LEG,
             row=_ROW,
+            marks=_MARKS,
             tables=_TABLES,
             sentence="Level {r}, point {i}: (1 − u) {(x0, y0)} + u {(x1, y1)} = {(x, y)}, with u = {u}.",
         ),
@@ -90,4 +94,5 @@ ENTRY = Entry(
     questions=(8,),
     labs=("Curves: Bézier",),
     next_rung="de_boor",
+    marks=bezier_marks,
 )

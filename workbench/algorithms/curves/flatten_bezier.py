@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.parameters import BEZIER_POINTS
+from workbench.algorithms.curves.chain_marks import flattening_marks
+from workbench.algorithms.curves.parameters import BEZIER_POINTS, TOLERANCE
 from workbench.algorithms.curves.refusals import refuse_bezier
 from workbench.algorithms.curves.waiting_pieces import chord, waiting_rows
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, View
 
 # A piece is 2^-20 of the curve then, and as near to its chord as rounding lets it be
 DEEPEST = 20
@@ -106,10 +107,7 @@ ENTRY = Entry(
     topic="curves",
     title="Bézier curve, flattened",
     summary="Divides the curve in the middle until each piece is nearer to its chord than the tolerance.",
-    parameters=(
-        BEZIER_POINTS,
-        Parameter("tolerance", "tolerance", "float", 0.05, low=1e-9, meaning="how far the chain may be off"),
-    ),
+    parameters=(BEZIER_POINTS, TOLERANCE),
     emits="points",
     source="Lane and Riesenfeld, 1980; Hearn and Baker, Computer Graphics, C Version, section 10-15",
     columns=("piece", "divided", "from", "to", "distance", "flat"),
@@ -147,4 +145,5 @@ ENTRY = Entry(
     ),
     questions=(8,),
     labs=("Curves: Bézier",),
+    marks=flattening_marks,
 )

@@ -12,6 +12,9 @@ BEZIER_POINTS = Parameter(
     meaning="the control points",
 )
 U = Parameter("u", "u", "float", 0.5, low=0, high=1, meaning="where on the curve, from 0 to 1")
+TOLERANCE = Parameter(
+    "tolerance", "tolerance", "float", 0.05, low=1e-9, meaning="how far the chain may be off"
+)
 B_SPLINE = (
     Parameter(
         "points",

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Parameter
 from workbench.algorithms.polygons.parameters import NONZERO, POLYGON
+from workbench.algorithms.polygons.ray_marks import marks
 from workbench.algorithms.polygons.ray_views import COLUMNS, VIEWS, end_points, nearest_pixel
 from workbench.geometry.orientation import side_of
 
@@ -92,4 +93,5 @@ ENTRY = Entry(
     questions=(3,),
     labs=("Polygon fill",),
     next_rung="scan_line_fill",
+    marks=marks,
 )

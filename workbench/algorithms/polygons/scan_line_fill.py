@@ -29,6 +29,7 @@ from workbench.algorithms.polygons.active_edges import (
 )
 from workbench.algorithms.polygons.edges import NUDGE, SLACK, all_whole, edge_table
 from workbench.algorithms.polygons.parameters import CLOSED, NONZERO, POLYGON
+from workbench.algorithms.polygons.scan_line_marks import marks
 from workbench.algorithms.polygons.scan_line_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
 
 FAR_LEFT = -(1 << 40)
@@ -122,4 +123,5 @@ ENTRY = Entry(
     questions=(3,),
     labs=("Polygon fill",),
     next_rung="circle_fill",
+    marks=marks,
 )

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.seed_fill.example import BOUNDED
 from workbench.algorithms.seed_fill.stack_views import BOUNDARY_VIEWS, COLUMNS
+from workbench.algorithms.seed_fill.waiting_marks import stack_marks
 
 
 def boundary_fill_4(
@@ -80,4 +81,6 @@ ENTRY = Entry(
     labs=("Boundary fill",),
     next_rung="boundary_fill_8",
     writes="image",
+    marks=stack_marks,
+    stack="stack",
 )

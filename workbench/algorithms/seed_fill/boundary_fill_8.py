@@ -14,6 +14,7 @@ from workbench.algorithms.entry import Entry
 from workbench.algorithms.seed_fill.example import BOUNDED
 from workbench.algorithms.seed_fill.neighbours import EIGHT_STEPS
 from workbench.algorithms.seed_fill.stack_views import BOUNDARY_VIEWS, COLUMNS
+from workbench.algorithms.seed_fill.waiting_marks import stack_marks
 
 
 def boundary_fill_8(
@@ -82,4 +83,6 @@ ENTRY = Entry(
     labs=("Boundary fill",),
     next_rung="flood_fill_4",
     writes="image",
+    marks=stack_marks,
+    stack="stack",
 )

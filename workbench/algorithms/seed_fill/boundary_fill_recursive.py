@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.entry import CALLS, Entry, View
 from workbench.algorithms.seed_fill.example import BOUNDED
+from workbench.algorithms.seed_fill.waiting_marks import call_marks
 
 
 def boundary_fill_recursive(
@@ -97,6 +98,8 @@ ENTRY = Entry(
     labs=("Boundary fill",),
     next_rung="boundary_fill_4",
     writes="image",
+    marks=call_marks,
+    stack=CALLS,
     compiles="It calls itself once for each pixel on its way: compiled, a large area would end the program "
     "instead of showing the overflow, so it is stepped only.",
 )

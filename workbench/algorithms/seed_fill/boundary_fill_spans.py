@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.seed_fill.example import BOUNDED
 from workbench.algorithms.seed_fill.span_views import COLUMNS, VIEWS, tested_pixels
+from workbench.algorithms.seed_fill.waiting_marks import span_marks
 
 
 def run_left(row: NDArray[Any], x: int, fill: int, boundary: int) -> int:
@@ -102,4 +103,6 @@ ENTRY = Entry(
     questions=(3,),
     labs=("Boundary fill",),
     writes="image",
+    marks=span_marks,
+    stack="stack",
 )

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.seed_fill.example import FLOOD
 from workbench.algorithms.seed_fill.stack_views import COLUMNS, FLOOD_VIEWS
+from workbench.algorithms.seed_fill.waiting_marks import stack_marks
 
 
 def flood_fill_4(image: NDArray[Any], x: int, y: int, fill: int) -> Iterator[tuple[int, int]]:
@@ -77,4 +78,6 @@ ENTRY = Entry(
     labs=("Flood fill",),
     next_rung="flood_fill_8",
     writes="image",
+    marks=stack_marks,
+    stack="stack",
 )

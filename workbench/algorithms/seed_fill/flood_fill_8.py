@@ -15,6 +15,7 @@ from workbench.algorithms.entry import Entry
 from workbench.algorithms.seed_fill.example import FLOOD
 from workbench.algorithms.seed_fill.neighbours import EIGHT_STEPS
 from workbench.algorithms.seed_fill.stack_views import COLUMNS, FLOOD_VIEWS
+from workbench.algorithms.seed_fill.waiting_marks import stack_marks
 
 
 def flood_fill_8(image: NDArray[Any], x: int, y: int, fill: int) -> Iterator[tuple[int, int]]:
@@ -78,4 +79,6 @@ ENTRY = Entry(
     labs=("Flood fill",),
     next_rung="boundary_fill_spans",
     writes="image",
+    marks=stack_marks,
+    stack="stack",
 )

@@ -1,0 +1,36 @@
+"""What is drawn of the scan-line fill: the row, where edges cross it, and what is filled of it."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from numpy.typing import NDArray
+
+from workbench.algorithms.marks import MOST_SPOTS, MOST_WORDS, Mark, Ray, Spot, Stroke, Word, along
+from workbench.algorithms.polygons.edges import Edge
+
+_CLOSE = 1.5
+
+
+def row_crossings(edges: Sequence[Edge], row: int) -> list[float]:
+    """Where the edges on a row cross it, from left to right; those along it do not."""
+    on_row = (edge for edge in edges if edge.y_start <= row <= edge.y_end and edge.slope < math.inf)
+    return sorted(edge.x + (row - edge.y_start) * edge.slope for edge in on_row)
+
+
+def marks(
+    _arguments: tuple[Any, ...], now: Mapping[str, Any], emitted: NDArray[Any], _ended: bool
+) -> Iterator[Mark]:
+    """The scan line, its spans so far, its crossings with their x."""
+    if "row" not in now:
+        return
+    row = now["row"]
+    crossings = row_crossings(now["edges"], row)
+    yield Ray(0.0, float(row), 1.0, 0.0, "accent", "thin", "dash", both_ways=True)
+    for y, left, right in emitted[emitted[:, 0] == row].tolist() if len(emitted) else ():
+        yield Stroke(along((left, y), (right, y)), "accent", "bold")
+    for number, x in enumerate(crossings[:MOST_SPOTS]):
+        yield Spot(x, float(row), "data2", "ring")
+        if len(crossings) <= MOST_WORDS:
+            close = any(0.0 < x - other < _CLOSE for other in crossings[:number])
+            yield Word(f"{x:.4g}", x, float(row), "text", 0, -1 if close else 1, carded=True)
