@@ -6,8 +6,8 @@ inside      whether the point passes all four
 from collections.abc import Iterator
 
 from workbench.algorithms.clipping.cutting import pixels
-from workbench.algorithms.clipping.window import POINT, WINDOW
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.clipping.window import POINT, WINDOW, point_and_window
+from workbench.algorithms.entry import Entry, Law, View
 
 
 def clip_point(
@@ -40,6 +40,7 @@ ENTRY = Entry(
     title="Point clipping",
     summary="Four comparisons tell whether a point lies in the window.",
     parameters=(*POINT, *WINDOW),
+    arguments=point_and_window,
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-6",
     columns=("x_{min} ≤ x", "x ≤ x_{max}", "y_{min} ≤ y", "y ≤ y_{max}", "point"),
@@ -75,7 +76,12 @@ ENTRY = Entry(
             sentence="y = {y} is not between {ymin} and {ymax}: leave the point out.",
         ),
     ),
-    laws=("A point in the window or on its edge is kept as it is, any other is left out.",),
+    laws=(
+        Law(
+            "A point in the window or on its edge is kept as it is, any other is left out.",
+            "clipping/test_lines.py::test_a_point_is_kept_where_it_lies_in_the_window",
+        ),
+    ),
     labs=("Clipping: points",),
     next_rung="cohen_sutherland",
 )

@@ -8,7 +8,7 @@ along, across   share of the energy that this place gets in each direction
 import math
 from collections.abc import Iterator
 
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, Law, Parameter, View
 
 
 def beam_spot(
@@ -81,10 +81,24 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "The pixels together get the energy sent, but for 4 exp(-2 pi^2 sigma^2) + 1.3e-4 of it.",
-        "A stroke drawn in two parts, or backwards, leaves the same.",
-        "A stroke without length is a round spot.",
+        Law(
+            "The pixels together get the energy sent, but for 4 exp(-2 pi^2 sigma^2) + 1.3e-4 of it.",
+            "scanning/test_beam_spot.py::test_the_pixels_together_get_the_energy_sent",
+        ),
+        Law(
+            "A stroke drawn in two parts leaves the same, to 1e-4 of the energy in each pixel.",
+            "scanning/test_beam_spot.py::test_a_stroke_in_two_parts_leaves_the_same",
+        ),
+        Law(
+            "A stroke drawn backwards leaves the same.",
+            "scanning/test_beam_spot.py::test_a_stroke_backwards_leaves_the_same",
+        ),
+        Law(
+            "A stroke without length is a round spot.",
+            "scanning/test_beam_spot.py::test_a_stroke_without_length_is_a_round_spot",
+        ),
     ),
+    questions=(6,),
     labs=("Beam, spot and focus",),
     next_rung="phosphor_decay",
 )
