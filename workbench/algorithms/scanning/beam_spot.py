@@ -7,6 +7,7 @@ along, across   share of the energy that this place gets in each direction
 
 import math
 from collections.abc import Iterator
+from random import Random
 
 from workbench.algorithms.entry import Entry, Law, Parameter, View
 
@@ -50,6 +51,16 @@ def beam_spot(
             yield x, y, energy * along * across
 
 
+
+def _stroke(chance: Random) -> tuple[float, ...]:
+    """A short stroke of a small spot; one in three has no length or next to none."""
+    x0, y0 = chance.randint(-9, 9) / 2, chance.uniform(-4.0, 4.0)
+    x1, y1 = x0 + chance.uniform(-4.0, 4.0), y0 + chance.randint(-9, 9) / 2
+    if chance.randint(0, 2) == 0:
+        x1, y1 = x0 + chance.choice((0.0, 1e-9, 1e-3)), y0
+    return x0, y0, x1, y1, chance.choice((0.0, 1.0, chance.uniform(0.0, 60.0))), chance.uniform(0.6, 1.5)
+
+
 ENTRY = Entry(
     function=beam_spot,
     topic="scanning",
@@ -63,6 +74,7 @@ ENTRY = Entry(
         Parameter("energy", "Q", "float", 1.0, 0.0, 1e9, "", "energy sent: power times time"),
         Parameter("sigma", "sigma", "float", 1.0, 0.6, 8.0, "px", "standard deviation of the spot"),
     ),
+    arguments=_stroke,
     emits="coverage",
     source="A Gaussian spot moved at constant speed, integrated over time",
     columns=("(x, y)", "u", "v", "along", "across", "energy"),
