@@ -6,6 +6,7 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
+from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, SeedFill, Sheet
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering import device_map, display_list, painter_of
@@ -15,7 +16,6 @@ from workbench.widgets.canvas_overlay import Handle
 Curve = NDArray[np.float64]
 _MOST_NAMED = 10
 _FLATNESS_PX = 0.005  # no corner is seen where a pixel is forty large
-_AREAS = ("scan_line_fill", "circle_fill", "ellipse_fill")
 
 
 def outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
@@ -65,8 +65,9 @@ def _area_at(sheet: Sheet, x: int, y: int) -> AnyFigure | None:
         return None
     index = int(painter_of(sheet)[y, x])
     figure = sheet.figures[index] if index >= 0 else None
-    is_area = figure is not None and (isinstance(figure, SeedFill) or figure.algorithm in _AREAS)
-    return figure if is_area else None
+    if figure is None or isinstance(figure, SeedFill):
+        return figure
+    return figure if catalogue.get(figure.drawn_with).emits == "spans" else None
 
 
 def handles(sheet: Sheet, figure: AnyFigure, held: str = "") -> list[Handle]:

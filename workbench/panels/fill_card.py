@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QWidget
 
+from workbench.algorithms import catalogue
 from workbench.document.check import RECURSION_LIMITS
 from workbench.document.edits import set_attributes
 from workbench.document.errors import DocumentError
@@ -17,13 +18,11 @@ from workbench.panels.figure_card import ParameterCard
 from workbench.panels.figure_gesture import snapped
 from workbench.panels.figure_picture import themed
 from workbench.panels.figure_tools import FigureTool
-from workbench.panels.fill_tools import FLOOD, SeedTool, seed_problem
+from workbench.panels.fill_tools import SeedTool, seed_problem, stops_at_boundary
 from workbench.rendering import device_map
 from workbench.widgets.number_field import NumberField
 from workbench.widgets.swatches import Swatches
 from workbench.widgets.tokens import tokens
-
-RECURSIVE = "boundary_fill_recursive"
 
 
 class FillCard(ParameterCard):
@@ -88,8 +87,9 @@ class FillCard(ParameterCard):
         if colour is not None:
             self.colours.show_colours(shown, colour, sheet.background)
         kind: SeedFill | SeedTool | None = fills[0] if len(fills) == 1 == len(figures) else seed
-        self.boundary.setVisible(kind is not None and kind.algorithm not in FLOOD)
-        self.limit.setVisible(kind is not None and kind.algorithm == RECURSIVE)
+        slug = kind.drawn_with if isinstance(kind, SeedFill) else kind.algorithm if kind is not None else ""
+        self.boundary.setVisible(bool(slug) and stops_at_boundary(slug))
+        self.limit.setVisible(bool(slug) and bool(catalogue.get(slug).compiles))
         if kind is not None:
             self.boundary.show_colours(shown, kind.boundary, sheet.background)
             self.limit.set_value(kind.recursion_limit)
@@ -105,7 +105,7 @@ class FillCard(ParameterCard):
         sheet = self._session.sheet
         seed = snapped(*device_map(sheet).point(fill.points_world[0].x, fill.points_world[0].y))
         place = sheet.figures.index(fill)
-        return seed_problem(self._session, seed, fill.algorithm, fill.colour, fill.boundary, place)
+        return seed_problem(self._session, seed, fill.drawn_with, fill.colour, fill.boundary, place)
 
     def say_verdict(self, sentence: str) -> None:
         """What the inside-outside test found."""

@@ -4,6 +4,7 @@ import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
+from workbench.algorithms import catalogue
 from workbench.document.edits import add_figure, add_ring
 from workbench.document.model import Polygon, SeedFill
 from workbench.language import _
@@ -20,7 +21,6 @@ from workbench.rendering import device_map, frame_buffer
 from workbench.session.session import Session
 
 BOUNDARY, FILL = 1, 2
-FLOOD = ("flood_fill_4", "flood_fill_8")
 
 
 class FillPolygonTool(PolygonTool):
@@ -202,6 +202,11 @@ class SeedTool(FigureTool):
         """All is done."""
 
 
+def stops_at_boundary(algorithm: str) -> bool:
+    """Whether a seed fill asks for the colour of a boundary."""
+    return any(parameter.name == "boundary" for parameter in catalogue.get(algorithm).parameters)
+
+
 def seed_problem(
     session: Session, cell: Cell, algorithm: str, fill: int, boundary: int, below: int | None = None
 ) -> str:
@@ -217,7 +222,7 @@ def seed_problem(
         text = _("The seed ({x}, {y}) is outside the picture of {w} by {h} pixels: put it inside.")
         return text.format(x=x, y=y, w=size[0], h=size[1])
     found = int(frame_buffer(sheet)[y, x])
-    if algorithm not in FLOOD and found == sheet.palette[boundary]:
+    if stops_at_boundary(algorithm) and found == sheet.palette[boundary]:
         return _("The seed ({x}, {y}) is on the boundary: put it inside the region.").format(x=x, y=y)
     if found == sheet.palette[fill]:
         text = _("The seed ({x}, {y}) has the fill's colour already: choose another colour or place.")

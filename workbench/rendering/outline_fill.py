@@ -46,7 +46,7 @@ def outline_fill(sheet: Sheet, polygon: Polygon, slug: str) -> OutlineFill:
     x, y = (int(value) for value in free[int(away.argmin())])
     given = {"image": image, "x": x, "y": y, "fill": fill, "boundary": boundary}
     entry = catalogue.get(slug)
-    limit = 1000 if slug == "boundary_fill_recursive" else 0
+    limit = 1000 if entry.compiles else 0
     return OutlineFill(Call(entry, tuple(given[p.name] for p in entry.parameters), limit), cells)
 
 

@@ -51,7 +51,6 @@ def beam_spot(
             yield x, y, energy * along * across
 
 
-
 def _stroke(chance: Random) -> tuple[float, ...]:
     """A short stroke of a small spot; one in three has no length or next to none."""
     x0, y0 = chance.randint(-9, 9) / 2, chance.uniform(-4.0, 4.0)
