@@ -65,6 +65,11 @@ def drawing(kind: str, first: str) -> tuple[str, ...]:
     return (first, *others)
 
 
+def serving(question: int) -> tuple[Entry, ...]:
+    """The entries that serve this question of the paper, in teaching order."""
+    return tuple(entry for entry in _ENTRIES if question in entry.questions)
+
+
 def known(slug: str) -> bool:
     """Whether there is an entry of this name."""
     return slug in _BY_SLUG

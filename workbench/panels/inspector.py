@@ -1,4 +1,4 @@
-"""The inspector serves every algorithm: its source, its variables and structures, its hand table."""
+"""The inspector serves every algorithm: source, about, variables, structures, hand table."""
 
 from typing import Any
 
@@ -7,7 +7,9 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QSplitter, QWidget
 
 from workbench.language import _
+from workbench.panels.about import choose, may_choose
 from workbench.session.session import Session
+from workbench.widgets.about_view import AboutView
 from workbench.widgets.hand_table import HandTable
 from workbench.widgets.source_view import SourceView
 from workbench.widgets.step_bar import Steps
@@ -32,6 +34,8 @@ class InspectorPanel(QWidget):
         self._chosen: tuple[int, int] | None = None
         self.title = _("Inspector")
         self.source = SourceView(run)
+        self.about = AboutView(run, lambda slug: may_choose(session, slug))
+        self.about.rung_wanted.connect(lambda slug: choose(session, slug))
         self.variables = VariableTable(run)
         self.structures = StructureTable(run)
         self.hand = HandTable(run)
@@ -47,7 +51,7 @@ class InspectorPanel(QWidget):
         run.moved.connect(self._choose_nothing)
         self.source.refused.connect(self.hover_text)
         self.hand.copied.connect(self.hover_text)
-        for view in (self.source, self.variables, self.hand):
+        for view in (self.source, self.about, self.variables, self.hand):
             view.example_wanted.connect(self.show_example)
 
     def _show_variable(self, name: str) -> None:
@@ -76,10 +80,11 @@ class InspectorPanel(QWidget):
         return self
 
     def docks(self) -> list[tuple[str, str, QWidget, Qt.DockWidgetArea]]:
-        """Source, variables with structures, hand table: all on the right."""
+        """Source, about, variables with structures, hand table: all on the right."""
         right = Qt.DockWidgetArea.RightDockWidgetArea
         return [
             ("source", _("Source"), self.source, right),
+            ("about", _("About"), self.about, right),
             ("variables", _("Variables"), self.values, right),
             ("hand_table", _("Hand table"), self.hand, right),
         ]
