@@ -37,9 +37,17 @@ POINT = (
 
 
 def window(chance: Random) -> tuple[float, float, float, float]:
-    """A window on whole numbers; one in ten has no area."""
+    """A window on whole numbers; of two one has no area."""
     xmin, ymin = float(chance.randint(-9, 9)), float(chance.randint(-9, 9))
-    return xmin, ymin, xmin + chance.randint(0, 12), ymin + chance.randint(0, 12)
+    width, height = chance.randint(1, 12), chance.randint(1, 12)
+    match chance.randint(0, 5):
+        case 0:
+            width = 0
+        case 1:
+            height = 0
+        case 2:
+            width = height = 0
+    return xmin, ymin, xmin + width, ymin + height
 
 
 def point_and_window(chance: Random) -> tuple[float, ...]:

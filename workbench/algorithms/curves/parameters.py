@@ -60,7 +60,7 @@ _Array = NDArray[np.float64]
 def _points(chance: Random, count: int) -> _Array:
     """Points on a small grid or far from it, now and then one in the place of another."""
     rows = [[_coordinate(chance), _coordinate(chance)] for _point in range(count)]
-    if chance.randint(0, 3) == 0:
+    if chance.randint(0, 1):
         rows[chance.randrange(count)] = rows[chance.randrange(count)]
     return np.array(rows, np.float64)
 

@@ -40,10 +40,15 @@ BOUNDED = (
 
 def picture_and_seed(chance: Random) -> tuple[Any, ...]:
     """A small picture of four colours, a seed in it or just outside, and a colour that is often there."""
-    height, width = chance.randint(1, 6), chance.randint(1, 6)
+    height, width = (chance.choice((1, chance.randint(1, 6), chance.randint(1, 6))) for _side in range(2))
     rows = [[chance.randint(0, 3) for _column in range(width)] for _row in range(height)]
-    seed = chance.randint(-1, width), chance.randint(-1, height)
-    return np.array(rows, np.int64), *seed, chance.randint(0, 3)
+    x, y = chance.randrange(width), chance.randrange(height)
+    match chance.randint(0, 5):
+        case 0:
+            x = chance.choice((-1, width))
+        case 1:
+            y = chance.choice((-1, height))
+    return np.array(rows, np.int64), x, y, chance.randint(0, 3)
 
 
 def picture_seed_and_boundary(chance: Random) -> tuple[Any, ...]:

@@ -38,6 +38,8 @@ def scene(chance: Random) -> tuple[Any, ...]:
             vertices[-3:] = vertices[:3]
         case 1:
             vertices[2] = vertices[1]
+        case 2:
+            vertices[2] = vertices[1][0], vertices[1][1], vertices[0][2]
     low = chance.choice((0, 0, chance.randint(0, 6)))
     faces = np.arange(3 * count).reshape(-1, 3)
     band = low, chance.choice((6, 6, chance.randint(low, 6)))
