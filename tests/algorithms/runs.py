@@ -2,80 +2,39 @@
 
 from typing import Any
 
-import numpy as np
 from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
 
-from tests.curves.made_curves import BEZIER_RUNS, CURVE_RUNS, DE_BOOR_RUNS, FLATTENING_RUNS, RATIONAL_RUNS
-from tests.curves.rational_curves import CLOSEST_RUNS
-from workbench.algorithms.entry import Entry
+from workbench.algorithms.entry import Entry, Parameter
 
-near = st.integers(-9, 9)
-radius = st.integers(0, 9)
-
-_lines = st.tuples(near, near, near, near)
-_pictures = st.tuples(st.integers(1, 6), st.integers(1, 6)).flatmap(
-    lambda shape: arrays(np.int64, shape, elements=st.integers(0, 3))
-)
-_fills = st.tuples(_pictures, st.integers(-1, 6), st.integers(-1, 6), st.just(2), st.just(1))
-_floods = st.tuples(_pictures, st.integers(-1, 6), st.integers(-1, 6), st.just(2))
-
-
-def _with_floats(found: tuple[Any, ...]) -> tuple[float, ...]:
-    *numbers, window = found
-    return (*map(float, numbers), *map(float, window))
-
-
-@st.composite
-def _scenes(draw: st.DrawFn) -> tuple[Any, ...]:
-    corner = st.tuples(st.integers(-8, 40), st.integers(-8, 32), st.integers(0, 15))
-    triangles = draw(st.lists(st.tuples(corner, corner, corner), min_size=1, max_size=2))
-    vertices = np.array(triangles, float).reshape(-1, 3) / (4, 4, 16)
-    faces = np.arange(len(vertices)).reshape(-1, 3)
-    colours = np.arange(1, len(faces) + 1)
-    return np.zeros((6, 8), np.int64), np.ones((6, 8)), vertices, faces, colours, 0, 6
-
-
-_windows = st.tuples(near, near, st.integers(0, 12), st.integers(0, 12)).map(
-    lambda found: (found[0], found[1], found[0] + found[2], found[1] + found[3])
-)
-_places = st.one_of(near, near.map(lambda quarters: quarters / 4))
-_clipped_lines = st.tuples(_places, _places, _places, _places, _windows).map(_with_floats)
-_clipped_points = st.tuples(_places, _places, _windows).map(_with_floats)
-_clipped_polygons = st.tuples(st.lists(st.tuples(_places, _places), max_size=7), _windows).map(
-    lambda found: (np.array(found[0], float).reshape(-1, 2), *map(float, found[1]))
-)
-
-
-STRATEGIES: dict[str, st.SearchStrategy[tuple[Any, ...]]] = {
-    "dda_line": _lines,
-    "dda_line_single": _lines,
-    "dda_line_fixed": st.tuples(near, near, near, near, st.integers(1, 24)),
-    "bresenham_line": _lines,
-    "midpoint_line": _lines,
-    "wu_line": _lines,
-    "midpoint_circle": st.tuples(near, near, radius),
-    "midpoint_ellipse": st.tuples(near, near, radius, radius),
-    "boundary_fill_4": _fills,
-    "boundary_fill_8": _fills,
-    "boundary_fill_recursive": _fills,
-    "boundary_fill_spans": _fills,
-    "flood_fill_4": _floods,
-    "flood_fill_8": _floods,
-    "clip_point": _clipped_points,
-    "cohen_sutherland": _clipped_lines,
-    "liang_barsky": _clipped_lines,
-    "sutherland_hodgman": _clipped_polygons,
-    "depth_buffer": _scenes(),
-    "de_casteljau": BEZIER_RUNS,
-    "de_boor": DE_BOOR_RUNS,
-    "de_boor_rational": RATIONAL_RUNS,
-    "b_spline_curve": CURVE_RUNS,
-    "flatten_bezier": FLATTENING_RUNS,
-    "closest_point": CLOSEST_RUNS,
-}
+# How far from 0 numbers are taken: so near that ties and equal coordinates are common, or farther.
+REACHES = (9, 60)
 
 
 def arguments(entry: Entry) -> st.SearchStrategy[tuple[Any, ...]]:
-    """Generated arguments for this entry; its own example where nothing more is known of it."""
-    return STRATEGIES.get(entry.slug, st.builds(lambda: entry.example))
+    """Arguments that the entry's own generator makes, or that are taken from its parameters' ranges.
+
+    Raises TypeError where it has no generator and a parameter has no range.
+    """
+    if entry.arguments is not None:
+        return st.randoms(use_true_random=False).map(entry.arguments)
+    return st.one_of(
+        *(st.tuples(*(_in_range(entry, p, reach) for p in entry.parameters)) for reach in REACHES)
+    )
+
+
+def _in_range(entry: Entry, parameter: Parameter, reach: int) -> st.SearchStrategy[Any]:
+    """Values of one parameter: whole numbers, and for a real one those between them."""
+    if parameter.kind == "bool":
+        return st.booleans()
+    if parameter.kind not in ("int", "float", "colour") or parameter.low is None or parameter.high is None:
+        raise TypeError(
+            f"{entry.slug} has no range for {parameter.name} and no generator: give the parameter low and "
+            "high, or, if it has no range by nature, give the entry a function arguments(chance)."
+        )
+    if parameter.kind == "colour":
+        return st.integers(0, 3)
+    low, high = max(-reach, parameter.low), min(reach, parameter.high)
+    if parameter.kind == "int":
+        return st.integers(int(low), int(high))
+    whole = st.integers(int(-(-low // 1)), int(high // 1)).map(float)
+    return st.one_of(whole, st.floats(low, high, allow_subnormal=False))

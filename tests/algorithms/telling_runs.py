@@ -47,6 +47,7 @@ FURTHER: dict[str, tuple[Run, ...]] = {
     "dda_line_single": (STEEP_LEFTWARDS,),
     "dda_line_fixed": ((*STEEP_LEFTWARDS, 3),),
     "bresenham_line": (STEEP_LEFTWARDS,),
+    "bresenham_line_two_ends": (STEEP_LEFTWARDS, (0, 0, 8, 4)),
     "midpoint_line": (STEEP_LEFTWARDS,),
     "wu_line": (STEEP_LEFTWARDS,),
     "midpoint_circle": ((5, 5, 1),),

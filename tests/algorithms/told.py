@@ -57,7 +57,8 @@ def _declared(entry: Entry) -> Iterator[str]:
     for parameter in entry.parameters:
         words = [parameter.label, parameter.meaning, f"[{parameter.unit}]" if parameter.unit else ""]
         yield f"  {parameter.name}: {', '.join(word for word in words if word)}"
-    for heading, sentences in (("So it is", entry.laws), ("Not so", entry.not_laws), ("Labs", entry.labs)):
+    laws = tuple(law.sentence for law in entry.laws)
+    for heading, sentences in (("So it is", laws), ("Not so", entry.not_laws), ("Labs", entry.labs)):
         yield from (f"  {heading}: {sentence}" for sentence in sentences)
     for heading, words in (("Source", entry.source), ("Ties", entry.tie), ("Stepped only", entry.compiles)):
         if words:

@@ -94,6 +94,25 @@ def test_the_circle_is_the_nearest_in_each_column_each_pixel_once(xc: int, yc: i
     assert {(x - xc, y - yc) for x, y in pixels} == nearest_in_each_column(r)
 
 
+@given(xc=centre, yc=centre, r=radii)
+def test_the_eight_mirror_images_of_each_pixel_are_there(xc: int, yc: int, r: int) -> None:
+    pixels = {(x - xc, y - yc) for x, y in midpoint_circle(xc, yc, r)}
+    for mirrored in (
+        {(-x, y) for x, y in pixels},
+        {(x, -y) for x, y in pixels},
+        {(y, x) for x, y in pixels},
+    ):
+        assert mirrored == pixels
+
+
+@given(r=radii)
+def test_neighbours_on_the_circle_touch(r: int) -> None:
+    walk = sorted({p for p in midpoint_circle(0, 0, r) if min(p) >= 0}, key=lambda p: (p[0], -p[1]))
+    assert (walk[0], walk[-1]) == ((0, r), (r, 0))
+    for (x, y), (next_x, next_y) in pairwise(walk):
+        assert max(abs(next_x - x), abs(next_y - y)) == 1
+
+
 @pytest.mark.parametrize("r", range(1, 60))
 def test_the_circle_is_that_of_skimage(r: int) -> None:
     rows, columns = circle_perimeter(0, 0, r)

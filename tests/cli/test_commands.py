@@ -221,6 +221,16 @@ def test_draw_writes_the_frame_buffer(capsys: pytest.CaptureFixture[str], file: 
         assert red << 16 | green << 8 | blue == image[y, x]
 
 
+def test_draw_says_what_another_algorithm_drew(capsys: pytest.CaptureFixture[str], file: Path) -> None:
+    file.write_text(file.read_text().replace('"bresenham_line"', '"line_of_tomorrow"'))
+    output = file.with_suffix(".png")
+    said = printed(capsys, "draw", str(file), "-o", str(output))
+    assert said.strip() == (
+        "f1 asks for line_of_tomorrow, which this version lacks; Bresenham's line drew it."
+    )
+    assert output.exists()
+
+
 def test_draw_says_what_is_wrong(capsys: pytest.CaptureFixture[str], file: Path) -> None:
     output = str(file.with_suffix(".png"))
     assert "no sheet 7" in refused(capsys, "draw", str(file), "-o", output, "--sheet", "7")

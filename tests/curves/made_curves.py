@@ -65,7 +65,6 @@ def _with_parameter(found: tuple[Curve, float]) -> tuple[Any, ...]:
     return points, knots, degree, inside(knots, degree, part)
 
 
-BEZIER_RUNS = st.tuples(point_lists(2, 7), part_of_one)
 DE_BOOR_RUNS = st.tuples(b_splines(), part_of_one).map(_with_parameter)
 some_weight = st.sampled_from([1e-9, 0.5, 1.0, 3.0, 1e9]) | st.floats(0.1, 10)
 
@@ -79,5 +78,3 @@ def weighted_runs(draw: st.DrawFn) -> tuple[Any, ...]:
 
 
 RATIONAL_RUNS = weighted_runs()
-CURVE_RUNS = st.tuples(b_splines(), st.integers(2, 20)).map(lambda found: (*found[0], found[1]))
-FLATTENING_RUNS = st.tuples(point_lists(2, 5), st.sampled_from([0.5, 3.0, 100.0]))

@@ -9,13 +9,12 @@ import numpy as np
 from hypothesis import strategies as st
 
 from tests.curves.exact import fractions
-from tests.curves.made_curves import Array, coordinate, point_lists, weight
+from tests.curves.made_curves import Array, point_lists, weight
 from workbench.algorithms.curves import (
     Pieces,
     b_spline_to_bezier,
     circle,
     homogeneous,
-    in_rows,
     piece_points,
     projected,
 )
@@ -83,8 +82,3 @@ def dense_points(pieces: Pieces, count: int = 2000) -> Array:
     kept = lengths > 0
     u = pieces.knots[:-1][kept, None] + v[v < 1] * lengths[kept, None]
     return piece_points(pieces, u.ravel())
-
-
-CLOSEST_RUNS = st.tuples(pieces_of_any_kind(most=3, degrees=(1, 4)), coordinate, coordinate).map(
-    lambda found: (*in_rows(found[0]), found[1], found[2])
-)

@@ -1,6 +1,9 @@
 """The closest point of a curve: never farther than any dense sample, on the curve, found by every reading."""
 
 import math
+from fractions import Fraction
+from itertools import pairwise
+from math import comb
 
 import numpy as np
 import pytest
@@ -28,6 +31,37 @@ def test_no_sample_is_closer(pieces: Pieces, x: float, y: float) -> None:
     if pieces.weights is None and (np.diff(pieces.knots) > 0).all():
         apart = np.hypot(*(piece_points(pieces, [u, np.nextafter(u, 0)]) - [at_x, at_y]).T)
         assert apart.min() <= 1e-11 * size
+
+
+@settings(max_examples=60)
+@given(pieces_of_any_kind(), coordinate, coordinate)
+def test_each_point_lies_on_the_curve_at_its_u(pieces: Pieces, x: float, y: float) -> None:
+    """In fractions; where pieces meet without joining, at the end of one or the start of the other."""
+    found = compiled.collect(closest_point, *in_rows(pieces), x, y)
+    assert (np.diff(found[:, 3]) < 0).all()
+    size = max(exact.size_of(pieces.controls), abs(x), abs(y), 1e-300)
+    degree = pieces.controls.shape[1] - 1
+    for u, at_x, at_y, distance in found.tolist():
+        assert distance == pytest.approx(math.hypot(at_x - x, at_y - y), abs=1e-15 * size)
+        apart = []
+        for j, (begin, end) in enumerate(pairwise(pieces.knots.tolist())):
+            if begin <= u <= end:
+                v = (
+                    (Fraction(u) - Fraction(begin)) / (Fraction(end) - Fraction(begin))
+                    if begin < end
+                    else Fraction(0)
+                )
+                shares = [comb(degree, i) * v**i * (1 - v) ** (degree - i) for i in range(degree + 1)]
+                if pieces.weights is not None:
+                    shares = [
+                        s * Fraction(w) for s, w in zip(shares, pieces.weights[j].tolist(), strict=True)
+                    ]
+                points = exact.fractions(pieces.controls[j])
+                where = [
+                    sum(s * p[k] for s, p in zip(shares, points, strict=True)) / sum(shares) for k in (0, 1)
+                ]
+                apart.append(max(abs(where[0] - Fraction(at_x)), abs(where[1] - Fraction(at_y))))
+        assert min(apart) <= 1e-7 * size
 
 
 @settings(max_examples=60)

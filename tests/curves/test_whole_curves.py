@@ -1,5 +1,8 @@
 """Whole curves: sampled B-splines against fractions and SciPy, flattened ones within their tolerance."""
 
+import math
+from itertools import combinations
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -7,7 +10,7 @@ from hypothesis import strategies as st
 from scipy.interpolate import BSpline
 
 from tests.curves import exact
-from tests.curves.made_curves import Array, Curve, b_splines, point_lists
+from tests.curves.made_curves import Array, Curve, b_splines, coordinate, part_of_one, point_lists
 from workbench.algorithms.curves import b_spline_curve, bezier_point, flatten_bezier, open_uniform_knots
 
 
@@ -69,8 +72,55 @@ def test_the_chain_is_within_the_tolerance(points: Array, part: float) -> None:
         assert np.hypot(*(at_corners - corner).T).min() <= step
 
 
+@settings(max_examples=40)
+@given(point_lists(2, 6), st.sampled_from([1e-3, 0.05, 1.0]))
+def test_the_corners_follow_the_curve(points: Array, part: float) -> None:
+    """Each corner is found among dense samples no earlier than the one before it."""
+    size = max(exact.size_of(points), 1e-3)
+    chain = list(flatten_bezier(points, part * size / 10))
+    assert (chain[0], chain[-1]) == (tuple(points[0]), tuple(points[-1]))
+    places = bezier_point(points, np.linspace(0, 1, 4097))
+    step, reached = (len(points) - 1) * 2 * size / 4096, 0
+    for corner in chain:
+        here = np.hypot(*(places[reached:] - corner).T) <= step
+        assert here.any()
+        reached += int(here.argmax())
+
+
+@settings(max_examples=40)
+@given(
+    st.integers(1, 7).flatmap(lambda p: st.tuples(b_splines((p, p)), st.integers(0, p))), st.integers(2, 9)
+)
+def test_a_polynomial_of_its_degree_is_reproduced(curve_and_power: tuple[Curve, int], samples: int) -> None:
+    """Marsden: over the control points of u^k, the means of products of k knots, the curve is u^k."""
+    (_points, knots, degree), power = curve_and_power
+    count = len(knots) - degree - 1
+    heights = [
+        sum(math.prod(chosen) for chosen in combinations(knots[i + 1 : i + degree + 1].tolist(), power))
+        / math.comb(degree, power)
+        for i in range(count)
+    ]
+    rising = np.array([np.mean(knots[i + 1 : i + degree + 1]) for i in range(count)])
+    found = np.array(list(b_spline_curve(np.column_stack([rising, heights]), knots, degree, samples)))
+    size = max(1.0, np.abs(knots).max()) ** degree
+    assert np.abs(found[:, 1] - found[:, 0] ** power).max() <= 1e-11 * size * degree
+
+
+@given(
+    st.tuples(coordinate, coordinate, coordinate, coordinate),
+    st.lists(part_of_one, max_size=4),
+    st.sampled_from([1e-6, 0.1]),
+)
+def test_a_straight_curve_is_one_line(ends: tuple[float, ...], inner: list[float], part: float) -> None:
+    """Its control points lie on a line, in their order; rounding puts them beside it."""
+    start, end = np.array(ends[:2]), np.array(ends[2:])
+    points = start + np.outer([0.0, *sorted(inner), 1.0], end - start)
+    size = max(exact.size_of(points), 1e-3)
+    assert list(flatten_bezier(points, part * size)) == [tuple(points[0]), tuple(points[-1])]
+
+
 @pytest.mark.parametrize("parts", [[0, 0.1, 0.2, 1], [0, 0, 0, 1], [0, 0.7, 0.8, 1]])
-def test_a_straight_curve_is_one_line(parts: list[float]) -> None:
+def test_a_straight_curve_of_the_smallest_tolerance_is_one_line(parts: list[float]) -> None:
     points = np.array([2.0, 3.0]) + np.outer(parts, [16.0, 8.0])
     assert list(flatten_bezier(points, 1e-9)) == [(2, 3), (18, 11)]
 

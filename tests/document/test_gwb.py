@@ -8,17 +8,20 @@ import stat
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.document.made_documents import documents
 from workbench.document import DocumentError, Stored, load, read, save, write
+from workbench.document.edits import set_algorithm, set_attribute
 from workbench.document.files import MAX_BYTES, VERSION, decode, encode, upgraded
 from workbench.document.model import Document
 from workbench.document.places import joined, path_at
 from workbench.document.samples import example, example_document, examples
 from workbench.document.state import SessionState, TubeSettings
+from workbench.rendering import frame_buffer
 
 SAMPLES = Path(__file__).parent / "samples"
 
@@ -131,7 +134,7 @@ FIGURE: list[str | int] = [*SHEET, "figures", 0]
         (["session", "selection"], ["f1", "f9"], "session.selection[1]"),
         (["session", "sheet"], "s9", "session.sheet"),
         (["session", "step"], -1, "session.step"),
-        (["session", "compare"], "no_such_line", "session.compare"),
+        (["session", "compare"], "de_casteljau", "session.compare"),
         (["session", "tube", "refresh_hz"], 0, "session.tube.refresh_hz"),
         (["session", "tube", "phosphor"], 31, "session.tube.phosphor"),
         (["version"], VERSION + 1, "version"),
@@ -151,6 +154,28 @@ def test_one_wrong_field_is_refused_by_its_name(path: list[str | int], value: An
     assert field in str(refusal.value)
     assert str(refusal.value).endswith(".")
     assert "`" not in str(refusal.value)
+
+
+def test_an_algorithm_of_a_newer_version_is_kept_and_the_default_draws() -> None:
+    named = json.loads(_put(_example(), [*FIGURE, "algorithm"], "circle_of_tomorrow"))
+    newer = _put(named, ["session", "compare"], "other_circle")
+    document = decode(newer).document
+    figure = document.sheets[0].figures[0]
+    assert (figure.algorithm, figure.drawn_with) == ("circle_of_tomorrow", "midpoint_circle")
+    assert decode(encode(decode(newer))) == decode(newer)
+    plain = decode(json.dumps(_example()).encode()).document.sheets[0]
+    assert np.array_equal(frame_buffer(document.sheets[0]), frame_buffer(plain))
+    address = f"{document.sheets[0].id}/{figure.id}/radius_world"
+    enlarged = set_attribute(address, 3.0)(document).sheets[0].figures[0]
+    assert enlarged.algorithm == "circle_of_tomorrow"
+
+
+def test_an_edit_chooses_only_what_there_is() -> None:
+    document = decode(json.dumps(_example()).encode()).document
+    figure = document.sheets[0].figures[0].id
+    for slug in ("circle_of_tomorrow", "dda_line"):
+        with pytest.raises(DocumentError, match="choose one of midpoint_circle, circle_fill"):
+            set_algorithm(figure, slug)(document)
 
 
 def test_a_missing_field_is_named() -> None:

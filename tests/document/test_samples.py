@@ -1,5 +1,7 @@
 """What is there from the start is sound, worth looking at, and legible on both canvases."""
 
+from typing import get_args
+
 import numpy as np
 import pytest
 
@@ -48,11 +50,18 @@ def test_there_is_no_example_of_another_name() -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_algorithms_of_a_kind_are_those_of_the_catalogue(kind: type[AnyFigure]) -> None:
-    for slug in kind.algorithms:
-        fills = slug in ("circle_fill", "ellipse_fill")
-        assert catalogue.get(slug).topic == ("polygons" if fills else kind.topic)
+    name = kind.__struct_config__.tag
+    assert set(kind.algorithms) == {entry.slug for entry in catalogue.entries() if name in entry.draws}
+    for entry in map(catalogue.get, kind.algorithms):
+        fills = entry.emits == "spans" and kind.topic == "circles"
+        assert entry.topic == ("polygons" if fills else kind.topic)
     if kind is Line:
         assert set(kind.algorithms) == {entry.slug for entry in catalogue.topic("lines")}
+
+
+def test_what_an_entry_draws_is_a_kind_of_figure() -> None:
+    kinds = {kind.__struct_config__.tag for kind in get_args(AnyFigure)}
+    assert {name for entry in catalogue.entries() for name in entry.draws} <= kinds
 
 
 def test_an_algorithm_can_be_chosen_for_every_figure_that_it_draws() -> None:

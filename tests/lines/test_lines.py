@@ -6,12 +6,13 @@ from fractions import Fraction
 from itertools import pairwise
 
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from skimage.draw import line as skimage_line
 
 from tests.algorithms.pictures import drawn
 from tests.lines.exact import Ends, half_away, half_up, is_tie, true_points
+from workbench.algorithms import catalogue
 from workbench.algorithms.lines import (
     bresenham_line,
     dda_line,
@@ -20,10 +21,14 @@ from workbench.algorithms.lines import (
     midpoint_line,
     wu_line,
 )
+from workbench.engine.observation import Steps
+from workbench.engine.recorder import record
 
 near = st.tuples(*[st.integers(-30, 30)] * 4)
 far = st.tuples(*[st.integers(-2000, 2000)] * 4)
 ends = st.one_of(near, far)
+# The longest line that parameters allow, with no step of it exactly halfway
+WIDEST = (-32768, 32767, 32767, -32766)
 
 PIXEL_LINES = [dda_line, dda_line_single, dda_line_fixed, bresenham_line, midpoint_line]
 
@@ -60,6 +65,7 @@ def test_a_flat_and_a_steep_line_as_pictures() -> None:
 
 @pytest.mark.parametrize("line", PIXEL_LINES)
 @given(ends=ends)
+@example(ends=WIDEST)
 def test_one_connected_pixel_for_each_step(
     line: Callable[..., Iterator[tuple[int, int]]], ends: Ends
 ) -> None:
@@ -73,8 +79,10 @@ def test_one_connected_pixel_for_each_step(
 
 @pytest.mark.parametrize("line", [dda_line, bresenham_line, midpoint_line])
 @given(ends=ends)
-def test_the_last_pixel_is_the_end_point(line: Callable[..., Iterator[tuple[int, int]]], ends: Ends) -> None:
-    assert list(line(*ends))[-1] == ends[2:]
+@example(ends=WIDEST)
+def test_both_ends_are_included(line: Callable[..., Iterator[tuple[int, int]]], ends: Ends) -> None:
+    pixels = list(line(*ends))
+    assert (pixels[0], pixels[-1]) == (ends[:2], ends[2:])
 
 
 @given(ends=ends)
@@ -88,6 +96,23 @@ def test_bresenham_takes_the_nearest_and_on_a_tie_the_one_farther_from_the_start
 @given(ends=ends)
 def test_the_midpoint_line_is_bresenhams(ends: Ends) -> None:
     assert list(midpoint_line(*ends)) == list(bresenham_line(*ends))
+
+
+@settings(max_examples=25)
+@given(ends=near)
+@example(ends=(2, 1, 13, 8))
+def test_the_midpoint_line_decides_by_its_function_at_the_midpoint(ends: Ends) -> None:
+    """F is positive where the line has passed the midpoint, that is where it lies beyond it."""
+    x0, y0, x1, y1 = ends
+    steep = abs(y1 - y0) > abs(x1 - x0)
+    (ax, ay), (bx, by) = ((y0, x0), (y1, x1)) if steep else ((x0, y0), (x1, y1))
+    step_x = 1 if ax < bx else -1
+    steps = Steps(catalogue.get("midpoint_line"), record(midpoint_line, *ends))
+    x, y = ax, ay
+    for _k, value, pixel in [step.row for step in list(steps)[1:]]:
+        beyond = abs(y - ay) + Fraction(1, 2)
+        assert value == abs(by - ay) * abs(x + step_x - ax) - abs(bx - ax) * beyond
+        x, y = pixel[::-1] if steep else pixel
 
 
 @given(ends=near)
@@ -122,6 +147,7 @@ def test_bresenham_agrees_with_skimage_but_for_ties(ends: Ends) -> None:
 
 
 @given(ends=ends)
+@example(ends=WIDEST)
 def test_dda_in_64_bits_is_nearest_but_for_ties(ends: Ends) -> None:
     for point, pixel in zip(true_points(ends), dda_line(*ends), strict=True):
         assert pixel == half_up(point) or is_tie(point)
@@ -153,7 +179,8 @@ def test_dda_drifts_off_a_tie_since_it_adds_up() -> None:
     assert list(dda_line(5, 5, 2, -9))[7] == (3, -2)
 
 
-@given(ends=st.tuples(*[st.integers(-500, 500)] * 4))
+@given(ends=ends)
+@example(ends=(-2000, -2000, 2000, 1999))
 def test_fixed_point_with_24_bits_is_nearest_but_for_ties(ends: Ends) -> None:
     for point, pixel in zip(true_points(ends), dda_line_fixed(*ends, 24), strict=True):
         assert pixel == half_up(point) or is_tie(point)

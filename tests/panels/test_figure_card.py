@@ -40,6 +40,30 @@ def panel(qtbot: QtBot) -> Iterator[DrawPanel]:
     session.close()
 
 
+def test_an_algorithm_that_this_version_does_not_have_is_said(qtbot: QtBot) -> None:
+    figure = replace(FIGURES[0], algorithm="circle_of_tomorrow")
+    blank = blank_sheet(64, 48)
+    session = Session(document=replace(blank, sheets=(replace(blank.sheets[0], figures=(figure,)),)))
+    panel = DrawPanel(session)
+    qtbot.addWidget(panel)
+    panel.resize(850, 600)
+    panel.show()
+    session.update_state(selection=("f1",), active="f1")
+    settle()
+    card = panel.card
+    assert "“circle_of_tomorrow”" in card.trouble.text()
+    assert "“Midpoint circle” draws it" in card.trouble.text()
+    assert card.algorithm.currentData() == "midpoint_circle"
+    assert session.run.entry is not None
+    assert session.run.entry.slug == "midpoint_circle"
+    card.algorithm.setCurrentIndex(card.algorithm.findData("circle_fill"))
+    card.algorithm.activated.emit(card.algorithm.currentIndex())
+    settle()
+    assert card.trouble.isHidden()
+    assert session.sheet.figures[0].algorithm == "circle_fill"
+    session.close()
+
+
 @pytest.mark.parametrize("figure", FIGURES, ids=lambda figure: type(figure).__name__)
 def test_what_is_beyond_reach_is_said(panel: DrawPanel, figure: AnyFigure) -> None:
     session = panel.session

@@ -1,11 +1,16 @@
 """The scan-line fill against exact fractions and shapely, vertices beside pixel centres on purpose."""
 
+from fractions import Fraction
+from itertools import pairwise
+from math import ceil, floor
+
 import numpy as np
 import pytest
 import shapely
-from hypothesis import example, given, reject
+from hypothesis import example, given, reject, settings
 from hypothesis import strategies as st
 
+from tests.clipping.exact import hull
 from tests.polygons.exact import covered
 from workbench.algorithms import catalogue
 from workbench.algorithms.polygons import scan_line_fill
@@ -50,15 +55,29 @@ def test_pixels_are_those_whose_centre_belongs_to_it_by_exact_fractions(polygon,
 
 
 @given(polygons(), st.booleans())
-def test_pixels_come_bottom_to_top_and_left_to_right(polygon, closed):
+def test_pixels_come_once_bottom_to_top_and_left_to_right(polygon, closed):
     pixels = filled(polygon, closed)
-    assert pixels == sorted(pixels, key=lambda pixel: (pixel[1], pixel[0]))
+    assert pixels == sorted(set(pixels), key=lambda pixel: (pixel[1], pixel[0]))
 
 
 @given(
     st.lists(st.tuples(coordinates, coordinates), min_size=3, max_size=8), st.randoms(use_true_random=False)
 )
-def test_triangles_side_by_side_fill_each_pixel_once(points, chance):
+def test_triangles_side_by_side_fill_each_pixel_once_and_leave_no_gap(points, chance):
+    """The triangles of a fan share out what they make together, the convex hull."""
+    around = [(float(x), float(y)) for x, y in hull(points)]
+    pixels = []
+    for left, right in pairwise(around[1:]):
+        triangle = [around[0], left, right]
+        chance.shuffle(triangle)
+        pixels += filled((triangle, [3]), False)
+    assert sorted(pixels) == sorted(filled((around, [len(around)]), False) if len(around) > 2 else [])
+
+
+@given(
+    st.lists(st.tuples(coordinates, coordinates), min_size=3, max_size=8), st.randoms(use_true_random=False)
+)
+def test_triangles_of_any_net_never_overlap(points, chance):
     try:
         delaunay = shapely.delaunay_triangles(shapely.MultiPoint(points))
     except shapely.errors.GEOSException:  # it gives up on points that nearly coincide
@@ -121,6 +140,48 @@ def test_far_outside_the_picture_and_thin_as_a_hair():
     hair = ([(-900_000.0, 5.0), (900_000.0, 5.0 + 1e-7), (900_000.0, 5.0)], [3])
     assert set(filled(hair, True)) >= {(x, 5) for x in range(-1000, 1000)}
     assert filled(hair, False)[:1] in ([], [(-900_000, 5)])
+
+
+far = st.integers(-(2**20), 2**20).map(float) | st.floats(-(2.0**20), 2.0**20).map(
+    lambda number: number if abs(number) > 1e-60 else 0.0
+)
+
+
+@given(
+    st.lists(st.tuples(far, coordinates), min_size=3, max_size=3),
+    st.booleans(),
+    st.tuples(st.integers(-1000, 1000), st.integers(-1, 1)),
+)
+@example([(0.0, -1.0), (-1.0, 0.0), (0.0, 0.0)], True, (0, 0))
+@settings(max_examples=150)
+def test_far_vertices_have_their_exact_crossings(corners, closed, beside):
+    """Of a triangle across two million columns; one side may pass a pixel's centre by next to nothing."""
+    x, nearly = beside
+    corners = [*corners[:2], (2.0 * x - corners[0][0] + nearly * 2.0**-32, 2.0 - corners[0][1])]
+    rows = {}
+    for y in range(-8, 11):
+        crossings = []
+        for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1], strict=True):
+            (low_x, low_y), (high_x, high_y) = sorted([(ax, ay), (bx, by)], key=lambda point: point[1])
+            if low_y <= y <= high_y if closed else low_y <= y < high_y:
+                if low_y == high_y:
+                    crossings += [Fraction(low_x), Fraction(high_x)]
+                else:
+                    share = (y - Fraction(low_y)) / (Fraction(high_y) - Fraction(low_y))
+                    crossings.append(Fraction(low_x) + share * (Fraction(high_x) - Fraction(low_x)))
+        if crossings:
+            left, right = ceil(min(crossings)), max(crossings)
+            right = floor(right) if closed else ceil(right) - 1
+            if left <= right:
+                rows[y] = [(y, left, right)]
+    joined: list[tuple[int, int, int]] = []
+    for y, left, right in scan_line_fill(np.array(corners), np.array([3]), closed, False):
+        # A row may come in spans that touch
+        if joined and joined[-1][0] == y and joined[-1][2] + 1 == left:
+            joined[-1] = (y, joined[-1][1], right)
+        else:
+            joined.append((y, left, right))
+    assert joined == [span for y in sorted(rows) for span in rows[y]]
 
 
 @pytest.mark.parametrize("closed", [False, True])

@@ -10,11 +10,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
-from tests.algorithms import runs
+from tests.algorithms.runs import arguments
 from workbench.algorithms import catalogue
-from workbench.algorithms.entry import Entry, Parameter
+from workbench.algorithms.entry import Entry
 from workbench.engine import compiled
 from workbench.engine.dialect import refusals
 from workbench.engine.lowering import lower
@@ -25,44 +24,6 @@ WRITING = [pytest.param(e, id=e.slug) for e in catalogue.entries() if e.writes a
 EXTENT = [pytest.param(entry, id=entry.slug) for entry in catalogue.entries() if entry.extent]
 
 
-def argument(parameter: Parameter) -> st.SearchStrategy[Any]:
-    """Values of one parameter: in its range, near its example, on grid points and between them."""
-    example = parameter.example
-    low = -60 if parameter.low is None else max(-60, parameter.low)
-    high = 60 if parameter.high is None else min(60, parameter.high)
-
-    def like(elements: st.SearchStrategy[Any]) -> st.SearchStrategy[NDArray[Any]]:
-        array = np.asarray(example)
-        items = st.lists(elements, min_size=array.size, max_size=array.size)
-        return items.map(lambda found: np.array(found, array.dtype).reshape(array.shape))
-
-    match parameter.kind:
-        case "int":
-            return st.integers(int(low), int(high))
-        case "colour":
-            return st.integers(0, 3)
-        case "float":
-            return st.one_of(st.integers(int(low), int(high)).map(float), st.floats(low, high))
-        case "bool":
-            return st.booleans()
-        case "image":
-            return like(st.integers(0, 3))
-        case "depth":
-            return like(st.sampled_from([0.25, 0.5, 1.0]))
-        case "points" | "floats":
-            return like(st.one_of(st.integers(-2, 14).map(float), st.floats(-2, 14)))
-        case "ints":
-            # Only numbers that the example has: they may be indexes
-            return like(st.sampled_from(np.unique(np.asarray(example)).tolist()))
-    raise AssertionError(parameter.kind)
-
-
-def arguments(entry: Entry) -> st.SearchStrategy[tuple[Any, ...]]:
-    if entry.topic == "curves":  # knots and points must fit each other, else the text refuses them
-        return runs.arguments(entry)
-    return st.one_of(st.just(entry.example), st.tuples(*map(argument, entry.parameters)))
-
-
 def bits(rows: Any) -> bytes:
     return np.array(rows, np.float64).tobytes()
 
@@ -71,11 +32,16 @@ def emitted(entry: Entry, values: tuple[Any, ...]) -> list[tuple[Any, ...]]:
     return list(entry.function(*copy.deepcopy(values)))
 
 
+def runs(entry: Entry) -> st.SearchStrategy[tuple[Any, ...]]:
+    """Generated arguments, and the example at times: it may be larger than what is generated."""
+    return st.one_of(arguments(entry), arguments(entry), st.builds(lambda: entry.example))
+
+
 @pytest.mark.parametrize("entry", COMPILED)
 @given(data=st.data())
 @settings(max_examples=40)
 def test_the_three_readings_emit_the_same(entry: Entry, data: st.DataObject) -> None:
-    values = data.draw(arguments(entry))
+    values = data.draw(runs(entry))
     shown = bits(emitted(entry, values))
     for flavour in ("interpreted", "checked"):
         assert bits(compiled.collect(entry.function, *values, flavour=flavour)) == shown, flavour
@@ -85,7 +51,7 @@ def test_the_three_readings_emit_the_same(entry: Entry, data: st.DataObject) -> 
 @given(data=st.data())
 @settings(max_examples=40)
 def test_the_three_readings_write_the_same(entry: Entry, data: st.DataObject) -> None:
-    values = data.draw(arguments(entry))
+    values = data.draw(runs(entry))
     shown = copy.deepcopy(values)
     for _emitted in entry.function(*shown):
         pass

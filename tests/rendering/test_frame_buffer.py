@@ -19,6 +19,7 @@ from workbench.document.model import (
     Sheet,
     WorldPoint,
 )
+from workbench.document.samples import example
 from workbench.rendering import arguments, emissions, frame_buffer, painter_of, why
 
 PALETTE = (0x000000, 0xFF0000, 0x00FF00, 0x0000FF)
@@ -46,6 +47,17 @@ def line(a: tuple[float, float], b: tuple[float, float], colour: int = 1, name: 
 
 def drawn(image: np.ndarray) -> list[str]:
     return ["".join(".rgb"[PALETTE.index(value)] for value in row) for row in image[::-1]]
+
+
+@pytest.mark.parametrize("name", ["house", "circles", "pond", "curve-bezier"])
+def test_where_the_catalogue_lacks_an_algorithm_the_first_of_the_kind_draws(name: str) -> None:
+    (plain,) = example(name).document.sheets
+    figures = [replace(figure, algorithm=figure.algorithms[0]) for figure in plain.figures]
+    newer = [replace(figure, algorithm="one_of_tomorrow") for figure in plain.figures]
+    first, other = (replace(plain, figures=tuple(each)) for each in (figures, newer))
+    assert np.array_equal(frame_buffer(other), frame_buffer(first))
+    x, y = np.argwhere(painter_of(other) >= 0)[0][::-1].tolist()
+    assert [touch.figure for touch in why(other, x, y)] == [touch.figure for touch in why(first, x, y)]
 
 
 def test_a_small_picture() -> None:

@@ -91,6 +91,24 @@ def test_the_vector_tube_takes_the_time_of_the_text(ends, pace, jump_pace, settl
     assert math.isclose(took, time, rel_tol=1e-6, abs_tol=1e-4)
 
 
+@given(
+    st.lists(st.tuples(*[st.integers(0, 60)] * 4), max_size=6), *[st.sampled_from([0.0, 0.25, 1.0, 3.0])] * 3
+)
+def test_the_time_of_a_list_is_that_of_its_jumps_settles_and_strokes(
+    strokes, pace, jump_pace, settle
+) -> None:
+    """Reckoned from the ends alone: the longer axis counts, and where the beam is it need not jump."""
+    ends = np.array(strokes, float).reshape(-1, 2)
+    assert list(random_scan(ends, pace, jump_pace, settle)) == strokes
+    time, at = 0.0, tuple(strokes[-1][2:]) if strokes else ()
+    for k, (x0, y0, x1, y1) in enumerate(strokes):
+        if at != (x0, y0):
+            time += max(abs(x0 - at[0]), abs(y0 - at[1])) * jump_pace + settle
+        time += max(abs(x1 - x0), abs(y1 - y0)) * pace
+        at = (x1, y1)
+        assert steps_of("random_scan", ends, pace, jump_pace, settle)[k].row[-1] == pytest.approx(time)
+
+
 places = st.tuples(st.floats(12.0, 28.0), st.floats(12.0, 28.0))
 
 

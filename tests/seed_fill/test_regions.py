@@ -84,6 +84,31 @@ def test_all_that_four_ways_reach_eight_do(image: Image, x: int, y: int) -> None
         assert reached[0] <= reached[1]
 
 
+class Guarded(np.ndarray[Any, Any]):
+    """A picture that lets nobody look or write beside it: an index below 0 would count from the other end."""
+
+    def _inside(self, place: Any) -> None:
+        indexes = place if isinstance(place, tuple) else (place,)
+        for index, side in zip(indexes, self.shape, strict=False):
+            first, last = (index.start, index.stop - 1) if isinstance(index, slice) else (index, index)
+            assert 0 <= first <= last < side, place
+
+    def __getitem__(self, place: Any) -> Any:
+        self._inside(place)
+        return super().__getitem__(place)
+
+    def __setitem__(self, place: Any, value: Any) -> None:
+        self._inside(place)
+        super().__setitem__(place, value)
+
+
+@pytest.mark.parametrize("slug", [*BOUNDARY_FILLS, *FLOOD_FILLS])
+@given(image=images, x=places, y=places)
+def test_nothing_is_read_or_written_outside_the_picture(slug: str, image: Image, x: int, y: int) -> None:
+    colours = (FILL, BOUNDARY) if slug in BOUNDARY_FILLS else (FILL,)
+    list(catalogue.get(slug).function(image.view(Guarded), x, y, *colours))
+
+
 @pytest.mark.parametrize("slug", ["boundary_fill_4", "boundary_fill_8", "boundary_fill_spans"])
 def test_a_large_region_compiled(slug: str) -> None:
     """A maze of walls with gaps, 200 x 300, filled in place by the compiled text."""

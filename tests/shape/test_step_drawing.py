@@ -25,7 +25,6 @@ CHOSEN = {
     # Which text belongs to a kind of figure
     "clipping.py": {"clip_point"},
     "curve_runs.py": {"de_casteljau", "de_boor", "de_boor_rational"},
-    "pipeline.py": {"midpoint_circle", "midpoint_ellipse", "circle_fill", "ellipse_fill"},
     # Which text answers a question, or prepares what another is compared on
     "inside.py": {"inside_outside"},
     "outline_fill.py": {"bresenham_line", "scan_line_fill"},

@@ -8,12 +8,14 @@ from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton
 from pytestqt.qtbot import QtBot
 
+from workbench.algorithms import catalogue
 from workbench.shell import dock_area
 from workbench.shell.command_palette import offers
 from workbench.shell.dock_area import VERSION, DockArea
 from workbench.shell.failures import Failures
 from workbench.shell.hints import Hints
-from workbench.shell.questions import questions
+from workbench.shell.home import HomePage
+from workbench.shell.questions import algorithms_for, questions
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
@@ -310,6 +312,23 @@ def test_home_lists_twelve_questions_and_offers_those_with_a_workspace(window: M
         window.open_question(question)
         assert window.place == question.workspace
         assert window.session.sheet.figures
+
+
+def test_home_names_the_algorithms_of_each_question(qtbot: QtBot) -> None:
+    home = HomePage([])
+    qtbot.addWidget(home)
+    home.show_questions()
+    cards = {button.accessibleName(): button for button in home.findChildren(QPushButton)}
+    for question in questions():
+        titles = [entry.title for entry in catalogue.entries() if question.number in entry.questions]
+        assert algorithms_for(question.number) == titles
+        if question.workspace:
+            assert titles
+            card = cards[f"{question.number} {question.text}"]
+            assert all(title in card.toolTip() for title in titles)
+            said = " ".join(label.text() for label in card.findChildren(QLabel))
+            assert question.text in said
+            assert titles[0] in said
 
 
 def test_commands_wait_for_the_session(qtbot: QtBot, panels: None) -> None:

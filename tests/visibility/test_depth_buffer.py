@@ -95,6 +95,16 @@ def test_won_says_what_became_of_the_fragment(scene: list[Triangle]) -> None:
             stored[x, y] = z
 
 
+@given(scene=scenes, again=st.integers(0, 4))
+def test_on_equal_depth_the_first_stays(scene: list[Triangle], again: int) -> None:
+    """A triangle drawn a second time, in another colour, wins nowhere."""
+    image, depth, _emitted = render(scene)
+    repeated, same_depth, emitted = render([*scene, scene[again % len(scene)]])
+    assert np.array_equal(image, repeated)
+    assert np.array_equal(depth, same_depth)
+    assert sum(won for *_place, won in emitted) == sum(won for *_place, won in _emitted)
+
+
 @given(scene=scenes, cut=st.integers(0, HEIGHT))
 def test_bands_of_rows_give_the_same_picture(scene: list[Triangle], cut: int) -> None:
     image, depth, emitted = render(scene)

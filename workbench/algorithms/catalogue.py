@@ -10,6 +10,7 @@ _TEACHING_ORDER = (
     "lines.dda_single",
     "lines.dda_fixed",
     "lines.bresenham",
+    "lines.bresenham_two_ends",
     "lines.midpoint",
     "lines.wu",
     "circles.midpoint_circle",
@@ -56,6 +57,22 @@ def entries() -> tuple[Entry, ...]:
 def topic(name: str) -> tuple[Entry, ...]:
     """The entries of one topic, in teaching order; none for a topic without algorithms."""
     return tuple(entry for entry in _ENTRIES if entry.topic == name)
+
+
+def drawing(kind: str, first: str) -> tuple[str, ...]:
+    """The slugs that can draw this kind of figure, in teaching order, but ``first`` before all others."""
+    others = [entry.slug for entry in _ENTRIES if kind in entry.draws and entry.slug != first]
+    return (first, *others)
+
+
+def serving(question: int) -> tuple[Entry, ...]:
+    """The entries that serve this question of the paper, in teaching order."""
+    return tuple(entry for entry in _ENTRIES if question in entry.questions)
+
+
+def known(slug: str) -> bool:
+    """Whether there is an entry of this name."""
+    return slug in _BY_SLUG
 
 
 def get(slug: str) -> Entry:

@@ -15,7 +15,8 @@ Texts for people are plain strings here and are translated where they are shown.
 import copy
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from random import Random
+from typing import Any, Literal, NamedTuple
 
 from workbench.algorithms.marks import Frame, MarksFunction, no_marks
 
@@ -24,6 +25,13 @@ CALLS = "calls"
 
 Emits = Literal["pixels", "coverage", "spans", "fragments", "points", "segments"]
 Kind = Literal["int", "float", "bool", "colour", "image", "depth", "points", "floats", "ints"]
+
+
+class Law(NamedTuple):
+    """What always holds, in a sentence, and the test that proves it, as pytest names it under ``tests/``."""
+
+    sentence: str
+    proof: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +88,7 @@ class Entry:
 
     ``columns`` heads the hand table as the course writes it: ``p_k`` is shown with a subscript.
     ``view_functions`` are plain functions that the views may call, beside what the text itself knows.
-    ``laws`` are the sentences that the tests of this entry prove, ``not_laws`` what one might believe and is
+    ``laws`` are what the tests of this entry prove, ``not_laws`` what one might believe and is
     not so. ``questions`` are those of the paper it serves, ``next_rung`` the slug of the next one on the
     ladder, ``tie`` the book whose tie it follows. ``writes`` names the image argument that the text itself
     writes in place (then a painting sink writes nothing). ``compiles`` is empty, or says why this text is
@@ -96,6 +104,10 @@ class Entry:
     over. Without a recording, as while something is dragged, ``now`` is empty, ``emitted`` everything and
     ``ended`` true. ``stack`` names the local whose length is plotted, or CALLS for a text that calls itself.
     ``counted`` maps what is counted beside the arithmetic to the beginnings of the titles of its blocks.
+
+    ``draws`` are the kinds of figure that it can draw, as documents name them. Where the ranges of parameters
+    are not enough, ``arguments`` makes some that fit each other, from a source of chance and nothing else;
+    what is all but degenerate (ties, coincident points, repeated knots) has to come up often.
     """
 
     function: Callable[..., Iterator[tuple[Any, ...]]]
@@ -108,7 +120,9 @@ class Entry:
     columns: tuple[str, ...] = ()
     views: tuple[View, ...] = ()
     view_functions: tuple[Callable[..., Any], ...] = ()
-    laws: tuple[str, ...] = ()
+    draws: tuple[str, ...] = ()
+    arguments: Callable[[Random], tuple[Any, ...]] | None = None
+    laws: tuple[Law, ...] = ()
     not_laws: tuple[str, ...] = ()
     questions: tuple[int, ...] = ()
     labs: tuple[str, ...] = ()

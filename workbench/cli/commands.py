@@ -3,15 +3,18 @@
 import argparse
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 from workbench import __version__
 from workbench.cli.failure import BadInputError, WorkError
 from workbench.document.places import legible
 from workbench.language import _
+
+if TYPE_CHECKING:
+    from workbench.document.model import Sheet
 
 PROGRAM = "graphics-workbench"
 _LONGEST_SENTENCE = 500  # whatever was typed and is quoted in it
@@ -173,4 +176,15 @@ def _draw(options: argparse.Namespace) -> str:
             )
         )
     outputs.write(row, (frame_buffer(sheets[options.sheet - 1]), options.cell), options.output)
-    return ""
+    return "\n".join(_stand_ins(sheets[options.sheet - 1]))
+
+
+def _stand_ins(sheet: "Sheet") -> Iterator[str]:
+    """A sentence for each figure that another algorithm draws than the file asks for."""
+    from workbench.algorithms import catalogue
+
+    for figure in sheet.figures:
+        if figure.drawn_with != figure.algorithm:
+            sentence = _("{figure} asks for {slug}, which this version lacks; {title} drew it.")
+            title = _(catalogue.get(figure.drawn_with).title)
+            yield sentence.format(figure=figure.name or figure.id, slug=figure.algorithm, title=title)

@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
+from workbench.algorithms import catalogue
 from workbench.document.addresses import highest
 from workbench.document.differences import between
 from workbench.document.errors import DocumentError
@@ -135,7 +136,9 @@ def _figure(at: str, figure: AnyFigure, sheet: Sheet, before: AnyFigure | None) 
     _truth(f"{at}.visible", figure.visible)
     if hasattr(figure, "closed"):
         _truth(f"{at}.closed", figure.closed)
-    if figure.algorithm not in figure.algorithms:
+    _name(f"{at}.algorithm", figure.algorithm)
+    chosen = before is not None and before.algorithm != figure.algorithm
+    if figure.algorithm not in figure.algorithms and (chosen or catalogue.known(figure.algorithm)):
         choices = ", ".join(figure.algorithms)
         problem = _("is {value}, which cannot draw this figure; choose one of {choices}")
         raise refuse(f"{at}.algorithm", problem.format(value=shown(figure.algorithm), choices=choices))

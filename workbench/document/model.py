@@ -11,6 +11,8 @@ from typing import ClassVar
 
 import msgspec
 
+from workbench.algorithms.catalogue import drawing
+
 _NUMBER = re.compile(r"[0-9]{1,15}$")
 
 
@@ -52,8 +54,9 @@ class Figure(
 ):
     """What all figures share. ``colour`` is a palette index of the sheet, ``algorithm`` a catalogue slug.
 
-    ``algorithms`` are the slugs that can draw this kind of figure, the first one new figures get;
-    ``least_points`` and ``most_points`` bound the number of its control points.
+    ``algorithms`` are the slugs that can draw this kind of figure, as the catalogue has them, the first one
+    new figures get; ``least_points`` and ``most_points`` bound the number of its control points. A slug that
+    the catalogue does not have is kept: a newer program may have written it.
     """
 
     topic: ClassVar[str] = ""
@@ -83,19 +86,17 @@ class Figure(
         """What in it has an id."""
         return self.points_world
 
+    @property
+    def drawn_with(self) -> str:
+        """The slug that draws it: its own, or where the catalogue has none of that name, the kind's first."""
+        return self.algorithm if self.algorithm in self.algorithms else self.algorithms[0]
+
 
 class Line(Figure, frozen=True, tag="line"):
     """A segment between two points."""
 
     topic: ClassVar[str] = "lines"
-    algorithms: ClassVar[tuple[str, ...]] = (
-        "bresenham_line",
-        "dda_line",
-        "dda_line_single",
-        "dda_line_fixed",
-        "midpoint_line",
-        "wu_line",
-    )
+    algorithms: ClassVar[tuple[str, ...]] = drawing("line", first="bresenham_line")
     least_points: ClassVar[int] = 2
     most_points: ClassVar[int] = 2
 
@@ -104,7 +105,7 @@ class Polyline(Figure, frozen=True, tag="polyline"):
     """Segments through two or more points, and back to the first when closed."""
 
     topic: ClassVar[str] = "lines"
-    algorithms: ClassVar[tuple[str, ...]] = Line.algorithms
+    algorithms: ClassVar[tuple[str, ...]] = drawing("polyline", first="bresenham_line")
     least_points: ClassVar[int] = 2
     most_points: ClassVar[int] = 100_000
 
@@ -120,7 +121,7 @@ class Polygon(Figure, frozen=True, tag="polygon"):
     """
 
     topic: ClassVar[str] = "polygons"
-    algorithms: ClassVar[tuple[str, ...]] = ("scan_line_fill",)
+    algorithms: ClassVar[tuple[str, ...]] = drawing("polygon", first="scan_line_fill")
     least_points: ClassVar[int] = 3
     most_points: ClassVar[int] = 100_000
 
@@ -139,7 +140,7 @@ class Circle(Figure, frozen=True, tag="circle", kw_only=True):
     """A circle about its one point; a radius of 0 is a single pixel."""
 
     topic: ClassVar[str] = "circles"
-    algorithms: ClassVar[tuple[str, ...]] = ("midpoint_circle", "circle_fill")
+    algorithms: ClassVar[tuple[str, ...]] = drawing("circle", first="midpoint_circle")
 
     radius_world: float
 
@@ -148,7 +149,7 @@ class Ellipse(Figure, frozen=True, tag="ellipse", kw_only=True):
     """An ellipse with axes parallel to x and y, about its one point; a radius of 0 makes it a segment."""
 
     topic: ClassVar[str] = "circles"
-    algorithms: ClassVar[tuple[str, ...]] = ("midpoint_ellipse", "ellipse_fill")
+    algorithms: ClassVar[tuple[str, ...]] = drawing("ellipse", first="midpoint_ellipse")
 
     radius_x_world: float
     radius_y_world: float
@@ -161,14 +162,7 @@ class SeedFill(Figure, frozen=True, tag="seed_fill", kw_only=True):
     """
 
     topic: ClassVar[str] = "seed_fill"
-    algorithms: ClassVar[tuple[str, ...]] = (
-        "boundary_fill_4",
-        "boundary_fill_8",
-        "flood_fill_4",
-        "flood_fill_8",
-        "boundary_fill_recursive",
-        "boundary_fill_spans",
-    )
+    algorithms: ClassVar[tuple[str, ...]] = drawing("seed_fill", first="boundary_fill_4")
 
     boundary: int = 1
     recursion_limit: int = 1000
@@ -231,7 +225,7 @@ class Curve(Figure, frozen=True, tag="curve", omit_defaults=True):
     """
 
     topic: ClassVar[str] = "curves"
-    algorithms: ClassVar[tuple[str, ...]] = Line.algorithms
+    algorithms: ClassVar[tuple[str, ...]] = drawing("curve", first="bresenham_line")
     least_points: ClassVar[int] = 1
     most_points: ClassVar[int] = 10_000
 

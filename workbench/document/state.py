@@ -4,6 +4,7 @@ from typing import Literal, get_args
 
 import msgspec
 
+from workbench.algorithms import catalogue
 from workbench.document.check import MAX_SIDE_PX, refuse, shown
 from workbench.document.model import CONSTRUCTIONS, LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure, Document
 from workbench.language import _
@@ -63,7 +64,7 @@ def check_state(state: SessionState, document: Document) -> SessionState:
         raise refuse("session.active", _missing(state.active))
     slugs = {slug for kind in get_args(AnyFigure) for slug in kind.algorithms}
     slugs.update(LINE_CLIPPERS, POLYGON_CLIPPERS)
-    if state.compare and state.compare not in slugs:
+    if catalogue.known(state.compare) and state.compare not in slugs:
         raise refuse("session.compare", _missing(state.compare))
     if state.construction and state.construction not in CONSTRUCTIONS:
         raise refuse("session.construction", _missing(state.construction))

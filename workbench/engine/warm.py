@@ -126,7 +126,7 @@ def _has(entry: Entry, use: str) -> bool:
         case "paint_many":
             return entry.emits in PAINTING and only_numbers(kinds(entry.function))
         case "collect_many":
-            many = entry.emits == "segments" or entry.topic == "lines"
+            many = entry.emits == "segments" or "line" in entry.draws
             return many and only_numbers(kinds(entry.function))
         case "hits":
             return entry.emits in ("pixels", "coverage", "spans", "fragments")

@@ -7,6 +7,7 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
+from workbench.algorithms import catalogue
 from workbench.algorithms.curves import Pieces
 from workbench.document.curve_conversions import path_through
 from workbench.document.model import (
@@ -228,8 +229,14 @@ def _round_figure(element: Element, matrix: Array, colour: int, filled: bool) ->
     at = (WorldPoint("", float(centre[0]), float(centre[1])),)
     across, up = abs(a) * rx, abs(d) * ry
     if across == up:
-        return Circle("", at, Circle.algorithms[filled], colour, radius_world=across)
-    return Ellipse("", at, Ellipse.algorithms[filled], colour, radius_x_world=across, radius_y_world=up)
+        return Circle("", at, _slug(Circle, filled), colour, radius_world=across)
+    return Ellipse("", at, _slug(Ellipse, filled), colour, radius_x_world=across, radius_y_world=up)
+
+
+def _slug(kind: type[Circle | Ellipse], filled: bool) -> str:
+    """What new figures of this kind are drawn by, or the first text that fills them."""
+    areas = (slug for slug in kind.algorithms if catalogue.get(slug).emits == "spans")
+    return next(areas) if filled else kind.algorithms[0]
 
 
 def _curves(run: Outline, colour: int) -> list[AnyFigure]:

@@ -11,6 +11,7 @@ from xml.sax.saxutils import escape, quoteattr
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms import catalogue
 from workbench.algorithms.curves import to_cubic_pieces
 from workbench.document.curve_pieces import fault_of, pieces_of
 from workbench.document.model import (
@@ -145,7 +146,7 @@ def _element(figure: AnyFigure, tolerance: float) -> tuple[str, dict[str, str], 
 
 def _paint(figure: AnyFigure, sheet: Sheet, pixel: float) -> dict[str, str]:
     colour = written(sheet.palette[figure.colour])
-    if isinstance(figure, Polygon) or figure.algorithm.endswith("_fill"):
+    if catalogue.get(figure.drawn_with).emits == "spans":
         rule = "nonzero" if isinstance(figure, Polygon) and figure.nonzero else "evenodd"
         return {"fill": colour, "fill-rule": rule, "stroke": "none"}
     return {"fill": "none", "stroke": colour, "stroke-width": number(pixel)}

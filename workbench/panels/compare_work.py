@@ -110,7 +110,7 @@ def choices(sheet: Sheet, figure: AnyFigure | None, clipping: bool) -> tuple[str
     others = list(figure.algorithms)
     if isinstance(figure, Polygon):
         others += SeedFill.algorithms
-    return figure.algorithm, tuple(slug for slug in others if slug in known and slug != figure.algorithm)
+    return figure.drawn_with, tuple(slug for slug in others if slug in known and slug != figure.drawn_with)
 
 
 def figures_compared(

@@ -33,7 +33,7 @@ class DrawView(FigureView):
         if active is None:
             self.plot.show_distances([])
             return
-        slugs = [active.algorithm, *([compared] if compared else [])]
+        slugs = [active.drawn_with, *([compared] if compared else [])]
         sheet = self.session.sheet
         self.plot.show_distances(
             [(_(catalogue.get(slug).title), distances(sheet, active, slug)) for slug in slugs]

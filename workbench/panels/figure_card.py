@@ -202,9 +202,9 @@ class ParameterCard(QFrame):
             new = _("New {what}").format(what=tool.title.lower()) if tool is not None else _("Sheet")
             self.title.setText(new)
         common = next(iter(kinds)) if len(kinds) == 1 else new_kind
-        now = figures[0].algorithm if figures else (tool.algorithm if tool is not None else "")
+        now = figures[0].drawn_with if figures else (tool.algorithm if tool is not None else "")
         self._fill(self.algorithm, algorithm_choices(common) if common is not None else [], now)
-        others = [c for c in algorithm_choices(one) if c[0] != one.algorithm] if one is not None else []
+        others = [c for c in algorithm_choices(one) if c[0] != one.drawn_with] if one is not None else []
         self._fill(
             self.compare,
             [("", _("Compare with nothing"))]
@@ -228,7 +228,17 @@ class ParameterCard(QFrame):
     def _say_trouble(self, sheet: Sheet, figures: Sequence[AnyFigure]) -> None:
         """What is not drawn, and why."""
         far = [(reach, figure) for figure in figures if (reach := reach_of(sheet, figure)) > REACH_PX]
-        self.trouble.setVisible(bool(far))
+        unknown = next((figure for figure in figures if figure.algorithm != figure.drawn_with), None)
+        self.trouble.setVisible(bool(far) or unknown is not None)
+        if unknown is not None:
+            sentence = _(
+                "\N{WARNING SIGN} This {what} asks for “{slug}”, an algorithm that this version lacks. "
+                "“{title}” draws it until you choose another; the file keeps the name."
+            )
+            title = _(catalogue.get(unknown.drawn_with).title)
+            self.trouble.setText(
+                sentence.format(what=kind_title(unknown).lower(), slug=unknown.algorithm, title=title)
+            )
         if far:
             reach, figure = max(far, key=lambda each: each[0])
             sentence = _(

@@ -102,7 +102,7 @@ def compose(
     return Composition(
         shown,
         background,
-        replace(overlay, classes=first, drawn=(_name(sheet, active.algorithm, "data1"),)),
+        replace(overlay, classes=first, drawn=(_name(sheet, active.drawn_with, "data1"),)),
         comparison,
         Overlay(ideal=overlay.ideal, classes=second, drawn=(_name(sheet, compared, "data2"),)),
     )

@@ -67,7 +67,7 @@ def _area_at(sheet: Sheet, x: int, y: int) -> AnyFigure | None:
     figure = sheet.figures[index] if index >= 0 else None
     if figure is None:
         return None
-    filled = isinstance(figure, SeedFill) or catalogue.get(figure.algorithm).emits == "spans"
+    filled = isinstance(figure, SeedFill) or catalogue.get(figure.drawn_with).emits == "spans"
     return figure if filled else None
 
 

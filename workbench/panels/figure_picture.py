@@ -85,7 +85,7 @@ def comparison_classes(
 
     ``reached`` restricts the classes to what two runs have painted so far.
     """
-    result = compare(sheet, figure, figure.algorithm, second)
+    result = compare(sheet, figure, figure.drawn_with, second)
     first, other = reached or (
         np.concatenate([result.both, result.only_first, result.tied_first]),
         np.concatenate([result.both, result.only_second, result.tied_second]),

@@ -111,7 +111,7 @@ class FigureView:
     def compared(self) -> str:
         """The slug of the second algorithm, when there is one that can draw the active figure."""
         active, slug = self.session.active_figure, self.session.state.compare
-        fits = active is not None and slug in active.algorithms and slug != active.algorithm
+        fits = active is not None and slug in active.algorithms and slug != active.drawn_with
         return slug if fits else ""
 
     def on_paper(self, number: int | None = None) -> Composition:
@@ -140,7 +140,9 @@ class FigureView:
         if active is None or result is None:
             return ""
         now = tokens()
-        first, second = (escape(_(catalogue.get(slug).title)) for slug in (active.algorithm, self.compared()))
+        first, second = (
+            escape(_(catalogue.get(slug).title)) for slug in (active.drawn_with, self.compared())
+        )
         lines = [
             (now.agreement, "■", _("{n} pixels agree").format(n=len(result.both))),
             (now.data[0], "◪", _("{n} only {title}").format(n=len(result.only_first), title=first)),
@@ -163,6 +165,6 @@ class FigureView:
         if index < 0:
             return f"({x}, {y})"
         figure = sheet.figures[index]
-        title = _(catalogue.get(figure.algorithm).title)
+        title = _(catalogue.get(figure.drawn_with).title)
         name = figure.name or kind_title(figure)
         return _("({x}, {y}) {name}, {title}").format(x=x, y=y, name=name, title=title)

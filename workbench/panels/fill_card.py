@@ -17,7 +17,7 @@ from workbench.panels.figure_card import ParameterCard
 from workbench.panels.figure_gesture import snapped
 from workbench.panels.figure_picture import themed
 from workbench.panels.figure_tools import FigureTool
-from workbench.panels.fill_tools import SeedTool, seed_problem
+from workbench.panels.fill_tools import SeedTool, seed_problem, stops_at_boundary
 from workbench.rendering import device_map
 from workbench.widgets.number_field import NumberField
 from workbench.widgets.swatches import Swatches
@@ -86,8 +86,9 @@ class FillCard(ParameterCard):
         if colour is not None:
             self.colours.show_colours(shown, colour, sheet.background)
         kind: SeedFill | SeedTool | None = fills[0] if len(fills) == 1 == len(figures) else seed
-        entry = None if kind is None else catalogue.get(kind.algorithm)
-        self.boundary.setVisible(entry is not None and "boundary" in entry.parameter_names)
+        slug = kind.drawn_with if isinstance(kind, SeedFill) else kind.algorithm if kind is not None else ""
+        entry = catalogue.get(slug) if slug else None
+        self.boundary.setVisible(entry is not None and stops_at_boundary(entry.slug))
         self.limit.setVisible(entry is not None and entry.stack == CALLS)
         if kind is not None:
             self.boundary.show_colours(shown, kind.boundary, sheet.background)
@@ -104,7 +105,7 @@ class FillCard(ParameterCard):
         sheet = self._session.sheet
         seed = snapped(*device_map(sheet).point(fill.points_world[0].x, fill.points_world[0].y))
         place = sheet.figures.index(fill)
-        return seed_problem(self._session, seed, fill.algorithm, fill.colour, fill.boundary, place)
+        return seed_problem(self._session, seed, fill.drawn_with, fill.colour, fill.boundary, place)
 
     def say_verdict(self, sentence: str) -> None:
         """What the inside-outside test found."""

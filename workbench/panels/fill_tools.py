@@ -202,6 +202,11 @@ class SeedTool(FigureTool):
         """All is done."""
 
 
+def stops_at_boundary(algorithm: str) -> bool:
+    """Whether a seed fill asks for the colour of a boundary."""
+    return "boundary" in catalogue.get(algorithm).parameter_names
+
+
 def seed_problem(
     session: Session, cell: Cell, algorithm: str, fill: int, boundary: int, below: int | None = None
 ) -> str:
@@ -217,8 +222,7 @@ def seed_problem(
         text = _("The seed ({x}, {y}) is outside the picture of {w} by {h} pixels: put it inside.")
         return text.format(x=x, y=y, w=size[0], h=size[1])
     found = int(frame_buffer(sheet)[y, x])
-    bounded = "boundary" in catalogue.get(algorithm).parameter_names
-    if bounded and found == sheet.palette[boundary]:
+    if stops_at_boundary(algorithm) and found == sheet.palette[boundary]:
         return _("The seed ({x}, {y}) is on the boundary: put it inside the region.").format(x=x, y=y)
     if found == sheet.palette[fill]:
         text = _("The seed ({x}, {y}) has the fill's colour already: choose another colour or place.")

@@ -1,12 +1,14 @@
-"""The inspector serves every algorithm: its source, its variables and structures, its hand table."""
+"""The inspector serves every algorithm: source, about, variables, structures, hand table."""
 
 from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QSplitter, QWidget
 
 from workbench.language import _
+from workbench.panels.about import choose, may_choose
 from workbench.panels.panel import DockPart, PlainPanel, Said
 from workbench.session.session import Session
+from workbench.widgets.about_view import AboutView
 from workbench.widgets.hand_table import HandTable
 from workbench.widgets.source_view import SourceView
 from workbench.widgets.step_bar import Steps
@@ -31,6 +33,8 @@ class InspectorPanel(PlainPanel, QWidget):
         self._chosen: tuple[int, int] | None = None
         self.title = _("Inspector")
         self.source = SourceView(run)
+        self.about = AboutView(run, lambda slug: may_choose(session, slug))
+        self.about.rung_wanted.connect(lambda slug: choose(session, slug))
         self.variables = VariableTable(run)
         self.structures = StructureTable(run)
         self.hand = HandTable(run)
@@ -46,7 +50,7 @@ class InspectorPanel(PlainPanel, QWidget):
         run.moved.connect(self._choose_nothing)
         self.source.refused.connect(self.hover_text)
         self.hand.copied.connect(self.hover_text)
-        for view in (self.source, self.variables, self.hand):
+        for view in (self.source, self.about, self.variables, self.hand):
             view.example_wanted.connect(self.show_example)
 
     def _show_variable(self, name: str) -> None:
@@ -75,10 +79,11 @@ class InspectorPanel(PlainPanel, QWidget):
         return self
 
     def docks(self) -> list[DockPart]:
-        """Source, variables with structures, hand table: all on the right."""
+        """Source, about, variables with structures, hand table: all on the right."""
         right = Qt.DockWidgetArea.RightDockWidgetArea
         return [
             ("source", _("Source"), self.source, right),
+            ("about", _("About"), self.about, right),
             ("variables", _("Variables"), self.values, right),
             ("hand_table", _("Hand table"), self.hand, right),
         ]

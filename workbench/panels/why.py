@@ -141,7 +141,7 @@ class WhyList(QWidget):
 
     def _item(self, sheet: Sheet, answer: Answer) -> QListWidgetItem:
         figure = sheet.figures[answer.figure]
-        title = _(catalogue.get(figure.algorithm).title)
+        title = _(catalogue.get(figure.drawn_with).title)
         verb = {"wrote": _("wrote it"), "tested": _("tested it"), "refused": _("refused it")}[answer.verb]
         if answer.stands:
             verb = _("wrote it, and its colour stands")

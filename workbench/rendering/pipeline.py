@@ -34,7 +34,7 @@ _ENDS = ("x0", "y0", "x1", "y1")
 
 def line_calls_table(sheet: Sheet, figure: Lines) -> tuple[Entry, NDArray[np.int64]]:
     """The algorithm of a figure made of lines, and its arguments (n, k), a row for each of its calls."""
-    entry, ends = catalogue.get(figure.algorithm), line_table(sheet, figure)
+    entry, ends = catalogue.get(figure.drawn_with), line_table(sheet, figure)
     columns = [
         ends[:, _ENDS.index(p.name)] if p.name in _ENDS else np.full(len(ends), p.example, np.int64)
         for p in entry.parameters
@@ -83,7 +83,10 @@ def colour_of(sheet: Sheet, figure: AnyFigure) -> int:
     return sheet.palette[figure.colour % len(sheet.palette)]
 
 
-_UNEQUAL = {"midpoint_circle": "midpoint_ellipse", "circle_fill": "ellipse_fill"}
+def _of_ellipses(circle: Entry) -> Entry:
+    """What draws a circle that the scale makes an ellipse: as an outline or as an area, like its own text."""
+    entries = [catalogue.get(slug) for slug in Ellipse.algorithms]
+    return next(entry for entry in entries if entry.emits == circle.emits)
 
 
 def calls(
@@ -97,7 +100,7 @@ def calls(
     ``below`` is the picture (h, w) beneath a seed fill, which copies nothing: hand it a copy where the text
     writes. Raises LookupError when the catalogue has no such algorithm.
     """
-    entry = catalogue.get(algorithm or figure.algorithm)
+    entry = catalogue.get(algorithm or figure.drawn_with)
     if isinstance(figure, Line | Polyline | Curve):
         places = [_ENDS.index(p.name) if p.name in _ENDS else -1 for p in entry.parameters]
         ends = line_ends(sheet, figure)
@@ -110,7 +113,7 @@ def calls(
     for values in _named(sheet, figure, below):
         chosen = entry
         if "r" in values and values["rx"] != values["ry"] and any(p.name == "r" for p in entry.parameters):
-            chosen = catalogue.get(_UNEQUAL[entry.slug])
+            chosen = _of_ellipses(entry)
         limit = figure.recursion_limit if isinstance(figure, SeedFill) and chosen.compiles else 0
         made.append(Call(chosen, tuple(values.get(p.name, p.example) for p in chosen.parameters), limit))
     return made

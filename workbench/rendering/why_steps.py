@@ -180,5 +180,5 @@ def _distance(sheet: Sheet, x: int, y: int) -> tuple[str, int] | None:
     away = np.maximum(np.abs(columns - x), np.abs(rows - y))
     nearest = int(np.argmin(away))
     figure = sheet.figures[int(painter[rows[nearest], columns[nearest]])]
-    title = _(catalogue.get(figure.algorithm).title)
+    title = _(catalogue.get(figure.drawn_with).title)
     return figure.name or title, int(away[nearest])

@@ -65,7 +65,7 @@ class Following(QObject):
         if state.stepped == "clipper":
             if state.compare in LINE_CLIPPERS and clipper_of(session.sheet, figure) in LINE_CLIPPERS:
                 return clipper_calls(session.sheet, figure, state.compare)
-        elif state.compare in figure.algorithms and state.compare != figure.algorithm:
+        elif state.compare in figure.algorithms and state.compare != figure.drawn_with:
             return figure_calls(session.sheet, figure, state.compare)
         elif isinstance(figure, Polygon) and state.compare in SeedFill.algorithms:
             filled = outline_fill(session.sheet, figure, state.compare).call

@@ -39,7 +39,8 @@ class HelpPage(Page):
                 _("Read"),
                 _(
                     "Source shows the algorithm itself with the current line marked, Variables what changed, "
-                    "and the hand table is the one you would write on paper."
+                    "and the hand table is the one you would write on paper. About tells what always holds "
+                    "of it, and leads to the next algorithm of its kind."
                 ),
             ),
             (

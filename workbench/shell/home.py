@@ -9,7 +9,7 @@ from PySide6.QtCore import QSize, Signal, SignalInstance
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout
 
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.paths import resource
 from workbench.shell.pages import Page, heading, paragraph
 
@@ -17,8 +17,11 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
+    from workbench.shell.questions import Question
+
 _EXAMPLE_COLUMNS = 5
 _NAME_LENGTH = 28
+_MOST_TITLES = 4
 THUMBNAIL = QSize(132, 84)
 
 
@@ -86,7 +89,7 @@ class HomePage(Page):
         """List the questions: those that can be worked on as buttons, the others below them."""
         from PySide6.QtCore import Qt
 
-        from workbench.shell.questions import questions
+        from workbench.shell.questions import algorithms_for, questions
 
         grid = self._questions
         for column in (0, 1):
@@ -94,13 +97,10 @@ class HomePage(Page):
         offered = [each for each in questions() if each.workspace]
         listed = [each for each in questions() if not each.workspace]
         for place, question in enumerate(offered):
-            button = QPushButton(f"{question.number}   {question.text}")
-            button.setProperty("card", True)
-            button.setToolTip(_("Open workspace, example and step of this question"))
-            button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+            button = _question_card(question, algorithms_for(question.number))
             button.clicked.connect(partial(self._choose, self.question_chosen, question))
             grid.addWidget(button, place, 0, 1, 2)
-        later = QLabel(_("These have no workspace yet:"))
+        later = QLabel(_("The workspaces of these are still to come:"))
         later.setProperty("role", "muted")
         grid.addWidget(later, len(offered), 0, 1, 2)
         half = (len(listed) + 1) // 2
@@ -109,6 +109,8 @@ class HomePage(Page):
             label.setProperty("role", "muted")
             label.setWordWrap(True)
             label.setAlignment(Qt.AlignmentFlag.AlignTop)
+            if titles := algorithms_for(question.number):
+                label.setToolTip(_("There is already: {titles}").format(titles=" · ".join(titles)))
             grid.addWidget(label, len(offered) + 1 + place % half, place // half)
 
     @staticmethod
@@ -167,6 +169,43 @@ class HomePage(Page):
     def example_buttons(self) -> list[QPushButton]:
         """The example cards, in order."""
         return list(self._cards)
+
+
+def _question_card(question: Question, titles: Sequence[str]) -> QPushButton:
+    """A question that can be worked on, and under it the algorithms that serve it."""
+    from PySide6.QtCore import Qt
+
+    card = QPushButton()
+    card.setProperty("card", True)
+    card.setAccessibleName(f"{question.number} {question.text}")
+    tip = _("Open workspace, example and step of this question")
+    card.setToolTip("\n".join([tip, *(f"• {title}" for title in titles)]))
+    card.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+    grid = QGridLayout(card)
+    grid.setContentsMargins(12, 6, 12, 6)
+    grid.setHorizontalSpacing(12)
+    grid.setVerticalSpacing(0)
+    grid.setColumnStretch(1, 1)
+    number, words, below = QLabel(str(question.number)), QLabel(question.text), QLabel(_some_of(titles))
+    number.setMinimumWidth(18)
+    below.setProperty("role", "muted")
+    for label, row, column in ((number, 0, 0), (words, 0, 1), (below, 1, 1)):
+        label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        # A narrow window shows the beginning: the tooltip has all
+        across = QSizePolicy.Policy.Ignored if column else QSizePolicy.Policy.Fixed
+        label.setSizePolicy(across, QSizePolicy.Policy.Fixed)
+        grid.addWidget(label, row, column)
+    below.setVisible(bool(titles))
+    card.setFixedHeight(grid.sizeHint().height())
+    return card
+
+
+def _some_of(titles: Sequence[str]) -> str:
+    """The first few titles, and how many more there are."""
+    shown, more = list(titles[:_MOST_TITLES]), len(titles) - _MOST_TITLES
+    if more > 0:
+        shown.append(ngettext("{count} more", "{count} more", more).format(count=more))
+    return " · ".join(shown)
 
 
 def _empty(grid: QGridLayout) -> None:

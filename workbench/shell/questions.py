@@ -72,3 +72,10 @@ def questions() -> tuple[Question, ...]:
         ),
         Question(12, _("How is a picture turned about a point that is not the origin?"), _("Transformation")),
     )
+
+
+def algorithms_for(number: int) -> list[str]:
+    """What the algorithms are called that say that they serve this question, in teaching order."""
+    from workbench.algorithms import catalogue
+
+    return [_(entry.title) for entry in catalogue.serving(number)]

@@ -168,6 +168,7 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("draw-stepped", lambda window: _draw(window, 5)),
         ("draw-compared", _compared),
         ("draw-side-by-side", lambda window: _compared(window, beside=True)),
+        ("draw-about", _about),
         ("draw-ellipse", _ellipse),
         ("draw-drift", _drift),
         ("draw-tube", _swapped),
@@ -239,6 +240,11 @@ def _ellipse(window: MainWindow) -> None:
     ellipse = next(figure.id for figure in session.sheet.figures if figure.algorithm == "midpoint_ellipse")
     session.update_state(active=ellipse, selection=(ellipse,), step=_REGION_2)
     window.arrangements.bring_forward("hand_table")
+
+
+def _about(window: MainWindow) -> None:
+    window.open_example("line")
+    window.arrangements.bring_forward("about")
 
 
 def _drift(window: MainWindow) -> None:

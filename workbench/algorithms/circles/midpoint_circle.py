@@ -7,7 +7,7 @@ new     how many of the eight mirror images of (x, y) have not been plotted befo
 
 from collections.abc import Iterator
 
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, Law, Parameter, View
 
 
 def new_images(x: int, y: int) -> int:
@@ -81,6 +81,7 @@ ENTRY = Entry(
         Parameter("yc", "y_c", "int", 0, -32768, 32767, "px", "centre, row"),
         Parameter("r", "r", "int", 10, 0, 32767, "px", "radius"),
     ),
+    draws=("circle",),
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-5",
     columns=("k", "p_k", "(x_{k+1}, y_{k+1})", "2x_{k+1}", "2y_{k+1}", "new pixels"),
@@ -117,10 +118,22 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "Each pixel once.",
-        "The eight mirror images of every pixel are there.",
-        "In the octant from the top to the diagonal each column has the pixel nearest to the circle.",
-        "Neighbouring pixels touch along a side or at a corner.",
+        Law(
+            "Each pixel comes once.",
+            "circles/test_circles.py::test_the_circle_is_the_nearest_in_each_column_each_pixel_once",
+        ),
+        Law(
+            "The eight mirror images of every pixel are there.",
+            "circles/test_circles.py::test_the_eight_mirror_images_of_each_pixel_are_there",
+        ),
+        Law(
+            "In the octant from the top to the diagonal each column has the pixel nearest to the circle.",
+            "circles/test_circles.py::test_the_circle_is_the_nearest_in_each_column_each_pixel_once",
+        ),
+        Law(
+            "Neighbouring pixels touch along a side or at a corner.",
+            "circles/test_circles.py::test_neighbours_on_the_circle_touch",
+        ),
     ),
     not_laws=(
         "The pixels are those whose squared distance to the centre is nearest to r²: another measure.",

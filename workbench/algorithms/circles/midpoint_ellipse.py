@@ -10,7 +10,7 @@ p_times_4           four times the book's p, so that its quarters stay whole and
 from collections.abc import Iterator
 
 from workbench.algorithms.circles.ellipse_views import COLUMNS, PARAMETERS, VIEWS
-from workbench.algorithms.entry import Entry
+from workbench.algorithms.entry import Entry, Law
 
 
 def four_points(xc: int, yc: int, x: int, y: int) -> Iterator[tuple[int, int]]:
@@ -86,16 +86,32 @@ ENTRY = Entry(
     title="Midpoint ellipse",
     summary="Walks a quarter of the ellipse in two regions, each in steps along its longer direction.",
     parameters=PARAMETERS,
+    draws=("ellipse",),
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-6",
     columns=COLUMNS,
     views=VIEWS,
     laws=(
-        "Each pixel once.",
-        "The four mirror images of every pixel are there, and the four ends of the axes.",
-        "Every choice agrees with the sign of the ellipse's function at the midpoint, reckoned exactly.",
-        "Neighbouring pixels touch along a side or at a corner.",
-        "With equal radii the pixels are those of the midpoint circle.",
+        Law(
+            "Each pixel comes once.",
+            "circles/test_circles.py::test_the_ellipse_chooses_by_the_exact_sign_each_pixel_once",
+        ),
+        Law(
+            "The four mirror images of every pixel are there, and the four ends of the axes.",
+            "circles/test_circles.py::test_the_ellipse_chooses_by_the_exact_sign_each_pixel_once",
+        ),
+        Law(
+            "Every choice agrees with the sign of the ellipse's function at the midpoint, reckoned exactly.",
+            "circles/test_circles.py::test_the_ellipse_chooses_by_the_exact_sign_each_pixel_once",
+        ),
+        Law(
+            "Neighbouring pixels touch along a side or at a corner.",
+            "circles/test_circles.py::test_neighbours_on_the_ellipse_touch",
+        ),
+        Law(
+            "With equal radii the pixels are those of the midpoint circle.",
+            "circles/test_circles.py::test_with_equal_radii_the_ellipse_is_the_circle",
+        ),
     ),
     not_laws=("Every pixel is the nearest to the ellipse: at the ends of a very flat one they need not be.",),
     labs=("Ellipse drawing: midpoint",),

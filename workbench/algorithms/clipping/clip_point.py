@@ -9,8 +9,8 @@ from typing import Any
 from numpy.typing import NDArray
 
 from workbench.algorithms.clipping.cutting import pixels
-from workbench.algorithms.clipping.window import POINT, WINDOW
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.clipping.window import POINT, WINDOW, point_and_window
+from workbench.algorithms.entry import Entry, Law, View
 from workbench.algorithms.marks import Mark, Spot
 
 
@@ -52,6 +52,7 @@ ENTRY = Entry(
     title="Point clipping",
     summary="Four comparisons tell whether a point lies in the window.",
     parameters=(*POINT, *WINDOW),
+    arguments=point_and_window,
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-6",
     columns=("x_{min} ≤ x", "x ≤ x_{max}", "y_{min} ≤ y", "y ≤ y_{max}", "point"),
@@ -87,7 +88,12 @@ ENTRY = Entry(
             sentence="y = {y} is not between {ymin} and {ymax}: leave the point out.",
         ),
     ),
-    laws=("A point in the window or on its edge is kept as it is, any other is left out.",),
+    laws=(
+        Law(
+            "A point in the window or on its edge is kept as it is, any other is left out.",
+            "clipping/test_lines.py::test_a_point_is_kept_where_it_lies_in_the_window",
+        ),
+    ),
     labs=("Clipping: points",),
     next_rung="cohen_sutherland",
     marks=marks,

@@ -20,8 +20,8 @@ from workbench.algorithms.clipping.cutting import (
     pixels,
 )
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP, between, intersection, region_code
-from workbench.algorithms.clipping.window import LINE, LINE_LAWS, NO_LINE_LAW, WINDOW
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.clipping.window import LINE, NO_LINE_LAW, WINDOW, line_and_window
+from workbench.algorithms.entry import Entry, Law, View
 
 
 def cohen_sutherland(
@@ -96,6 +96,7 @@ ENTRY = Entry(
     title="Cohen-Sutherland",
     summary="Codes of four bits accept or reject a line at a glance; otherwise an end is cut off at an edge.",
     parameters=(*LINE, *WINDOW),
+    arguments=line_and_window,
     emits="segments",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-7",
     columns=("k", "codes", "or", "and", "decision", "end", "intersection"),
@@ -133,10 +134,30 @@ ENTRY = Entry(
         *INTERSECTION_VIEWS,
     ),
     laws=(
-        *LINE_LAWS,
-        "Four intersections are reckoned at most, and none for a line that is accepted or rejected at once.",
-        "Clipped again, the line stays as it is.",
-        "Mirrored left to right or top to bottom, line and window give the mirrored line, to the last digit.",
+        Law(
+            "What is emitted lies in the window, to the last digit, and on the line, to a relative 1e-9.",
+            "clipping/test_lines.py::test_what_is_left_is_what_is_visible",
+        ),
+        Law("The ends keep their order.", "clipping/test_lines.py::test_the_ends_keep_their_order"),
+        Law(
+            "An end inside the window stays as it is; clipped again, so does the line.",
+            "clipping/test_lines.py::test_an_end_inside_stays_as_it_is_and_clipping_again_changes_nothing",
+        ),
+        Law(
+            "Four intersections are reckoned at most, and none for a line that is accepted or rejected "
+            "at once.",
+            "clipping/test_lines.py::test_no_more_intersections_than_are_promised",
+        ),
+        Law(
+            "Of lines and windows of whole numbers within 2^24 nothing visible is lost, not even the "
+            "touch of a corner.",
+            "clipping/test_lines.py::test_of_whole_numbers_nothing_visible_is_lost",
+        ),
+        Law(
+            "Mirrored left to right or top to bottom, line and window give the mirrored line, to the "
+            "last digit.",
+            "clipping/test_lines.py::test_mirrored_lines_give_mirrored_lines_to_the_last_digit",
+        ),
     ),
     not_laws=(
         NO_LINE_LAW,

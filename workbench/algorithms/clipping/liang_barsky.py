@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from workbench.algorithms.clipping.cutting import INTERSECTIONS, edge_symbol, pixels
 from workbench.algorithms.clipping.edges import between
 from workbench.algorithms.clipping.liang_barsky_marks import marks
-from workbench.algorithms.clipping.window import LINE, LINE_LAWS, NO_LINE_LAW, WINDOW
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.clipping.window import LINE, NO_LINE_LAW, WINDOW, line_and_window
+from workbench.algorithms.entry import Entry, Law, View
 
 
 def liang_barsky(
@@ -84,6 +84,7 @@ ENTRY = Entry(
     title="Liang-Barsky",
     summary="Four divisions at most narrow the parameter from u1 to u2; only then are points reckoned.",
     parameters=(*LINE, *WINDOW),
+    arguments=line_and_window,
     emits="segments",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-7",
     columns=("k", "p_k", "q_k", "r_k", "u_1", "u_2"),
@@ -134,10 +135,38 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        *LINE_LAWS,
-        "Four divisions at most, and two intersections, both of them ends of what is visible.",
-        "Clipped again, the line stays as it is; mirrored or with x and y changed over, so is what is left.",
-        "It finds what Cohen-Sutherland finds, to a relative 1e-9, but along an edge a rounding away.",
+        Law(
+            "What is emitted lies in the window, to the last digit, and on the line, to a relative 1e-9.",
+            "clipping/test_lines.py::test_what_is_left_is_what_is_visible",
+        ),
+        Law("The ends keep their order.", "clipping/test_lines.py::test_the_ends_keep_their_order"),
+        Law(
+            "An end inside the window stays as it is; clipped again, so does the line.",
+            "clipping/test_lines.py::test_an_end_inside_stays_as_it_is_and_clipping_again_changes_nothing",
+        ),
+        Law(
+            "Four divisions at most, and two intersections, both of them ends of what is visible.",
+            "clipping/test_lines.py::test_no_more_intersections_than_are_promised",
+        ),
+        Law(
+            "Mirrored left to right or top to bottom, line and window give the mirrored line, to the "
+            "last digit.",
+            "clipping/test_lines.py::test_mirrored_lines_give_mirrored_lines_to_the_last_digit",
+        ),
+        Law(
+            "With x and y changed over, line and window give the same line changed over.",
+            "clipping/test_lines.py::test_liang_barsky_takes_columns_for_rows",
+        ),
+        Law(
+            "Of lines and windows of whole numbers within 2^24 nothing visible is lost, not even the "
+            "touch of a corner.",
+            "clipping/test_lines.py::test_of_whole_numbers_nothing_visible_is_lost",
+        ),
+        Law(
+            "It finds what Cohen-Sutherland finds, to a relative 1e-9, except for a line that runs "
+            "along an edge a rounding away.",
+            "clipping/test_lines.py::test_both_find_the_same",
+        ),
     ),
     not_laws=(
         NO_LINE_LAW,

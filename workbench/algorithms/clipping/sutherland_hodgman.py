@@ -25,8 +25,8 @@ from workbench.algorithms.clipping.cutting import (
 )
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP, intersection, region_code
 from workbench.algorithms.clipping.sutherland_hodgman_marks import marks
-from workbench.algorithms.clipping.window import WINDOW
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.clipping.window import WINDOW, polygon_and_window
+from workbench.algorithms.entry import Entry, Law, Parameter, View
 
 
 def sutherland_hodgman(
@@ -97,6 +97,7 @@ ENTRY = Entry(
     title="Sutherland-Hodgman",
     summary="Clips the whole polygon at one edge, hands the list of vertices on, and clips it at the next.",
     parameters=(Parameter("vertices", "P_i", "points", _FORK, meaning="the polygon"), *WINDOW),
+    arguments=polygon_and_window,
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-8",
     columns=("edge", "from", "to", "case", "output"),
@@ -128,10 +129,26 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "Every vertex lies in the window, to the last digit.",
-        "Of a convex polygon exactly what lies in the window is left.",
-        "The polygon goes round each point in the window as often as before, so its area there is left.",
-        "Vertices inside the window stay, in order; clipped again, the polygon stays as it is.",
+        Law(
+            "Every vertex lies in the window, to the last digit; clipped again, the polygon stays as it is.",
+            "clipping/test_polygons.py::test_every_vertex_lies_in_the_window_and_clipping_again_changes_nothing",
+        ),
+        Law(
+            "Of a convex polygon exactly what lies in the window is left.",
+            "clipping/test_polygons.py::test_of_a_convex_polygon_exactly_what_lies_in_the_window_is_left",
+        ),
+        Law(
+            "The polygon goes round each point in the window as often as before.",
+            "clipping/test_polygons.py::test_each_point_in_the_window_is_gone_round_as_often_as_before",
+        ),
+        Law(
+            "The area of a polygon that does not cross itself is left, as far as it is in the window.",
+            "clipping/test_polygons.py::test_the_area_in_the_window_is_left",
+        ),
+        Law(
+            "Vertices inside the window stay, in order.",
+            "clipping/test_polygons.py::test_vertices_inside_stay_in_order",
+        ),
     ),
     not_laws=(
         "A concave polygon that falls apart gives several polygons: it gives one, whose parts hang together "

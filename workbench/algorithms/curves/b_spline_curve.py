@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves.chain_marks import chain_marks
-from workbench.algorithms.curves.parameters import B_SPLINE
+from workbench.algorithms.curves.parameters import B_SPLINE, b_spline_and_samples
 from workbench.algorithms.curves.refusals import refuse_b_spline
 from workbench.algorithms.curves.span_polynomial import span_polynomial
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, Law, Parameter, View
 
 
 def b_spline_curve(
@@ -72,6 +72,7 @@ ENTRY = Entry(
     title="B-spline, sampled",
     summary="Makes the polynomial of each knot span once, and evaluates it at equal steps of u.",
     parameters=(*B_SPLINE, Parameter("samples", "samples", "int", 13, low=2, high=1_000_000)),
+    arguments=b_spline_and_samples,
     emits="points",
     source="de Boor, A Practical Guide to Splines, chapter X",
     columns=("k", "u_k", "span", "v", "x", "y"),
@@ -95,9 +96,18 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "Each sample is the sum of the control points, each times its basis function.",
-        "The samples lie at equal steps of u, both ends of the curve included.",
-        "A polynomial of this degree or less is reproduced.",
+        Law(
+            "Each sample is the sum of the control points, each times its basis function.",
+            "curves/test_whole_curves.py::test_samples_are_exact_to_rounding",
+        ),
+        Law(
+            "The samples lie at equal steps of u, both ends of the curve included.",
+            "curves/test_whole_curves.py::test_samples_are_exact_to_rounding",
+        ),
+        Law(
+            "A polynomial of this degree or less is reproduced.",
+            "curves/test_whole_curves.py::test_a_polynomial_of_its_degree_is_reproduced",
+        ),
     ),
     questions=(8,),
     labs=("Curves: B-spline",),

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.curves.distance_bottom import bottom, closest_end
 from workbench.algorithms.curves.distance_polynomial import box_distance, halve, outlook, set_coefficients
-from workbench.algorithms.curves.parameters import PIECES
+from workbench.algorithms.curves.parameters import PIECES, pieces_and_point
 from workbench.algorithms.curves.refusals import refuse_pieces
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, Law, Parameter, View
 
 # A part is 2^-30 of its piece then, and has one valley but for rounding
 DEEPEST = 30
@@ -101,6 +101,7 @@ ENTRY = Entry(
         Parameter("x", "x", "float", 5.0, meaning="where the given point is"),
         Parameter("y", "y", "float", 2.0, meaning="where the given point is"),
     ),
+    arguments=pieces_and_point,
     emits="points",
     source="Chen et al., Computing the minimum distance between a point and a clamped B-spline curve, 2008",
     columns=("piece", "from", "to", "bound", "best", "then"),
@@ -139,8 +140,14 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "No point of the curve is closer than the last one.",
-        "Each point lies on the curve, at its u, and is closer than the one before.",
+        Law(
+            "No point of the curve is closer than the last one.",
+            "curves/test_closest_point.py::test_no_sample_is_closer",
+        ),
+        Law(
+            "Each point lies on the curve, at its u, and is closer than the one before.",
+            "curves/test_closest_point.py::test_each_point_lies_on_the_curve_at_its_u",
+        ),
     ),
     not_laws=("Also beside weights a million apart: the last 1e-9 of u at an end is not searched.",),
     questions=(8,),

@@ -14,11 +14,11 @@ from typing import Any
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves.knot_views import IN_SPAN, KNOT_TABLES, NEXT_SPAN, basis_rows, knot_rows
-from workbench.algorithms.curves.parameters import B_SPLINE, B_SPLINE_U
+from workbench.algorithms.curves.parameters import B_SPLINE, B_SPLINE_U, b_spline_and_u
 from workbench.algorithms.curves.refusals import refuse_b_spline, refuse_parameter
 from workbench.algorithms.curves.triangle import level_rows
 from workbench.algorithms.curves.triangle_marks import b_spline_marks, leg_marks
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.entry import Entry, Law, View
 
 
 def de_boor(
@@ -79,6 +79,7 @@ ENTRY = Entry(
     title="De Boor's construction",
     summary="Finds the knot span of u and divides the legs of degree + 1 control points down to one point.",
     parameters=(*B_SPLINE, B_SPLINE_U),
+    arguments=b_spline_and_u,
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 10-9",
     columns=("r", "i", "α", "d_{i-1}^{r-1}", "d_i^{r-1}", "d_i^r"),
@@ -110,10 +111,26 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "The last point is the sum of the control points, each times its basis function.",
-        "Only degree + 1 control points matter; the point lies in their convex hull.",
-        "Moving, turning or stretching the control points does the same to every point.",
-        "With knots at the two ends only, it is de Casteljau's construction.",
+        Law(
+            "The last point is the sum of the control points, each times its basis function.",
+            "curves/test_evaluation.py::test_b_spline_points_are_exact_to_rounding",
+        ),
+        Law(
+            "Only degree + 1 control points matter.",
+            "curves/test_constructions.py::test_only_degree_and_one_control_points_matter",
+        ),
+        Law(
+            "Every point lies in the convex hull of the control points that matter.",
+            "curves/test_constructions.py::test_every_point_of_a_construction_lies_in_the_hull_of_the_points_that_matter",
+        ),
+        Law(
+            "Moving, turning or stretching the control points does the same to every point.",
+            "curves/test_constructions.py::test_what_is_done_to_the_control_points_is_done_to_every_point",
+        ),
+        Law(
+            "With knots at the two ends only, it is de Casteljau's construction.",
+            "curves/test_evaluation.py::test_without_inner_knots_it_is_de_casteljaus_construction",
+        ),
     ),
     not_laws=(
         "The curve begins at the first control point: only where the first knot is repeated often enough.",

@@ -17,11 +17,11 @@ from typing import Any
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves.knot_views import IN_SPAN, KNOT_TABLES, NEXT_SPAN, basis_rows, knot_rows
-from workbench.algorithms.curves.parameters import B_SPLINE, B_SPLINE_U, WEIGHTS
+from workbench.algorithms.curves.parameters import B_SPLINE, B_SPLINE_U, WEIGHTS, nurbs_and_u
 from workbench.algorithms.curves.refusals import refuse_b_spline, refuse_parameter, refuse_weights
 from workbench.algorithms.curves.triangle import level_rows, weight_rows
 from workbench.algorithms.curves.triangle_marks import b_spline_marks, leg_marks
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.entry import Entry, Law, View
 
 
 def de_boor_rational(
@@ -90,6 +90,7 @@ ENTRY = Entry(
     title="De Boor's construction with weights",
     summary="Divides the legs of degree + 1 control points down to one point, as the weights pull.",
     parameters=(B_SPLINE[0], WEIGHTS, *B_SPLINE[1:], B_SPLINE_U),
+    arguments=nurbs_and_u,
     emits="points",
     source="Piegl and Tiller, The NURBS Book, section 4.2",
     columns=("r", "i", "α", "w_{i-1}^{r-1}", "w_i^{r-1}", "w_i^r", "share", "d_i^r"),
@@ -107,11 +108,23 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "The last point is the sum of the control points, each times weight and basis function, divided by "
-        "the sum of those products.",
-        "With equal weights it is the plain construction.",
-        "All weights times the same number give the same points.",
-        "The point lies in the convex hull of the control points that matter.",
+        Law(
+            "The last point is the sum of the control points, each times weight and basis function, "
+            "divided by the sum of those products.",
+            "curves/test_evaluation.py::test_points_of_rational_b_splines_are_exact_to_rounding",
+        ),
+        Law(
+            "With equal weights it is the plain construction.",
+            "curves/test_evaluation.py::test_points_of_rational_b_splines_are_exact_to_rounding",
+        ),
+        Law(
+            "All weights times the same number give the same points.",
+            "curves/test_constructions.py::test_all_weights_times_the_same_number_give_the_same_points",
+        ),
+        Law(
+            "Every point lies in the convex hull of the control points that matter.",
+            "curves/test_constructions.py::test_every_point_of_a_construction_lies_in_the_hull_of_the_points_that_matter",
+        ),
     ),
     questions=(8,),
     labs=("Curves: B-spline",),

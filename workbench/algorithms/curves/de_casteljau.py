@@ -11,11 +11,11 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.parameters import BEZIER_POINTS, U
+from workbench.algorithms.curves.parameters import BEZIER_POINTS, U, bezier_and_u
 from workbench.algorithms.curves.refusals import refuse_bezier
 from workbench.algorithms.curves.triangle import level_rows
 from workbench.algorithms.curves.triangle_marks import bezier_marks, leg_marks
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.entry import Entry, Law, View
 
 
 def de_casteljau(points: NDArray[Any], u: float) -> Iterator[tuple[float, float]]:
@@ -57,6 +57,7 @@ ENTRY = Entry(
     title="De Casteljau's construction",
     summary="Divides the legs of the control polygon, and the legs between, until one point is left.",
     parameters=(BEZIER_POINTS, U),
+    arguments=bezier_and_u,
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 10-8",
     columns=("r", "i", "P_i^{r-1}", "P_{i+1}^{r-1}", "P_i^r"),
@@ -85,11 +86,26 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "The last point is the sum of the control points, each times its Bernstein polynomial.",
-        "The curve begins at the first control point and ends at the last one.",
-        "Every point lies in the convex hull of the control points, for u from 0 to 1.",
-        "Moving, turning or stretching the control points does the same to every point.",
-        "The outer points of the levels are the control points of the two halves of the curve.",
+        Law(
+            "The last point is the sum of the control points, each times its Bernstein polynomial.",
+            "curves/test_evaluation.py::test_bezier_points_are_those_of_the_bernstein_sum",
+        ),
+        Law(
+            "The curve begins at the first control point and ends at the last one.",
+            "curves/test_evaluation.py::test_a_bezier_curve_begins_and_ends_at_its_end_points",
+        ),
+        Law(
+            "Every point lies in the convex hull of the control points, for u from 0 to 1.",
+            "curves/test_constructions.py::test_every_point_of_a_construction_lies_in_the_hull_of_the_points_that_matter",
+        ),
+        Law(
+            "Moving, turning or stretching the control points does the same to every point.",
+            "curves/test_constructions.py::test_what_is_done_to_the_control_points_is_done_to_every_point",
+        ),
+        Law(
+            "The outer points of the levels are the control points of the two halves of the curve.",
+            "curves/test_constructions.py::test_the_outer_points_of_the_levels_are_the_two_halves",
+        ),
     ),
     questions=(8,),
     labs=("Curves: Bézier",),

@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves.chain_marks import flattening_marks
-from workbench.algorithms.curves.parameters import BEZIER_POINTS, TOLERANCE
+from workbench.algorithms.curves.parameters import BEZIER_POINTS, TOLERANCE, bezier_and_tolerance
 from workbench.algorithms.curves.refusals import refuse_bezier
 from workbench.algorithms.curves.waiting_pieces import chord, waiting_rows
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.entry import Entry, Law, View
 
 # A piece is 2^-20 of the curve then, and as near to its chord as rounding lets it be
 DEEPEST = 20
@@ -108,6 +108,7 @@ ENTRY = Entry(
     title="Bézier curve, flattened",
     summary="Divides the curve in the middle until each piece is nearer to its chord than the tolerance.",
     parameters=(BEZIER_POINTS, TOLERANCE),
+    arguments=bezier_and_tolerance,
     emits="points",
     source="Lane and Riesenfeld, 1980; Hearn and Baker, Computer Graphics, C Version, section 10-15",
     columns=("piece", "divided", "from", "to", "distance", "flat"),
@@ -139,9 +140,18 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "No point of the curve is farther from the chain than the tolerance.",
-        "Every corner lies on the curve, in its order; both ends are corners.",
-        "A straight curve that does not turn back is one line.",
+        Law(
+            "No point of the curve is farther from the chain than the tolerance.",
+            "curves/test_whole_curves.py::test_the_chain_is_within_the_tolerance",
+        ),
+        Law(
+            "Every corner lies on the curve, in its order; both ends are corners.",
+            "curves/test_whole_curves.py::test_the_corners_follow_the_curve",
+        ),
+        Law(
+            "A straight curve that does not turn back is one line.",
+            "curves/test_whole_curves.py::test_a_straight_curve_is_one_line",
+        ),
     ),
     questions=(8,),
     labs=("Curves: Bézier",),

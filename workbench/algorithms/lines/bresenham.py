@@ -8,9 +8,9 @@ k               number of the step, from 0
 
 from collections.abc import Iterator
 
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.entry import Entry, Law, View
 from workbench.algorithms.lines.axes import neighbours, pixel
-from workbench.algorithms.lines.ends import END_POINTS, EXTENT
+from workbench.algorithms.lines.ends import DRAWS, END_POINTS, EXTENT
 
 
 def bresenham_line(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
@@ -68,6 +68,7 @@ ENTRY = Entry(
     title="Bresenham's line",
     summary="Chooses between two pixels at each step by the sign of an integer; it only adds and compares.",
     parameters=END_POINTS,
+    draws=DRAWS,
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-2",
     columns=("k", "p_k", "(x_{k+1}, y_{k+1})"),
@@ -109,15 +110,32 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "One pixel for each step along the longer side, both ends included.",
-        "Each pixel is a nearest one to the true line; exactly halfway, the one farther from the first end.",
-        "Neighbouring pixels touch along a side or at a corner.",
-        "Mirrored end points give the mirrored pixels.",
+        Law(
+            "There is one pixel for each step along the longer side.",
+            "lines/test_lines.py::test_one_connected_pixel_for_each_step",
+        ),
+        Law(
+            "The first and the last pixel are the end points.",
+            "lines/test_lines.py::test_both_ends_are_included",
+        ),
+        Law(
+            "Each pixel is a nearest one to the true line; exactly halfway, the one farther from the "
+            "first end.",
+            "lines/test_lines.py::test_bresenham_takes_the_nearest_and_on_a_tie_the_one_farther_from_the_start",
+        ),
+        Law(
+            "Neighbouring pixels touch along a side or at a corner.",
+            "lines/test_lines.py::test_one_connected_pixel_for_each_step",
+        ),
+        Law(
+            "Mirrored end points give the mirrored pixels.",
+            "lines/test_lines.py::test_bresenham_mirrors_exactly",
+        ),
     ),
     not_laws=("The line drawn backwards has the same pixels: where it passes exactly halfway, it may not.",),
     questions=(11,),
     labs=("Line drawing: Bresenham",),
-    next_rung="midpoint_line",
+    next_rung="bresenham_line_two_ends",
     tie="Hearn and Baker: p >= 0 takes the diagonal",
     extent=EXTENT,
 )

@@ -10,9 +10,9 @@ k                           number of the step, from 0
 import math
 from collections.abc import Iterator
 
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.entry import Entry, Law, View
 from workbench.algorithms.lines.drift import beside, drift, exact, others
-from workbench.algorithms.lines.ends import END_POINTS, EXTENT
+from workbench.algorithms.lines.ends import DRAWS, END_POINTS, EXTENT
 
 
 def dda_line(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
@@ -54,6 +54,7 @@ ENTRY = Entry(
     title="DDA line",
     summary="Adds the same increment at each step and rounds; the smallest errors of the sum add up too.",
     parameters=END_POINTS,
+    draws=DRAWS,
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-2",
     columns=("k", "x_{k+1}", "y_{k+1}", "pixel", "exact", "drift"),
@@ -76,13 +77,26 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "One pixel for each step along the longer side, both ends included.",
-        "Neighbouring pixels touch along a side or at a corner.",
-        "Each pixel is the nearest to the point reached by adding; only a point exactly halfway, or nearer "
-        "to halfway than the drift, may be rounded to the other side.",
+        Law(
+            "There is one pixel for each step along the longer side.",
+            "lines/test_lines.py::test_one_connected_pixel_for_each_step",
+        ),
+        Law(
+            "Neighbouring pixels touch along a side or at a corner.",
+            "lines/test_lines.py::test_one_connected_pixel_for_each_step",
+        ),
+        Law(
+            "The first and the last pixel are the end points.",
+            "lines/test_lines.py::test_both_ends_are_included",
+        ),
+        Law(
+            "Each pixel is a nearest one to the true line: in 64 bits the drift is so small that it "
+            "decides only exactly halfway.",
+            "lines/test_lines.py::test_dda_in_64_bits_is_nearest_but_for_ties",
+        ),
     ),
     not_laws=(
-        "The pixels are the nearest to the true line: the sum drifts, in 64 bits very little.",
+        "Exactly halfway the pixel above is taken: the sum drifts, and falls to either side of a tie.",
         "The mirror image of a line is the line of the mirror image: halves are rounded upwards.",
     ),
     questions=(11,),

@@ -10,9 +10,9 @@ k                           number of the step, from 0
 
 from collections.abc import Iterator
 
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, Law, Parameter, View
 from workbench.algorithms.lines.drift import beside, drift, drift_in, others
-from workbench.algorithms.lines.ends import END_POINTS
+from workbench.algorithms.lines.ends import DRAWS, END_POINTS
 
 
 def dda_line_fixed(x0: int, y0: int, x1: int, y1: int, fraction_bits: int = 8) -> Iterator[tuple[int, int]]:
@@ -62,6 +62,7 @@ ENTRY = Entry(
         *END_POINTS,
         Parameter("fraction_bits", "bits", "int", 8, 1, 24, meaning="binary digits after the point"),
     ),
+    draws=DRAWS,
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-2",
     columns=("k", "x_{k+1}", "y_{k+1}", "pixel", "drift", "in 32 bits", "in 64 bits"),
@@ -85,10 +86,23 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "One pixel for each step along the longer side.",
-        "Neighbouring pixels touch along a side or at a corner.",
-        "After n steps the sum is off by at most n times half a part.",
-        "Reckoned with enough binary digits, the pixels are the nearest to the true line.",
+        Law(
+            "There is one pixel for each step along the longer side.",
+            "lines/test_lines.py::test_one_connected_pixel_for_each_step",
+        ),
+        Law(
+            "Neighbouring pixels touch along a side or at a corner.",
+            "lines/test_lines.py::test_one_connected_pixel_for_each_step",
+        ),
+        Law(
+            "After n steps the sum is off by at most n times half a part.",
+            "lines/test_lines.py::test_fixed_point_is_off_by_at_most_half_a_part_for_each_step",
+        ),
+        Law(
+            "With 24 binary digits each pixel of a line of up to 4000 steps is a nearest one to the "
+            "true line.",
+            "lines/test_lines.py::test_fixed_point_with_24_bits_is_nearest_but_for_ties",
+        ),
     ),
     not_laws=(
         "The last pixel is the end point: with 8 binary digits a line of a few hundred steps may miss it.",

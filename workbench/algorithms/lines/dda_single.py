@@ -12,9 +12,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.entry import Entry, Law, View
 from workbench.algorithms.lines.drift import beside, drift, drift_in, others
-from workbench.algorithms.lines.ends import END_POINTS
+from workbench.algorithms.lines.ends import DRAWS, END_POINTS
 
 
 def dda_line_single(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
@@ -57,6 +57,7 @@ ENTRY = Entry(
     title="DDA line in 32 bits",
     summary="The same sum with 24 binary digits: over some thousand steps the drift can be seen.",
     parameters=END_POINTS,
+    draws=DRAWS,
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-2",
     columns=("k", "x_{k+1}", "y_{k+1}", "pixel", "drift", "drift in 64 bits"),
@@ -79,8 +80,14 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "One pixel for each step along the longer side.",
-        "Neighbouring pixels touch along a side or at a corner.",
+        Law(
+            "There is one pixel for each step along the longer side.",
+            "lines/test_lines.py::test_one_connected_pixel_for_each_step",
+        ),
+        Law(
+            "Neighbouring pixels touch along a side or at a corner.",
+            "lines/test_lines.py::test_one_connected_pixel_for_each_step",
+        ),
     ),
     not_laws=(
         "The last pixel is the end point: on a long line it need not be.",

@@ -4,6 +4,9 @@ from workbench.algorithms.entry import Parameter
 
 LOW, HIGH = -32768, 32767
 
+# Curves are drawn by the lines that they are flattened into.
+DRAWS = ("line", "polyline", "curve")
+
 END_POINTS = (
     Parameter("x0", "x_0", "int", 20, LOW, HIGH, "px", "first end point, column"),
     Parameter("y0", "y_0", "int", 10, LOW, HIGH, "px", "first end point, row"),

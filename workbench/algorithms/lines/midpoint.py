@@ -9,9 +9,9 @@ k                           number of the step, from 0
 
 from collections.abc import Iterator
 
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.entry import Entry, Law, View
 from workbench.algorithms.lines.axes import neighbours, pixel
-from workbench.algorithms.lines.ends import END_POINTS, EXTENT
+from workbench.algorithms.lines.ends import DRAWS, END_POINTS, EXTENT
 
 
 def midpoint_line(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
@@ -67,6 +67,7 @@ ENTRY = Entry(
     title="Midpoint line",
     summary="Asks on which side of the line the midpoint of two candidates lies; the pixels are Bresenham's.",
     parameters=END_POINTS,
+    draws=DRAWS,
     emits="pixels",
     source="Foley, van Dam, Feiner and Hughes, Computer Graphics, section 3.2.2",
     columns=("k", "F(M_k)", "(x_{k+1}, y_{k+1})"),
@@ -109,8 +110,14 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "The pixels are those of Bresenham's line, in the same order.",
-        "p is twice F at the midpoint, at every step.",
+        Law(
+            "The pixels are those of Bresenham's line, in the same order.",
+            "lines/test_lines.py::test_the_midpoint_line_is_bresenhams",
+        ),
+        Law(
+            "p is twice F at the midpoint, at every step.",
+            "lines/test_lines.py::test_the_midpoint_line_decides_by_its_function_at_the_midpoint",
+        ),
     ),
     not_laws=("The line drawn backwards has the same pixels: where it passes exactly halfway, it may not.",),
     questions=(11,),

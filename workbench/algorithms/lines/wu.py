@@ -8,9 +8,9 @@ k           number of the step, from 0
 
 from collections.abc import Iterator
 
-from workbench.algorithms.entry import Entry, View
+from workbench.algorithms.entry import Entry, Law, View
 from workbench.algorithms.lines.axes import pixel
-from workbench.algorithms.lines.ends import END_POINTS
+from workbench.algorithms.lines.ends import DRAWS, END_POINTS
 
 
 def wu_line(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int, float]]:
@@ -71,6 +71,7 @@ ENTRY = Entry(
     title="Wu's antialiased line",
     summary="Lights the two pixels on either side of the line, each as much as it is near; stairs melt away.",
     parameters=END_POINTS,
+    draws=DRAWS,
     emits="coverage",
     source="Wu, An efficient antialiasing technique, SIGGRAPH 1991",
     columns=("k", "e_{k+1}", "near", "coverage", "far", "coverage"),
@@ -100,9 +101,18 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "In each column of a flat line the coverages add up to 1; in each row of a steep one.",
-        "The middle of the light of a column is on the true line.",
-        "The line drawn backwards has the same pixels and coverages.",
+        Law(
+            "In each column of a flat line the coverages add up to 1; in each row of a steep one.",
+            "lines/test_lines.py::test_wu_shares_the_light_of_each_column_and_its_middle_is_on_the_line",
+        ),
+        Law(
+            "The middle of the light of a column is on the true line.",
+            "lines/test_lines.py::test_wu_shares_the_light_of_each_column_and_its_middle_is_on_the_line",
+        ),
+        Law(
+            "The line drawn backwards has the same pixels and coverages.",
+            "lines/test_lines.py::test_wu_is_the_same_backwards",
+        ),
     ),
     not_laws=("Every pixel is lit or dark.",),
     questions=(11,),

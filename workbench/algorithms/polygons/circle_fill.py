@@ -6,7 +6,7 @@ x, y    right end of the row's span, seen from the centre
 from collections.abc import Iterator
 
 from workbench.algorithms.circles.midpoint_circle import ENTRY as OUTLINE
-from workbench.algorithms.entry import Entry
+from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.polygons.round_views import CIRCLE_COLUMNS, CIRCLE_VIEWS, span_pixels
 
 
@@ -46,15 +46,25 @@ ENTRY = Entry(
     title="Circle, filled",
     summary="Fills a circle row by row; the end of the span follows the outline from each row to the next.",
     parameters=OUTLINE.parameters,
+    draws=("circle",),
     emits="spans",
     source="Hearn and Baker, Computer Graphics, C Version, sections 3-5 and 3-11",
     columns=CIRCLE_COLUMNS,
     views=CIRCLE_VIEWS,
     view_functions=(span_pixels,),
     laws=(
-        "The pixels are those of the midpoint circle and all that it encloses.",
-        "One span for each row, bottom to top.",
-        "Mirrored at the centre's row, column and diagonals it is the same.",
+        Law(
+            "The pixels are those of the midpoint circle and all that it encloses.",
+            "polygons/test_round_areas.py::test_a_filled_circle_is_what_its_outline_encloses",
+        ),
+        Law(
+            "There is one span for each row, bottom to top.",
+            "polygons/test_round_areas.py::test_a_filled_circle_is_what_its_outline_encloses",
+        ),
+        Law(
+            "Mirrored at the centre's row, column and diagonals it is the same.",
+            "polygons/test_round_areas.py::test_a_filled_circle_is_the_same_in_all_its_mirrors",
+        ),
     ),
     not_laws=("Every pixel's centre is within the circle: the outline takes some that are just outside.",),
     questions=(3,),

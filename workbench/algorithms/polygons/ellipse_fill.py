@@ -7,7 +7,7 @@ rx2, ry2        squares of the two radii
 from collections.abc import Iterator
 
 from workbench.algorithms.circles.midpoint_ellipse import ENTRY as OUTLINE
-from workbench.algorithms.entry import Entry
+from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.polygons.round_views import ELLIPSE_COLUMNS, ELLIPSE_VIEWS, two_rows
 
 
@@ -53,15 +53,25 @@ ENTRY = Entry(
     title="Ellipse, filled",
     summary="Fills an ellipse in pairs of rows; the end of the span follows the outline from row to row.",
     parameters=OUTLINE.parameters,
+    draws=("ellipse",),
     emits="spans",
     source="Hearn and Baker, Computer Graphics, C Version, sections 3-6 and 3-11",
     columns=ELLIPSE_COLUMNS,
     views=ELLIPSE_VIEWS,
     view_functions=(two_rows,),
     laws=(
-        "The pixels are those of the midpoint ellipse and all that it encloses.",
-        "One span for each row.",
-        "With equal radii the spans are those of the filled circle.",
+        Law(
+            "The pixels are those of the midpoint ellipse and all that it encloses.",
+            "polygons/test_round_areas.py::test_a_filled_ellipse_is_what_its_outline_encloses",
+        ),
+        Law(
+            "There is one span for each row.",
+            "polygons/test_round_areas.py::test_a_filled_ellipse_is_what_its_outline_encloses",
+        ),
+        Law(
+            "With equal radii the spans are those of the filled circle.",
+            "polygons/test_round_areas.py::test_an_ellipse_of_equal_radii_is_filled_as_the_circle",
+        ),
     ),
     not_laws=("Every pixel's centre is within the ellipse: the outline takes some that are just outside.",),
     questions=(3,),

@@ -12,8 +12,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry, Parameter
-from workbench.algorithms.polygons.parameters import NONZERO, POLYGON
+from workbench.algorithms.entry import Entry, Law, Parameter
+from workbench.algorithms.polygons.parameters import NONZERO, POLYGON, polygon_and_point
 from workbench.algorithms.polygons.ray_marks import marks
 from workbench.algorithms.polygons.ray_views import COLUMNS, VIEWS, end_points, nearest_pixel
 from workbench.geometry.orientation import side_of
@@ -77,15 +77,25 @@ ENTRY = Entry(
         Parameter("y", "y", "float", 4.0, unit="px", meaning="the point"),
         NONZERO,
     ),
+    arguments=polygon_and_point,
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=VIEWS,
     view_functions=(end_points, nearest_pixel),
     laws=(
-        "The verdict is that of the exact crossings, also beside vertices and edges, for both interiors.",
-        "It says of every pixel's centre what the scan-line fill under half_open does.",
-        "Reversing a ring changes neither verdict.",
+        Law(
+            "The verdict is that of the exact crossings, also beside vertices and edges, for both interiors.",
+            "polygons/test_inside_outside.py::test_the_verdict_is_that_of_the_exact_crossings",
+        ),
+        Law(
+            "It says of every pixel's centre what the scan-line fill under half_open does.",
+            "polygons/test_inside_outside.py::test_it_says_of_every_centre_what_the_fill_does",
+        ),
+        Law(
+            "Turning a ring round changes neither verdict.",
+            "polygons/test_inside_outside.py::test_a_ring_turned_round_changes_no_verdict",
+        ),
     ),
     not_laws=(
         "A point on an edge is inside: under half_open it depends on which side of the polygon that is.",

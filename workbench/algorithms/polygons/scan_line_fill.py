@@ -18,7 +18,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry
+from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.polygons.active_edges import (
     Crossing,
     change_over,
@@ -28,7 +28,7 @@ from workbench.algorithms.polygons.active_edges import (
     settle,
 )
 from workbench.algorithms.polygons.edges import NUDGE, SLACK, all_whole, edge_table
-from workbench.algorithms.polygons.parameters import CLOSED, NONZERO, POLYGON
+from workbench.algorithms.polygons.parameters import CLOSED, NONZERO, POLYGON, polygon_and_rules
 from workbench.algorithms.polygons.scan_line_marks import marks
 from workbench.algorithms.polygons.scan_line_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
 
@@ -103,18 +103,41 @@ ENTRY = Entry(
     title="Scan-line polygon fill",
     summary="Fills row by row between the edges, whose crossings move by 1/m from one row to the next.",
     parameters=(*POLYGON, CLOSED, NONZERO),
+    arguments=polygon_and_rules,
+    draws=("polygon",),
     emits="spans",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=VIEWS,
     view_functions=VIEW_FUNCTIONS,
     laws=(
-        "Under closed it fills each pixel whose centre is inside or on an edge; under half_open each one "
-        "that is inside, or would be if it lay a trifle further right and, by less still, further up.",
-        "Polygons side by side fill each pixel once under half_open, with no gap.",
-        "Each pixel once, bottom to top and left to right.",
-        "Shifted by whole pixels it is the same; mirrored it is the same under closed.",
-        "The pixels are those of exact crossings, for any vertices within 2^20: 1/m's error never decides.",
+        Law(
+            "Under closed it fills each pixel whose centre is inside or on an edge; under half_open "
+            "each one that is inside, or would be if it lay a trifle further right and, by less still, "
+            "further up.",
+            "polygons/test_scan_line_fill.py::test_pixels_are_those_whose_centre_belongs_to_it_by_exact_fractions",
+        ),
+        Law(
+            "Polygons side by side fill each pixel once under half_open, with no gap.",
+            "polygons/test_scan_line_fill.py::test_triangles_side_by_side_fill_each_pixel_once_and_leave_no_gap",
+        ),
+        Law(
+            "Each pixel comes once, bottom to top and left to right.",
+            "polygons/test_scan_line_fill.py::test_pixels_come_once_bottom_to_top_and_left_to_right",
+        ),
+        Law(
+            "Shifted by whole pixels it is the same.",
+            "polygons/test_scan_line_fill.py::test_shifted_by_whole_pixels_it_is_the_same",
+        ),
+        Law(
+            "Mirrored it is the same under closed.",
+            "polygons/test_scan_line_fill.py::test_mirrored_it_is_the_same_under_closed",
+        ),
+        Law(
+            "The pixels are those of exact crossings, for any vertices within 2^20: 1/m's error never "
+            "decides.",
+            "polygons/test_scan_line_fill.py::test_far_vertices_have_their_exact_crossings",
+        ),
     ),
     not_laws=(
         "Mirrored it is the same under half_open: left and lower edges are in, right and upper ones out.",

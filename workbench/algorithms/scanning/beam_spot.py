@@ -7,8 +7,9 @@ along, across   share of the energy that this place gets in each direction
 
 import math
 from collections.abc import Iterator
+from random import Random
 
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, Law, Parameter, View
 
 
 def beam_spot(
@@ -50,6 +51,15 @@ def beam_spot(
             yield x, y, energy * along * across
 
 
+def _stroke(chance: Random) -> tuple[float, ...]:
+    """A short stroke of a small spot; one in three has no length or next to none."""
+    x0, y0 = chance.randint(-9, 9) / 2, chance.uniform(-4.0, 4.0)
+    x1, y1 = x0 + chance.uniform(-4.0, 4.0), y0 + chance.randint(-9, 9) / 2
+    if chance.randint(0, 2) == 0:
+        x1, y1 = x0 + chance.choice((0.0, 1e-9, 1e-3)), y0
+    return x0, y0, x1, y1, chance.choice((0.0, 1.0, chance.uniform(0.0, 60.0))), chance.uniform(0.6, 1.5)
+
+
 ENTRY = Entry(
     function=beam_spot,
     topic="scanning",
@@ -63,6 +73,7 @@ ENTRY = Entry(
         Parameter("energy", "Q", "float", 1.0, 0.0, 1e9, "", "energy sent: power times time"),
         Parameter("sigma", "sigma", "float", 1.0, 0.6, 8.0, "px", "standard deviation of the spot"),
     ),
+    arguments=_stroke,
     emits="coverage",
     source="A Gaussian spot moved at constant speed, integrated over time",
     columns=("(x, y)", "u", "v", "along", "across", "energy"),
@@ -81,10 +92,24 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "The pixels together get the energy sent, but for 4 exp(-2 pi^2 sigma^2) + 1.3e-4 of it.",
-        "A stroke drawn in two parts, or backwards, leaves the same.",
-        "A stroke without length is a round spot.",
+        Law(
+            "The pixels together get the energy sent, but for 4 exp(-2 pi^2 sigma^2) + 1.3e-4 of it.",
+            "scanning/test_beam_spot.py::test_the_pixels_together_get_the_energy_sent",
+        ),
+        Law(
+            "A stroke drawn in two parts leaves the same, to 1e-4 of the energy in each pixel.",
+            "scanning/test_beam_spot.py::test_a_stroke_in_two_parts_leaves_the_same",
+        ),
+        Law(
+            "A stroke drawn backwards leaves the same.",
+            "scanning/test_beam_spot.py::test_a_stroke_backwards_leaves_the_same",
+        ),
+        Law(
+            "A stroke without length is a round spot.",
+            "scanning/test_beam_spot.py::test_a_stroke_without_length_is_a_round_spot",
+        ),
     ),
+    questions=(6,),
     labs=("Beam, spot and focus",),
     next_rung="phosphor_decay",
 )

@@ -8,12 +8,13 @@ emitted         light given off so far; with what is still stored it makes all t
 
 import math
 from collections.abc import Iterator
+from random import Random
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, Law, Parameter, View
 
 
 def phosphor_decay(terms: NDArray[Any], dt: float, steps: int) -> Iterator[tuple[float, float]]:
@@ -52,6 +53,20 @@ def phosphor_decay(terms: NDArray[Any], dt: float, steps: int) -> Iterator[tuple
 
 _P31 = np.array([[0.942464, 0.1163], [0.05172, 2.001], [0.005816, 18.18]])
 
+
+def _terms_and_steps(chance: Random) -> tuple[Any, ...]:
+    """Up to three terms, some of no weight or of no duration, and steps that are far shorter or longer."""
+    terms = [
+        [
+            chance.choice((0.0, 1.0, chance.random())),
+            chance.choice((0.0, 1e-6, 1.0, chance.uniform(0.0, 60.0))),
+        ]
+        for _term in range(chance.randint(0, 3))
+    ]
+    dt = chance.choice((0.0, 1e-9, 1.0, 1e6, chance.uniform(0.0, 60.0)))
+    return np.array(terms, np.float64).reshape(-1, 2), dt, chance.randint(0, 12)
+
+
 ENTRY = Entry(
     function=phosphor_decay,
     topic="scanning",
@@ -62,6 +77,7 @@ ENTRY = Entry(
         Parameter("dt", "dt", "float", 0.5, 0.0, 1e6, "ms", "length of a step"),
         Parameter("steps", "n", "int", 12, 0, 100000, "", "number of steps"),
     ),
+    arguments=_terms_and_steps,
     emits="points",
     source="Sum of exponentials fitted to the decay table of Tektronix, 1966",
     columns=("k", "t", "light", "emitted", "stored"),
@@ -78,8 +94,15 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "One step of n dt and n steps of dt leave the same light.",
-        "What was given off and what is stored make the energy of the hit, at every step.",
+        Law(
+            "One step of n dt and n steps of dt leave the same light.",
+            "scanning/test_scanning.py::test_decay_is_the_same_in_one_step_and_in_many",
+        ),
+        Law(
+            "What was given off and what is stored make the energy of the hit, at every step.",
+            "scanning/test_scanning.py::test_what_was_given_off_and_what_is_stored_make_the_energy_of_the_hit",
+        ),
     ),
+    questions=(6,),
     labs=("Phosphor and persistence",),
 )

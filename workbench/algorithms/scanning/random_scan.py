@@ -8,12 +8,13 @@ time            since the list began; the picture can be refreshed no faster tha
 """
 
 from collections.abc import Iterator
+from random import Random
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, Law, Parameter, View
 
 
 def random_scan(
@@ -54,6 +55,21 @@ def random_scan(
 _A, _B, _C = [10.0, 10.0], [40.0, 10.0], [25.0, 34.0]
 _TRIANGLE_AND_LINE = np.array([_A, _B, _B, _C, _C, _A, [50.0, 5.0], [50.0, 35.0]])
 
+
+def _strokes(chance: Random) -> tuple[Any, ...]:
+    """Up to five strokes, each beginning where the last one ended, or elsewhere; some have no length."""
+    rows: list[list[float]] = []
+    for _stroke in range(chance.randint(0, 5)):
+        linked = bool(rows) and chance.randint(0, 1)
+        start = rows[-1] if linked else [float(chance.randint(0, 60)), chance.uniform(0.0, 60.0)]
+        end = (
+            start if chance.randint(0, 4) == 0 else [chance.uniform(0.0, 60.0), float(chance.randint(0, 60))]
+        )
+        rows += [start, end]
+    paces = [chance.choice((0.0, 0.1, 1.0, chance.uniform(0.0, 60.0))) for _pace in range(3)]
+    return np.array(rows, np.float64).reshape(-1, 2), *paces
+
+
 ENTRY = Entry(
     function=random_scan,
     topic="scanning",
@@ -65,6 +81,7 @@ ENTRY = Entry(
         Parameter("jump_pace", "c_jump", "float", 0.07, 0.0, 1e6, "us/unit", "time per unit, beam off"),
         Parameter("settle", "t_settle", "float", 5.0, 0.0, 1e6, "us", "time to settle after a jump"),
     ),
+    arguments=_strokes,
     emits="segments",
     source="Hearn and Baker, Computer Graphics, C Version, section 2-1",
     columns=("k", "from", "to", "jump", "stroke", "time"),
@@ -80,9 +97,16 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "Every stroke is emitted once, in the order of the list.",
-        "The time of the list is the sum of its jumps, settles and strokes.",
+        Law(
+            "Every stroke is emitted once, in the order of the list.",
+            "scanning/test_scanning.py::test_the_time_of_a_list_is_that_of_its_jumps_settles_and_strokes",
+        ),
+        Law(
+            "The time of the list is the sum of its jumps, settles and strokes.",
+            "scanning/test_scanning.py::test_the_time_of_a_list_is_that_of_its_jumps_settles_and_strokes",
+        ),
     ),
+    questions=(10,),
     labs=("Random scan and display list",),
     next_rung="beam_spot",
 )

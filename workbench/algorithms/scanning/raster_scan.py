@@ -8,12 +8,13 @@ lit         pixels of this line on which the beam was on
 """
 
 from collections.abc import Iterator
+from random import Random
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry, Parameter, View
+from workbench.algorithms.entry import Entry, Law, Parameter, View
 
 
 def raster_scan(image: NDArray[Any], h_blank: int, v_blank: int) -> Iterator[tuple[int, int]]:
@@ -53,6 +54,14 @@ _PICTURE = np.array(
     ]
 )
 
+
+def _small_picture(chance: Random) -> tuple[Any, ...]:
+    """A frame buffer of one pixel or more, some of it or all of it dark, with retraces or without."""
+    height, width, colours = chance.randint(1, 6), chance.randint(1, 8), chance.randint(0, 2)
+    rows = [[chance.randint(0, colours) for _column in range(width)] for _row in range(height)]
+    return np.array(rows), chance.randint(0, 5), chance.randint(0, 5)
+
+
 ENTRY = Entry(
     function=raster_scan,
     topic="scanning",
@@ -63,6 +72,7 @@ ENTRY = Entry(
         Parameter("h_blank", "h_blank", "int", 2, 0, 4096, "clocks", "horizontal retrace"),
         Parameter("v_blank", "v_blank", "int", 1, 0, 4096, "lines", "vertical retrace"),
     ),
+    arguments=_small_picture,
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 2-1",
     columns=("line", "y", "first clock", "lit"),
@@ -82,9 +92,16 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "Every pixel that is not 0 is emitted once, from top to bottom and from left to right.",
-        "A frame takes (width + h_blank)(height + v_blank) clocks, whatever the picture.",
+        Law(
+            "Every pixel that is not 0 is emitted once, from top to bottom and from left to right.",
+            "scanning/test_scanning.py::test_a_raster_visits_each_lit_pixel_once_in_reading_order",
+        ),
+        Law(
+            "A frame takes (width + h_blank)(height + v_blank) clocks, whatever the picture.",
+            "scanning/test_scanning.py::test_each_line_of_a_raster_takes_its_clocks_whatever_the_picture",
+        ),
     ),
+    questions=(10,),
     labs=("Frame buffer and raster scan",),
     next_rung="random_scan",
 )

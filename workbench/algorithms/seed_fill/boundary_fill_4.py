@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry
-from workbench.algorithms.seed_fill.example import BOUNDED
+from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
 from workbench.algorithms.seed_fill.stack_views import BOUNDARY_VIEWS, COLUMNS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
 
@@ -64,15 +64,26 @@ ENTRY = Entry(
     title="Boundary fill, 4-connected",
     summary="Colours outwards from a seed until the boundary stops it, with its own stack for the recursion.",
     parameters=BOUNDED,
+    arguments=picture_seed_and_boundary,
+    draws=("seed_fill",),
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=BOUNDARY_VIEWS,
     laws=(
-        "What is coloured is the 4-connected region of the seed among all that is neither boundary nor "
-        "filled.",
-        "Each pixel is coloured once.",
-        "Nothing is read or written outside the picture.",
+        Law(
+            "What is coloured is the 4-connected region of the seed among all that is neither boundary "
+            "nor filled.",
+            "seed_fill/test_regions.py::test_boundary_fills_colour_the_region_of_the_seed",
+        ),
+        Law(
+            "Each pixel is coloured once.",
+            "seed_fill/test_regions.py::test_boundary_fills_colour_the_region_of_the_seed",
+        ),
+        Law(
+            "Nothing is read or written outside the picture.",
+            "seed_fill/test_regions.py::test_nothing_is_read_or_written_outside_the_picture",
+        ),
     ),
     not_laws=(
         "It finds its way through a boundary of pixels that touch only at corners: 8-connected it would.",

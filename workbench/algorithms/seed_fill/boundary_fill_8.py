@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry
-from workbench.algorithms.seed_fill.example import BOUNDED
+from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
 from workbench.algorithms.seed_fill.neighbours import EIGHT_STEPS
 from workbench.algorithms.seed_fill.stack_views import BOUNDARY_VIEWS, COLUMNS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
@@ -67,16 +67,30 @@ ENTRY = Entry(
     title="Boundary fill, 8-connected",
     summary="Goes to the corners too: it reaches more, and leaks through a boundary that is thin there.",
     parameters=BOUNDED,
+    arguments=picture_seed_and_boundary,
+    draws=("seed_fill",),
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=BOUNDARY_VIEWS,
     laws=(
-        "What is coloured is the 8-connected region of the seed among all that is neither boundary nor "
-        "filled.",
-        "All that the 4-connected fill colours is coloured.",
-        "Each pixel is coloured once.",
-        "Nothing is read or written outside the picture.",
+        Law(
+            "What is coloured is the 8-connected region of the seed among all that is neither boundary "
+            "nor filled.",
+            "seed_fill/test_regions.py::test_boundary_fills_colour_the_region_of_the_seed",
+        ),
+        Law(
+            "All that the 4-connected fill colours is coloured.",
+            "seed_fill/test_regions.py::test_all_that_four_ways_reach_eight_do",
+        ),
+        Law(
+            "Each pixel is coloured once.",
+            "seed_fill/test_regions.py::test_boundary_fills_colour_the_region_of_the_seed",
+        ),
+        Law(
+            "Nothing is read or written outside the picture.",
+            "seed_fill/test_regions.py::test_nothing_is_read_or_written_outside_the_picture",
+        ),
     ),
     not_laws=("Any closed line of pixels holds it: where they touch only at corners, it leaks.",),
     questions=(3,),

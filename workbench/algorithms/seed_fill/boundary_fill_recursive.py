@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import CALLS, Entry, View
-from workbench.algorithms.seed_fill.example import BOUNDED
+from workbench.algorithms.entry import CALLS, Entry, Law, View
+from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
 from workbench.algorithms.seed_fill.waiting_marks import call_marks
 
 
@@ -56,6 +56,8 @@ ENTRY = Entry(
     title="Boundary fill, recursive",
     summary="Calls itself for the four neighbours; simple, until the calls nest too deep.",
     parameters=BOUNDED,
+    arguments=picture_seed_and_boundary,
+    draws=("seed_fill",),
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=("pixel", "its colour", "coloured"),
@@ -89,9 +91,18 @@ ENTRY = Entry(
         ),
     ),
     laws=(
-        "The pixels are those of the boundary fill with a stack, 4-connected.",
-        "Each pixel is coloured once.",
-        "Nothing is read or written outside the picture.",
+        Law(
+            "The pixels are those of the boundary fill with a stack, 4-connected.",
+            "seed_fill/test_regions.py::test_boundary_fills_colour_the_region_of_the_seed",
+        ),
+        Law(
+            "Each pixel is coloured once.",
+            "seed_fill/test_regions.py::test_boundary_fills_colour_the_region_of_the_seed",
+        ),
+        Law(
+            "Nothing is read or written outside the picture.",
+            "seed_fill/test_regions.py::test_nothing_is_read_or_written_outside_the_picture",
+        ),
     ),
     not_laws=("Any area can be filled: the calls nest up to once for each of its pixels.",),
     questions=(3,),

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry
-from workbench.algorithms.seed_fill.example import BOUNDED
+from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
 from workbench.algorithms.seed_fill.span_views import COLUMNS, VIEWS, tested_pixels
 from workbench.algorithms.seed_fill.waiting_marks import span_marks
 
@@ -89,6 +89,8 @@ ENTRY = Entry(
     title="Boundary fill by spans",
     summary="Colours a whole run of a row at a time: most pixels are tested once, and the stack stays small.",
     parameters=BOUNDED,
+    arguments=picture_seed_and_boundary,
+    draws=("seed_fill",),
     emits="spans",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
@@ -96,9 +98,18 @@ ENTRY = Entry(
     view_functions=(tested_pixels,),
     tests_in=(run_left, run_right),
     laws=(
-        "The pixels are those of the boundary fill with a stack, 4-connected.",
-        "Each pixel is coloured once.",
-        "Nothing is read or written outside the picture.",
+        Law(
+            "The pixels are those of the boundary fill with a stack, 4-connected.",
+            "seed_fill/test_regions.py::test_boundary_fills_colour_the_region_of_the_seed",
+        ),
+        Law(
+            "Each pixel is coloured once.",
+            "seed_fill/test_regions.py::test_boundary_fills_colour_the_region_of_the_seed",
+        ),
+        Law(
+            "Nothing is read or written outside the picture.",
+            "seed_fill/test_regions.py::test_nothing_is_read_or_written_outside_the_picture",
+        ),
     ),
     questions=(3,),
     labs=("Boundary fill",),

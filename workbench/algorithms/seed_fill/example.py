@@ -1,5 +1,8 @@
 """What the seed fills take, with a ring and two pixels of boundary inside it as their example."""
 
+from random import Random
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -33,3 +36,21 @@ BOUNDED = (
     *FLOOD,
     Parameter("boundary", "boundary", "colour", 1, 0, 0xFFFFFF, meaning="colour that stops the fill"),
 )
+
+
+def picture_and_seed(chance: Random) -> tuple[Any, ...]:
+    """A small picture of four colours, a seed in it or just outside, and a colour that is often there."""
+    height, width = (chance.choice((1, chance.randint(1, 6), chance.randint(1, 6))) for _side in range(2))
+    rows = [[chance.randint(0, 3) for _column in range(width)] for _row in range(height)]
+    x, y = chance.randrange(width), chance.randrange(height)
+    match chance.randint(0, 5):
+        case 0:
+            x = chance.choice((-1, width))
+        case 1:
+            y = chance.choice((-1, height))
+    return np.array(rows, np.int64), x, y, chance.randint(0, 3)
+
+
+def picture_seed_and_boundary(chance: Random) -> tuple[Any, ...]:
+    """The same with a boundary colour, now and then that of the fill."""
+    return *picture_and_seed(chance), chance.randint(0, 3)

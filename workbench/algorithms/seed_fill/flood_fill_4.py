@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry
-from workbench.algorithms.seed_fill.example import FLOOD
+from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.seed_fill.example import FLOOD, picture_and_seed
 from workbench.algorithms.seed_fill.stack_views import COLUMNS, FLOOD_VIEWS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
 
@@ -62,14 +62,25 @@ ENTRY = Entry(
     title="Flood fill, 4-connected",
     summary="Replaces the colour of a whole region, whatever colours stand around it.",
     parameters=FLOOD,
+    arguments=picture_and_seed,
+    draws=("seed_fill",),
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=FLOOD_VIEWS,
     laws=(
-        "What is coloured is the 4-connected region of the seed among all pixels of its colour.",
-        "Each pixel is coloured once.",
-        "Nothing is read or written outside the picture.",
+        Law(
+            "What is coloured is the 4-connected region of the seed among all pixels of its colour.",
+            "seed_fill/test_regions.py::test_flood_fills_colour_the_region_of_the_seed_s_colour",
+        ),
+        Law(
+            "Each pixel is coloured once.",
+            "seed_fill/test_regions.py::test_flood_fills_colour_the_region_of_the_seed_s_colour",
+        ),
+        Law(
+            "Nothing is read or written outside the picture.",
+            "seed_fill/test_regions.py::test_nothing_is_read_or_written_outside_the_picture",
+        ),
     ),
     not_laws=(
         "It stops at one colour, the boundary: it stops at every colour but the one that it replaces.",

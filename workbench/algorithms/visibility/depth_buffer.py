@@ -13,8 +13,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry
-from workbench.algorithms.visibility.scene import SCENE
+from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.visibility.scene import SCENE, scene
 from workbench.algorithms.visibility.views import VIEWS
 
 Array = NDArray[Any]
@@ -124,15 +124,32 @@ ENTRY = Entry(
     title="Depth buffer",
     summary="Keeps for each pixel the depth of the nearest surface so far; a nearer fragment replaces it.",
     parameters=SCENE,
+    arguments=scene,
     emits="fragments",
     source="Hearn and Baker, Computer Graphics, C Version, section 13-3",
     columns=("x", "y", "z", "stored z", "won"),
     views=VIEWS,
     laws=(
-        "At every covered pixel the triangle with the least z wins; on equal z the one drawn first.",
-        "The order of the triangles does not matter where no two depths are equal.",
-        "Triangles that share an edge neither overlap nor leave a gap.",
-        "Drawing in bands of rows gives the same picture.",
+        Law(
+            "At every covered pixel the triangle with the least z wins.",
+            "visibility/test_depth_buffer.py::test_at_each_pixel_the_exactly_nearest_wins",
+        ),
+        Law(
+            "On equal z the triangle drawn first stays.",
+            "visibility/test_depth_buffer.py::test_on_equal_depth_the_first_stays",
+        ),
+        Law(
+            "The order of the triangles does not matter where no two depths are equal.",
+            "visibility/test_depth_buffer.py::test_the_order_matters_only_where_depths_are_equal",
+        ),
+        Law(
+            "Triangles that share an edge neither overlap nor leave a gap.",
+            "visibility/test_depth_buffer.py::test_a_fan_of_triangles_has_neither_overlap_nor_gap",
+        ),
+        Law(
+            "Drawing in bands of rows gives the same picture.",
+            "visibility/test_depth_buffer.py::test_bands_of_rows_give_the_same_picture",
+        ),
     ),
     not_laws=("Surfaces may shine through: a nearer one always hides what is behind it.",),
     questions=(2, 7),

@@ -1,5 +1,8 @@
 """Two triangles that pierce one another, as the example of the visibility algorithms."""
 
+from random import Random
+from typing import Any
+
 import numpy as np
 
 from workbench.algorithms.entry import Parameter
@@ -21,3 +24,30 @@ SCENE = (
     Parameter("low_row", "y_low", "int", 0, 0, 32767, "px", "first row of the band"),
     Parameter("high_row", "y_high", "int", 10, 0, 32768, "px", "one past the last row of the band"),
 )
+
+
+def scene(chance: Random) -> tuple[Any, ...]:
+    """One or two triangles on quarters of a pixel, partly outside, some edge on, some at equal depths."""
+    count = chance.randint(1, 2)
+    vertices = [
+        (chance.randint(-8, 40) / 4, chance.randint(-8, 32) / 4, chance.randint(0, 15) / 16)
+        for _corner in range(3 * count)
+    ]
+    match chance.randint(0, 3):
+        case 0:
+            vertices[-3:] = vertices[:3]
+        case 1:
+            vertices[2] = vertices[1]
+        case 2:
+            vertices[2] = vertices[1][0], vertices[1][1], vertices[0][2]
+    low = chance.choice((0, 0, chance.randint(0, 6)))
+    faces = np.arange(3 * count).reshape(-1, 3)
+    band = low, chance.choice((6, 6, chance.randint(low, 6)))
+    return (
+        np.zeros((6, 8), np.int64),
+        np.ones((6, 8)),
+        np.array(vertices),
+        faces,
+        np.arange(1, count + 1),
+        *band,
+    )
