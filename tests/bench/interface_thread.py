@@ -141,7 +141,7 @@ def main() -> None:
     acts: list[tuple[str, Callable[[], object]]] = []
 
     def begin() -> None:
-        from workbench.document.samples import examples
+        from workbench.document.samples.examples import examples
 
         if "--warm" in words:
             from workbench.algorithms import catalogue

@@ -21,11 +21,11 @@ from PySide6.QtCore import QCoreApplication
 
 from workbench.document import Stored, edits
 from workbench.document.addresses import changed, new_ids
-from workbench.document.blobs import Blob
-from workbench.document.files import decode, encode, write
 from workbench.document.model import Curve, CurvePoint, Document
-from workbench.document.samples import blank_sheet
+from workbench.document.samples.examples import blank_sheet
 from workbench.document.state import SessionState, cleaned
+from workbench.document.storage.blobs import Blob
+from workbench.document.storage.files import decode, encode, write
 from workbench.session import Session
 
 CURVES, POINTS = 10_000, 7

@@ -6,13 +6,13 @@ from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QMainWindow
 
 from tests.bench.drags import MOVES, measure_drag, mouse
-from workbench.document.samples import blank_sheet
-from workbench.panels.draw import DrawPanel
+from workbench.document.samples.examples import blank_sheet
+from workbench.panels.draw.panel import DrawPanel
 from workbench.session.session import Session
-from workbench.widgets.canvas_drawing import Stroke
-from workbench.widgets.canvas_overlay import Handle, Overlay
-from workbench.widgets.canvas_view import centred
-from workbench.widgets.pixel_canvas import PixelCanvas
+from workbench.widgets.canvas.drawing import Stroke
+from workbench.widgets.canvas.overlay import Handle, Overlay
+from workbench.widgets.canvas.pixel_canvas import PixelCanvas
+from workbench.widgets.canvas.view import centred
 
 
 @pytest.mark.parametrize("docks", [False, True], ids=["canvas", "canvas and plot"])

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from workbench.document import edits
-from workbench.document.curve_settings import set_spline
+from workbench.document.curves.settings import set_spline
 from workbench.document.model import SPLINES, Curve, CurvePoint, Document, Polyline
-from workbench.document.sample_figures import document_of, polyline
+from workbench.document.samples.figures import document_of, polyline
 from workbench.rendering import display_list, frame_buffer
 from workbench.rendering.curves import polyline_of
 

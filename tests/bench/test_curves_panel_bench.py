@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QVBoxLayout, QWidget
 from tests.bench.drags import MOVES, measure_drag
 from workbench.document.edits import add_figure
 from workbench.document.model import Curve, CurvePoint
-from workbench.document.samples import blank_sheet
-from workbench.panels.curves import CurvesPanel
+from workbench.document.samples.examples import blank_sheet
+from workbench.panels.curves.panel import CurvesPanel
 from workbench.session.session import Session
 
 POINTS = 1000

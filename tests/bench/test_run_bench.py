@@ -15,10 +15,10 @@ from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
 from workbench.algorithms import catalogue
 from workbench.session.run import Run
-from workbench.widgets.hand_table import HandTable
-from workbench.widgets.source_view import SourceView
-from workbench.widgets.step_bar import Steps
-from workbench.widgets.variable_table import VariableTable
+from workbench.widgets.stepping.source_view import SourceView
+from workbench.widgets.stepping.step_bar import Steps
+from workbench.widgets.tables.hand_table import HandTable
+from workbench.widgets.tables.variable_table import VariableTable
 
 _RUNS = 5
 _SETTLE_MS = 100

@@ -14,7 +14,7 @@ import pytest
 from workbench.__main__ import main
 from workbench.algorithms import catalogue
 from workbench.document import save
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
 from workbench.rendering import frame_buffer
 
 PICTURE = """

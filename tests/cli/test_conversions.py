@@ -13,8 +13,8 @@ from tests.cli.test_commands import printed, refused
 from workbench.__main__ import main
 from workbench.document import load, save
 from workbench.document.model import Curve, CurvePoint, Rectangle
-from workbench.document.sample_figures import document_of
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
+from workbench.document.samples.figures import document_of
 from workbench.exchange.svg_paths import read_svg
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="2 3 48 24">{}</svg>'

@@ -34,7 +34,7 @@ from workbench.algorithms.curves import (
     nurbs_point,
     open_uniform_knots,
 )
-from workbench.algorithms.curves.rational import homogeneous, projected
+from workbench.geometry.curves.rational import homogeneous, projected
 
 few = settings(max_examples=40)
 

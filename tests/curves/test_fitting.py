@@ -9,7 +9,8 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from tests.curves.made_curves import Array, point_lists
-from workbench.algorithms.curves import Pieces, bezier_point, directions, fit_pieces
+from workbench.algorithms.curves import Pieces, bezier_point, fit_pieces
+from workbench.geometry.curves import directions
 
 
 def chain(pieces: Pieces, steps: int = 200) -> Array:

@@ -22,7 +22,7 @@ from workbench.algorithms.curves import (
     extrema,
     osculating_circle,
 )
-from workbench.algorithms.curves.roots import roots
+from workbench.geometry.curves.roots import roots
 
 ONE = np.array([0.0, 1.0])
 

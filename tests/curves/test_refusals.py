@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from workbench.algorithms import curves
-from workbench.algorithms.curves.conditions import Fault, faults
 from workbench.engine import compiled
+from workbench.geometry.curves.conditions import Fault, faults
 
 POINTS = np.array([[0, 0], [1, 2], [3, 3], [5, 1]], float)
 KNOTS = np.array([0, 0, 0, 1, 2, 2, 2], float)

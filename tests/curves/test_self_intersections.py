@@ -17,7 +17,7 @@ from workbench.algorithms.curves import (
     self_meetings,
     self_overlaps,
 )
-from workbench.algorithms.curves.one_way_parts import Parts, halved
+from workbench.geometry.curves.one_way_parts import Parts, halved
 
 ONE = np.array([0.0, 1.0])
 LOOP = np.array([[0, 0], [3, 2], [-2, 2], [1, 0]], float)

@@ -5,7 +5,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from tests.document.made_curves import curves
+from tests.document.curves.made_curves import curves
 from workbench.document import edits
 from workbench.document.model import (
     LINE_CLIPPERS,

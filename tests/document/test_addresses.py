@@ -17,7 +17,7 @@ from workbench.document.edits import (
     set_attribute,
 )
 from workbench.document.model import AnyFigure, Document, Knot, Rectangle, Sheet, WorldPoint
-from workbench.document.samples import example_document, examples
+from workbench.document.samples.examples import example_document, examples
 
 
 def everything(document: Document) -> dict[Address, object]:

@@ -14,9 +14,9 @@ from workbench.document import DocumentError, edits
 from workbench.document.addresses import resolve
 from workbench.document.building import without_ids
 from workbench.document.check import check, shown
-from workbench.document.files import Stored, encode
 from workbench.document.model import Circle, Document, Line, Polygon, Rectangle, SeedFill, WorldPoint
-from workbench.document.samples import blank_sheet, example, example_document
+from workbench.document.samples.examples import blank_sheet, example, example_document
+from workbench.document.storage.files import Stored, encode
 
 BAD_NUMBERS = [math.nan, math.inf, -math.inf, 1.0000001e6, -1e300, "7", None, True, 10**400, 10**5000, 1j]
 

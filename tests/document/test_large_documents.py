@@ -14,7 +14,7 @@ from tests.document.made_documents import documents, figures
 from workbench.document import DocumentError, check, edits, identities
 from workbench.document.differences import between
 from workbench.document.model import Curve, CurvePoint, Document, Polyline, WorldPoint
-from workbench.document.samples import blank_sheet
+from workbench.document.samples.examples import blank_sheet
 
 
 def curve(identity: str = "", points: int = 7) -> Curve:

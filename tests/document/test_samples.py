@@ -8,10 +8,10 @@ import pytest
 from workbench.algorithms import catalogue
 from workbench.algorithms.curves import piece_points
 from workbench.document.check import check
-from workbench.document.curve_pieces import fault_of, pieces_of
+from workbench.document.curves.pieces import fault_of, pieces_of
 from workbench.document.edits import set_algorithm
 from workbench.document.model import AnyFigure, Circle, Curve, Ellipse, Line, Polygon, Polyline, SeedFill
-from workbench.document.samples import PALETTE, blank_sheet, example, example_document, examples
+from workbench.document.samples.examples import PALETTE, blank_sheet, example, example_document, examples
 
 KINDS: list[type[AnyFigure]] = [Line, Polyline, Polygon, Circle, Ellipse, SeedFill]
 

@@ -7,7 +7,7 @@ from tests.soak.confined import MOST_MB, MOST_S, confined
 
 SVG = """
 from workbench.exchange.svg_paths import read_svg
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
 def svg(body, before=""):
     text = f'{before}<svg xmlns="http://www.w3.org/2000/svg">{body}</svg>'
     return read_svg(text, example_document().sheets[0])
@@ -17,7 +17,7 @@ def doubling(depth):
 """
 CSV = "from workbench.exchange.point_lists import read_points"
 GWB = """
-from workbench.document.files import decode
+from workbench.document.storage.files import decode
 def gwb(version, rest): return decode(b'{"format":"graphics-workbench","version":%d,' % version + rest)
 sheet = b'"document":{"sheets":[{"id":"s1","palette":'
 """

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from workbench.document.content import Stopped
-from workbench.document.files import Stored, encode
 from workbench.document.model import Polyline, WorldPoint
-from workbench.document.samples import example_document, examples
+from workbench.document.samples.examples import example_document, examples
 from workbench.document.state import SessionState
+from workbench.document.storage.content import Stopped
+from workbench.document.storage.files import Stored, encode
 from workbench.exchange import reading
 from workbench.exchange.reading import Fitted, Job, Reading, ReadingError, read_at_once, read_now
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import bezier_point
-from workbench.document.curve_pieces import pieces_of
+from workbench.document.curves.pieces import pieces_of
 from workbench.document.model import Circle, Curve, Ellipse, Line, Polygon, Polyline, Rectangle, Sheet
 from workbench.exchange.svg_paths import SvgError, read_svg
 

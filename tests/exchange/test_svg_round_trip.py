@@ -14,7 +14,7 @@ from msgspec.structs import replace
 
 from tests.curves.made_curves import knot_vectors
 from workbench.document.building import without_ids
-from workbench.document.curve_pieces import fault_of, pieces_of
+from workbench.document.curves.pieces import fault_of, pieces_of
 from workbench.document.model import (
     SPLINES,
     Circle,

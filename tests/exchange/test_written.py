@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from PIL import Image, ImageSequence
 
 from workbench.algorithms import catalogue
-from workbench.document.saving import SavingError
+from workbench.document.storage.saving import SavingError
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
 from workbench.exchange.frames import indexed

@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
 from workbench.session.session import Session
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window

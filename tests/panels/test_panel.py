@@ -5,10 +5,10 @@ import inspect
 
 import pytest
 
-from workbench.document.samples import example_document
-from workbench.panels import panel as module
+from workbench.document.samples.examples import example_document
 from workbench.panels.panel import Panel
 from workbench.session.session import Session
+from workbench.shell import workspaces as module
 from workbench.shell.workspaces import panel_class, panel_of, workspaces
 
 NAMES = sorted({name for workspace in workspaces() for name in workspace.panels})

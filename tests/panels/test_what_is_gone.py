@@ -7,16 +7,16 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from tests.panels.curves_by_hand import click, curve_through, hover, opened
+from tests.panels.curves.by_hand import click, curve_through, hover, opened
 from workbench.document.edits import add_figure, remove_figures, set_algorithm, set_sheet_size
 from workbench.document.model import Circle, Line, WorldPoint
-from workbench.document.samples import blank_sheet
-from workbench.panels.compare import CompareView
-from workbench.panels.display import DisplayPanel
-from workbench.panels.draw import DrawPanel
-from workbench.panels.fill import FillPanel
+from workbench.document.samples.examples import blank_sheet
+from workbench.panels.display.panel import DisplayPanel
+from workbench.panels.draw.panel import DrawPanel
+from workbench.panels.fill.panel import FillPanel
+from workbench.panels.shared.compare import CompareView
 from workbench.session.session import Session
-from workbench.widgets.tube_glass import nearest_pixel
+from workbench.widgets.tube.glass import nearest_pixel
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -6,12 +6,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from tests.document.made_curves import curves as made_curves
+from tests.document.curves.made_curves import curves as made_curves
 from workbench.algorithms import catalogue
 from workbench.algorithms import curves as algorithms
-from workbench.document.curve_pieces import b_spline_of, fault_of, pieces_of
+from workbench.document.curves.pieces import b_spline_of, fault_of, pieces_of
 from workbench.document.model import LINE_CLIPPERS, Curve, Line, Polyline, Rectangle, Sheet, WorldPoint
-from workbench.document.sample_figures import document_of, polyline
+from workbench.document.samples.figures import document_of, polyline
 from workbench.engine import compiled
 from workbench.rendering import display_list, emissions, frame_buffer, painter_of
 from workbench.rendering.clipping import clip_box, segments_of, visible_table

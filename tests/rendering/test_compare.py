@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from workbench.algorithms.lines import bresenham_line, dda_line
 from workbench.document.model import Circle, Line, Polyline, WorldPoint
-from workbench.document.samples import blank_sheet
+from workbench.document.samples.examples import blank_sheet
 from workbench.rendering.compare import compare, distances, figure_pixels
 
 SHEET = blank_sheet(64, 48).sheets[0]

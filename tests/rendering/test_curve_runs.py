@@ -8,13 +8,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from tests.document.made_curves import curves
+from tests.document.curves.made_curves import curves
 from workbench.algorithms.curves import piece_points
 from workbench.algorithms.marks import Spot, Stroke
-from workbench.document import curve_edits
-from workbench.document.curve_pieces import fault_of, parameter_at, share_at
+from workbench.document.curves import edits as curve_edits
+from workbench.document.curves.pieces import fault_of, parameter_at, share_at
 from workbench.document.model import Curve, CurvePoint, Rectangle, Sheet
-from workbench.document.sample_figures import document_of, line
+from workbench.document.samples.figures import document_of, line
 from workbench.rendering import frame_buffer, why
 from workbench.rendering.compare import compare, distances
 from workbench.rendering.curve_runs import (

@@ -19,7 +19,7 @@ from workbench.document.model import (
     Sheet,
     WorldPoint,
 )
-from workbench.document.samples import example
+from workbench.document.samples.examples import example
 from workbench.rendering import arguments, emissions, frame_buffer, painter_of, why
 
 PALETTE = (0x000000, 0xFF0000, 0x00FF00, 0x0000FF)

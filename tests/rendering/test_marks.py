@@ -7,8 +7,8 @@ from msgspec.structs import replace
 from workbench.algorithms import catalogue
 from workbench.algorithms.marks import Frame, Ray, Region, Spot, Stroke, Word
 from workbench.document.model import Polygon, Rectangle, Sheet
-from workbench.document.sample_figures import document_of
-from workbench.document.samples import example
+from workbench.document.samples.examples import example
+from workbench.document.samples.figures import document_of
 from workbench.rendering import figure_calls
 from workbench.rendering.inside import verdict
 from workbench.rendering.mapping import device_map

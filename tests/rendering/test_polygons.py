@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from workbench.document.model import Circle, Line, Polygon, Rectangle, SeedFill, Sheet
-from workbench.document.sample_figures import document_of, line, points_at, polygon
+from workbench.document.samples.figures import document_of, line, points_at, polygon
 from workbench.engine.limited import collect_limited
 from workbench.rendering import clipper_calls, display_list, figure_calls, frame_buffer, painter_of
 from workbench.rendering.limits import POLYGON_REACH_PX, clip_ring

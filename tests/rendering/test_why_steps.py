@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, Rectangle, SeedFill, Sheet
-from workbench.document.sample_figures import document_of, points_at
-from workbench.document.samples import example
+from workbench.document.samples.examples import example
+from workbench.document.samples.figures import document_of, points_at
 from workbench.rendering import painter_of, why
 from workbench.rendering.why_steps import Abandoned, nothing_happened, why_steps
 

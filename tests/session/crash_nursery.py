@@ -16,9 +16,9 @@ from functools import cache
 from pathlib import Path
 
 from workbench.document import Stored, write
-from workbench.document.blobs import Blob
 from workbench.document.edits import both, duplicate_figures, move_points, rename_sheet
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
+from workbench.document.storage.blobs import Blob
 from workbench.session.recovery import DELAY_S, RecoveryFile
 
 

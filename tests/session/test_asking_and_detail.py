@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
-from workbench.document.samples import example
+from workbench.document.samples.examples import example
 from workbench.session.session import Session
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from tests.session.kills import Nursery, judge, kill_in_the_middle
 from workbench.document import save
-from workbench.document.samples import blank_sheet
+from workbench.document.samples.examples import blank_sheet
 from workbench.session.recovery import recoverable
 
 pytestmark = [

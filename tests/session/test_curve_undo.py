@@ -7,13 +7,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from pytestqt.qtbot import QtBot
 
-from tests.document.made_curves import curve_edit_of, documents_with_curves
+from tests.document.curves.made_curves import curve_edit_of, documents_with_curves
 from workbench.document import DocumentError
-from workbench.document.curve_conversions import convert
-from workbench.document.curve_cutting import insert_on_curve, split
-from workbench.document.curve_degrees import lower_degree, raise_degree
-from workbench.document.curve_joining import join, mirror, reverse
-from workbench.document.curve_shaping import drag_curve, smooth_joint
+from workbench.document.curves.conversions import convert
+from workbench.document.curves.cutting import insert_on_curve, split
+from workbench.document.curves.degrees import lower_degree, raise_degree
+from workbench.document.curves.joining import join, mirror, reverse
+from workbench.document.curves.shaping import drag_curve, smooth_joint
 from workbench.document.model import Document
 from workbench.session import Session
 

@@ -7,7 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from workbench.document import DocumentError, edits
 from workbench.document.model import Curve, CurvePoint
-from workbench.document.samples import example
+from workbench.document.samples.examples import example
 from workbench.session import Session
 
 

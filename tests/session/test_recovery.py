@@ -14,7 +14,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from workbench.document import DocumentError, Stored, edits, read, write
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
 from workbench.session import Session, recovery
 from workbench.session.recovery import RecoveryFile, recoverable
 
@@ -30,7 +30,7 @@ def left_by_a_dead_process(folder: Path, origin: str = "", blobs: dict[str, byte
     code = (
         "import os, sys; from pathlib import Path; from workbench.session.recovery import RecoveryFile;"
         "from workbench.document import Stored, edits;"
-        "from workbench.document.samples import example_document;"
+        "from workbench.document.samples.examples import example_document;"
         "file = RecoveryFile(Path(sys.argv[1]));"
         "document = edits.move_points({'s1/f1/p1/x': (3.0, 4.0)})(example_document());"
         "blobs = dict(zip(sys.argv[3::2], map(os.fsencode, sys.argv[4::2])));"

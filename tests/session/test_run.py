@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry, View
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
 from workbench.session.run import Run

@@ -6,7 +6,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from workbench.document import Stored, read
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
 from workbench.session import saver
 from workbench.session.saver import Saved, Saver
 

@@ -12,7 +12,7 @@ from tests.document.made_documents import documents, sound_edits
 from workbench.document import DocumentError, edits, load, read
 from workbench.document.addresses import Address
 from workbench.document.model import Document
-from workbench.document.samples import blank_sheet, example_document, examples
+from workbench.document.samples.examples import blank_sheet, example_document, examples
 from workbench.session import Session
 
 

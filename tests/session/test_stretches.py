@@ -12,7 +12,7 @@ from workbench.engine import compiled, counts
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
 from workbench.session.run import Run
-from workbench.widgets.step_bar import StepBar
+from workbench.widgets.stepping.step_bar import StepBar
 
 BRESENHAM = catalogue.get("bresenham_line")
 LINE = (0, 0, 400, 130)

@@ -14,7 +14,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from workbench.document import DocumentError, edits
 from workbench.document.model import Document, Polyline, WorldPoint
-from workbench.document.samples import blank_sheet
+from workbench.document.samples.examples import blank_sheet
 from workbench.document.weight import weight
 from workbench.session import Session
 from workbench.session.undo import UndoStack

@@ -23,6 +23,10 @@ OFFENCES = {
         "workbench/algorithms/lines/offence.py",
         "import msgspec",
     ),
+    "The wings do not know one another, and stand on what they share": (
+        "workbench/panels/fill/offence.py",
+        "import workbench.panels.clip.panel",
+    ),
 }
 
 

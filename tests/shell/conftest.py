@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 from workbench.document.addresses import new_ids
 from workbench.document.edits import add_figure
 from workbench.document.model import Line, WorldPoint
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
 from workbench.panels.panel import PlainPanel
 from workbench.session.session import Session
 from workbench.shell.settings import Settings

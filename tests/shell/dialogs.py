@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLineEdit, QMessag
 from pytestqt.qtbot import QtBot
 
 from workbench.shell.window import MainWindow
-from workbench.widgets.save_dialog import SaveDialog
+from workbench.widgets.fields.save_dialog import SaveDialog
 
 
 def dialog_of(qtbot: QtBot, window: MainWindow) -> SaveDialog:

@@ -10,11 +10,11 @@ from pytestqt.qtbot import QtBot
 from shiboken6 import delete
 
 from workbench.document.edits import add_sheet, rename_sheet
-from workbench.document.samples import blank_sheet
+from workbench.document.samples.examples import blank_sheet
 from workbench.shell.actions import commands, keys_elsewhere, menu_titles, submenu_titles
 from workbench.shell.command_palette import CommandPalette, match
 from workbench.shell.window import MainWindow
-from workbench.widgets.icons import icon
+from workbench.widgets.look.icons import icon
 
 
 def test_ids_menus_and_words() -> None:

@@ -9,7 +9,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
 from workbench.session.session import Session
 from workbench.shell.dock_area import DockArea
 from workbench.shell.settings import Settings

@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 from tests.shell.conftest import leave
 from workbench.document import save
 from workbench.document.model import Curve
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
 from workbench.document.sheet_edits import rename_sheet
 from workbench.session.session import Session
 from workbench.shell.settings import Settings

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QFileDialog
 from pytestqt.qtbot import QtBot
 
 from tests.shell.dialogs import dialog_of, type_name
-from workbench.document.files import load
+from workbench.document.storage.files import load
 from workbench.shell.command_palette import offers
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
@@ -314,7 +314,7 @@ def test_cancelled_nothing_is_left(
 
 def slow(monkeypatch: pytest.MonkeyPatch) -> None:
     """Every page takes a while."""
-    from workbench.panels import figure_pages
+    from workbench.panels.stage import pages as figure_pages
 
     quick = figure_pages.page_image
     monkeypatch.setattr(figure_pages, "page_image", lambda *given: (time.sleep(0.15), quick(*given))[1])

@@ -14,14 +14,14 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
 from pytestqt.qtbot import QtBot
 
 from tests.shell.dialogs import dialog_of, type_name
-from workbench.document.files import load, save
 from workbench.document.model import Document, Polyline, WorldPoint
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
+from workbench.document.storage.files import load, save
 from workbench.engine import background
 from workbench.session import saver
 from workbench.shell.command_palette import offers
 from workbench.shell.window import MainWindow
-from workbench.widgets.save_dialog import SaveDialog
+from workbench.widgets.fields.save_dialog import SaveDialog
 
 pytestmark = [
     # The offscreen platform says so of every dialog and menu.
@@ -329,7 +329,7 @@ CRASH = """
 import os, sys
 from PySide6.QtCore import QCoreApplication
 from workbench.document.edits import rename_sheet
-from workbench.document.samples import example_document
+from workbench.document.samples.examples import example_document
 from workbench.session.session import Session
 application = QCoreApplication([])
 session = Session(None, example_document())

@@ -19,8 +19,8 @@ from workbench.shell.actions import commands
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
-from workbench.widgets.pixel_canvas import PixelCanvas
-from workbench.widgets.tube_view import TubeView
+from workbench.widgets.canvas.pixel_canvas import PixelCanvas
+from workbench.widgets.tube.view import TubeView
 
 EXAMPLES = {"draw": "line", "fill": "triangle", "clip": "clip", "curves": "curve-interpolation"}
 CONTROL = Qt.KeyboardModifier.ControlModifier

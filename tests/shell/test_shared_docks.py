@@ -7,8 +7,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 from pytestqt.qtbot import QtBot
 
-from workbench.document.samples import example_document
-from workbench.panels.tube_dock import TubeDock
+from workbench.document.samples.examples import example_document
+from workbench.panels.shared.tube_dock import TubeDock
 from workbench.session.session import Session
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QApplication, QPushButton
 from workbench.paths import resource
 from workbench.shell.style_sheet import style_sheet
 from workbench.shell.window import MainWindow
-from workbench.widgets.icons import icon, set_icon
-from workbench.widgets.tokens import DARK, LIGHT, Tokens, theme, tokens
+from workbench.widgets.look.icons import icon, set_icon
+from workbench.widgets.look.tokens import DARK, LIGHT, Tokens, theme, tokens
 
 THEMES = pytest.mark.parametrize("chosen", [LIGHT, DARK], ids=["light", "dark"])
 

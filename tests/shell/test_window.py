@@ -21,7 +21,7 @@ from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
 from workbench.shell.workspace_bar import WorkspaceBar
 from workbench.shell.workspaces import workspaces
-from workbench.widgets.comfort import comfort
+from workbench.widgets.look.comfort import comfort
 
 
 def docks(window: MainWindow) -> dict[str, bool]:
@@ -332,7 +332,7 @@ def test_home_names_the_algorithms_of_each_question(qtbot: QtBot) -> None:
 
 
 def test_commands_wait_for_the_session(qtbot: QtBot, panels: None) -> None:
-    from workbench.document.samples import example_document
+    from workbench.document.samples.examples import example_document
     from workbench.session.session import Session
 
     from .conftest import OFFERED, leave

@@ -22,8 +22,8 @@ from tests.soak.mangling import HUGE, Mangler, mangled
 from workbench.__main__ import main as command
 from workbench.algorithms import catalogue
 from workbench.document import DocumentError
-from workbench.document.files import Stored, decode, encode
-from workbench.document.samples import example_document, examples
+from workbench.document.samples.examples import example_document, examples
+from workbench.document.storage.files import Stored, decode, encode
 from workbench.exchange.point_lists import PointsError, read_points, write_points
 from workbench.exchange.svg_paths import SvgError, read_svg, write_svg
 

@@ -271,7 +271,7 @@ def workspace(hand: Hand) -> str:
 
 
 def example(hand: Hand) -> str:
-    from workbench.document.samples import examples  # NumPy comes after what the program sets for it
+    from workbench.document.samples.examples import examples  # NumPy comes after what the program sets for it
 
     slug = hand.rng.choice(examples()).slug
     hand.window.open_example(slug)

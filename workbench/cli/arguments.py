@@ -13,7 +13,7 @@ import numpy as np
 
 from workbench.algorithms.entry import Entry, Parameter
 from workbench.cli.failure import BadInputError
-from workbench.document.content import read_text
+from workbench.document.storage.content import read_text
 from workbench.language import _
 
 MOST_BYTES = 20_000_000  # of a file: a picture as large as a sheet may be

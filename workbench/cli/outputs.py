@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 from workbench.cli.failure import BadInputError, WorkError
-from workbench.document.saving import SavingError
+from workbench.document.storage.saving import SavingError
 from workbench.exchange import writing, written
 
 

@@ -42,7 +42,7 @@ from workbench.document.building import (
     with_points,
     without_ids,
 )
-from workbench.document.curve_edits import moved_points
+from workbench.document.curves.edits import moved_points
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Curve, Document, Polygon, WorldPoint
 from workbench.document.sheet_edits import (

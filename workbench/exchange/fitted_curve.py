@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves import fit_pieces
-from workbench.document.content import Progress, silent
 from workbench.document.model import Curve, Sheet
+from workbench.document.storage.content import Progress, silent
 from workbench.exchange.svg_figures import MOST_PIECES, path_of
 from workbench.rendering.mapping import device_map
 

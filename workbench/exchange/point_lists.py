@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from workbench.document.check import MAX_COORDINATE
-from workbench.document.content import Progress, silent
+from workbench.document.storage.content import Progress, silent
 from workbench.language import _
 
 Array = NDArray[np.float64]

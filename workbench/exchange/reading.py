@@ -17,10 +17,10 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from workbench.document.content import Progress, Stopped, part, read_content, silent
-from workbench.document.files import MAX_BYTES, Stored, decode
 from workbench.document.model import AnyFigure, Curve, Document, Sheet
 from workbench.document.state import SessionState
+from workbench.document.storage.content import Progress, Stopped, part, read_content, silent
+from workbench.document.storage.files import MAX_BYTES, Stored, decode
 from workbench.exchange.fitted_curve import fitted
 from workbench.exchange.point_lists import MOST_CHARACTERS, Array, read_points
 from workbench.exchange.svg_reading import Imported, read_svg

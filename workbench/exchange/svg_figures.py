@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.curves import Pieces
-from workbench.document.curve_conversions import path_through
+from workbench.document.curves.conversions import path_through
 from workbench.document.model import (
     AnyFigure,
     Circle,

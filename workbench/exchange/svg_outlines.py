@@ -13,10 +13,10 @@ import numpy as np
 import svgelements
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.cubic_pieces import raised_to_cubic
 from workbench.exchange.path_data import LARGEST, MOST_POINTS, Run, TooManyPointsError, runs
 from workbench.exchange.svg_arcs import arc_pieces
 from workbench.exchange.svg_tree import Element, SvgError
+from workbench.geometry.curves.cubic_pieces import raised_to_cubic
 from workbench.language import _
 
 Array = NDArray[np.float64]

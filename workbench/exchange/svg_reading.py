@@ -16,8 +16,8 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.document.building import without_ids
-from workbench.document.content import Progress, part, silent
 from workbench.document.model import AnyFigure, Rectangle, Sheet
+from workbench.document.storage.content import Progress, part, silent
 from workbench.exchange.path_data import MOST_POINTS, TooManyPointsError
 from workbench.exchange.svg_colours import nearest_colour
 from workbench.exchange.svg_figures import Shape, figures_of

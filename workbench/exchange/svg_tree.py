@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 from xml.parsers import expat
 
-from workbench.document.content import Progress, silent
+from workbench.document.storage.content import Progress, silent
 from workbench.exchange.svg_styles import PROPERTIES
 from workbench.language import _
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.document.content import Progress, silent
+from workbench.document.storage.content import Progress, silent
 from workbench.exchange.path_data import MOST_POINTS, TooManyPointsError
 from workbench.exchange.svg_figures import Geometry, Shape
 from workbench.exchange.svg_outlines import length_of, transform_of

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.curves import to_cubic_pieces
-from workbench.document.curve_pieces import fault_of, pieces_of
+from workbench.document.curves.pieces import fault_of, pieces_of
 from workbench.document.model import (
     AnyFigure,
     Circle,

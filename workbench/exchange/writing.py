@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from workbench.document.saving import Replacement
+from workbench.document.storage.saving import Replacement
 from workbench.language import _
 
 Progress = Callable[[int, int], None]

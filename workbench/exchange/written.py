@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from workbench.document import DocumentError, Stored
-from workbench.document.files import decode, encode
+from workbench.document.storage.files import decode, encode
 from workbench.exchange import meshes, tables
 from workbench.exchange.frames import animation, each_png, one_png
 from workbench.exchange.pictures import png

@@ -9,6 +9,9 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from workbench.exchange.tables import Table
 
+if TYPE_CHECKING:
+    from workbench.panels.stage.export import Exporter
+
 # The name by which a dock is remembered, its title, what it holds, and where it begins.
 DockPart = tuple[str, str, QWidget, str | Qt.DockWidgetArea]
 Cell = tuple[int, int]
@@ -105,29 +108,3 @@ class PlainPanel:
 
     def offer_export(self, menu: QMenu) -> None:
         """It has no menu of its own."""
-
-
-if TYPE_CHECKING:
-    from workbench.panels.clip import ClipPanel
-    from workbench.panels.compare import ComparePanel
-    from workbench.panels.curves import CurvesPanel
-    from workbench.panels.display import DisplayPanel
-    from workbench.panels.draw import DrawPanel
-    from workbench.panels.figure_export import Exporter
-    from workbench.panels.fill import FillPanel
-    from workbench.panels.inspector import InspectorPanel
-    from workbench.panels.tube_dock import TubePanel
-    from workbench.panels.why import WhyPanel
-
-    # Every panel there is conforms.
-    PANELS: tuple[type[Panel], ...] = (
-        ClipPanel,
-        ComparePanel,
-        CurvesPanel,
-        DisplayPanel,
-        DrawPanel,
-        FillPanel,
-        InspectorPanel,
-        TubePanel,
-        WhyPanel,
-    )

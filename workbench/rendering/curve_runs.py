@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.document.curve_pieces import (
+from workbench.document.curves.pieces import (
     b_spline_of,
     fault_of,
     parameter_at,

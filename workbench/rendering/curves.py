@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces
-from workbench.document.curve_pieces import fault_of, pieces_of
+from workbench.document.curves.pieces import fault_of, pieces_of
 from workbench.document.model import Curve, Sheet
 from workbench.rendering.mapping import DeviceMap, device_map
 

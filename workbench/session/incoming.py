@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from workbench.document.content import Stopped
+from workbench.document.storage.content import Stopped
 from workbench.engine import background
 from workbench.exchange.reading import Job, Reading, Result, read_at_once
 

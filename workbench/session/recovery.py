@@ -20,11 +20,11 @@ from pathlib import Path
 import msgspec
 from msgspec.structs import replace
 
-from workbench.document.blobs import MAX_BLOB_BYTES
-from workbench.document.content import read_content
 from workbench.document.errors import DocumentError
-from workbench.document.files import Stored, read, sound_blobs, write
-from workbench.document.saving import replace_file, sweep
+from workbench.document.storage.blobs import MAX_BLOB_BYTES
+from workbench.document.storage.content import read_content
+from workbench.document.storage.files import Stored, read, sound_blobs, write
+from workbench.document.storage.saving import replace_file, sweep
 from workbench.engine.turns import short_turns
 from workbench.language import _
 from workbench.paths import recovery_folder, try_writing

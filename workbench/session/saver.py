@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Qt, Signal
 
 from workbench.document.errors import DocumentError
-from workbench.document.files import Stored, write
+from workbench.document.storage.files import Stored, write
 from workbench.engine.turns import short_turns
 from workbench.language import _
 from workbench.session.stamps import Stamp, stamp

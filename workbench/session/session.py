@@ -14,10 +14,10 @@ from workbench.document.addresses import changed as changed_addresses
 from workbench.document.check import check
 from workbench.document.edits import Edit, add_sheet
 from workbench.document.errors import DocumentError
-from workbench.document.files import Stored, read, write
 from workbench.document.model import AnyFigure, Document, Sheet
-from workbench.document.samples import blank_sheet, example
+from workbench.document.samples.examples import blank_sheet, example
 from workbench.document.state import SessionState, check_state, cleaned
+from workbench.document.storage.files import Stored, read, write
 from workbench.language import _
 from workbench.session.following import Following
 from workbench.session.incoming import Incoming

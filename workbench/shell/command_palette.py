@@ -24,7 +24,7 @@ from shiboken6 import isValid
 
 from workbench.language import _
 from workbench.shell.actions import commands, key_text
-from workbench.widgets.tokens import colour, tokens
+from workbench.widgets.look.tokens import colour, tokens
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -102,7 +102,7 @@ def offers(window: "MainWindow") -> list[Offer]:
     for table in window.files.exports.tables():
         made.append(Offer(_("Export a table: {title}").format(title=table.title), "", table.ask))
     if window.session is not None:
-        from workbench.document.samples import examples
+        from workbench.document.samples.examples import examples
 
         for example in examples():
             text = _("Example: {title}").format(title=example.title)

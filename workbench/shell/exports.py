@@ -13,11 +13,11 @@ from workbench.language import _, ngettext
 
 if TYPE_CHECKING:
     from workbench.exchange.writing import Row
-    from workbench.panels.figure_export import Exporter
     from workbench.panels.panel import Panel
+    from workbench.panels.stage.export import Exporter
     from workbench.session.writer import Outcome, Writer
     from workbench.shell.window import MainWindow
-    from workbench.widgets.writing_card import WritingCard
+    from workbench.widgets.fields.writing_card import WritingCard
 
 _PICTURE_PX = 1600
 # What is written within this time needs no card.
@@ -84,7 +84,7 @@ class Exports(QObject):
 
     def run(self) -> None:
         """Every step of the run: how is chosen on the card."""
-        from workbench.panels.figure_pages import rows_of
+        from workbench.panels.stage.pages import rows_of
 
         exporter = self._exporter()
         if exporter is None or self._is_busy():
@@ -180,7 +180,7 @@ class Exports(QObject):
     @cached_property
     def card(self) -> WritingCard:
         """What shows the choices and the progress."""
-        from workbench.widgets.writing_card import WritingCard
+        from workbench.widgets.fields.writing_card import WritingCard
 
         card = WritingCard(self._window, self._window.stack)
         card.chosen.connect(self._ask_run)
@@ -201,8 +201,8 @@ class Exports(QObject):
         make: Callable[[], Any],
         notes: Callable[[Any], list[str]] = lambda _content: [],
     ) -> None:
-        from workbench.panels.figure_pages import rows_of
-        from workbench.widgets.save_dialog import SaveDialog
+        from workbench.panels.stage.pages import rows_of
+        from workbench.widgets.fields.save_dialog import SaveDialog
 
         if self._is_busy():
             return
@@ -215,7 +215,7 @@ class Exports(QObject):
         SaveDialog(self._window, _("Export"), start, rows, then).open()
 
     def _ask_run(self, row: Row, width: int, seconds: float) -> None:
-        from workbench.widgets.save_dialog import SaveDialog
+        from workbench.widgets.fields.save_dialog import SaveDialog
 
         exporter = self._exporter()
         if exporter is None:
@@ -343,7 +343,7 @@ def _written(paths: tuple[Path, ...]) -> str:
 
 def _pixels(sheet: Any, figure: Any) -> Any:
     from workbench.exchange.tables import Table
-    from workbench.panels.figure_picture import pixel_rows
+    from workbench.panels.stage.picture import pixel_rows
 
     return Table(("k", "x", "y"), pixel_rows(sheet, figure))
 

@@ -15,7 +15,7 @@ from workbench.shell.exports import Exports
 from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
-    from workbench.document.files import Stored
+    from workbench.document.storage.files import Stored
     from workbench.session.recovery import Recoverable
     from workbench.session.saver import Saved
     from workbench.session.session import Session
@@ -104,7 +104,7 @@ class Files(QObject):
 
     def _bring_in(self, path: Path) -> None:
         if path.suffix.lower() in _BROUGHT_IN:
-            from workbench.panels.curves import CurvesPanel
+            from workbench.panels.curves.panel import CurvesPanel
 
             self._window.enter("curves")
             panel_of(self._window.panels("curves"), CurvesPanel).exchange.take_file(path)
@@ -178,7 +178,7 @@ class Files(QObject):
     def save_as(self, then: Callable[[], object] | None = None) -> None:
         """Ask for a name and save there; ``then`` follows when it was saved."""
         from workbench.exchange.written import rows
-        from workbench.widgets.save_dialog import SaveDialog
+        from workbench.widgets.fields.save_dialog import SaveDialog
 
         start = self._session.path or self.exports.proposed("", SUFFIX)
         SaveDialog(

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage, QPainter, QPixmap
 
-from workbench.document.samples import Example, examples
+from workbench.document.samples.examples import Example, examples
 from workbench.rendering import frame_buffer
 from workbench.shell.home import THUMBNAIL
 

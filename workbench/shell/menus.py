@@ -66,7 +66,7 @@ class Menus(QObject):
 
     def add_icons(self, bar: WorkspaceBar) -> Iterator[None]:
         """Give the actions their icons, and the bar its buttons."""
-        from workbench.widgets.icons import set_icon
+        from workbench.widgets.look.icons import set_icon
 
         yield
         bar.add_commands([(self.actions[name], self.commands[name].icon) for name in _ON_THE_BAR])

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QGuiApplication, QKeyEvent, QPainter, QPaintEv
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
 from workbench.language import _
-from workbench.widgets.tokens import theme, tokens
+from workbench.widgets.look.tokens import theme, tokens
 
 Button = tuple[str, Callable[[], object]]
 

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QPushBu
 
 from workbench.language import _
 from workbench.shell.pages import Page, heading, paragraph
-from workbench.widgets.comfort import comfort
+from workbench.widgets.look.comfort import comfort
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow

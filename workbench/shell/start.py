@@ -125,7 +125,7 @@ def make_window(settings: Settings | None = None, offered: Sequence[Workspace] |
         themes = ThemeSwitch(application, kept.get("theme"), kept.get("large_text"))
     else:
         themes.choose(kept.get("theme"), kept.get("large_text"))
-    from workbench.widgets.comfort import comfort
+    from workbench.widgets.look.comfort import comfort
 
     comfort.set_calm(kept.get("calm"))
     return MainWindow(kept, themes, offered)

@@ -3,7 +3,7 @@ hair lines, an edge on what can be typed into. ``@token`` in it stands for a tok
 """
 
 from workbench.paths import resource
-from workbench.widgets.tokens import RADIUS, TITLE_PX, Tokens
+from workbench.widgets.look.tokens import RADIUS, TITLE_PX, Tokens
 
 
 def style_sheet(chosen: Tokens, scale: float = 1.0) -> str:

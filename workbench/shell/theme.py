@@ -5,7 +5,7 @@ from PySide6.QtGui import QColor, QFont, QPalette
 from PySide6.QtWidgets import QApplication, QMainWindow
 
 from workbench.shell.style_sheet import style_sheet
-from workbench.widgets.tokens import DARK, LIGHT, TEXT_PX, Tokens, theme
+from workbench.widgets.look.tokens import DARK, LIGHT, TEXT_PX, Tokens, theme
 
 CHOICES = ("system", "light", "dark")
 _LARGE = 1.25

@@ -104,7 +104,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
-    from workbench.document.saving import SavingError, replace_file
+    from workbench.document.storage.saving import SavingError, replace_file
     from workbench.shell.start import Building, make_window
 
     application = QApplication(["Graphics Workbench"])
@@ -218,8 +218,8 @@ def _compared(window: MainWindow, beside: bool = False) -> None:
     """A line that passes half way between pixels, by two algorithms that fall to different sides."""
     from workbench.document.edits import add_figure
     from workbench.document.model import Line, WorldPoint
-    from workbench.document.samples import blank_sheet
-    from workbench.panels.draw import DrawPanel
+    from workbench.document.samples.examples import blank_sheet
+    from workbench.panels.draw.panel import DrawPanel
 
     session = window.session
     session.new(blank_sheet(40, 28))
@@ -251,8 +251,8 @@ def _drift(window: MainWindow) -> None:
     """A long line in fixed point, and how far it drifts from the ideal one."""
     from workbench.document.edits import add_figure
     from workbench.document.model import Line, WorldPoint
-    from workbench.document.samples import blank_sheet
-    from workbench.panels.draw import DrawPanel
+    from workbench.document.samples.examples import blank_sheet
+    from workbench.panels.draw.panel import DrawPanel
 
     session = window.session
     session.new(blank_sheet(220, 140))
@@ -276,7 +276,7 @@ def _beam(window: MainWindow) -> None:
 
 
 def _fill(window: MainWindow, slug: str, step: int, heat: bool = False) -> None:
-    from workbench.panels.fill import FillPanel
+    from workbench.panels.fill.panel import FillPanel
 
     window.open_example(slug)
     front = window.session.sheet.figures[-1].id
@@ -288,7 +288,7 @@ def _fill(window: MainWindow, slug: str, step: int, heat: bool = False) -> None:
 
 
 def _inside(window: MainWindow) -> None:
-    from workbench.panels.fill import FillPanel
+    from workbench.panels.fill.panel import FillPanel
 
     _fill(window, "two-interiors", 0)
     panel = panel_of(window.panels("fill"), FillPanel)

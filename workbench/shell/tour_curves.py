@@ -47,7 +47,7 @@ def _curves(
     hidden: frozenset[str] = frozenset(),
     dock: str = "basis",
 ) -> None:
-    from workbench.panels.curves import CurvesPanel
+    from workbench.panels.curves.panel import CurvesPanel
 
     window.open_example(f"curve-{slug}")
     session, panel = window.session, panel_of(window.panels("curves"), CurvesPanel)
@@ -64,7 +64,7 @@ def _curves(
 def _pen(window: MainWindow) -> None:
     from PySide6.QtCore import Qt
 
-    from workbench.panels.curves import CurvesPanel
+    from workbench.panels.curves.panel import CurvesPanel
 
     _empty(window)
     panel = panel_of(window.panels("curves"), CurvesPanel)
@@ -75,7 +75,7 @@ def _pen(window: MainWindow) -> None:
 
 
 def _empty(window: MainWindow) -> None:
-    from workbench.panels.curves import CurvesPanel
+    from workbench.panels.curves.panel import CurvesPanel
 
     window.session.new()
     window.go("curves")

@@ -299,7 +299,7 @@ class MainWindow(QMainWindow):
 
     def open_example(self, slug: str) -> None:
         """Open a built-in picture in its workspace."""
-        from workbench.document.samples import example
+        from workbench.document.samples.examples import example
 
         workspace = example(slug).workspace
         self.files.example(slug, lambda: self.enter(workspace))

@@ -66,7 +66,7 @@ class WorkspaceBar(QFrame):
         """Put commands with their icons at the right end."""
         from PySide6.QtCore import QSize
 
-        from workbench.widgets.icons import set_icon
+        from workbench.widgets.look.icons import set_icon
 
         for action, name in actions:
             button = QToolButton(self)

@@ -7,8 +7,30 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 from workbench.language import _
 
 if TYPE_CHECKING:
+    from workbench.panels.clip.panel import ClipPanel
+    from workbench.panels.curves.panel import CurvesPanel
+    from workbench.panels.display.panel import DisplayPanel
+    from workbench.panels.draw.panel import DrawPanel
+    from workbench.panels.fill.panel import FillPanel
     from workbench.panels.panel import Panel
+    from workbench.panels.shared.compare import ComparePanel
+    from workbench.panels.shared.inspector import InspectorPanel
+    from workbench.panels.shared.tube_dock import TubePanel
+    from workbench.panels.shared.why import WhyPanel
     from workbench.session.session import Session
+
+    # Every panel there is conforms.
+    PANELS: tuple[type[Panel], ...] = (
+        ClipPanel,
+        ComparePanel,
+        CurvesPanel,
+        DisplayPanel,
+        DrawPanel,
+        FillPanel,
+        InspectorPanel,
+        TubePanel,
+        WhyPanel,
+    )
 
 P = TypeVar("P")
 
@@ -58,16 +80,17 @@ def panel_of(panels: "Sequence[Panel]", kind: type[P]) -> P:
 
 def workspaces() -> tuple[Workspace, ...]:
     """Those that exist."""
-    inspector = "workbench.panels.inspector:InspectorPanel"
-    why = "workbench.panels.why:WhyPanel"
-    compare, tube = "workbench.panels.compare:ComparePanel", "workbench.panels.tube_dock:TubePanel"
+    inspector = "workbench.panels.shared.inspector:InspectorPanel"
+    why = "workbench.panels.shared.why:WhyPanel"
+    compare = "workbench.panels.shared.compare:ComparePanel"
+    tube = "workbench.panels.shared.tube_dock:TubePanel"
     return (
         Workspace(
             "draw",
             _("Draw"),
             _("Lines, circles and ellipses, pixel by pixel"),
             "pencil-line",
-            ("workbench.panels.draw:DrawPanel", inspector, compare, why, tube),
+            ("workbench.panels.draw.panel:DrawPanel", inspector, compare, why, tube),
             steps=True,
             topics=("lines", "circles"),
             lower=("tube", "compare", "distance"),
@@ -77,7 +100,7 @@ def workspaces() -> tuple[Workspace, ...]:
             _("Fill"),
             _("Polygons by scan lines, areas from a seed, inside and outside"),
             "paint-bucket",
-            ("workbench.panels.fill:FillPanel", inspector, compare, why, tube),
+            ("workbench.panels.fill.panel:FillPanel", inspector, compare, why, tube),
             steps=True,
             topics=("polygons", "seed_fill"),
             lower=("tube", "compare", "depth"),
@@ -87,7 +110,7 @@ def workspaces() -> tuple[Workspace, ...]:
             _("Clip"),
             _("What of lines, polygons and points a window keeps"),
             "crop",
-            ("workbench.panels.clip:ClipPanel", inspector, compare, why, tube),
+            ("workbench.panels.clip.panel:ClipPanel", inspector, compare, why, tube),
             steps=True,
             topics=("clipping", "lines", "polygons"),
             lower=("compare", "tube"),
@@ -97,7 +120,7 @@ def workspaces() -> tuple[Workspace, ...]:
             _("Curves"),
             _("Bézier curves, B-splines and splines through points, with their constructions"),
             "line-segments",
-            ("workbench.panels.curves:CurvesPanel", inspector, compare, why, tube),
+            ("workbench.panels.curves.panel:CurvesPanel", inspector, compare, why, tube),
             steps=True,
             topics=("curves", "lines"),
             lower=("basis", "insight", "kinds", "continuity", "curvature", "hodograph", "tube"),
@@ -107,6 +130,6 @@ def workspaces() -> tuple[Workspace, ...]:
             _("Display"),
             _("The picture on a cathode-ray tube"),
             "monitor",
-            ("workbench.panels.display:DisplayPanel",),
+            ("workbench.panels.display.panel:DisplayPanel",),
         ),
     )

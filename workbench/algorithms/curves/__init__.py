@@ -1,44 +1,44 @@
 """Curves: Bézier, B-splines and NURBS, and splines that pass through their points."""
 
-from workbench.algorithms.curves.arc_length import arc_length
-from workbench.algorithms.curves.at_length import at_length, equal_lengths
 from workbench.algorithms.curves.b_spline_curve import b_spline_curve
-from workbench.algorithms.curves.basis_functions import (
+from workbench.algorithms.curves.closest_point import closest_point
+from workbench.algorithms.curves.de_boor import de_boor
+from workbench.algorithms.curves.de_boor_rational import de_boor_rational
+from workbench.algorithms.curves.de_casteljau import de_casteljau
+from workbench.algorithms.curves.flatten_bezier import flatten_bezier
+from workbench.geometry.curves.arc_length import arc_length
+from workbench.geometry.curves.at_length import at_length, equal_lengths
+from workbench.geometry.curves.basis_functions import (
     b_spline_point,
     basis_functions,
     basis_table,
     knot_spans,
     nurbs_point,
 )
-from workbench.algorithms.curves.bernstein import (
+from workbench.geometry.curves.bernstein import (
     bernstein,
     bezier_point,
     elevate_degree,
     subdivide,
 )
-from workbench.algorithms.curves.blossom import b_spline_to_bezier, elevate_b_spline
-from workbench.algorithms.curves.cardinal import cardinal
-from workbench.algorithms.curves.catmull_rom import catmull_rom
-from workbench.algorithms.curves.closest_point import closest_point
-from workbench.algorithms.curves.continuity import Continuity, continuity, joints
-from workbench.algorithms.curves.convex_hull import convex_hull
-from workbench.algorithms.curves.cubic_pieces import to_cubic_pieces
-from workbench.algorithms.curves.cubic_spline import clamped_cubic, natural_cubic, periodic_cubic
-from workbench.algorithms.curves.curvature import curvature, curvature_comb, osculating_circle
-from workbench.algorithms.curves.de_boor import de_boor
-from workbench.algorithms.curves.de_boor_rational import de_boor_rational
-from workbench.algorithms.curves.de_casteljau import de_casteljau
-from workbench.algorithms.curves.degree_lowering import lower_b_spline, lower_degree
-from workbench.algorithms.curves.derivatives import derivatives, piece_derivative
-from workbench.algorithms.curves.distances import distances
-from workbench.algorithms.curves.extrema import bounding_box, extrema
-from workbench.algorithms.curves.fitting import fit_pieces
-from workbench.algorithms.curves.flatten_bezier import flatten_bezier
-from workbench.algorithms.curves.hermite import hermite
-from workbench.algorithms.curves.inflections import inflections
-from workbench.algorithms.curves.knot_insertion import insert_knot, split_b_spline
-from workbench.algorithms.curves.knot_removal import Removal, remove_knot
-from workbench.algorithms.curves.knots import (
+from workbench.geometry.curves.blossom import b_spline_to_bezier, elevate_b_spline
+from workbench.geometry.curves.cardinal import cardinal
+from workbench.geometry.curves.catmull_rom import catmull_rom
+from workbench.geometry.curves.continuity import Continuity, continuity, joints
+from workbench.geometry.curves.convex_hull import convex_hull
+from workbench.geometry.curves.cubic_pieces import to_cubic_pieces
+from workbench.geometry.curves.cubic_spline import clamped_cubic, natural_cubic, periodic_cubic
+from workbench.geometry.curves.curvature import curvature, curvature_comb, osculating_circle
+from workbench.geometry.curves.degree_lowering import lower_b_spline, lower_degree
+from workbench.geometry.curves.derivatives import derivatives, piece_derivative
+from workbench.geometry.curves.distances import distances
+from workbench.geometry.curves.extrema import bounding_box, extrema
+from workbench.geometry.curves.fitting import fit_pieces
+from workbench.geometry.curves.hermite import hermite
+from workbench.geometry.curves.inflections import inflections
+from workbench.geometry.curves.knot_insertion import insert_knot, split_b_spline
+from workbench.geometry.curves.knot_removal import Removal, remove_knot
+from workbench.geometry.curves.knots import (
     Counting,
     closed_b_spline,
     counting,
@@ -46,13 +46,13 @@ from workbench.algorithms.curves.knots import (
     open_uniform_knots,
     uniform_knots,
 )
-from workbench.algorithms.curves.kochanek_bartels import kochanek_bartels
-from workbench.algorithms.curves.pieces import Pieces, in_rows, located, piece_points
-from workbench.algorithms.curves.polyline import chord_counts, polyline
-from workbench.algorithms.curves.rational import Nurbs, circle, gap_between, homogeneous, projected
-from workbench.algorithms.curves.rational_polyline import nurbs_to_polyline
-from workbench.algorithms.curves.self_intersections import self_intersections, self_meetings, self_overlaps
-from workbench.algorithms.curves.waviness import Overshoot, Wiggle, overshoot, wiggle
+from workbench.geometry.curves.kochanek_bartels import kochanek_bartels
+from workbench.geometry.curves.pieces import Pieces, in_rows, located, piece_points
+from workbench.geometry.curves.polyline import chord_counts, polyline
+from workbench.geometry.curves.rational import Nurbs, circle, gap_between, homogeneous, projected
+from workbench.geometry.curves.rational_polyline import nurbs_to_polyline
+from workbench.geometry.curves.self_intersections import self_intersections, self_meetings, self_overlaps
+from workbench.geometry.curves.waviness import Overshoot, Wiggle, overshoot, wiggle
 
 __all__ = [
     "Continuity",

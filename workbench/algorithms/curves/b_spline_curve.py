@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.curves.chain_marks import chain_marks
 from workbench.algorithms.curves.parameters import B_SPLINE, b_spline_and_samples
-from workbench.algorithms.curves.refusals import refuse_b_spline
 from workbench.algorithms.curves.span_polynomial import span_polynomial
 from workbench.algorithms.entry import Entry, Law, Parameter, View
+from workbench.geometry.curves.refusals import refuse_b_spline
 
 
 def b_spline_curve(

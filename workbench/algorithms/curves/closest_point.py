@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from workbench.algorithms.curves.distance_bottom import bottom, closest_end
 from workbench.algorithms.curves.distance_polynomial import box_distance, halve, outlook, set_coefficients
 from workbench.algorithms.curves.parameters import PIECES, pieces_and_point
-from workbench.algorithms.curves.refusals import refuse_pieces
 from workbench.algorithms.entry import Entry, Law, Parameter, View
+from workbench.geometry.curves.refusals import refuse_pieces
 
 # A part is 2^-30 of its piece then, and has one valley but for rounding
 DEEPEST = 30

@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.curves.knot_views import IN_SPAN, KNOT_TABLES, NEXT_SPAN, basis_rows, knot_rows
 from workbench.algorithms.curves.parameters import B_SPLINE, B_SPLINE_U, WEIGHTS, nurbs_and_u
-from workbench.algorithms.curves.refusals import refuse_b_spline, refuse_parameter, refuse_weights
 from workbench.algorithms.curves.triangle import level_rows, weight_rows
 from workbench.algorithms.curves.triangle_marks import b_spline_marks, leg_marks
 from workbench.algorithms.entry import Entry, Law, View
+from workbench.geometry.curves.refusals import refuse_b_spline, refuse_parameter, refuse_weights
 
 
 def de_boor_rational(

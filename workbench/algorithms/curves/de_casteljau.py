@@ -12,10 +12,10 @@ from typing import Any
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves.parameters import BEZIER_POINTS, U, bezier_and_u
-from workbench.algorithms.curves.refusals import refuse_bezier
 from workbench.algorithms.curves.triangle import level_rows
 from workbench.algorithms.curves.triangle_marks import bezier_marks, leg_marks
 from workbench.algorithms.entry import Entry, Law, View
+from workbench.geometry.curves.refusals import refuse_bezier
 
 
 def de_casteljau(points: NDArray[Any], u: float) -> Iterator[tuple[float, float]]:

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.curves.chain_marks import flattening_marks
 from workbench.algorithms.curves.parameters import BEZIER_POINTS, TOLERANCE, bezier_and_tolerance
-from workbench.algorithms.curves.refusals import refuse_bezier
 from workbench.algorithms.curves.waiting_pieces import chord, waiting_rows
 from workbench.algorithms.entry import Entry, Law, View
+from workbench.geometry.curves.refusals import refuse_bezier
 
 # A piece is 2^-20 of the curve then, and as near to its chord as rounding lets it be
 DEEPEST = 20

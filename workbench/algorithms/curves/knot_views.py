@@ -4,8 +4,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.basis_functions import basis_functions
 from workbench.algorithms.entry import View
+from workbench.geometry.curves.basis_functions import basis_functions
 
 
 def knot_rows(knots: NDArray[Any], degree: int, span: int) -> list[tuple[int, float, str]]:

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.basis_functions import knot_spans
 from workbench.algorithms.marks import Ink, Mark, Points, Spot, Stroke, along
+from workbench.geometry.curves.basis_functions import knot_spans
 
 _INKS: tuple[Ink, ...] = ("data2", "data3", "data4", "data5", "data6", "data1")
 _MOST_TOLD_APART = 64

@@ -5,10 +5,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from workbench.algorithms.curves.knots import open_uniform_knots
-from workbench.algorithms.curves.rational import Nurbs, circle
 from workbench.algorithms.surfaces.patches import Patches, b_spline_patch, bezier_patch
 from workbench.algorithms.surfaces.revolution import revolved
+from workbench.geometry.curves.knots import open_uniform_knots
+from workbench.geometry.curves.rational import Nurbs, circle
 
 _ROOT = math.sqrt(0.5)
 

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from workbench.algorithms.curves.blossom import b_spline_to_bezier
-from workbench.algorithms.curves.conditions import faults, refuse
-from workbench.algorithms.curves.rational import homogeneous
+from workbench.geometry.curves.blossom import b_spline_to_bezier
+from workbench.geometry.curves.conditions import faults, refuse
+from workbench.geometry.curves.rational import homogeneous
 
 Array = NDArray[np.float64]
 

@@ -5,8 +5,8 @@ Source: Piegl and Tiller, The NURBS Book, section 8.5.
 
 import numpy as np
 
-from workbench.algorithms.curves.rational import Nurbs, circle
 from workbench.algorithms.surfaces.patches import Patches, b_spline_patch
+from workbench.geometry.curves.rational import Nurbs, circle
 
 
 def revolved(profile: Nurbs) -> Patches:

@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves.halving import halves, lengths
-from workbench.algorithms.curves.refusals import refuse_tolerance
 from workbench.algorithms.surfaces.patches import Patches
+from workbench.geometry.curves.halving import halves, lengths
+from workbench.geometry.curves.refusals import refuse_tolerance
 
 Array = NDArray[np.float64]
 Faces = NDArray[np.int64]

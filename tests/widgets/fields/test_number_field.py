@@ -1,0 +1,106 @@
+"""A number field as a person uses it: typing, arithmetic, stepping, scrubbing, being told what is wrong."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtCore import QPoint, Qt
+
+from workbench.widgets.fields.arithmetic import evaluate
+from workbench.widgets.fields.number_field import NumberField, with_subscript
+
+
+@given(st.integers(-999, 999), st.integers(1, 99), st.integers(-99, 99))
+def test_arithmetic_is_pythons(a, b, c):
+    text = f"({a} - {c})/{b} + {c}*{b} - -{abs(a)}"
+    assert evaluate(text) == (a - c) / b + c * b + abs(a)
+
+
+@given(st.text(max_size=12))
+def test_whatever_is_typed_gives_a_finite_number_or_a_sentence(text):
+    said = ""
+    value = 0.0
+    try:
+        value = evaluate(text)
+    except ValueError as problem:
+        said = str(problem)
+    assert math.isfinite(value)
+    assert said == "" or said.endswith(".")
+
+
+@pytest.mark.parametrize(
+    "text", ["", "  ", "x", "1/0", "1e999", "2**9", "(1", "True", "'a'", "f(1)", "1j", "9" * 101]
+)
+def test_what_is_no_number_is_refused(text):
+    with pytest.raises(ValueError, match=r"\.$"):
+        evaluate(text)
+
+
+def typed(qtbot, field, text):
+    field.field.setFocus()
+    field.field.selectAll()
+    qtbot.keyClicks(field.field, text)
+    qtbot.keyClick(field.field, Qt.Key.Key_Return)
+
+
+@pytest.fixture
+def field(qtbot):
+    made = NumberField("x_0", "px", low=0, high=100, integer=True)
+    qtbot.addWidget(made)
+    made.show()
+    made.set_value(20)
+    return made
+
+
+def test_arithmetic_can_be_typed_and_the_unit_stays(qtbot, field):
+    with qtbot.waitSignal(field.edited) as sent:
+        typed(qtbot, field, "30/2 px")
+    assert sent.args == [15.0]
+    assert field.field.text() == "15"
+    assert field.unit.text() == "px"
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [("7/2", "3.5 is not whole"), ("101", "too large"), ("-1", "too small"), ("a", "no number")],
+)
+def test_a_bad_value_is_said_in_place_and_not_sent(qtbot, field, text, says):
+    with qtbot.assertNotEmitted(field.edited):
+        typed(qtbot, field, text)
+    assert field.complaint.isVisible()
+    assert says in field.complaint.text()
+    assert field.value() == 20
+    typed(qtbot, field, "21")
+    assert not field.complaint.isVisible()
+    assert field.value() == 21
+
+
+def test_arrows_step_and_escape_brings_back(qtbot, field):
+    field.field.setFocus()
+    qtbot.keyClick(field.field, Qt.Key.Key_Up)
+    assert field.value() == 21
+    qtbot.keyClick(field.field, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)
+    assert field.value() == 11
+    qtbot.keyClicks(field.field, "99")
+    qtbot.keyClick(field.field, Qt.Key.Key_Escape)
+    assert field.field.text() == "11"
+
+
+def test_the_label_scrubs_within_the_range(qtbot, field):
+    seen = []
+    field.scrubbed.connect(seen.append)
+    at = QPoint(5, 5)
+    qtbot.mousePress(field.label, Qt.MouseButton.LeftButton, pos=at)
+    qtbot.mouseMove(field.label, at + QPoint(20, 0))
+    assert field.value() == 25
+    qtbot.mouseMove(field.label, at + QPoint(2000, 0))
+    with qtbot.waitSignal(field.scrub_ended):
+        qtbot.mouseRelease(field.label, Qt.MouseButton.LeftButton, pos=at)
+    assert seen == [25.0, 100.0]
+
+
+def test_names_get_real_subscripts():
+    assert with_subscript("x_0") == "x<sub>0</sub>"
+    assert with_subscript("r") == "r"
+    assert with_subscript("a<b") == "a&lt;b"

@@ -1,0 +1,155 @@
+"""The tube as a widget: still when nothing changes, moving when asked, flickering only when asked."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from workbench.display.setup import TubeSetup
+from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.tokens import DARK, LIGHT, theme
+from workbench.widgets.tube.view import TubeView
+
+
+@pytest.fixture(autouse=True)
+def _as_it_was() -> Iterator[None]:
+    yield
+    comfort.set_calm(True)
+    theme.use(LIGHT)
+
+
+def image(column: int = 8) -> np.ndarray:
+    made = np.zeros((12, 16), dtype=np.uint32)
+    made[:, column] = 0xFFFFFF
+    return made
+
+
+@pytest.fixture
+def raster(qtbot: QtBot) -> TubeView:
+    view = TubeView("raster")
+    qtbot.addWidget(view)
+    view.resize(300, 260)
+    view.set_image(image())
+    with qtbot.waitExposed(view):
+        view.show()
+    return view
+
+
+def brightness(view: TubeView) -> np.ndarray:
+    picture = view.grab().toImage()
+    glass = view._glass.toAlignedRect()
+    middle = glass.center().y() + 7
+    return np.array([picture.pixelColor(x, middle).lightness() for x in range(glass.left(), glass.right())])
+
+
+def test_a_calm_picture_comes_to_rest(qtbot: QtBot, raster: TubeView) -> None:
+    qtbot.waitUntil(lambda: not raster.running, timeout=4000)
+    driver = raster.driver
+    assert driver is not None
+    assert driver.steady
+    assert raster.averaged
+    assert brightness(raster).max() > 100
+
+
+def test_a_new_picture_shows_and_comes_to_rest_again(qtbot: QtBot, raster: TubeView) -> None:
+    before = int(brightness(raster).argmax())
+    raster.set_image(image(3))
+    assert raster.running
+    qtbot.waitUntil(lambda: not raster.running, timeout=4000)
+    assert int(brightness(raster).argmax()) < before - 20
+
+
+def test_a_paused_or_hidden_tube_does_not_run(qtbot: QtBot, raster: TubeView) -> None:
+    raster.set_slow_motion(1000.0)
+    assert raster.running
+    raster.set_paused(True)
+    assert not raster.running
+    raster.set_paused(False)
+    assert raster.running
+    raster.hide()
+    assert not raster.running
+
+
+def test_slow_motion_moves_the_beam_by_the_slowed_time(qtbot: QtBot, raster: TubeView) -> None:
+    raster.set_slow_motion(1000.0)
+    assert not raster.averaged
+    before = raster.seconds()
+    qtbot.waitUntil(lambda: raster.seconds() > before, timeout=4000)
+    raster.set_paused(True)
+    after = raster.seconds()
+    assert isinstance(after, Fraction)
+    assert 0 < after - before < Fraction(5, 1000)
+
+
+def test_flicker_is_shown_only_when_asked_for(raster: TubeView) -> None:
+    raster.set_slow_motion(6.0)
+    assert raster.averaged  # ten pictures a second would flash
+    comfort.set_calm(False)
+    assert not raster.averaged
+    comfort.set_calm(True)
+    raster.set_slow_motion(30.0)
+    assert not raster.averaged
+
+
+def test_a_step_moves_on_exactly(raster: TubeView) -> None:
+    raster.set_paused(True)
+    assert raster.driver is not None
+    before = raster.seconds()
+    raster.step(Fraction(1, 1_000_003))
+    assert raster.seconds() - before == Fraction(1, 1_000_003)
+
+
+def test_a_click_probes_the_pixel_under_it(qtbot: QtBot, raster: TubeView) -> None:
+    place = raster._to_widget(*raster._probe_mm((5, 9)))
+    with qtbot.waitSignal(raster.probed) as caught:
+        qtbot.mouseClick(raster, Qt.MouseButton.LeftButton, pos=place.toPoint())
+    assert caught.args == [5, 9]
+    QTest.keyClick(raster, Qt.Key.Key_Up)
+    QTest.keyClick(raster, Qt.Key.Key_Left)
+    assert raster.probe == (4, 10)
+    qtbot.mouseClick(raster, Qt.MouseButton.LeftButton, pos=QPoint(1, 1))
+    assert raster.probe == (4, 10)
+    raster.set_probe((8, 6))
+    assert raster.light_at_probe() > 0.3
+    raster.set_probe((1, 6))
+    assert raster.light_at_probe() < 0.05
+
+
+def test_the_setup_can_be_changed_and_a_wrong_one_is_refused(raster: TubeView) -> None:
+    raster.set_setup(TubeSetup("P22", 85.0))
+    assert raster.refresh_hz == pytest.approx(85.0)
+    assert raster.driver is not None
+    assert len(raster.driver.tube.guns) == 3
+    with pytest.raises(LookupError):
+        raster.set_setup(TubeSetup("P999"))
+    assert raster.setup.phosphor == "P22"
+
+
+def test_the_vector_tube_slows_down_with_a_long_list(qtbot: QtBot) -> None:
+    view = TubeView("vector")
+    qtbot.addWidget(view)
+    view.resize(300, 260)
+    view.set_setup(TubeSetup(vector_display="atari-dvg"))
+    view.set_strokes([(1.0, 1.0, 14.0, 10.0, 0xFFFFFF)], (16, 12))
+    view.show()
+    assert view.refresh_hz == pytest.approx(60.0)
+    view.set_strokes([(1.0, 1.0, 14.0, 10.0, 0xFFFFFF)] * 80, (16, 12))
+    assert view.refresh_hz < 30.0
+
+
+@pytest.mark.parametrize("tokens", [LIGHT, DARK])
+def test_the_cabinet_is_dark_in_both_themes(raster: TubeView, tokens) -> None:
+    theme.use(tokens)
+    picture = raster.grab().toImage()
+    corner = raster._case.center().toPoint().x(), int(raster._case.top()) + 5
+    assert picture.pixelColor(*corner).lightness() < 70
+
+
+def test_it_has_words_for_those_who_do_not_see_it(raster: TubeView) -> None:
+    assert raster.accessibleName()
+    assert raster.toolTip()
+    assert raster.focusPolicy() == Qt.FocusPolicy.StrongFocus

@@ -1,0 +1,285 @@
+"""The `.gwb` file: one readable, versioned JSON text; ``saving`` puts it on the disk.
+
+    {"format": "graphics-workbench", "version": 3, "document": ..., "session": ..., "blobs": {...}}
+
+Blobs (large meshes, pictures) are base64 by the SHA-256 of their content. Whatever is wrong with a file is
+told as a DocumentError that names the field.
+"""
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from workbench.document.check import check, refuse
+from workbench.document.errors import DocumentError
+from workbench.document.model import Document
+from workbench.document.places import legible, line_of, path_at
+from workbench.document.state import SessionState, check_state
+from workbench.document.storage.blobs import Blob
+from workbench.document.storage.content import Progress, read_content, silent
+from workbench.document.storage.encoding import pieces
+from workbench.document.storage.saving import replace_file
+from workbench.language import _
+
+FORMAT = "graphics-workbench"
+VERSION = 3
+# What is opened, and so what is saved: a few of the largest blobs, and fewer values than memory is there for.
+MAX_BYTES = 128 * 2**20
+MAX_VALUES = 2_000_000  # numbers, texts, lists and objects together
+_CHUNK = 2**20
+_LONGEST_REASON = 200
+_LONGEST_CONSTANT = 40  # NaN or Infinity, and the blanks before it
+
+Upgrade = Callable[[dict[str, Any]], dict[str, Any]]
+# From each older version to the next one: UPGRADES[1] makes a version 2 of a version 1, as plain JSON values.
+# Version 2 has polygons, further fills and a clip window, version 3 curves: no older version holds any.
+UPGRADES: Mapping[int, Upgrade] = {1: dict, 2: dict}
+
+
+class Stored(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What a file holds: the picture, the session beside it, and blobs by the SHA-256 of their content.
+
+    The others are set in recovery files only. ``origin``: the file that the picture came from, empty when it
+    had none; ``origin_stamp``: the state in which that file was known; ``blobs_beside``: the digests of blobs
+    that are files of their own.
+    """
+
+    document: Document
+    session: SessionState = SessionState()
+    blobs: dict[str, bytes] = {}
+    origin: str | None = None
+    origin_stamp: tuple[int, int, int] | None = None
+    blobs_beside: tuple[str, ...] = ()
+
+
+class _Head(msgspec.Struct):
+    format: str
+    version: int
+
+
+class _File(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
+    format: str
+    version: int
+    document: Document
+    session: SessionState
+    blobs: dict[str, bytes]
+    origin: str | None = None
+    origin_stamp: tuple[int, int, int] | None = None
+    blobs_beside: tuple[str, ...] = ()
+
+
+def load(path: Path | str) -> Document:
+    """The document in a file; raises DocumentError."""
+    return read(path).document
+
+
+def save(document: Document, path: Path | str) -> None:
+    """Put ``document`` into a file, atomically; raises DocumentError, and the old file stays."""
+    write(Stored(document), path)
+
+
+def read(path: Path | str, progress: Progress = silent) -> Stored:
+    """Everything in a file; raises DocumentError."""
+    return decode(read_content(path, MAX_BYTES, progress))
+
+
+def write(stored: Stored, path: Path | str) -> None:
+    """Put ``stored`` into a file, atomically; raises DocumentError, and the old file stays.
+
+    Other threads go on meanwhile: nothing here holds the interpreter for long.
+    """
+    replace_file(Path(path), _pieces(stored))
+
+
+def encode(stored: Stored) -> bytes:
+    """The text of a file; raises DocumentError when ``stored`` is not sound."""
+    return b"".join(_pieces(stored))
+
+
+def _pieces(stored: Stored) -> Iterator[bytes]:
+    """The text of a file; raises DocumentError when ``stored`` is not sound, or larger than can be opened."""
+    check(stored.document)
+    check_state(stored.session, stored.document)
+    sound_blobs(stored.blobs)
+    file = _File(FORMAT, VERSION, *(getattr(stored, name) for name in stored.__struct_fields__))
+    size = 0
+    for piece in pieces(file, _file_decoder):
+        size += len(piece)
+        if size > MAX_BYTES:
+            sentence = _("The file would have over {most:,} bytes, too many to be opened; remove something.")
+            raise DocumentError("", sentence.format(most=MAX_BYTES))
+        yield piece
+
+
+def decode(data: bytes) -> Stored:
+    """What the text of a file holds; raises DocumentError, and nothing else, for whatever bytes."""
+    _refuse_too_much(data)
+    data = data.removeprefix(b"\xef\xbb\xbf")
+    if not data or data.isspace():
+        raise DocumentError("", _("The file is empty; open another copy of it."))
+    wrong = _not_utf_8(data)
+    if wrong is not None:
+        raise _broken(data, wrong, _("is not UTF-8 text"))
+    try:
+        file = _typed(data)
+    except msgspec.ValidationError as error:
+        raise _translated(str(error)) from error
+    except msgspec.DecodeError as error:
+        raise _malformed(data, str(error)) from error
+    except RecursionError as error:
+        raise DocumentError("", _("The file is nested too deeply; open another copy of it.")) from error
+    check(file.document)
+    check_state(file.session, file.document)
+    blobs = sound_blobs(file.blobs)
+    return Stored(file.document, file.session, blobs, file.origin, file.origin_stamp, file.blobs_beside)
+
+
+def _refuse_too_much(data: bytes) -> None:
+    if len(data) > MAX_BYTES:
+        sentence = _("The file has {size:,} bytes, and at most {most:,} can be opened; choose a smaller one.")
+        raise DocumentError("", sentence.format(size=len(data), most=MAX_BYTES))
+    # Every value but the first in a list or an object follows a comma; those in texts are counted too.
+    values = sum(data.count(sign) for sign in (b",", b"[", b"{"))
+    if values > MAX_VALUES:
+        sentence = _(
+            "The file has {count:,} values, and at most {most:,} can be opened; choose a smaller one."
+        )
+        raise DocumentError("", sentence.format(count=values, most=MAX_VALUES))
+
+
+def _not_utf_8(data: bytes) -> int | None:
+    """The first byte that is no UTF-8, found without a second copy of the whole."""
+    begin = 0
+    while begin < len(data):
+        end = begin + _CHUNK
+        while end < len(data) and end > begin + _CHUNK - 4 and data[end] & 0xC0 == 0x80:
+            end -= 1  # a character is not cut in two
+        try:
+            data[begin:end].decode("utf-8")
+        except UnicodeDecodeError as error:
+            return begin + error.start
+        begin = end
+    return None
+
+
+# Made while the module is imported, by one thread: msgspec 0.22 crashes when two threads decode a type for
+# the first time at once, as saving and keeping safe may.
+_head_decoder = msgspec.json.Decoder(_Head)
+_file_decoder = msgspec.json.Decoder(_File)
+
+
+def _typed(data: bytes) -> _File:
+    try:
+        head = _head_decoder.decode(data)
+    except msgspec.ValidationError as error:
+        if "`$" in str(error):
+            raise
+        field = _translated(str(error)).field
+        sentence = _("This is not a Graphics Workbench file ({field}); choose one that ends in .gwb.")
+        raise DocumentError(field, sentence.format(field=field)) from error
+    if head.format != FORMAT:
+        problem = _("is {value!r}; choose a file that Graphics Workbench saved")
+        raise refuse("format", problem.format(value=legible(head.format)))
+    if head.version == VERSION:
+        return _file_decoder.decode(data)
+    return msgspec.convert(upgraded(msgspec.json.decode(data), head.version), _File)
+
+
+def upgraded(
+    raw: dict[str, Any], version: int, upgrades: Mapping[int, Upgrade] = UPGRADES, newest: int = VERSION
+) -> dict[str, Any]:
+    """``raw``, the JSON values of a file of an older version, as the newest version; raises DocumentError."""
+    if version > newest:
+        sentence = _("is {value}, newer than this program reads ({newest}); update the program to open it")
+        raise refuse("version", sentence.format(value=version, newest=newest))
+    while version < newest:
+        if version not in upgrades:
+            raise refuse(
+                "version",
+                _("is {value}, which no program has written; open another copy").format(value=version),
+            )
+        try:
+            raw = upgrades[version](raw)
+        except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
+            problem = _("is {value}, but the file does not hold what such a file must; open another copy")
+            raise refuse("version", problem.format(value=version)) from error
+        version += 1
+    return {**raw, "version": newest}
+
+
+def sound_blobs(blobs: Mapping[str, bytes]) -> dict[str, bytes]:
+    """``blobs`` as values that know their digest; raises DocumentError where that is not their name."""
+    sound: dict[str, bytes] = {}
+    for name, content in blobs.items():
+        blob = content if isinstance(content, Blob) else Blob(content)
+        if blob.digest != name:
+            shown = name if len(name) <= 16 else name[:16] + "…"
+            raise refuse(
+                f"blobs.{shown}", _("does not match its content, which was damaged; open another copy")
+            )
+        sound[name] = blob
+    return sound
+
+
+def _malformed(data: bytes, message: str) -> DocumentError:
+    found = re.search(r"\(byte (\d+)\)", message)
+    if found is None:
+        return _broken(data, len(data), _("breaks off"))
+    at = int(found.group(1))
+    around = data[max(0, at - 1) : at + _LONGEST_CONSTANT]
+    constant = re.match(rb"-?(NaN|Infinity)", around.lstrip(b" :[,\n")) or re.match(
+        rb"-?(NaN|Infinity)", data[at : at + _LONGEST_CONSTANT]
+    )
+    if constant:
+        field = path_at(data, at).removeprefix("document.")
+        return refuse(field, _("is {value}; give a finite number").format(value=constant.group().decode()))
+    return _broken(data, at, _("is not JSON"))
+
+
+def _broken(data: bytes, offset: int, problem: str) -> DocumentError:
+    field = path_at(data, offset).removeprefix("document.")
+    sentence = _("The file {problem} at line {line}, in {field}; open another copy of it.")
+    where = field or _("its outermost object")
+    return DocumentError(field, sentence.format(problem=problem, line=line_of(data, offset), field=where))
+
+
+def _kinds() -> dict[str, str]:
+    return {
+        "float": _("a number"),
+        "int": _("a whole number"),
+        "str": _("a text"),
+        "bool": _("true or false"),
+        "array": _("a list"),
+        "object": _("an object"),
+        "null": _("nothing"),
+        "bytes": _("base64 text"),
+    }
+
+
+def _translated(message: str) -> DocumentError:
+    """A DocumentError for what msgspec says of a value of the wrong shape."""
+    what, _separator, path = message.partition(" - at `$")
+    field = path.rstrip("`").removeprefix(".").removeprefix("document.").replace("[...]", "")
+    field = legible(field, _LONGEST_REASON)
+    named = re.search(r"(unknown|missing required) field `(.*)`", what, re.DOTALL)
+    if named:
+        inside = "" if field == "document" else field
+        name = legible(named.group(2))
+        field = f"{inside}.{name}" if inside else name
+        if named.group(1) == "unknown":
+            return refuse(field, _("is a field that this version does not know; remove it from the file"))
+        return refuse(field, _("is missing; add it to the file or open another copy"))
+    kinds = _kinds()
+    wrong = re.fullmatch(r"Expected `([^`]*)`, got `([^`]*)`.*", what, re.DOTALL)
+    if wrong:
+        wanted = _(" or ").join(kinds.get(kind, kind) for kind in wrong.group(1).split(" | "))
+        got = kinds.get(wrong.group(2), wrong.group(2))
+        problem = _("is {got} where {wanted} belongs; correct it in the file or open another copy")
+        return refuse(field or "document", problem.format(got=got, wanted=wanted))
+    problem = _("is not right ({what}); correct it in the file or open another copy")
+    return refuse(
+        field or "document", problem.format(what=legible(what[0].lower() + what[1:], _LONGEST_REASON))
+    )

@@ -1,0 +1,62 @@
+"""Curves as polylines that stay within a tolerance."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.geometry.curves.pieces import Pieces, points_within, with_ends, with_length
+from workbench.geometry.curves.rational_polyline import nurbs_to_polyline
+from workbench.geometry.curves.refusals import refuse_tolerance
+
+Array = NDArray[np.float64]
+
+MOST_CHORDS = 2**15
+UNEVEN = 128  # chords of a rational piece: it takes more at equal steps when its weights are very unequal
+
+
+def chord_counts(pieces: Pieces, tolerance: float) -> NDArray[np.int64]:
+    """How many chords each piece (m,) needs, at equal steps of u, so that none is farther off.
+
+    A chord over the step h is off by at most h^2 / 8 times the largest second derivative, which is at most
+    degree (degree - 1) times the largest second difference of the control points. Of a rational piece, that
+    holds for numerator and weight; the chord's weight moves its points by as much times their distance from
+    the origin, which is put into the middle of the piece. Source: Wang, 1984; Zheng and Sederberg, Estimating
+    tessellation parameter intervals for rational curves and surfaces, 2000.
+    """
+    degree = pieces.degree
+    if pieces.weights is None:
+        bends = _largest_bend(pieces.controls)
+    else:
+        pulls = pieces.weights[..., None] / pieces.weights.min(axis=1)[:, None, None]
+        around = pieces.controls - pieces.controls.mean(axis=1, keepdims=True)
+        reach = np.sqrt((around * around).sum(axis=-1)).max(axis=1)
+        bends = _largest_bend(around * pulls) + reach * _largest_bend(pulls)
+    counts = np.ceil(np.sqrt(degree * (degree - 1) * bends / (8.0 * tolerance)))
+    whole: NDArray[np.int64] = np.clip(counts, 1, MOST_CHORDS).astype(np.int64)
+    return whole
+
+
+def _largest_bend(controls: Array) -> Array:
+    """The length of the largest second difference (m,) of rows of control points (m, n, k)."""
+    if controls.shape[1] < 3:
+        return np.zeros(len(controls))
+    bends = np.diff(controls, n=2, axis=1)
+    found: Array = np.sqrt((bends * bends).sum(axis=-1)).max(axis=1)
+    return found
+
+
+def polyline(pieces: Pieces, tolerance: float) -> Array:
+    """The corners (n, k) of a chain of chords, all on the curve, which is nowhere farther from the chain than
+    ``tolerance``; where it is parted, the chain goes straight on.
+
+    A piece has no more than 32768 chords: then it may be farther off, a cubic one by 1e-9 of its size.
+    Raises: ValueError for a tolerance that is not above 0.
+    """
+    refuse_tolerance(tolerance)
+    kept = with_length(pieces)
+    counts = chord_counts(kept, tolerance)
+    if kept.weights is not None and counts.max() > UNEVEN:
+        return nurbs_to_polyline(kept, tolerance)[0]
+    ends = np.cumsum(counts)
+    number = np.repeat(np.arange(len(counts)), counts)
+    share = (np.arange(ends[-1]) - (ends - counts)[number]) / counts[number]
+    return with_ends(kept, points_within(kept, number, share), ends)

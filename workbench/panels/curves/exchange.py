@@ -1,0 +1,196 @@
+"""Curves in and out: points by clipboard and CSV, paths by SVG."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from msgspec.structs import replace
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from workbench.document.building import Edit, foreseen
+from workbench.document.curves.edits import add_points
+from workbench.document.curves.pieces import goes_round
+from workbench.document.edits import add_figures
+from workbench.document.errors import DocumentError
+from workbench.document.model import Curve, CurvePoint, Sheet
+from workbench.exchange.point_lists import Array, write_points
+from workbench.exchange.reading import LIMITS, Fitted, Job
+from workbench.exchange.svg_paths import Imported
+from workbench.language import _, ngettext
+from workbench.panels.curves.focus import CurveFocus
+from workbench.panels.curves.freehand import FIT_PX, fit_words
+from workbench.panels.stage.actions import Row
+from workbench.session.incoming import Prepare
+
+_SVG = "SVG (*.svg)"
+_POINTS = "CSV (*.csv);;" + "TXT (*.txt)"
+
+
+class CurveExchange(QObject):
+    """The commands that bring points and curves in, and copy them. ``said`` sends what became of it.
+
+    ``model`` gives a curve without points that new ones are like.
+    """
+
+    said = Signal(str)
+
+    def __init__(self, focus: CurveFocus, model: Callable[[], Curve], owner: QWidget) -> None:
+        super().__init__(owner)
+        self.focus, self._model, self._owner = focus, model, owner
+        self.session = focus.session
+
+    def rows(self) -> list[Row]:
+        """Name, text, icon, key and what it does."""
+        return [
+            ("copy_points", _("Copy points"), "copy-simple", "", self.copy),
+            ("paste_points", _("Paste points or paths"), "clipboard-text", "", self.paste),
+            ("paste_fitted", _("Fit a curve to pasted points"), "clipboard-text", "", self.paste_fitted),
+            ("import_svg", _("Bring in SVG..."), "download-simple", "", self.ask_svg),
+            ("import_points", _("Bring in points from CSV..."), "download-simple", "", self.ask_points),
+        ]
+
+    # The clipboard
+
+    def copy(self) -> None:
+        """Put the chosen points, or with none chosen all of the curve, on the clipboard as a table."""
+        curve = self.focus.curve
+        if curve is None:
+            self.said.emit(_("Select one curve first."))
+            return
+        places = self.places(curve)
+        QGuiApplication.clipboard().setText(write_points(places, "\t"))
+        text = ngettext("{n} point copied.", "{n} points copied.", len(places))
+        self.said.emit(text.format(n=len(places)))
+
+    def places(self, curve: Curve) -> list[tuple[float, float]]:
+        """The chosen points of the curve, or with none chosen all of them."""
+        numbers = self.focus.numbers(curve) or range(len(curve.points_world))
+        return [(curve.points_world[k].x, curve.points_world[k].y) for k in numbers]
+
+    def paste(self) -> None:
+        """Points on the clipboard go on the end of the selected curve, or make one; SVG becomes figures."""
+        text = QGuiApplication.clipboard().text()
+        if "<svg" in text or "<path" in text:
+            self.take_svg(text)
+        else:
+            self.take_points(text)
+
+    def paste_fitted(self) -> None:
+        """Fit a Bézier path to the points on the clipboard."""
+        text, sheet = QGuiApplication.clipboard().text(), self.session.sheet
+        job = Job("fit", sheet=sheet, tolerance_px=FIT_PX, colour=self._model().colour)
+        self._read_text(job, text, _("points"), partial(self._take_fitted, sheet))
+
+    # What text holds
+
+    def take_points(self, text: str) -> None:
+        """Points go on the end of the selected open curve, or make a new one."""
+        self._read_text(Job("points"), text, _("points"), self._take_places)
+
+    def take_svg(self, text: str) -> None:
+        """The figures of an SVG come onto the sheet."""
+        sheet = self.session.sheet
+        take, prepare = partial(self._take_drawing, sheet), partial(self._with_edit, sheet)
+        self._read_text(Job("drawing", sheet=sheet), text, _("SVG"), take, prepare)
+
+    def take_file(self, path: Path) -> None:
+        """Bring in a file: an SVG by its ending, or else a table of points."""
+        sheet = self.session.sheet
+        if path.suffix.lower() == ".svg":
+            take, prepare = partial(self._take_drawing, sheet), partial(self._with_edit, sheet)
+            self._read(Job("drawing", str(path), sheet=sheet), path.name, take, prepare)
+        else:
+            self._read(Job("points", str(path)), path.name, self._take_places)
+
+    def _read_text(self, job: Job, text: str, *how: Any) -> None:
+        content = text[: LIMITS[job.kind] + 1].encode("utf-8", "replace")  # what is more is refused anyway
+        self._read(replace(job, content=content), *how)
+
+    def _read(self, job: Job, name: str, take: Callable[[Any], None], *prepare: Prepare) -> None:
+        """Read what is short at once, and else beside: meanwhile one may go on."""
+        if not self.session.incoming.read(job, name, take, self.said.emit, *prepare):
+            self.said.emit(_("Reading {name} ...").format(name=name))
+
+    def _take_fitted(self, sheet: Sheet, result: Fitted) -> None:
+        if self._is_still(sheet) and self._add(add_figures(sheet.id, [result.curve]), _("Fit a curve")):
+            self.said.emit(fit_words(result.curve, result.points, result.error))
+
+    def _take_places(self, points: Array) -> None:
+        places = points.tolist()
+        curve = self.focus.selected
+        if curve is not None and not goes_round(curve):
+            done = self._apply(add_points(curve.id, [(x, y) for x, y in places]), _("Add points"))
+        else:
+            curve_points = tuple(CurvePoint("", x, y) for x, y in places)
+            curve = replace(self._model(), points_world=curve_points)
+            done = self._add(add_figures(self.session.sheet.id, [curve]), _("Add points"))
+        if done:
+            text = ngettext("{n} point added.", "{n} points added.", len(places))
+            self.said.emit(text.format(n=len(places)))
+
+    def _with_edit(self, sheet: Sheet, result: Any) -> tuple[Imported, Edit]:
+        """A drawing, and the edit that brings it onto the sheet, which for a large one takes its time.
+
+        Raises: ValueError with one sentence.
+        """
+        try:
+            return result, foreseen(add_figures(sheet.id, result.figures), self.session.document)
+        except DocumentError as problem:
+            raise ValueError(problem.short) from None
+
+    def _take_drawing(self, sheet: Sheet, prepared: tuple[Imported, Edit]) -> None:
+        """Put what an SVG held on the sheet, or say why there is nothing."""
+        drawing, edit = prepared
+        if not self._is_still(sheet):
+            return
+        if not drawing.figures:
+            self.said.emit(" ".join(drawing.notes) or _("This SVG shows nothing that is a figure."))
+            return
+        if self._add(edit, _("Bring in SVG")):
+            count = len(drawing.figures)
+            said = [ngettext("{n} figure came in.", "{n} figures came in.", count).format(n=count)]
+            if drawing.error > 0:
+                said.append(_("Arcs are at most {error:.2g} off.").format(error=drawing.error))
+            self.said.emit(" ".join([*said, *drawing.notes]))
+
+    def _is_still(self, sheet: Sheet) -> bool:
+        """Whether the sheet that something was read for is still the current one; says so if not."""
+        if self.session.sheet.id == sheet.id:
+            return True
+        self.said.emit(_("Another sheet was opened before this was read; bring it in again here."))
+        return False
+
+    def _add(self, edit: Edit, name: str) -> bool:
+        """Do an edit that adds figures, and select them."""
+        known = {figure.id for figure in self.session.sheet.figures}
+        if not self._apply(edit, name):
+            return False
+        made = [figure.id for figure in self.session.sheet.figures if figure.id not in known]
+        self.session.update_state(selection=tuple(made), active=made[-1])
+        return True
+
+    def _apply(self, edit: Edit, name: str) -> bool:
+        try:
+            self.session.apply(edit, name)
+        except DocumentError as problem:
+            self.said.emit(problem.short)
+            return False
+        return True
+
+    # Files
+
+    def ask_svg(self) -> None:
+        """Ask for an SVG and bring it in."""
+        self._open(_("Bring in SVG"), _SVG)
+
+    def ask_points(self) -> None:
+        """Ask for a table of points and bring it in."""
+        self._open(_("Bring in points"), _POINTS)
+
+    def _open(self, title: str, kinds: str) -> None:
+        chosen, _kind = QFileDialog.getOpenFileName(self._owner, title, "", kinds)
+        if chosen:
+            self.take_file(Path(chosen))

@@ -1,0 +1,253 @@
+"""The controls of the tubes: what is shown, phosphor, refresh, persistence, slow motion, time."""
+
+import math
+from fractions import Fraction
+
+from msgspec.structs import replace
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QComboBox,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QSlider,
+    QToolButton,
+    QWidget,
+)
+
+from workbench.display import VectorTiming, vector_displays
+from workbench.display.phosphor import Phosphor
+from workbench.display.setup import COLOUR_TUBE, phosphor_choices
+from workbench.language import _
+from workbench.panels.display.instruments import span_text
+from workbench.session.session import Session
+from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.icons import icon
+from workbench.widgets.look.tokens import theme
+
+_PER_DECADE = 20
+_WIDE_PX = 1180
+
+
+def phosphor_title(name: str) -> str:
+    """A phosphor with its colour and how long it glows, for a list."""
+    if name == COLOUR_TUBE:
+        return _("P22  red, green, blue")
+    phosphor = Phosphor.named(name)
+    return f"{name}  {phosphor.colour_name.split(',')[0]}, {span_text(phosphor.t10_s)}"
+
+
+class DisplayControls(QWidget):
+    """Reads and changes the tube settings of a session. ``stepped`` asks for a step: "line" or "pixel"."""
+
+    stepped = Signal(str)
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._showing = False
+        self._buttons: list[tuple[QToolButton, str]] = []
+        self._narrow: bool | None = None
+        self._groups = [QWidget() for _group in range(5)]
+        rows = []
+        for group in self._groups:
+            row = QHBoxLayout(group)
+            row.setContentsMargins(0, 0, 0, 0)
+            row.setSpacing(8)
+            rows.append(row)
+        first, displays, numbers, time, meter = rows
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setSpacing(6)
+        self._grid.setHorizontalSpacing(16)
+        # The strip bends into three rows where it has no room, so it must not hold the window wide.
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._make_views(first)
+        self.phosphor = self._combo(
+            first, _("Phosphor"), _("What the screen is coated with, and the time in which it decays to 10 %")
+        )
+        for name in phosphor_choices():
+            self.phosphor.addItem(phosphor_title(name), name)
+        self.vector = self._combo(
+            displays, _("Vector display"), _("Whose deflection speeds the vector tube has")
+        )
+        for name in vector_displays():
+            self.vector.addItem(VectorTiming.named(name).name, name)
+        first.addStretch(1)
+        displays.addStretch(1)
+        self.refresh = NumberField(
+            _("Refresh"), "Hz", low=1.0, high=240.0, step=1.0, meaning=_("Pictures per second")
+        )
+        self.persistence = NumberField(
+            _("Persistence"),
+            "\N{MULTIPLICATION SIGN}",
+            low=0.1,
+            high=20.0,
+            step=0.1,
+            meaning=_("How many times longer the phosphor glows than it does in life"),
+        )
+        numbers.addWidget(self.refresh)
+        numbers.addWidget(self.persistence)
+        self._make_time(time)
+        self._make_meter(meter)
+        self._arrange(False)
+        self.phosphor.activated.connect(lambda _i: self._set(phosphor=self.phosphor.currentData()))
+        self.vector.activated.connect(lambda _i: self._set(vector_display=self.vector.currentData()))
+        for field, name in ((self.refresh, "refresh_hz"), (self.persistence, "persistence")):
+            field.edited.connect(lambda value, n=name: self._set(**{n: value}))
+            field.scrubbed.connect(lambda value, n=name: self._set(**{n: value}))
+        session.state_changed.connect(self.show_state)
+        theme.changed.connect(self._colour_icons)
+        self._colour_icons()
+        self.show_state()
+
+    def _combo(self, row: QHBoxLayout, name: str, meaning: str) -> QComboBox:
+        label = QLabel(name)
+        label.setProperty("role", "muted")
+        box = QComboBox()
+        box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        box.setMinimumContentsLength(15)
+        box.setToolTip(meaning)
+        box.setAccessibleName(name)
+        label.setBuddy(box)
+        row.addWidget(label)
+        row.addWidget(box)
+        return box
+
+    def _button(self, row: QHBoxLayout, name: str, title: str, hint: str) -> QToolButton:
+        button = QToolButton()
+        button.setText(title)
+        button.setToolTip(hint)
+        button.setAccessibleName(title)
+        button.setIconSize(QSize(16, 16))
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._buttons.append((button, name))
+        row.addWidget(button)
+        return button
+
+    def _make_views(self, row: QHBoxLayout) -> None:
+        self.views = QButtonGroup(self)
+        self._shown = ("both", "raster", "vector")
+        choices = (
+            (_("Both"), "columns", _("Raster and vector tube side by side")),
+            (_("Raster"), "rows", _("The raster tube alone")),
+            (_("Vector"), "path", _("The vector tube alone")),
+        )
+        for number, (title, picture, hint) in enumerate(choices):
+            button = self._button(row, picture, title, hint)
+            button.setCheckable(True)
+            self.views.addButton(button, number)
+        self.views.idClicked.connect(lambda number: self._set(shown=self._shown[number]))
+        row.addSpacing(8)
+
+    def _make_time(self, row: QHBoxLayout) -> None:
+        self.pause = self._button(row, "pause", _("Pause"), _("Hold the tube's time (or let it run on)"))
+        self.pause.setCheckable(True)
+        self.pause.clicked.connect(lambda on: self._set(paused=on))
+        self.line = self._button(
+            row, "arrow-line-down", _("Line"), _("Pause and let the beam scan to the start of the next line")
+        )
+        self.pixel = self._button(
+            row, "arrow-line-right", _("Pixel"), _("Pause and let the beam go on by one pixel clock")
+        )
+        self.line.clicked.connect(lambda: self._step("line"))
+        self.pixel.clicked.connect(lambda: self._step("pixel"))
+        mark = QFrame()
+        mark.setFrameShape(QFrame.Shape.VLine)
+        row.addWidget(mark)
+        label = QLabel(_("Slow motion"))
+        label.setProperty("role", "muted")
+        row.addWidget(label)
+        self.slow = QSlider(Qt.Orientation.Horizontal)
+        self.slow.setRange(0, 6 * _PER_DECADE)
+        self.slow.setPageStep(_PER_DECADE)
+        self.slow.setTickInterval(_PER_DECADE)
+        self.slow.setTickPosition(QSlider.TickPosition.TicksBelow)
+        self.slow.setMinimumWidth(170)
+        self.slow.setAccessibleName(_("Slow motion"))
+        self.slow.setToolTip(
+            _("How many times slower the tube runs, from 1 to 1,000,000; one mark is a factor of 10")
+        )
+        label.setBuddy(self.slow)
+        self.slow.valueChanged.connect(self._slow_moved)
+        row.addWidget(self.slow, 1)
+        self.factor = QLabel()
+        self.factor.setMinimumWidth(210)
+        row.addWidget(self.factor)
+
+    def _make_meter(self, row: QHBoxLayout) -> None:
+        row.addStretch(1)
+        self.flicker = QLabel()
+        self.flicker.setProperty("role", "muted")
+        self.flicker.setToolTip(
+            _(
+                "Predicted for an eye at 100 cd/m\N{SUPERSCRIPT TWO}: flicker is seen below the fusion "
+                "frequency, which rises with brightness and with the modulation of the light"
+            )
+        )
+        row.addWidget(self.flicker)
+
+    def _arrange(self, narrow: bool) -> None:
+        if narrow == self._narrow:
+            return
+        self._narrow = narrow
+        views, displays, numbers, time, meter = self._groups
+        wide_places = ((views, 0, 0), (displays, 0, 1), (numbers, 0, 2), (time, 1, 0, 1, 2), (meter, 1, 2))
+        narrow_places = ((views, 0, 0), (numbers, 0, 1), (time, 1, 0, 1, 2), (displays, 2, 0), (meter, 2, 1))
+        for group in self._groups:
+            self._grid.removeWidget(group)
+        for widget, *place in narrow_places if narrow else wide_places:
+            self._grid.addWidget(widget, *place)
+        self._grid.setColumnStretch(0, 1 if narrow else 0)
+        self._grid.setColumnStretch(1, 0 if narrow else 1)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Two rows where there is room, else three."""
+        super().resizeEvent(event)
+        self._arrange(event.size().width() < _WIDE_PX)
+
+    def _colour_icons(self) -> None:
+        for button, name in self._buttons:
+            button.setIcon(icon(name))
+
+    def _set(self, **changes: object) -> None:
+        if not self._showing:
+            self._session.update_state(tube=replace(self._session.state.tube, **changes))
+
+    def _slow_moved(self, value: int) -> None:
+        self._set(slow_motion=10.0 ** (value / _PER_DECADE))
+
+    def _step(self, what: str) -> None:
+        self._set(paused=True)
+        self.stepped.emit(what)
+
+    def show_state(self) -> None:
+        """Show the settings that the session has now."""
+        now = self._session.state.tube
+        self._showing = True
+        self.views.button(self._shown.index(now.shown)).setChecked(True)
+        self.phosphor.setCurrentIndex(max(self.phosphor.findData(now.phosphor), 0))
+        self.vector.setCurrentIndex(max(self.vector.findData(now.vector_display), 0))
+        self.vector.setEnabled(now.shown != "raster")
+        self.refresh.set_value(now.refresh_hz)
+        self.persistence.set_value(now.persistence)
+        self.slow.setValue(round(_PER_DECADE * math.log10(max(now.slow_motion, 1.0))))
+        self.pause.setChecked(now.paused)
+        one = Fraction(1) / Fraction(str(now.refresh_hz)) * Fraction(now.slow_motion)
+        if now.slow_motion == 1.0:
+            self.factor.setText(_("real time"))
+        else:
+            self.factor.setText(
+                _("1 : {factor:,.0f}   a picture takes {time}").format(
+                    factor=now.slow_motion, time=span_text(float(one))
+                )
+            )
+        self._showing = False
+
+    def show_flicker(self, words: str) -> None:
+        """Say what the flicker meter predicts."""
+        self.flicker.setText(words)

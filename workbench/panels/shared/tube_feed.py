@@ -1,0 +1,95 @@
+"""Keeps tubes showing what a session holds: its sheet, and the tube's settings."""
+
+from fractions import Fraction
+
+from msgspec.structs import replace
+from PySide6.QtCore import QObject, QTimer
+
+from workbench.display.setup import TubeSetup
+from workbench.document.model import AnyFigure, Sheet
+from workbench.document.state import LONGEST_TIME_S, TubeSettings
+from workbench.panels.stage.picture import without
+from workbench.rendering import display_list, frame_buffer
+from workbench.session.session import Session
+from workbench.widgets.tube.view import TubeView
+
+_SETTLE_MS = 120
+
+
+def setup_of(settings: TubeSettings) -> TubeSetup:
+    """The settings of a session as the display takes them; a name that is not known becomes the usual one."""
+    wanted = TubeSetup(settings.phosphor, settings.refresh_hz, settings.persistence, settings.vector_display)
+    try:
+        wanted.check()
+    except LookupError:
+        return TubeSetup(refresh_hz=settings.refresh_hz, persistence=settings.persistence)
+    return wanted
+
+
+class TubeFeed(QObject):
+    """Feeds ``views`` from ``session``; a view that is hidden is fed when it is shown.
+
+    The tube's time goes into the session's state when that is saved, and comes from it when it is opened. A
+    change is fed at once, those that follow on its heels, as under a drag, when they have come to rest.
+    """
+
+    def __init__(self, session: Session, views: list[TubeView], parent: QObject) -> None:
+        super().__init__(parent)
+        self._session, self._views = session, views
+        self._fed: dict[TubeView, tuple[Sheet, AnyFigure | None]] = {}
+        self._times = dict.fromkeys(views, 0.0)
+        self._resting = QTimer(self)
+        self._resting.setSingleShot(True)
+        self._resting.setInterval(_SETTLE_MS)
+        self._resting.timeout.connect(self.feed)
+        session.changed.connect(self._changed)
+        for told in (session.state_changed, session.run.asked):
+            told.connect(self.feed)
+        session.storing.connect(self._keep_time)
+        for view in views:
+            view.shown.connect(self.feed)
+
+    def _changed(self) -> None:
+        if not self._resting.isActive():
+            self.feed()
+        self._resting.start()
+
+    def _keep_time(self) -> None:
+        """Put the time of the tube that is seen into the session's state."""
+        seen = next((view for view in self._views if view.isVisible()), None)
+        if seen is not None:
+            time_s = min(float(seen.seconds()), LONGEST_TIME_S)
+            for view in self._views:
+                if view.isVisible():
+                    self._times[view] = time_s
+            self._session.update_state(tube=replace(self._session.state.tube, time_s=time_s))
+
+    @property
+    def _asked(self) -> AnyFigure | None:
+        """The figure whose next pixel is asked for: until its run is at its end the tube does not tell."""
+        session = self._session
+        return session.active_figure if session.run.ask_first and not session.run.ended else None
+
+    def feed(self) -> None:
+        """Bring every visible view up to date."""
+        sheet, settings, asked = self._session.sheet, self._session.state.tube, self._asked
+        setup = setup_of(settings)
+        for view in self._views:
+            if not view.isVisible():
+                continue
+            view.set_setup(setup)
+            if settings.time_s != self._times[view]:
+                self._times[view] = settings.time_s
+                view.set_seconds(Fraction(settings.time_s))
+            view.set_slow_motion(settings.slow_motion)
+            view.set_paused(settings.paused)
+            fed = self._fed.get(view)
+            if fed is not None and fed[0] is sheet and fed[1] is asked:
+                continue
+            self._fed[view] = sheet, asked
+            shown = sheet if asked is None else without(sheet, asked)
+            if view.kind == "raster":
+                view.set_image(frame_buffer(shown))
+            else:
+                strokes = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(shown)]
+                view.set_strokes(strokes, (sheet.width_px, sheet.height_px))

@@ -1,0 +1,187 @@
+"""Why this pixel? Every step that wrote, tested or refused it, with its numbers; a click goes there."""
+
+from contextlib import suppress
+
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent, QShowEvent
+from PySide6.QtWidgets import QDockWidget, QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+
+from workbench.algorithms import catalogue
+from workbench.document.model import Sheet
+from workbench.engine import background
+from workbench.language import _, ngettext
+from workbench.panels.panel import DockPart, PlainPanel
+from workbench.panels.stage.card import kind_title
+from workbench.rendering.why_steps import MOST, Abandoned, Answer, nothing_happened, why_steps
+from workbench.session.session import Session
+from workbench.widgets.look.icons import icon
+
+_SETTLE_MS = 150
+_ICONS = {"wrote": ("pencil-simple", "text"), "tested": ("eye", "muted"), "refused": ("x", "warn")}
+
+
+class WhyList(QWidget):
+    """The list over a session; it follows ``session.state.pixel`` and looks only while it is seen."""
+
+    found = Signal(int, object, str)
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._question = 0
+        self._asked: tuple[Sheet, tuple[int, int]] | None = None
+        self.answers: list[Answer] = []
+        self.caption = QLabel()
+        self.caption.setWordWrap(True)
+        self.caption.setContentsMargins(12, 8, 12, 4)
+        self.list = QListWidget()
+        self.list.setWordWrap(True)
+        self.list.setIconSize(QSize(16, 16))
+        self.list.setAccessibleName(_("What happened to the pixel"))
+        self.list.setToolTip(_("Click a line to go to that step"))
+        self.list.setFrameShape(QListWidget.Shape.NoFrame)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.list.itemClicked.connect(self._go)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.caption)
+        column.addWidget(self.list, 1)
+        self.setAutoFillBackground(True)
+        self._settle = QTimer(self)
+        self._settle.setSingleShot(True)
+        self._settle.setInterval(_SETTLE_MS)
+        self._settle.timeout.connect(self._look)
+        self.found.connect(self._take)
+        session.changed.connect(self._stale)
+        session.state_changed.connect(self._state_changed)
+        self._say_empty()
+
+    @property
+    def looking(self) -> bool:
+        """Whether an answer is still awaited."""
+        return self._settle.isActive() or not self.list.isEnabled()
+
+    def _state_changed(self, old: object, new: object) -> None:
+        pixel = self._session.state.pixel
+        if pixel != getattr(old, "pixel", None) or self._session.state.sheet != getattr(old, "sheet", ""):
+            if pixel is not None:
+                self._raise()
+            self._stale()
+
+    def _raise(self) -> None:
+        """Bring the dock to the front, if it belongs to what is seen."""
+        dock = self.parentWidget()
+        if isinstance(dock, QDockWidget) and not dock.isHidden():
+            dock.raise_()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Look when it is seen."""
+        super().showEvent(event)
+        self._stale()
+
+    def _stale(self, *_arguments: object) -> None:
+        pixel = self._session.state.pixel
+        if pixel is None:
+            self._question += 1
+            self._say_empty()
+        elif self.isVisible() and self._asked != (self._session.sheet, pixel):
+            self.list.setEnabled(False)
+            self._settle.start()
+
+    def _say_empty(self) -> None:
+        self._asked = None
+        self._settle.stop()
+        self.list.clear()
+        self.list.setEnabled(True)
+        self.answers = []
+        self.caption.setText(_("Point at a pixel and press Y, or click one on the tube: why is it as it is?"))
+
+    def _look(self) -> None:
+        """Ask, on a thread of its own; an older question is given up."""
+        session, pixel = self._session, self._session.state.pixel
+        if pixel is None or not self.isVisible():
+            return
+        self._question += 1
+        question, sheet = self._question, session.sheet
+        self._asked = (sheet, pixel)
+        self.caption.setText(_("({x}, {y}): looking…").format(x=pixel[0], y=pixel[1]))
+
+        def work() -> None:
+            try:
+                answers = why_steps(sheet, *pixel, lambda: self._question != question)
+                said = "" if answers else nothing_happened(sheet, *pixel)
+            except Abandoned:
+                return
+            with suppress(RuntimeError):  # this panel is gone
+                self.found.emit(question, answers, said)
+
+        background.thread(work, "why this pixel", self._give_up).start()
+
+    def _give_up(self) -> None:
+        self._question += 1
+
+    def _take(self, question: int, answers: list[Answer], said: str) -> None:
+        if question != self._question or self._asked is None:
+            return
+        sheet, (x, y) = self._asked
+        self.answers = answers
+        self.list.clear()
+        self.list.setEnabled(True)
+        if not answers:
+            self.caption.setText(f"<b>({x}, {y})</b><br>" + said.replace("\n", "<br>"))
+            return
+        count = len(answers)
+        text = ngettext("{n} step came to it.", "{n} steps came to it.", count)
+        if count == MOST:
+            text = _("The last {n} steps that came to it.")
+        self.caption.setText(f"<b>({x}, {y})</b> " + text.format(n=count))
+        for answer in answers:
+            self.list.addItem(self._item(sheet, answer))
+
+    def _item(self, sheet: Sheet, answer: Answer) -> QListWidgetItem:
+        figure = sheet.figures[answer.figure]
+        title = _(catalogue.get(figure.drawn_with).title)
+        verb = {"wrote": _("wrote it"), "tested": _("tested it"), "refused": _("refused it")}[answer.verb]
+        if answer.stands:
+            verb = _("wrote it, and its colour stands")
+        where = _("Step {n}").format(n=answer.step) if answer.step else _("Before the first step")
+        head = f"{where}: {figure.name or kind_title(figure)}, {title}, {verb}."
+        item = QListWidgetItem(icon(*_ICONS[answer.verb]), f"{head}\n{answer.sentence}".strip())
+        if answer.stands:
+            font = item.font()
+            font.setWeight(font.Weight.DemiBold)
+            item.setFont(font)
+        item.setData(Qt.ItemDataRole.UserRole, (answer.figure_id, answer.step))
+        return item
+
+    def _go(self, item: QListWidgetItem) -> None:
+        """Let the stepper show this step."""
+        figure, step = item.data(Qt.ItemDataRole.UserRole)
+        if any(known.id == figure for known in self._session.sheet.figures):
+            self._session.update_state(active=figure, step=step, detail=False)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter goes to the step that is marked."""
+        item = self.list.currentItem()
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and item is not None:
+            self._go(item)
+        else:
+            super().keyPressEvent(event)
+
+
+class WhyPanel(PlainPanel):
+    """The list as a dock of a workspace that has its own middle."""
+
+    def __init__(self, session: Session) -> None:
+        self.title = _("Why this pixel?")
+        self.why = WhyList(session)
+
+    @property
+    def center(self) -> QWidget:
+        """The dock's content."""
+        return self.why
+
+    def docks(self) -> list[DockPart]:
+        """The list at the right."""
+        return [("why", self.title, self.why, Qt.DockWidgetArea.RightDockWidgetArea)]

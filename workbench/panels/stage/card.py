@@ -1,0 +1,330 @@
+"""The card that floats over the canvas: the few parameters of what is selected, or of what is drawn next."""
+
+from collections.abc import Sequence
+from contextlib import suppress
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from workbench.algorithms import catalogue
+from workbench.document.addresses import resolve
+from workbench.document.edits import Edit, set_algorithm, set_attribute, set_sheet_size
+from workbench.document.errors import DocumentError
+from workbench.document.model import (
+    AnyFigure,
+    Circle,
+    Curve,
+    Ellipse,
+    Line,
+    Polygon,
+    Polyline,
+    SeedFill,
+    Sheet,
+)
+from workbench.language import _, ngettext
+from workbench.panels.stage.tools import FigureTool
+from workbench.rendering import REACH_PX, reach_of
+from workbench.session.session import Session
+from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.icons import set_icon
+
+WIDTH_PX, NARROW_PX = 248, 640
+_MOST_POINTS = 6
+
+
+def kind_title(figure: AnyFigure) -> str:
+    """What kind of figure it is."""
+    titles = {
+        Line: _("Line"),
+        Polyline: _("Polyline"),
+        Polygon: _("Polygon"),
+        Circle: _("Circle"),
+        Ellipse: _("Ellipse"),
+        Curve: _("Curve"),
+    }
+    return titles.get(type(figure), _("Fill"))
+
+
+def parameters(sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
+    """Address, label and meaning of each number of a figure that the card shows."""
+    place = f"{sheet.id}/{figure.id}"
+    centred = isinstance(figure, Circle | Ellipse)
+    listed = []
+    for k, point in enumerate(figure.points_world[:_MOST_POINTS]):
+        mark = "c" if centred else "s" if isinstance(figure, SeedFill) else str(k)
+        who = _("centre") if centred else _("seed") if mark == "s" else _("point {k}").format(k=k)
+        listed.append((f"{place}/{point.id}/x", f"x_{mark}", _("x of the {who}").format(who=who)))
+        listed.append((f"{place}/{point.id}/y", f"y_{mark}", _("y of the {who}").format(who=who)))
+    if isinstance(figure, Circle):
+        listed.append((f"{place}/radius_world", "r", _("Radius")))
+    if isinstance(figure, Ellipse):
+        listed.append((f"{place}/radius_x_world", "r_x", _("Radius along x")))
+        listed.append((f"{place}/radius_y_world", "r_y", _("Radius along y")))
+    return listed
+
+
+def algorithm_choices(figure: AnyFigure | type[AnyFigure]) -> list[tuple[str, str]]:
+    """Slug and title of every algorithm that can draw this kind of figure."""
+    known = {entry.slug: entry for entry in catalogue.entries()}
+    return [(slug, _(known[slug].title)) for slug in figure.algorithms if slug in known]
+
+
+class ParameterCard(QFrame):
+    """Shows and edits the selection of a session; ``algorithm_chosen`` is for what is drawn next."""
+
+    side_by_side_changed = Signal(bool)
+    algorithm_chosen = Signal(str)
+    folded = Signal(bool)
+
+    def __init__(self, session: Session, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("card")
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._session = session
+        self._narrow = False
+        self._shown: tuple[object, ...] = ()
+        self._fields: dict[str, NumberField] = {}
+        self._size: tuple[NumberField, NumberField] | None = None
+        self.title = QLabel()
+        self.title.setStyleSheet("font-weight: 600;")
+        self._fold = QToolButton()
+        self._fold.setFixedSize(22, 22)
+        set_icon(self._fold, "caret-up", "muted")
+        self._fold.setToolTip(_("Fold this card"))
+        self._fold.setAccessibleName(_("Fold this card"))
+        head = QHBoxLayout()
+        head.addWidget(self.title, 1)
+        head.addWidget(self._fold)
+        self.algorithm = QComboBox()
+        self.algorithm.setAccessibleName(_("Algorithm"))
+        self.algorithm.setToolTip(_("The algorithm that draws it"))
+        self.algorithm.activated.connect(self._choose_algorithm)
+        self.compare = QComboBox()
+        self.compare.setAccessibleName(_("Compare with"))
+        self.compare.setToolTip(_("A second algorithm on the same input"))
+        self.compare.activated.connect(self._choose_compare)
+        self.side_by_side = QCheckBox(_("Side by side"))
+        self.side_by_side.setToolTip(_("Two pictures instead of one over the other"))
+        self.side_by_side.toggled.connect(self.side_by_side_changed)
+        self.summary = QLabel()
+        self.summary.setTextFormat(Qt.TextFormat.RichText)
+        self.summary.setWordWrap(True)
+        self.trouble = QLabel()
+        self.trouble.setWordWrap(True)
+        self.trouble.setProperty("role", "warn")
+        self._grid = QGridLayout()
+        self._grid.setHorizontalSpacing(12)
+        self._grid.setVerticalSpacing(4)
+        self._body = QWidget()
+        self._fold.clicked.connect(lambda: self._set_open(self._body.isHidden()))
+        body = QVBoxLayout(self._body)
+        body.setContentsMargins(0, 0, 0, 0)
+        body.setSpacing(8)
+        body.addWidget(self.algorithm)
+        body.addLayout(self._grid)
+        for widget in (self.trouble, *self.more_rows(), self.compare, self.side_by_side, self.summary):
+            body.addWidget(widget)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(12, 8, 8, 8)
+        whole.setSpacing(4)
+        whole.addLayout(head)
+        whole.addWidget(self._body)
+        self.setFixedWidth(WIDTH_PX)
+        parent.installEventFilter(self)
+
+    def more_rows(self) -> list[QWidget]:
+        """What a panel adds under the numbers."""
+        return []
+
+    def numbers(self, sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
+        """Address, label and meaning of each number of the one figure that is selected."""
+        return parameters(sheet, figure)
+
+    def _set_open(self, open_: bool) -> None:
+        set_icon(self._fold, "caret-up" if open_ else "caret-down", "muted")
+        self._body.setVisible(open_)
+        self._fit()
+        self.folded.emit(not open_)
+
+    def _fit(self) -> None:
+        """As high as what it holds, whose words wrap at its width."""
+        layout = self.layout()
+        if layout is not None:
+            wraps = layout.hasHeightForWidth()
+            height = layout.totalHeightForWidth(WIDTH_PX) if wraps else layout.totalSizeHint().height()
+            self.resize(WIDTH_PX, height)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Over a narrow picture it is folded, until somebody opens it, so that the picture is seen."""
+        if isinstance(event, QResizeEvent):
+            narrow = event.size().width() < NARROW_PX
+            if narrow != self._narrow:
+                self._narrow = narrow
+                self._set_open(not narrow)
+        return False
+
+    def event(self, event: QEvent) -> bool:
+        """As large as what it holds."""
+        done = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._fit()
+        return done
+
+    def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
+        """Show ``figures``, or with none selected what ``tool`` draws next and the sheet's size."""
+        session = self._session
+        sheet, state = session.sheet, session.state
+        kinds = {type(figure) for figure in figures}
+        one = figures[0] if len(figures) == 1 else None
+        new_kind = tool.kind if tool is not None and not figures else None
+        numbers = tuple(self.numbers(sheet, one)) if one else ()
+        shape = (sheet.id, tuple(f.id for f in figures), numbers, new_kind, state.compare, bool(summary))
+        if shape != self._shown:
+            self._shown = shape
+            self._rebuild(sheet, figures, one)
+        if one is not None:
+            self.title.setText(one.name or kind_title(one))
+        elif figures:
+            text = ngettext("{n} figure", "{n} figures", len(figures))
+            self.title.setText(text.format(n=len(figures)))
+        else:
+            new = _("New {what}").format(what=tool.title.lower()) if tool is not None else _("Sheet")
+            self.title.setText(new)
+        common = next(iter(kinds)) if len(kinds) == 1 else new_kind
+        now = figures[0].drawn_with if figures else (tool.algorithm if tool is not None else "")
+        self._fill(self.algorithm, algorithm_choices(common) if common is not None else [], now)
+        others = [c for c in algorithm_choices(one) if c[0] != one.drawn_with] if one is not None else []
+        self._fill(
+            self.compare,
+            [("", _("Compare with nothing"))]
+            + [(slug, _("Compare with {title}").format(title=title)) for slug, title in others]
+            if others
+            else [],
+            state.compare,
+        )
+        self._say_trouble(sheet, figures)
+        compared = bool(summary) and bool(others)
+        self.side_by_side.setVisible(compared)
+        self.summary.setVisible(compared)
+        self.summary.setText(summary)
+        for address, field in self._fields.items():
+            field.set_value(self._number(address))
+        if self._size is not None:
+            self._size[0].set_value(sheet.width_px)
+            self._size[1].set_value(sheet.height_px)
+        self._fit()
+
+    def _say_trouble(self, sheet: Sheet, figures: Sequence[AnyFigure]) -> None:
+        """What is not drawn, and why."""
+        far = [(reach, figure) for figure in figures if (reach := reach_of(sheet, figure)) > REACH_PX]
+        unknown = next((figure for figure in figures if figure.algorithm != figure.drawn_with), None)
+        self.trouble.setVisible(bool(far) or unknown is not None)
+        if unknown is not None:
+            sentence = _(
+                "\N{WARNING SIGN} This {what} asks for “{slug}”, an algorithm that this version lacks. "
+                "“{title}” draws it until you choose another; the file keeps the name."
+            )
+            title = _(catalogue.get(unknown.drawn_with).title)
+            self.trouble.setText(
+                sentence.format(what=kind_title(unknown).lower(), slug=unknown.algorithm, title=title)
+            )
+        if far:
+            reach, figure = max(far, key=lambda each: each[0])
+            sentence = _(
+                "\N{WARNING SIGN} This {what} is not drawn: it reaches {reach:,.0f} pixels, and {most:,} is "
+                "the most. Make it smaller, or bring it nearer."
+            )
+            self.trouble.setText(sentence.format(what=kind_title(figure).lower(), reach=reach, most=REACH_PX))
+
+    def _fill(self, box: QComboBox, choices: list[tuple[str, str]], now: str) -> None:
+        held = [(box.itemData(k), box.itemText(k)) for k in range(box.count())]
+        if held != choices:
+            box.clear()
+            for slug, title in choices:
+                box.addItem(title, slug)
+        box.setVisible(bool(choices))
+        box.setCurrentIndex(max(0, box.findData(now)))
+
+    def _rebuild(self, sheet: Sheet, figures: Sequence[AnyFigure], one: AnyFigure | None) -> None:
+        while self._grid.count():
+            item = self._grid.takeAt(0)
+            widget = item.widget() if item is not None else None
+            if widget is not None:
+                widget.blockSignals(True)  # what was typed of a figure that is gone is for no other
+                widget.hide()
+                widget.deleteLater()
+        self._fields, self._size = {}, None
+        pixels = sheet.window_world == sheet.viewport_device
+        if one is not None:
+            for k, (address, label, meaning) in enumerate(self.numbers(sheet, one)):
+                unit = "px" if pixels and not address.endswith("/weight") else ""
+                field = NumberField(label, unit, meaning=meaning)
+                field.edited.connect(lambda value, a=address: self._set(a, value))
+                field.scrubbed.connect(lambda value, a=address: self._set(a, value, "scrub"))
+                field.scrub_ended.connect(self._session.end_merge)
+                self._fields[address] = field
+                self._grid.addWidget(field, k // 2, k % 2)
+        elif not figures:
+            size = tuple(
+                NumberField(label, "px", low=1, high=4096, integer=True, meaning=meaning)
+                for label, meaning in (
+                    (_("width"), _("Width of the sheet")),
+                    (_("height"), _("Height of the sheet")),
+                )
+            )
+            self._size = size[0], size[1]
+            for k, field in enumerate(self._size):
+                field.edited.connect(lambda _value: self._set_size())
+                field.scrubbed.connect(lambda _value: self._set_size("scrub"))
+                field.scrub_ended.connect(self._session.end_merge)
+                self._grid.addWidget(field, k, 0, 1, 2)
+
+    def _number(self, address: str) -> float:
+        return round(float(resolve(self._session.document, address)), 6)
+
+    def apply(self, edit: Edit, name: str, merge: str = "") -> str:
+        """Do an edit; the sentence that says why it was refused, or an empty one."""
+        try:
+            self._session.apply(edit, name, merge)
+        except DocumentError as problem:
+            return problem.short
+        return ""
+
+    def _set(self, address: str, value: float, merge: str = "") -> None:
+        refusal = self.apply(set_attribute(address, value), _("Change value"), merge and f"{merge} {address}")
+        if refusal and address in self._fields:
+            with suppress(DocumentError):  # the figure has gone, and its field is about to
+                self._fields[address].refuse(refusal, self._number(address))
+
+    def _set_size(self, merge: str = "") -> None:
+        assert self._size is not None
+        width, height = (int(field.value()) for field in self._size)
+        edit = set_sheet_size(self._session.sheet.id, width, height)
+        if refusal := self.apply(edit, _("Change sheet size"), merge and f"{merge} size"):
+            self._size[0].refuse(refusal, self._session.sheet.width_px)
+
+    def _choose_algorithm(self, index: int) -> None:
+        slug = self.algorithm.itemData(index)
+        selection = self._session.state.selection
+        if not selection:
+            self.algorithm_chosen.emit(slug)
+        elif refusal := self.apply(set_algorithm(selection, slug), _("Change algorithm")):
+            # What is selected is another kind since the list was opened.
+            self.trouble.setText(f"\N{WARNING SIGN} {refusal}")
+            self.trouble.show()
+        elif self._session.state.compare == slug:
+            self._session.update_state(compare="")
+
+    def _choose_compare(self, index: int) -> None:
+        self._session.update_state(compare=self.compare.itemData(index))

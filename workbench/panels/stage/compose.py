@@ -1,0 +1,145 @@
+"""What the canvas shows of a sheet, a run and a comparison, as values, for screen and paper alike."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms import catalogue
+from workbench.document.model import AnyFigure, Sheet
+from workbench.language import _
+from workbench.panels.stage.outline import handles, outline
+from workbench.panels.stage.picture import (
+    Cells,
+    Pixels,
+    comparison_classes,
+    packed,
+    picture,
+    sides,
+    with_faint,
+    without,
+)
+from workbench.rendering.compare import Comparison
+from workbench.rendering.raster import pixels
+from workbench.session.run import Run
+from workbench.widgets.canvas.drawing import Stroke, Word
+from workbench.widgets.canvas.overlay import Cell, Overlay
+from workbench.widgets.look.tokens import Tokens
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Progress:
+    """How far the run of a figure has come: what it painted (n, 2), and the choice it is at.
+
+    ``second`` is what the run of the compared algorithm painted; ``hidden`` keeps what comes next to itself.
+    """
+
+    reached: Cells
+    candidates: tuple[Cell, ...] = ()
+    rejected: tuple[Cell, ...] = ()
+    current: tuple[Cell, ...] = ()
+    second: Cells | None = None
+    hidden: bool = False
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Composition:
+    """The picture (h, w), its background colour, its marks, and those of a second picture beside it."""
+
+    pixels: Pixels
+    background: int
+    overlay: Overlay
+    comparison: Comparison | None = None
+    beside: Overlay | None = None
+
+
+def progress_at(run: Run, number: int) -> Progress | None:
+    """The run at one of its steps, recorded so far; None without one."""
+    if run.steps is None or number > len(run.steps):
+        return None
+    step = run.steps[number]
+    return Progress(
+        painted(run, step.emitted_to), run.steps.candidates_next(number), step.rejected, step.chosen
+    )
+
+
+def painted(run: Run, count: int) -> Cells:
+    """The pixels (n, 2) of the first ``count`` rows that the run emitted, spans spread out."""
+    if run.recording is None or run.entry is None or count == 0 or run.entry.emits in ("points", "segments"):
+        return np.empty((0, 2), np.int64)
+    width, height = run.image_size
+    return pixels(run.entry, run.recording.emitted.array(0, count), (0, width - 1, 0, height - 1))
+
+
+def compose(
+    sheet: Sheet,
+    active: AnyFigure | None,
+    progress: Progress | None,
+    compared: str,
+    now: Tokens,
+    side_by_side: bool = False,
+) -> Composition:
+    """The sheet with the run of ``active`` at ``progress``; ``compared`` names a second algorithm."""
+    background = packed(now.canvas)
+    overlay = Overlay(ideal=tuple(curve for f in sheet.figures if f.visible for curve in outline(sheet, f)))
+    if progress is not None:
+        overlay = replace(
+            overlay, candidates=progress.candidates, rejected=progress.rejected, current=progress.current
+        )
+    if active is None or not compared:
+        shown = picture(sheet, now)
+        if progress is not None and active is not None:
+            shown = with_faint(shown, sheet, active, progress.reached, now, hidden=progress.hidden)
+        return Composition(shown, background, overlay)
+    reached = None
+    if progress is not None and progress.second is not None:
+        reached = progress.reached, progress.second
+    comparison, classes = comparison_classes(sheet, active, compared, reached)
+    shown = picture(without(sheet, active), now)
+    if not side_by_side:
+        return Composition(shown, background, replace(overlay, classes=classes), comparison)
+    first, second = sides(classes)
+    return Composition(
+        shown,
+        background,
+        replace(overlay, classes=first, drawn=(_name(sheet, active.drawn_with, "data1"),)),
+        comparison,
+        Overlay(ideal=overlay.ideal, classes=second, drawn=(_name(sheet, compared, "data2"),)),
+    )
+
+
+def _name(sheet: Sheet, slug: str, ink: str) -> Word:
+    """Which algorithm one of two pictures is by, along its upper edge."""
+    title = _(catalogue.get(slug).title)
+    return Word(title, sheet.width_px / 2 - 0.5, sheet.height_px - 0.5, ink, 0, -1, carded=True, strong=True)
+
+
+def with_selection(overlay: Overlay, sheet: Sheet, selected: list[AnyFigure], held: str) -> Overlay:
+    """The marks with handles and outlines of what is selected."""
+    return replace(
+        overlay,
+        outlined=tuple(curve for figure in selected for curve in outline(sheet, figure)),
+        handles=tuple(handle for figure in selected for handle in handles(sheet, figure, held)),
+    )
+
+
+def with_band(overlay: Overlay, band: NDArray[np.float64] | None) -> Overlay:
+    """The marks with the band of a selection under way."""
+    return overlay if band is None else replace(overlay, outlined=(*overlay.outlined, band))
+
+
+def with_asked(overlay: Overlay, cell: Cell | None) -> Overlay:
+    """The marks with a frame round the pixel that is asked about."""
+    if cell is None:
+        return overlay
+    x, y = cell
+    corners = [
+        (x - 0.5, y - 0.5),
+        (x + 0.5, y - 0.5),
+        (x + 0.5, y + 0.5),
+        (x - 0.5, y + 0.5),
+        (x - 0.5, y - 0.5),
+    ]
+    frame = Stroke(np.array(corners, np.float64), "accent", 2.0, haloed=True)
+    question = Word("?", x + 0.5, y + 0.5, "accent", 1, 1, carded=True, strong=True)
+    return replace(overlay, drawn=(*overlay.drawn, frame, question))

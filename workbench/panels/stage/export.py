@@ -1,0 +1,98 @@
+"""What a panel of figures gives to be taken out: its steps as pages, its tables, the picture as it is."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QWidget
+
+from workbench.language import _
+from workbench.panels.stage.pages import PICTURE_WIDTH, Page, Pages
+from workbench.panels.stage.view import FigureView
+from workbench.widgets.canvas.painter import Picture
+
+MOST_PAGES = 500
+
+
+def _here(do: Callable[[], Any]) -> Any:
+    return do()
+
+
+class ChangedError(ValueError):
+    """What was being written is no longer what is open."""
+
+
+class Exporter(QObject):
+    """Gets a picture out. ``said`` sends one sentence about what became of it.
+
+    Pages are made by ``ask``, which may bring each to the interface from the thread that writes them.
+    """
+
+    said = Signal(str)
+
+    def __init__(self, view: FigureView, owner: QWidget) -> None:
+        super().__init__(owner)
+        self._view = view
+        self._owner = owner
+
+    @property
+    def steps(self) -> int:
+        """How many steps of the run may be shown; 0 without a run."""
+        run = self._view.stepped_run()
+        return 0 if run is None else run.tellable
+
+    def page(self, number: int | None = None) -> Page:
+        """What the canvas shows now, or one step of the run."""
+        made = self._view.on_paper(number)
+        run = self._view.stepped_run()
+        steps = None if run is None else run.steps
+        at = run.step if run is not None and number is None else None
+        step = steps[number] if steps is not None and number is not None else at
+        caption = "" if step is None else "".join(part.text for part in step.sentence)
+        return Page(Picture(made.pixels, made.background), made.overlay, caption)
+
+    def this_step(self) -> Pages:
+        """What the canvas shows now, as one page."""
+        page = self.page()
+        return Pages(1, lambda _number: page, self._view.session.sheet.name, self._owner.font())
+
+    def this_run(
+        self,
+        ask: Callable[[Callable[[], Any]], Any] = _here,
+        width: int = PICTURE_WIDTH,
+        seconds: float = 1.0,
+    ) -> Pages:
+        """The picture before the first step and after each, at most ``MOST_PAGES``.
+
+        A page raises ChangedError once the picture or the run is another one.
+        """
+        begun = self._what_is_shown()
+
+        def page(number: int) -> Page:
+            if self._what_is_shown() != begun:
+                raise ChangedError(
+                    _("The picture was changed before all its steps were written; nothing was written.")
+                )
+            return self.page(number)
+
+        return Pages(
+            min(self.steps + 1, MOST_PAGES),
+            lambda number: ask(partial(page, number)),
+            self._view.session.sheet.name,
+            self._owner.font(),
+            width,
+            seconds,
+        )
+
+    def _what_is_shown(self) -> tuple[object, ...]:
+        """What the pages of a run depend on."""
+        session, run = self._view.session, self._view.stepped_run()
+        recording = None if run is None else run.recording
+        return session.revision, session.state.compare, session.state.construction, recording
+
+    def copy_picture(self) -> None:
+        """Put what the canvas shows on the clipboard."""
+        QGuiApplication.clipboard().setImage(self._view.canvas.grab_picture())
+        self.said.emit(_("The picture is on the clipboard."))

@@ -1,0 +1,98 @@
+"""The ideal geometry of figures in device coordinates: drawn thin over the pixels, and pointed at."""
+
+from functools import lru_cache
+
+import numpy as np
+from msgspec.structs import replace
+from numpy.typing import NDArray
+
+from workbench.algorithms import catalogue
+from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, SeedFill, Sheet
+from workbench.geometry.conventions import round_half_up
+from workbench.rendering import device_map, display_list, painter_of
+from workbench.rendering.mapping import device_radii
+from workbench.widgets.canvas.overlay import Handle
+
+Curve = NDArray[np.float64]
+_MOST_NAMED = 10
+_FLATNESS_PX = 0.005  # no corner is seen where a pixel is forty large
+
+
+def outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
+    """The whole figure as open polylines, each (n, 2), clipped to the viewport alone."""
+    return _outline(replace(sheet, figures=(figure,), clip_world=None))
+
+
+@lru_cache(maxsize=2048)
+def _outline(sheet: Sheet) -> tuple[Curve, ...]:
+    curves: list[list[tuple[float, float]]] = []
+    for stroke in display_list(sheet, _FLATNESS_PX):
+        start, end = (stroke.x0, stroke.y0), (stroke.x1, stroke.y1)
+        if curves and curves[-1][-1] == start:
+            curves[-1].append(end)
+        else:
+            curves.append([start, end])
+    return tuple(np.array(curve, np.float64) for curve in curves)
+
+
+def distance_to(curves: tuple[Curve, ...], x: float, y: float) -> float:
+    """Distance from a device point to the nearest of ``curves``; infinite when there is none."""
+    nearest = np.inf
+    for curve in curves:
+        start, along = curve[:-1], np.diff(curve, axis=0)
+        towards = np.array([x, y]) - start
+        square = np.maximum((along**2).sum(axis=1), 1e-300)
+        share = np.clip((towards * along).sum(axis=1) / square, 0.0, 1.0)
+        away = towards - share[:, None] * along
+        nearest = min(nearest, float(np.hypot(away[:, 0], away[:, 1]).min()))
+    return nearest
+
+
+def figure_at(sheet: Sheet, x: float, y: float, reach: float) -> AnyFigure | None:
+    """The front figure whose ideal geometry passes within ``reach`` pixels of a device point.
+
+    Where none does, the area that is seen there.
+    """
+    for figure in reversed(sheet.figures):
+        if figure.visible and distance_to(outline(sheet, figure), x, y) <= reach:
+            return figure
+    return _area_at(sheet, round_half_up(x), round_half_up(y))
+
+
+def _area_at(sheet: Sheet, x: int, y: int) -> AnyFigure | None:
+    """The figure that is seen at a pixel, if it is an area."""
+    if not (0 <= x < sheet.width_px and 0 <= y < sheet.height_px):
+        return None
+    index = int(painter_of(sheet)[y, x])
+    figure = sheet.figures[index] if index >= 0 else None
+    if figure is None:
+        return None
+    filled = isinstance(figure, SeedFill) or catalogue.get(figure.drawn_with).emits == "spans"
+    return figure if filled else None
+
+
+def handles(sheet: Sheet, figure: AnyFigure, held: str = "") -> list[Handle]:
+    """What of a figure can be grabbed; ``id`` is an address, ``held`` the one that is being dragged."""
+    scale = device_map(sheet)
+    place = f"{sheet.id}/{figure.id}"
+    made: list[Handle] = []
+
+    def add(address: str, name: str, x: float, y: float) -> None:
+        shown = "" if address == held or len(figure.points_world) > _MOST_NAMED else name
+        made.append(Handle(address, shown, round(x, 6), round(y, 6), address == held))
+
+    for number, point in enumerate(figure.points_world):
+        name = _POINTS.get(type(figure), "P{k}").format(k=number)
+        add(f"{place}/{point.id}/x", name, *scale.point(point.x, point.y))
+    if isinstance(figure, Circle | Ellipse) and figure.points_world:
+        x, y = made[0].x, made[0].y
+        rx, ry = device_radii(sheet, figure)
+        if isinstance(figure, Circle):
+            add(f"{place}/radius_world", "r", x + rx, y)
+        else:
+            add(f"{place}/radius_x_world", "rx", x + rx, y)
+            add(f"{place}/radius_y_world", "ry", x, y + ry)
+    return made
+
+
+_POINTS: dict[type, str] = {Line: "P{k}", Polyline: "P{k}", Circle: "C", Ellipse: "C", SeedFill: "S"}

@@ -1,0 +1,140 @@
+"""The steps of a run as pages: picture, rulers and sentence, painted as images, PDF or SVG."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QRectF, QSize, QSizeF, Qt
+from PySide6.QtGui import QFont, QImage, QPageSize, QPainter, QPdfWriter
+from PySide6.QtSvg import QSvgGenerator
+
+from workbench.exchange.frames import Picture as Frame
+from workbench.exchange.writing import Progress, Put, Row, of_kind
+from workbench.exchange.written import ROWS as WINDOWLESS
+from workbench.widgets.canvas.overlay import Overlay
+from workbench.widgets.canvas.painter import Picture, Scene, paint_rulers, paint_scene, ruler_sizes
+from workbench.widgets.canvas.view import Area, fitted
+from workbench.widgets.look.tokens import LIGHT
+
+PAGE_MM = (180.0, 140.0)
+PICTURE_WIDTH = 1600
+DRAWING = QSize(1080, 840)
+DOTS_PER_INCH = 1200
+CAPTION_PX = 40
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """One picture of a run: what it shows, and the sentence under it."""
+
+    picture: Picture
+    overlay: Overlay
+    caption: str
+
+
+@dataclass(frozen=True, slots=True)
+class Pages:
+    """``parts`` pages, each made when it is asked for, as an image of ``width`` pixels.
+
+    In a GIF each is seen for ``seconds``.
+    """
+
+    parts: int
+    page: Callable[[int], Page]
+    title: str
+    font: QFont
+    width: int = PICTURE_WIDTH
+    seconds: float = 1.0
+
+    def image(self, number: int) -> Frame:
+        """Page ``number`` as pixels, (h, w, 3), the top row first."""
+        image = page_image(self.page(number), self.font, self.width)
+        image = image.convertToFormat(QImage.Format.Format_RGB888)
+        rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+        return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
+
+
+def paint_page(
+    painter: QPainter, page: Page, size: tuple[int, int], font: QFont, unit: float, vector: bool = True
+) -> None:
+    """Paint picture, rulers and caption on an area of ``size`` dots; ``unit`` dots are one logical pixel.
+
+    As ``vector`` every run of cells is a shape of its own.
+    """
+    ruler_width, ruler_height = ruler_sizes(font, page.picture.size, unit)
+    below = round(CAPTION_PX * unit)
+    area = Area(ruler_width, 0, size[0], size[1] - ruler_height - below)
+    view = fitted(area, *page.picture.size, round(8 * unit), largest=4096)
+    scene = Scene(area, view, page.picture.size, LIGHT, unit, font, page.overlay, vector)
+    paint_scene(painter, page.picture, scene)
+    paint_rulers(painter, scene, None)
+    caption = scene.caption()
+    caption.setPixelSize(round(13 * unit))
+    painter.setFont(caption)
+    painter.setPen(Qt.GlobalColor.black)
+    box = QRectF(ruler_width, size[1] - below, size[0] - ruler_width, below)
+    painter.drawText(box, Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignVCenter, page.caption)
+
+
+def page_image(page: Page, font: QFont, width: int = PICTURE_WIDTH) -> QImage:
+    """A page as an image."""
+    height = round(width * PAGE_MM[1] / PAGE_MM[0])
+    image = QImage(width, height, QImage.Format.Format_RGB32)
+    image.fill(Qt.GlobalColor.white)
+    painter = QPainter(image)
+    painter.setRenderHint(QPainter.RenderHint.TextAntialiasing)
+    paint_page(painter, page, (width, height), font, width / 800, vector=False)
+    painter.end()
+    return image
+
+
+def _pdf(pages: Pages, put: Put, told: Progress) -> None:
+    """One page per picture, with lines and cells as vectors."""
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    writer = QPdfWriter(buffer)
+    writer.setResolution(DOTS_PER_INCH)
+    writer.setPageSize(QPageSize(QSizeF(*PAGE_MM), QPageSize.Unit.Millimeter))
+    writer.setPageMargins(QMarginsF(0, 0, 0, 0))
+    writer.setTitle(pages.title)
+    painter = QPainter(writer)
+    try:
+        for number in range(pages.parts):
+            told(number, pages.parts)
+            if number:
+                writer.newPage()
+            size = writer.width(), writer.height()
+            paint_page(painter, pages.page(number), size, pages.font, DOTS_PER_INCH / 96)
+    finally:
+        painter.end()
+    put(bytes(buffer.data().data()))
+
+
+def _svg(pages: Pages, put: Put, _told: Progress) -> None:
+    """The first page as shapes."""
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    writer = QSvgGenerator()
+    writer.setOutputDevice(buffer)
+    writer.setSize(DRAWING)
+    whole = QRect(0, 0, DRAWING.width(), DRAWING.height())
+    writer.setViewBox(whole)
+    writer.setTitle(pages.title)
+    painter = QPainter(writer)
+    painter.fillRect(whole, Qt.GlobalColor.white)
+    paint_page(painter, pages.page(0), (DRAWING.width(), DRAWING.height()), pages.font, 1.5)
+    painter.end()
+    put(bytes(buffer.data().data()))
+
+
+ROWS: tuple[Row, ...] = (
+    *WINDOWLESS,
+    Row("step", ".svg", "SVG", _svg),
+    Row("step", ".pdf", "PDF", _pdf),
+    Row("run", ".pdf", "PDF", _pdf),
+)
+
+
+def rows_of(kind: str) -> tuple[Row, ...]:
+    """Every way in which one kind of content is written."""
+    return of_kind(ROWS, kind)

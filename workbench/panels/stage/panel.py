@@ -1,0 +1,389 @@
+"""What the panels of figures share: a canvas with tools, a floating card, gestures, selection and keys."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QCursor, QHideEvent, QKeyEvent, QShowEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+
+from workbench.document.edits import Edit, duplicate_figures, move_figures, remove_figures, reorder
+from workbench.document.errors import DocumentError
+from workbench.document.model import AnyFigure
+from workbench.language import _
+from workbench.panels.panel import PlainPanel, Said
+from workbench.panels.stage.actions import FigureActions, Row, tool_cursor
+from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.gesture import HandleDrag, Modifiers, Tool
+from workbench.panels.stage.tools import FigureTool, SelectTool
+from workbench.rendering import device_map
+from workbench.session.session import Session
+from workbench.widgets.canvas.pixel_canvas import PixelCanvas
+from workbench.widgets.look.tokens import theme_changed
+
+REACH_PX = 6
+NUDGE = "nudge"
+# Arrow keys that follow one another within this time are one gesture, and one step of undo.
+NUDGING_MS = 600
+TOOL_BAR_PX = 44
+CARD_GAP_PX = 8
+
+
+class FigurePanel(PlainPanel, QWidget):
+    """Canvas, tools and card over one session. ``hover_text`` and ``zoom_text`` are for a status bar.
+
+    A panel makes its card and what it shows, then calls ``begin``; it says in ``show_now`` what is shown,
+    and in ``describe`` what a cell is called. ``slug`` begins the names of its actions, ``first_tool`` is
+    what an empty sheet takes up; ``stepped`` is the run of the active figure that is stepped here.
+    """
+
+    hover_text = Signal(str)
+    zoom_text = Signal(str)
+    _due = Signal()
+
+    slug = ""
+    first_tool = "line"
+    stepped = "figure"
+
+    def __init__(self, session: Session, tools: Sequence[Tool], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.session = session
+        self._waiting = False
+        self.tools = list(tools)
+        self.tool = self.tools[0]
+        self.handle_drag = HandleDrag(session)
+        self._nudging = QTimer(self)
+        self._nudging.setSingleShot(True)
+        self._nudging.setInterval(NUDGING_MS)
+        self._nudging.timeout.connect(self._end_nudging)
+        self.canvas = PixelCanvas()
+        self._actions: dict[str, QAction] = {}
+
+    def begin(self, middle: QWidget, card: QWidget, invitation: str, commands: Sequence[Row]) -> None:
+        """Put ``card`` over the canvas and ``middle``, which holds the canvas, beside the tools; connect.
+
+        ``invitation`` is what an empty sheet says, ``commands`` are listed after those that all panels have.
+        """
+        left = round(self.canvas.area.left / self.canvas.devicePixelRatioF())
+        card.move(left + CARD_GAP_PX, CARD_GAP_PX)
+        self._card = card
+        self.leave_room(False)
+        self.empty = EmptyState(self.canvas, invitation, self._example_wanted)
+        self._bar = QFrame()
+        self._bar.setFixedWidth(TOOL_BAR_PX)
+        column = QVBoxLayout(self._bar)
+        column.setContentsMargins(6, 8, 6, 8)
+        column.setSpacing(4)
+        whole = QHBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addWidget(self._bar)
+        whole.addWidget(middle, 1)
+        self.setFocusProxy(self.canvas)
+        self._actions = FigureActions(self, commands).made
+        for tool in self.tools:
+            column.addWidget(self._button(self._actions[tool.name]))
+        column.addStretch(1)
+        for name in ("zoom_in", "zoom_out", "fit"):
+            column.addWidget(self._button(self._actions[name]))
+        self._connect_canvas()
+        self.choose_tool("select" if self.session.sheet.figures else self.first_tool)
+        self._enable_actions(False)
+
+    # What a panel says of itself
+
+    def show_now(self) -> None:
+        """Bring everything that is shown up to date with the session."""
+        raise NotImplementedError
+
+    def show_example(self) -> None:
+        """Open the panel's own example."""
+        raise NotImplementedError
+
+    def describe(self, x: int, y: int) -> str:
+        """What is said of a cell that is pointed at."""
+        return f"({x}, {y})"
+
+    def clicked(self, x: int, y: int) -> None:
+        """A cell was clicked."""
+
+    def _example_wanted(self) -> None:
+        """Open the example with what takes hold of it, rather than draw on it."""
+        self.choose_tool("select")
+        self.show_example()
+
+    # What the window places
+
+    @property
+    def center(self) -> QWidget:
+        """What fills the middle of the workspace."""
+        return self
+
+    def actions(self) -> list[QAction]:
+        """Every command of this panel."""
+        return list(self._actions.values())
+
+    def said(self) -> Said:
+        """What is under the pointer or said in passing, and the zoom."""
+        return Said(self.hover_text, self.zoom_text)
+
+    def _button(self, action: QAction) -> QToolButton:
+        button = QToolButton()
+        button.setDefaultAction(action)
+        button.setFixedSize(32, 32)
+        button.setAccessibleName(action.text())
+        return button
+
+    def point_at(self, cell: tuple[int, int] | None) -> None:
+        """Point at a pixel that the sentence names, until the run moves; None when no longer."""
+        self.canvas.point_at(cell)
+
+    def _connect_canvas(self) -> None:
+        session, canvas = self.session, self.canvas
+        session.run.moved.connect(lambda: canvas.point_at(None))
+        self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
+        for told in (session.changed, session.state_changed, theme_changed):
+            told.connect(self.refresh_soon)
+        for run in (session.run, session.follower):
+            for signal in (run.changed, run.moved, run.grown, run.asked):
+                signal.connect(self.refresh_soon)
+        session.changed.connect(self._take_tool_when_empty)
+        canvas.pressed.connect(self._press)
+        canvas.moved.connect(self._move)
+        canvas.released.connect(self._release)
+        canvas.handle_pressed.connect(self._press_handle)
+        canvas.handle_dragged.connect(self._drag_handle)
+        canvas.handle_released.connect(self._release_handle)
+        canvas.cell_clicked.connect(self.clicked)
+        canvas.hovered.connect(lambda x, y: self.hover_text.emit(self.describe(x, y)))
+        canvas.hover_left.connect(lambda: self.hover_text.emit(""))
+        canvas.cursor_moved.connect(lambda x, y: self.hover_text.emit(self.describe(x, y)))
+        canvas.arrow.connect(self._arrow)
+        canvas.cancelled.connect(self.let_go)
+        canvas.view_changed.connect(lambda percent: self.zoom_text.emit(f"{percent:.0f} %"))
+        canvas.set_describer(self.describe)
+        for tool in (*self.tools, self.handle_drag):
+            tool.failed.connect(self.hover_text)
+
+    def leave_room(self, folded: bool) -> None:
+        """The picture fits beside the card, or, when that is ``folded``, in all of the canvas."""
+        self.canvas.set_covered(0 if folded else self._card.width() + CARD_GAP_PX)
+
+    # Tools
+
+    def choose_tool(self, name: str) -> None:
+        """Take up the tool of this name."""
+        self.tool.cancel()
+        self._hold(False)
+        self.tool = next(tool for tool in self.tools if tool.name == name)
+        for tool in self.tools:
+            self._actions[tool.name].setChecked(tool is self.tool)
+        crossed = self.tool.shape == Qt.CursorShape.CrossCursor
+        icon = self._actions[name].icon()
+        self.canvas.set_shape(tool_cursor(icon) if crossed else QCursor(self.tool.shape))
+        if isinstance(self.tool, FigureTool):
+            self.session.update_state(selection=())
+        self.refresh()
+
+    def refresh_soon(self, *_arguments: object) -> None:
+        """Show the session as it is when all that happens now has happened, once; unseen, when it is seen."""
+        if not self._waiting and self.isVisible():
+            self._waiting = True
+            self._due.emit()
+
+    def refresh(self) -> None:
+        """Show the session as it is now."""
+        self._waiting = False
+        if self.isVisible():
+            self.session.update_state(stepped=self.stepped)
+            self.zoom_text.emit(f"{self.canvas.zoom_percent:.0f} %")
+        self.show_now()
+        self.empty.setVisible(not self.session.sheet.figures and not self.gesturing)
+        for name in ("delete", "duplicate", "forwards", "backwards"):
+            self._actions[name].setEnabled(self.isVisible() and bool(self.session.state.selection))
+
+    def _take_tool_when_empty(self) -> None:
+        """An empty sheet asks for something to be drawn, so that is what a drag does."""
+        if self.session.sheet.figures or self.gesturing or not self.isVisible():
+            return
+        if isinstance(self.tool, SelectTool):
+            self.choose_tool(self.first_tool)
+
+    def _press(self, x: float, y: float, modifiers: Modifiers) -> None:
+        if self._answering:
+            return
+        self._hold(True)
+        reach = max(0.75, REACH_PX * self.devicePixelRatioF() / self.canvas.view.cell)
+        self.tool.press(x, y, modifiers, reach)
+        self._after_gesture()
+
+    def _move(self, x: float, y: float, _modifiers: Modifiers) -> None:
+        drawing = self.tool.busy
+        self.tool.move(x, y)
+        if drawing and not self.tool.busy:
+            self.tool.cancel()
+            self._hold(False)
+            self._after_gesture()
+        elif self.tool.busy or self.tool.band is not None:
+            self._after_gesture()
+        elif isinstance(self.tool, FigureTool):
+            self.canvas.set_overlay(replace(self.canvas.overlay, snap=self.tool.snap))
+
+    def _release(self, x: float, y: float, _modifiers: Modifiers) -> None:
+        if not self._answering:
+            self.tool.release(x, y)
+        self._hold(self.tool.busy)
+        self._after_gesture()
+
+    def _after_gesture(self) -> None:
+        # While corners are clicked, a handle of the figure that grows must not catch the click.
+        self.canvas.takes_handles = not self.tool.busy
+        self.canvas.set_tag(self.tool.tag)
+        self.refresh_soon()
+
+    def _press_handle(self, address: str, _modifiers: Modifiers) -> None:
+        self._hold(True)
+        self.handle_drag.press(address)
+
+    def _drag_handle(self, _address: str, x: float, y: float) -> None:
+        self.handle_drag.drag(x, y)
+        self.canvas.set_tag(self.handle_drag.tag)
+        self.refresh_soon()
+
+    def _release_handle(self, _address: str) -> None:
+        self.handle_drag.release()
+        self._hold(False)
+        self.canvas.set_tag("")
+        self.refresh()
+
+    def _hold(self, on: bool) -> None:
+        """The recording waits while something is being drawn or dragged."""
+        for run in (self.session.run, self.session.follower):
+            if on:
+                run.hold()
+            else:
+                run.go_on()
+
+    @property
+    def _answering(self) -> bool:
+        """Whether a click on the canvas answers what is asked."""
+        return self.session.run.waiting and not self.session.run.options
+
+    @property
+    def gesturing(self) -> bool:
+        """Whether something is being drawn or dragged."""
+        return self.tool.busy or self.handle_drag.busy
+
+    def let_go(self) -> None:
+        """Escape: what is being drawn, else the selection, else the tool."""
+        if self.gesturing:
+            self.tool.cancel()
+            self.handle_drag.cancel()
+            self._hold(False)
+        elif self.session.state.selection:
+            self.session.update_state(selection=())
+        else:
+            self.choose_tool("select")
+        self._after_gesture()
+
+    # Commands
+
+    def apply(self, edit: Edit, name: str, merge: str = "") -> None:
+        """Do an edit; what is wrong with it is said in the status bar."""
+        try:
+            self.session.apply(edit, name, merge)
+        except DocumentError as problem:
+            self.hover_text.emit(str(problem))
+
+    def selected(self) -> list[AnyFigure]:
+        """The selected figures of the sheet, from back to front."""
+        chosen = set(self.session.state.selection)
+        return [figure for figure in self.session.sheet.figures if figure.id in chosen]
+
+    def delete_selected(self) -> None:
+        """Remove the selected figures."""
+        if ids := [figure.id for figure in self.selected()]:
+            self.apply(remove_figures(ids), _("Delete"))
+
+    def duplicate_selected(self) -> None:
+        """Copy the selected figures; the copies are selected then."""
+        if ids := [figure.id for figure in self.selected()]:
+            known = {figure.id for figure in self.session.sheet.figures}
+            self.apply(duplicate_figures(ids), _("Duplicate"))
+            made = [f.id for f in self.session.sheet.figures if f.id not in known]
+            if made:
+                self.session.update_state(selection=tuple(made), active=made[-1])
+
+    def select_all(self) -> None:
+        """Select every figure of the sheet."""
+        self.choose_tool("select")
+        self.session.update_state(selection=tuple(figure.id for figure in self.session.sheet.figures))
+
+    def shift_order(self, by: int) -> None:
+        """Move the selected figure one place to the front (or back)."""
+        chosen = self.selected()
+        if len(chosen) == 1:
+            figures = self.session.sheet.figures
+            place = figures.index(chosen[0]) + by
+            if 0 <= place < len(figures):
+                self.apply(reorder(chosen[0].id, place), _("Change order"))
+
+    def ask_why(self) -> None:
+        """Ask why the pixel that is pointed at is as it is."""
+        cell = self.canvas.pointed_cell
+        if cell is None:
+            self.hover_text.emit(_("Point at a pixel first, then ask why it is as it is."))
+        else:
+            self.session.update_state(pixel=cell)
+
+    def _arrow(self, dx: int, dy: int, modifiers: Modifiers) -> None:
+        """Arrows nudge what is selected; with nothing selected they step."""
+        if chosen := self.selected():
+            far = 10 if modifiers & Qt.KeyboardModifier.ShiftModifier else 1
+            scale = device_map(self.session.sheet)
+            ids = [figure.id for figure in chosen]
+            edit = move_figures(ids, dx * far / scale.sx, dy * far / scale.sy)
+            self.apply(edit, _("Nudge"), f"{NUDGE} {' '.join(ids)}")
+            self._nudging.start()
+        elif dx > 0:
+            self.session.run.forward()
+        elif dx < 0:
+            self.session.run.back()
+
+    def _end_nudging(self) -> None:
+        self.session.end_merge(f"{NUDGE} {' '.join(figure.id for figure in self.selected())}")
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Keys that the canvas left: Home, End and Space for the run, Enter for the tool, Delete."""
+        key = event.key()
+        if key == Qt.Key.Key_Home:
+            self.session.run.first()
+        elif key == Qt.Key.Key_End:
+            self.session.run.last()
+        elif key == Qt.Key.Key_Space:
+            self.session.run.toggle_play()
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.tool.finish()
+            self._hold(self.gesturing)
+            self._after_gesture()
+        elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+            self.delete_selected()
+        else:
+            super().keyPressEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """The keys of this panel work while it is seen."""
+        super().showEvent(event)
+        self._enable_actions(True)
+        self._take_tool_when_empty()
+        self.refresh()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """And only then."""
+        super().hideEvent(event)
+        self._enable_actions(False)
+
+    def _enable_actions(self, on: bool) -> None:
+        """Several panels have a command on the same key; only the one that is seen may take it."""
+        for action in self._actions.values():
+            action.setEnabled(on)

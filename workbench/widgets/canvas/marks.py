@@ -1,0 +1,269 @@
+"""Paints the marks over cells: candidates, choice, rings, answers, patterns of a comparison, handles."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
+
+from workbench.widgets.canvas.drawing import ink_of
+from workbench.widgets.canvas.lines import on_screen
+from workbench.widgets.canvas.overlay import (
+    BOTH,
+    ONLY_FIRST,
+    TIE_FIRST,
+    TIE_SECOND,
+    Cell,
+    GripShape,
+    Handle,
+)
+from workbench.widgets.look.tokens import colour
+
+if TYPE_CHECKING:
+    from workbench.widgets.canvas.painter import Scene
+
+HANDLE, GRAB = 9, 24
+PATTERN_FROM = 10
+MOST_NAMED = 40
+
+GripKind = tuple[GripShape, str, bool]
+
+
+def paint_marks(painter: QPainter, scene: Scene) -> None:
+    """All marks of the scene's overlay but the handles, those on top last."""
+    overlay, tokens = scene.overlay, scene.tokens
+    muted = QColor(tokens.muted)
+    if overlay.classes is not None:
+        _paint_patterns(painter, scene)
+    for box in _boxes(scene, overlay.chosen):
+        painter.fillRect(box, QColor(tokens.data[0]))
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for box in _boxes(scene, overlay.candidates):
+        _outline(painter, box, QColor(tokens.data[0]), 2 * scene.unit)
+    for box in _boxes(scene, overlay.rejected):
+        _outline(painter, box, muted, scene.unit)
+        _cross(painter, box, muted, 1.5 * scene.unit)
+    for box in _boxes(scene, overlay.right):
+        _tick(painter, box, QColor(tokens.data[2]), 2.5 * scene.unit)
+    for box in _boxes(scene, overlay.wrong):
+        _outline(painter, box, QColor(tokens.error), 2 * scene.unit)
+        _cross(painter, box, QColor(tokens.error), 2 * scene.unit)
+    for box in _boxes(scene, overlay.current):
+        ring(painter, box, scene)
+    if overlay.snap is not None:
+        for box in _boxes(scene, (overlay.snap,)):
+            _snap(painter, box, scene)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+
+
+def _boxes(scene: Scene, cells: Iterable[Cell]) -> list[QRectF]:
+    """The inside of each seen cell, without its gap, in screen pixels."""
+    cell, area = scene.view.cell, scene.area
+    gap = scene.hair if cell >= 6 else 0
+    boxes = []
+    for x, y in cells:
+        left, top = scene.view.to_screen(x - 0.5, y + 0.5)
+        if left + cell >= area.left and left <= area.right and top + cell >= area.top and top <= area.bottom:
+            boxes.append(QRectF(left + gap, top + gap, max(1.0, cell - gap), max(1.0, cell - gap)))
+    return boxes
+
+
+def _outline(painter: QPainter, box: QRectF, ink: QColor, width: float) -> None:
+    width = min(width, box.width() / 2)
+    painter.setPen(
+        QPen(ink, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.SquareCap, Qt.PenJoinStyle.MiterJoin)
+    )
+    half = width / 2
+    painter.drawRect(box.adjusted(half, half, -half, -half))
+
+
+def _cross(painter: QPainter, box: QRectF, ink: QColor, width: float) -> None:
+    painter.setPen(QPen(ink, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+    inset = box.width() * 0.25
+    inner = box.adjusted(inset, inset, -inset, -inset)
+    painter.drawLine(inner.topLeft(), inner.bottomRight())
+    painter.drawLine(inner.topRight(), inner.bottomLeft())
+
+
+def _tick(painter: QPainter, box: QRectF, ink: QColor, width: float) -> None:
+    painter.setPen(
+        QPen(ink, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
+    )
+    left, top, side = box.left(), box.top(), box.width()
+    knee = QPointF(left + 0.42 * side, top + 0.75 * side)
+    painter.drawLine(QPointF(left + 0.2 * side, top + 0.52 * side), knee)
+    painter.drawLine(knee, QPointF(left + 0.8 * side, top + 0.28 * side))
+
+
+def ring(painter: QPainter, box: QRectF, scene: Scene) -> None:
+    """Two rings: text colour outside, canvas colour inside, so that it shows on any colour."""
+    width = max(1.0, min(2 * scene.unit, box.width() / 5))
+    least = 7 * scene.unit
+    if box.width() < least:
+        middle = box.center()
+        box = QRectF(middle.x() - least / 2, middle.y() - least / 2, least, least)
+    _outline(
+        painter, box.adjusted(-width / 2, -width / 2, width / 2, width / 2), QColor(scene.tokens.text), width
+    )
+    inner = box.adjusted(width / 2, width / 2, -width / 2, -width / 2)
+    _outline(painter, inner, QColor(scene.tokens.canvas), width)
+
+
+def _snap(painter: QPainter, box: QRectF, scene: Scene) -> None:
+    """Where a point would come to lie: the cell's outline and its centre."""
+    accent = QColor(scene.tokens.accent)
+    _outline(painter, box, accent, 1.5 * scene.unit)
+    middle, arm = box.center(), min(4 * scene.unit, box.width() / 3)
+    painter.setPen(QPen(accent, 1.5 * scene.unit))
+    painter.drawLine(QPointF(middle.x() - arm, middle.y()), QPointF(middle.x() + arm, middle.y()))
+    painter.drawLine(QPointF(middle.x(), middle.y() - arm), QPointF(middle.x(), middle.y() + arm))
+
+
+def handle_places(handles: Sequence[Handle]) -> NDArray[np.float64]:
+    """(n, 2) device points of handles."""
+    count = len(handles)
+    x = np.fromiter((handle.x for handle in handles), float, count)
+    y = np.fromiter((handle.y for handle in handles), float, count)
+    return np.stack([x, y], axis=1)
+
+
+def paint_handles(painter: QPainter, scene: Scene) -> None:
+    """Grips; each name stands on the side away from the other handles, clear of the figure.
+
+    Of many handles only those selected bear their names, as long as they are few.
+    """
+    handles = scene.overlay.handles
+    if not handles:
+        return
+    places = handle_places(handles)
+    x, y = on_screen(scene, places)
+    area, side = scene.area, HANDLE * scene.unit
+    seen = (x >= area.left - side) & (x <= area.right + side)
+    seen &= (y >= area.top - side) & (y <= area.bottom + side)
+    numbers = np.flatnonzero(seen)
+    if scene.vector:
+        for number in numbers.tolist():
+            _paint_grip(painter, scene, _kind(handles[number]), QPointF(x[number], y[number]))
+    else:
+        _set_down(painter, scene, [handles[k] for k in numbers.tolist()], x[seen], y[seen])
+    named = [k for k, handle in enumerate(handles) if handle.name]
+    middle_x, middle_y = (places[named] if named else places).mean(axis=0)
+    shown = named if len(named) <= MOST_NAMED else [k for k in named if handles[k].selected]
+    for number in shown if len(shown) <= MOST_NAMED else ():
+        handle = handles[number]
+        if seen[number]:
+            label = f"{handle.name} ({handle.x:g}, {handle.y:g})"
+            clear = side / 2 + max(side / 2, scene.view.cell / 2)
+            right = -1 if handle.x < middle_x else 1
+            up = -1 if handle.y < middle_y else 1
+            at = x[number] + right * clear, y[number] - up * clear
+            paint_label(painter, label, *at, scene, right, up)
+
+
+def _kind(handle: Handle) -> GripKind:
+    return handle.shape, handle.ink, handle.selected
+
+
+def _set_down(
+    painter: QPainter, scene: Scene, handles: list[Handle], x: NDArray[np.float64], y: NDArray[np.float64]
+) -> None:
+    """A grip on each of the screen places x and y, both (n,), on whole pixels; each kind is painted once."""
+    side = 2 * math.ceil(HANDLE * scene.unit / 2 + 2 * scene.unit) + 1
+    left, top = (np.rint(place - side / 2).astype(np.int64).tolist() for place in (x, y))
+    kinds = [_kind(handle) for handle in handles]
+    grips = {kind: _grip(scene, kind, side) for kind in set(kinds)}
+    paint = painter.drawImage
+    for i, j, kind in zip(left, top, kinds, strict=True):
+        paint(i, j, grips[kind])
+
+
+def _grip(scene: Scene, kind: GripKind, side: int) -> QImage:
+    image = QImage(side, side, QImage.Format.Format_ARGB32_Premultiplied)
+    image.fill(0)
+    painter = QPainter(image)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    _paint_grip(painter, scene, kind, QPointF(side / 2, side / 2))
+    painter.end()
+    return image
+
+
+def _paint_grip(painter: QPainter, scene: Scene, kind: tuple[GripShape, str, bool], place: QPointF) -> None:
+    shape, name, selected = kind
+    unit, surface, ink = scene.unit, QColor(scene.tokens.surface), QColor(ink_of(scene.tokens, name))
+    painter.setPen(QPen(surface if selected else ink, 1.5 * unit))
+    painter.setBrush(ink if selected else surface)
+    half = HANDLE * unit / 2
+    grip = QRectF(place.x() - half, place.y() - half, 2 * half, 2 * half)
+    if shape == "square":
+        inset = 0 if selected else unit
+        painter.drawRect(grip.adjusted(inset, inset, -inset, -inset))
+    elif shape == "diamond":
+        far = half + 1.25 * unit
+        ends = ((0, -far), (far, 0), (0, far), (-far, 0))
+        painter.drawPolygon([place + QPointF(*end) for end in ends])
+    else:
+        more = 0.75 * unit if selected else 0.0  # its edge has the colour of the ground
+        painter.drawEllipse(grip.adjusted(-more, -more, more, more))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def paint_label(
+    painter: QPainter, text: str, x: float, y: float, scene: Scene, right: int = 1, up: int = 1
+) -> None:
+    """A small card with text right (left: -1) of and above (below: -1) a point, kept in the area."""
+    font = scene.caption()
+    metrics = QFontMetricsF(font)
+    lines = text.split("\n")
+    pad = 4 * scene.unit
+    width = max(metrics.horizontalAdvance(line) for line in lines) + 2 * pad
+    height = len(lines) * metrics.height() + pad
+    area = scene.area
+    left = min(max(x if right > 0 else x - width, area.left + pad), area.right - width - pad)
+    top = min(max(y - height if up > 0 else y, area.top + pad), area.bottom - height - pad)
+    painter.setPen(QPen(QColor(scene.tokens.line), 1))
+    painter.setBrush(colour(scene.tokens.raised, 235))
+    painter.drawRoundedRect(QRectF(left, top, width, height), 3 * scene.unit, 3 * scene.unit)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setFont(font)
+    painter.setPen(QColor(scene.tokens.text))
+    for k, line in enumerate(lines):
+        painter.drawText(QPointF(left + pad, top + pad / 2 + metrics.ascent() + k * metrics.height()), line)
+
+
+def _paint_patterns(painter: QPainter, scene: Scene) -> None:
+    """A shape beside each colour: a rising stroke, a falling stroke; ties have a hollow diamond."""
+    classes = scene.overlay.classes
+    if classes is None or scene.view.cell < PATTERN_FROM:
+        return
+    seen = scene.view.visible(scene.area, *scene.size)
+    if seen is None:
+        return
+    column, last_column, row, last_row = seen
+    part = classes[row : last_row + 1, column : last_column + 1]
+    rows, columns = np.nonzero((part != 0) & (part != BOTH))
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    pen = QPen(QColor(scene.tokens.canvas), max(1.0, min(2 * scene.unit, scene.view.cell / 8)))
+    painter.setPen(pen)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    side = scene.view.cell - scene.hair
+    left = scene.view.left + (columns + column) * scene.view.cell + scene.hair + 0.22 * side
+    top = scene.view.bottom - (rows + row + 1) * scene.view.cell + scene.hair + 0.22 * side
+    side *= 0.56
+    lines = []
+    for value, x, y in zip(part[rows, columns].tolist(), left.tolist(), top.tolist(), strict=True):
+        if value in (TIE_FIRST, TIE_SECOND):
+            half = side / 2
+            corners = (x + half, y), (x + side, y + half), (x + half, y + side), (x, y + half)
+            lines += [QLineF(*corners[k], *corners[k - 1]) for k in range(4)]
+        elif value == ONLY_FIRST:
+            lines.append(QLineF(x, y + side, x + side, y))
+        else:
+            lines.append(QLineF(x, y, x + side, y + side))
+    painter.drawLines(lines)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)

@@ -1,0 +1,291 @@
+"""Paints a picture, its grid and its marks in screen pixels, for the screen and for paper alike."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRect, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen
+
+from workbench.widgets.canvas.drawing import Word, paint_drawn
+from workbench.widgets.canvas.lines import paint_lines
+from workbench.widgets.canvas.mark_styles import sized
+from workbench.widgets.canvas.marks import paint_handles, paint_marks
+from workbench.widgets.canvas.overlay import BOTH, ONLY_FIRST, ONLY_SECOND, TIE_FIRST, TIE_SECOND, Overlay
+from workbench.widgets.canvas.view import Area, CanvasView, label_step
+from workbench.widgets.look.tokens import Tokens, colour
+
+GRID_FROM, GAP_FROM = 6, 8
+CAPTION = 11
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """One painting: ``unit`` is the screen pixels of one logical pixel, ``hair`` the width of a grid line."""
+
+    area: Area
+    view: CanvasView
+    size: tuple[int, int]
+    tokens: Tokens
+    unit: float
+    font: QFont
+    overlay: Overlay
+    vector: bool = False
+
+    @property
+    def hair(self) -> int:
+        """Screen pixels of a grid line: one, two on a screen of twice the density once cells are large."""
+        wide = max(1, int(self.unit))
+        return wide if self.view.cell >= GAP_FROM * wide else 1
+
+    def caption(self) -> QFont:
+        """The font of axis numbers and labels, for a painter that draws in screen pixels."""
+        font = QFont(self.font)
+        font.setPixelSize(max(1, round(CAPTION * self.unit)))
+        return font
+
+
+class Picture:
+    """A picture ready to be drawn: (h, w) 0xRRGGBB, ``background`` shown as the canvas of the theme."""
+
+    def __init__(self, pixels: NDArray[np.uint32], background: int | None = None) -> None:
+        self.pixels = pixels
+        self.background = background
+        self._kept = pixels
+        self._shown: tuple[str, QImage] | None = None
+        self._reduced: tuple[float, QImage] | None = None
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in cells."""
+        return self.pixels.shape[1], self.pixels.shape[0]
+
+    def image(self, tokens: Tokens) -> QImage:
+        """Top row first, in the colours of the theme; made anew only when the theme changes."""
+        if self._shown is None or self._shown[0] != tokens.canvas:
+            shown = np.ascontiguousarray(self.pixels[::-1], np.uint32)
+            if self.background is not None:
+                ground = np.uint32(QColor(tokens.canvas).rgb())
+                shown = np.where(shown == np.uint32(self.background), ground, shown)
+            height, width = shown.shape
+            self._kept = shown
+            image = QImage(shown.data, width, height, 4 * width, QImage.Format.Format_RGB32)
+            self._shown, self._reduced = (tokens.canvas, image), None
+        return self._shown[1]
+
+    def reduced(self, tokens: Tokens, cell: float) -> QImage:
+        """The whole picture at less than one screen pixel per cell, every cell contributing."""
+        image = self.image(tokens)
+        if self._reduced is None or self._reduced[0] != cell:
+            width, height = (max(1, round(side * cell)) for side in self.size)
+            small = image.scaled(
+                width,
+                height,
+                Qt.AspectRatioMode.IgnoreAspectRatio,
+                Qt.TransformationMode.SmoothTransformation,
+            )
+            self._reduced = cell, small
+        return self._reduced[1]
+
+
+def paint_scene(painter: QPainter, picture: Picture, scene: Scene) -> None:
+    """Everything inside ``scene.area``: picture, comparison, grid, ideal geometry, marks, handles."""
+    area = scene.area
+    clip = QRect(area.left, area.top, area.width, area.height)
+    painter.save()
+    painter.setClipRect(clip)
+    seen = scene.view.visible(area, *scene.size)
+    if seen is not None:
+        if scene.vector:
+            _paint_cells(painter, picture, scene, seen)
+        else:
+            _paint_picture(painter, picture, scene, seen)
+        if scene.overlay.classes is not None:
+            _paint_classes(painter, scene.overlay.classes, scene, seen)
+        _paint_grid(painter, scene, seen)
+    _paint_edge(painter, scene)
+    painter.restore()
+    paint_over(painter, scene)
+
+
+def paint_over(painter: QPainter, scene: Scene) -> None:
+    """What lies over the picture inside ``scene.area``: ideal geometry, constructions, marks, handles."""
+    area = scene.area
+    painter.save()
+    painter.setClipRect(QRect(area.left, area.top, area.width, area.height))
+    _paint_curves(painter, scene)
+    drawn = tuple(sized(each, scene.view.cell / scene.unit) for each in scene.overlay.drawn)
+    words = tuple(each for each in drawn if isinstance(each, Word))
+    paint_drawn(painter, scene, tuple(each for each in drawn if not isinstance(each, Word)))
+    paint_marks(painter, scene)
+    paint_drawn(painter, scene, words)  # over the marks, which would strike them through
+    paint_handles(painter, scene)
+    painter.restore()
+
+
+def _box(scene: Scene, seen: tuple[int, int, int, int]) -> tuple[QRect, QRect]:
+    """The seen cells as a part of the screen and as a part of the image (top row first)."""
+    column, last_column, row, last_row = seen
+    cell = int(scene.view.cell)
+    columns, rows = last_column - column + 1, last_row - row + 1
+    on_screen = QRect(
+        scene.view.left + column * cell,
+        scene.view.bottom - (last_row + 1) * cell,
+        columns * cell,
+        rows * cell,
+    )
+    return on_screen, QRect(column, scene.size[1] - 1 - last_row, columns, rows)
+
+
+def _paint_picture(
+    painter: QPainter, picture: Picture, scene: Scene, seen: tuple[int, int, int, int]
+) -> None:
+    if scene.view.cell >= 1:
+        on_screen, part = _box(scene, seen)
+        painter.drawImage(on_screen, picture.image(scene.tokens), part)
+    else:
+        small = picture.reduced(scene.tokens, scene.view.cell)
+        painter.drawImage(scene.view.left, scene.view.bottom - small.height(), small)
+
+
+def _paint_cells(painter: QPainter, picture: Picture, scene: Scene, seen: tuple[int, int, int, int]) -> None:
+    """The picture as rectangles, one per run of equal cells in a row, for paper."""
+    column, last_column, row, last_row = seen
+    on_screen = QRectF(_box(scene, seen)[0]) if scene.view.cell >= 1 else QRectF()
+    painter.fillRect(on_screen, colour(scene.tokens.canvas))
+    for y in range(row, last_row + 1):
+        values = picture.pixels[y, column : last_column + 1]
+        starts = np.flatnonzero(np.diff(values, prepend=~values[:1]))
+        for start, end in zip(starts, [*starts[1:], len(values)], strict=True):
+            if int(values[start]) != picture.background:
+                left, top = scene.view.to_screen(column + int(start) - 0.5, y + 0.5)
+                box = QRectF(left, top, (int(end) - int(start)) * scene.view.cell, scene.view.cell)
+                painter.fillRect(box, QColor(0xFF000000 | int(values[start])))
+
+
+def class_colours(tokens: Tokens) -> dict[int, str]:
+    """The colour of each class of a comparison; a pattern stands beside each."""
+    first, second = tokens.data[0], tokens.data[1]
+    return {
+        ONLY_FIRST: first,
+        ONLY_SECOND: second,
+        BOTH: tokens.agreement,
+        TIE_FIRST: first,
+        TIE_SECOND: second,
+    }
+
+
+def _paint_classes(
+    painter: QPainter, classes: NDArray[np.uint8], scene: Scene, seen: tuple[int, int, int, int]
+) -> None:
+    column, last_column, row, last_row = seen
+    part = np.ascontiguousarray(classes[row : last_row + 1, column : last_column + 1][::-1])
+    table = np.zeros(max(TIE_SECOND, BOTH) + 1, np.uint32)
+    for value, name in class_colours(scene.tokens).items():
+        table[value] = colour(name).rgba()
+    shown = table[part]
+    height, width = part.shape
+    image = QImage(shown.data, width, height, 4 * width, QImage.Format.Format_ARGB32_Premultiplied)
+    left, top = scene.view.to_screen(column - 0.5, last_row + 0.5)
+    painter.drawImage(QRectF(left, top, width * scene.view.cell, height * scene.view.cell), image)
+
+
+def _paint_grid(painter: QPainter, scene: Scene, seen: tuple[int, int, int, int]) -> None:
+    cell = int(scene.view.cell)
+    if cell < GRID_FROM:
+        return
+    column, last_column, row, last_row = seen
+    box, _part = _box(scene, seen)
+    tokens, hair = scene.tokens, scene.hair
+    plain, strong = QColor(tokens.grid), QColor(tokens.grid_strong)
+    for tenth, ink in ((False, plain), (True, strong)):
+        for x in range(column, last_column + 2):
+            if (x % 10 == 0) == tenth:
+                painter.fillRect(scene.view.left + x * cell, box.top(), hair, box.height() + hair, ink)
+        for y in range(row, last_row + 2):
+            if (y % 10 == 0) == tenth:
+                painter.fillRect(box.left(), scene.view.bottom - y * cell, box.width() + hair, hair, ink)
+
+
+def _paint_edge(painter: QPainter, scene: Scene) -> None:
+    """The edge of the picture."""
+    width, height = (round(side * scene.view.cell) for side in scene.size)
+    hair = scene.hair
+    left, top, bottom = scene.view.left, scene.view.bottom - height, scene.view.bottom
+    ink = QColor(scene.tokens.grid_strong)
+    for box in (
+        (left, top, width + hair, hair),
+        (left, bottom, width + hair, hair),
+        (left, top, hair, height),
+        (left + width, top, hair, height + hair),
+    ):
+        painter.fillRect(*box, ink)
+
+
+def _paint_curves(painter: QPainter, scene: Scene) -> None:
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    muted = QPen(QColor(scene.tokens.muted), 1.25 * scene.unit)
+    accent = QPen(QColor(scene.tokens.accent), 1.5 * scene.unit)
+    for pen, curves in ((muted, scene.overlay.ideal), (accent, scene.overlay.outlined)):
+        paint_lines(painter, scene, curves, pen)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+
+
+def ruler_sizes(scene_font: QFont, size: tuple[int, int], unit: float) -> tuple[int, int]:
+    """Width of the left ruler and height of the lower one, in screen pixels."""
+    font = QFont(scene_font)
+    font.setPixelSize(max(1, round(CAPTION * unit)))
+    metrics = QFontMetricsF(font)
+    digits = len(str(max(1, size[1] - 1)))
+    return round(metrics.horizontalAdvance("0" * max(2, digits)) + 10 * unit), round(
+        metrics.height() + 4 * unit
+    )
+
+
+def paint_rulers(painter: QPainter, scene: Scene, pointed: tuple[int, int] | None) -> None:
+    """Axis numbers below and left of ``scene.area``; those of the ``pointed`` cell are emphasised."""
+    area, view, tokens = scene.area, scene.view, scene.tokens
+    font = scene.caption()
+    painter.setFont(font)
+    metrics = QFontMetricsF(font)
+    ruler_width, ruler_height = ruler_sizes(scene.font, scene.size, scene.unit)
+    hair = max(1, int(scene.unit))
+    painter.fillRect(
+        area.left - ruler_width, area.top, ruler_width, area.height + ruler_height, QColor(tokens.surface)
+    )
+    painter.fillRect(area.left, area.bottom, area.width, ruler_height, QColor(tokens.surface))
+    painter.fillRect(area.left - hair, area.top, hair, area.height, QColor(tokens.line))
+    painter.fillRect(area.left - hair, area.bottom, area.width + hair, hair, QColor(tokens.line))
+    widest = metrics.horizontalAdvance(str(max(scene.size)))
+    across = label_step(view.cell, widest + 10 * scene.unit)
+    upward = label_step(view.cell, metrics.height() + 6 * scene.unit)
+    seen = view.visible(area, *scene.size)
+    if seen is None:
+        return
+    tick = round(3 * scene.unit)
+    for horizontal, first, last, step in (
+        (True, seen[0], seen[1], across),
+        (False, seen[2], seen[3], upward),
+    ):
+        here = None if pointed is None else pointed[0 if horizontal else 1]
+        numbers = dict.fromkeys(range(-(-first // step) * step, last + 1, step), False)
+        if here is not None and first <= here <= last:
+            room = widest + 4 * scene.unit if horizontal else metrics.height()
+            numbers = {n: False for n in numbers if abs(n - here) * view.cell >= room}
+            numbers[here] = True
+        for number, strong in numbers.items():
+            painter.setPen(QColor(tokens.text if strong else tokens.muted))
+            middle_x, middle_y = view.to_screen(number, number)
+            text = str(number)
+            if horizontal:
+                wide = metrics.horizontalAdvance(text)
+                left = min(max(middle_x - wide / 2, area.left + 1), area.right - wide - 1)
+                painter.fillRect(round(middle_x), area.bottom, hair, tick, painter.pen().color())
+                painter.drawText(QPointF(left, area.bottom + 2 * scene.unit + metrics.ascent()), text)
+            else:
+                wide = metrics.horizontalAdvance(text)
+                base = middle_y + (metrics.ascent() - metrics.descent()) / 2
+                base = min(max(base, area.top + metrics.ascent()), area.bottom - metrics.descent())
+                painter.fillRect(area.left - tick, round(middle_y), tick, hair, painter.pen().color())
+                painter.drawText(QPointF(area.left - tick - 2 * scene.unit - wide, base), text)

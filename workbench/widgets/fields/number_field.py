@@ -1,0 +1,233 @@
+"""A field for one number with label and unit: typed (arithmetic works), stepped, scrubbed by its label."""
+
+import html
+import re
+
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QFontDatabase, QKeyEvent, QKeySequence, QMouseEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
+
+from workbench.language import _
+from workbench.widgets.fields.arithmetic import evaluate
+
+SCRUB_PX = 4
+
+
+def with_subscript(name: str) -> str:
+    """``x_0`` as rich text with a real subscript; other text unchanged."""
+    head, mark, tail = name.partition("_")
+    if not mark or not tail:
+        return html.escape(name)
+    return f"{html.escape(head)}<sub>{html.escape(tail)}</sub>"
+
+
+class _ScrubLabel(QLabel):
+    """A label that is dragged sideways to change its number."""
+
+    dragged = Signal(int, bool)
+    ended = Signal()
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self.setCursor(Qt.CursorShape.SizeHorCursor)
+        self._last: QPointF | None = None
+        self._rest = 0.0
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin to scrub."""
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._last, self._rest = event.globalPosition(), 0.0
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """One step for every few pixels."""
+        if self._last is None:
+            return
+        self._rest += event.globalPosition().x() - self._last.x()
+        self._last = event.globalPosition()
+        steps = int(self._rest / SCRUB_PX)
+        if steps:
+            self._rest -= steps * SCRUB_PX
+            self.dragged.emit(steps, bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """End the scrub."""
+        if self._last is not None:
+            self._last = None
+            self.ended.emit()
+
+
+class EntryLine(QLineEdit):
+    """A line that leaves undo to the picture until something is typed into it."""
+
+    def event(self, event: QEvent) -> bool:
+        """The keys of undo are the line's own once there is typing to take back."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
+            keys = QKeySequence.StandardKey
+            if (event.matches(keys.Undo) and not self.isUndoAvailable()) or (
+                event.matches(keys.Redo) and not self.isRedoAvailable()
+            ):
+                event.ignore()
+                return False
+        return super().event(event)
+
+
+class NumberField(QWidget):
+    """``edited`` comes when a value was typed or stepped, ``scrubbed`` while the label is dragged.
+
+    ``scrub_ended`` follows a drag. The unit stays, whatever is typed; a bad value is said under the field and
+    is not sent. ``integer`` rounds nothing: a fraction is refused in words.
+    """
+
+    edited = Signal(float)
+    scrubbed = Signal(float)
+    scrub_ended = Signal()
+
+    def __init__(
+        self,
+        label: str,
+        unit: str = "",
+        *,
+        low: float | None = None,
+        high: float | None = None,
+        step: float = 1.0,
+        integer: bool = False,
+        meaning: str = "",
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._low, self._high, self._step, self._integer, self._unit = low, high, step, integer, unit
+        self._value = 0.0
+        self.label = _ScrubLabel(with_subscript(label))
+        self.label.setToolTip(_("Drag sideways to change {name}.").format(name=label))
+        self.field = EntryLine()
+        self.field.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self.field.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.field.setAccessibleName(meaning or label)
+        self.field.setToolTip(
+            _("{meaning}: type a number or arithmetic such as 30/2.").format(meaning=meaning or label)
+        )
+        self.field.setFixedWidth(60)
+        self.label.setBuddy(self.field)
+        self.unit = QLabel(unit, self)
+        self.unit.setProperty("role", "muted")
+        self.unit.setVisible(bool(unit))
+        self.complaint = QLabel()
+        self.complaint.setWordWrap(True)
+        self.complaint.setProperty("role", "error")
+        self.complaint.hide()
+        row = QHBoxLayout()
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        row.addWidget(self.label, 1)
+        row.addWidget(self.field)
+        row.addWidget(self.unit)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(2)
+        whole.addLayout(row)
+        whole.addWidget(self.complaint)
+        whole.addStretch(1)
+        self.setFocusProxy(self.field)
+        self.field.returnPressed.connect(self._commit)
+        self.field.editingFinished.connect(self._leave)
+        self.field.installEventFilter(self)
+        self.label.dragged.connect(self._scrub)
+        self.label.ended.connect(self.scrub_ended)
+        self._show()
+
+    def value(self) -> float:
+        """The last good value."""
+        return self._value
+
+    def set_value(self, value: float) -> None:
+        """Show ``value``; what is being typed is not disturbed."""
+        changed = value != self._value
+        self._value = value
+        if not (self.field.hasFocus() and self.field.isModified()) and (
+            changed or not self.complaint.isVisible()
+        ):
+            self._show()
+
+    def refuse(self, sentence: str, value: float) -> None:
+        """What was sent cannot be: ``value`` holds on, what was typed stays, and ``sentence`` says why."""
+        self._value = value
+        self.complain(sentence)
+
+    def complain(self, sentence: str) -> None:
+        """Say under the field what is wrong with its value; empty takes it back."""
+        self.complaint.setText(sentence)
+        self.complaint.setVisible(bool(sentence))
+        self.field.setAccessibleDescription(sentence)
+        if self.field.property("wrong") != bool(sentence):
+            self.field.setProperty("wrong", bool(sentence))
+            self.field.style().polish(self.field)
+
+    def _show(self) -> None:
+        self.complain("")
+        self.field.setText(f"{self._value:.10g}".replace("-", "−"))
+        self.field.setModified(False)
+
+    def _typed(self) -> str:
+        text = self.field.text().strip()
+        if self._unit:
+            text = re.sub(rf"\s*{re.escape(self._unit)}$", "", text)
+        return text
+
+    def _checked(self, value: float) -> float:
+        if self._integer and not value.is_integer():
+            raise ValueError(_("{value:g} is not whole; type a whole number.").format(value=value))
+        if self._low is not None and value < self._low:
+            raise ValueError(
+                _("{value:g} is too small; the least is {low:g}.").format(value=value, low=self._low)
+            )
+        if self._high is not None and value > self._high:
+            raise ValueError(
+                _("{value:g} is too large; the most is {high:g}.").format(value=value, high=self._high)
+            )
+        return value
+
+    def _commit(self) -> None:
+        try:
+            value = self._checked(evaluate(self._typed()))
+        except ValueError as problem:
+            self.complain(str(problem))
+            return
+        changed = value != self._value
+        self._value = value
+        self._show()
+        if changed:
+            self.edited.emit(value)
+
+    def _leave(self) -> None:
+        if self.field.isModified() and not self.field.hasFocus():
+            self._commit()
+
+    def _bounded(self, value: float) -> float:
+        low = value if self._low is None else max(value, self._low)
+        return low if self._high is None else min(low, self._high)
+
+    def _stepped(self, steps: int, far: bool) -> float:
+        return self._bounded(round(self._value + steps * self._step * (10 if far else 1), 9))
+
+    def _scrub(self, steps: int, far: bool) -> None:
+        value = self._stepped(steps, far)
+        if value != self._value:
+            self._value = value
+            self._show()
+            self.scrubbed.emit(value)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Up and down step the value (Shift by ten), Escape brings it back."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+            far = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            if event.key() in (Qt.Key.Key_Up, Qt.Key.Key_Down):
+                value = self._stepped(1 if event.key() == Qt.Key.Key_Up else -1, far)
+                if value != self._value:
+                    self._value = value
+                    self._show()
+                    self.edited.emit(value)
+                return True
+            if event.key() == Qt.Key.Key_Escape and self.field.isModified():
+                self._show()
+                return True
+        return super().eventFilter(watched, event)

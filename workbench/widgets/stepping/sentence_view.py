@@ -1,0 +1,150 @@
+"""Two fixed lines that say what this step does; the numbers in them are links."""
+
+import re
+from html import escape
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAccessible, QAccessibleEvent
+from PySide6.QtWidgets import QLabel, QWidget
+
+from workbench.engine.sentences import Part
+from workbench.language import _
+from workbench.session.run import Run
+from workbench.widgets.look.tokens import TITLE_PX, theme, tokens
+
+# One letter with one below it, as in r_x; two_dy is a name of the program.
+_SUBSCRIPT = re.compile(r"(?<![A-Za-z_])([A-Za-z])_([a-z0-9])(?![A-Za-z0-9_])")
+
+
+class SentenceView(QLabel):
+    """The sentence of the run's cursor. A link to a variable or pixel was pressed, or pointed at ("" and
+    None when no longer).
+    """
+
+    variable_chosen = Signal(str)
+    pixel_chosen = Signal(int, int)
+    variable_pointed = Signal(str)
+    pixel_pointed = Signal(object)
+
+    def __init__(self, run: Run, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._run = run
+        self._plain = ""
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.RichText)
+        self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
+        self.setTextInteractionFlags(
+            Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        font = self.font()
+        font.setPixelSize(TITLE_PX)
+        self.setFont(font)
+        self.setStyleSheet(f"font-size: {TITLE_PX}px")
+        self.setContentsMargins(12, 2, 12, 4)
+        self.setFixedHeight(2 * self.fontMetrics().lineSpacing() + 8)
+        self.linkActivated.connect(self._activated)
+        self.linkHovered.connect(self._hovered)
+        self._score = (run.right, run.wrong)
+        self._verdict: tuple[int, bool] | None = None
+        run.asked.connect(self._judge)
+        for signal in (run.changed, run.moved, run.grown, run.asked):
+            signal.connect(self.refresh)
+        theme.changed.connect(self._write)
+        self._parts: tuple[Part, ...] = ()
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Say what the cursor's step does, and announce it when it is new."""
+        self._parts = self._words()
+        plain = "".join(part.text for part in self._parts)
+        if plain == self._plain:
+            return
+        self._plain = plain
+        self._write()
+        self.setAccessibleName(plain)
+        self.setToolTip(plain)
+        self._announce(plain)
+
+    @property
+    def plain(self) -> str:
+        """The sentence as it is read aloud."""
+        return self._plain
+
+    def _judge(self) -> None:
+        """An answer was counted, or asking begins or ends."""
+        before, self._score = self._score, (self._run.right, self._run.wrong)
+        if sum(self._score) > sum(before):
+            self._verdict = self._run.step_number, self._score[0] > before[0]
+        else:
+            self._verdict = None
+
+    def _words(self) -> tuple[Part, ...]:
+        run = self._run
+        if self._verdict is not None and self._verdict[0] == run.step_number and run.entry is not None:
+            said = _("Right. ") if self._verdict[1] else _("Not so. ")
+            score = _(" {right} right, {wrong} wrong.").format(right=run.right, wrong=run.wrong)
+            rest = (Part(score, None),) if not run.waiting else ()
+            return (Part(said, None), *self._told(), *rest)
+        return self._told()
+
+    def _told(self) -> tuple[Part, ...]:
+        """What the run says, and what it asks."""
+        run = self._run
+        if run.entry is None:
+            wanted = _("Draw a figure, in Clip also a window, to see how the algorithm works, step by step.")
+            return (Part(wanted, None),)
+        if run.waiting:
+            score = _("Which pixel comes next? Click it on the canvas. {right} right, {wrong} wrong so far.")
+            if run.options:
+                score = _("What comes next? Choose it. {right} right, {wrong} wrong so far.")
+            asked = Part(score.format(right=run.right, wrong=run.wrong), None)
+            return (*run.sentence, Part(" ", None), asked) if run.position else (asked,)
+        parts = run.sentence
+        if run.message and run.done and (run.position >= run.last_position or not parts):
+            parts = (
+                (*parts, Part(" ", None), Part(run.message, None)) if parts else (Part(run.message, None),)
+            )
+        if not parts and run.recording is not None and not len(run.recording):
+            return (Part(_("Recording the run ..."), None),)
+        return parts
+
+    def _write(self) -> None:
+        accent = tokens().accent
+        pieces = []
+        for number, part in enumerate(self._parts):
+            text = _SUBSCRIPT.sub(r"\1<sub>\2</sub>", escape(part.text))
+            if part.link is None:
+                pieces.append(text)
+            else:
+                style = f"color:{accent}; text-decoration:none; font-weight:600"
+                pieces.append(f'<a href="{number}" style="{style}">{text}</a>')
+        self.setText("".join(pieces))
+
+    def _announce(self, text: str) -> None:
+        if not QAccessible.isActive() or not text:
+            return
+        try:
+            from PySide6.QtGui import QAccessibleAnnouncementEvent
+        except ImportError:
+            QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.NameChanged))
+            return
+        QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, text))
+
+    def _link(self, target: str) -> Part | None:
+        return self._parts[int(target)] if target.isdigit() and int(target) < len(self._parts) else None
+
+    def _activated(self, target: str) -> None:
+        part = self._link(target)
+        if part is None or part.link is None:
+            return
+        if part.link[0] == "variable":
+            self.variable_chosen.emit(part.link[1])
+        else:
+            self.pixel_chosen.emit(*part.link[1])
+
+    def _hovered(self, target: str) -> None:
+        part = self._link(target)
+        link = part.link if part is not None else None
+        self.variable_pointed.emit(link[1] if link is not None and link[0] == "variable" else "")
+        self.pixel_pointed.emit(link[1] if link is not None and link[0] == "pixel" else None)
