@@ -113,7 +113,9 @@ class Hand:
         combination = QKeySequence(keys)[0]
         focus = QApplication.activePopupWidget() or QApplication.focusWidget() or self.window
         top = focus if focus is QApplication.activePopupWidget() else focus.window()
-        self.act(QTest.keyClick, top, combination.key(), combination.keyboardModifiers())
+        # One after the other: what is pressed may close the window that would be released
+        for event in (QTest.keyPress, QTest.keyRelease):
+            self.act(event, top, combination.key(), combination.keyboardModifiers())
 
 
 def _name(widget: QWidget) -> str:
@@ -130,7 +132,9 @@ def click(hand: Hand) -> str:
     modifiers = hand.modifiers()
     double = hand.rng.random() < 0.15
     hand.act(QTest.mouseMove, top, at)
-    hand.act(QTest.mouseDClick if double else QTest.mouseClick, top, button, modifiers, at)
+    events = (QTest.mouseDClick,) if double else (QTest.mousePress, QTest.mouseRelease)
+    for event in events:
+        hand.act(event, top, button, modifiers, at)
     return f"at {at.x()}, {at.y()} {button.name}{' twice' if double else ''}"
 
 
