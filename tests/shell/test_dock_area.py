@@ -220,3 +220,49 @@ def test_a_field_that_is_gone_does_not_get_the_focus_back(window: MainWindow) ->
     settle()
     window.go("draw")
     assert area(window).isAncestorOf(window.focusWidget())
+
+
+def test_swapping_there_and_back_leaves_the_focus_and_every_dock(qtbot: QtBot, window: MainWindow) -> None:
+    window.go("draw")
+    settle()
+    canvas = window.panels("draw")[0].center
+    canvas.setFocus()
+    focused, before = window.focusWidget(), in_front(area(window).docks)
+    qtbot.keyClick(window, Qt.Key.Key_T)
+    settle()
+    assert window.focusWidget() is focused
+    assert canvas.visibleRegion().boundingRect().height() >= canvas.height() - 1
+    qtbot.keyClick(window, Qt.Key.Key_T)
+    settle()
+    assert window.focusWidget() is focused
+    assert in_front(area(window).docks) == before
+
+
+@pytest.mark.qt_log_ignore("does not support raise", extend=True)
+@pytest.mark.parametrize("name", ["source", "variables", "compare"])
+def test_a_dock_that_is_made_to_float_is_on_the_screen(window: MainWindow, name: str) -> None:
+    window.go("draw")
+    settle()
+    dock = area(window).dock(name)
+    area(window).tabs.menu(dock).actions()[0].trigger()
+    settle()
+    assert dock.isFloating()
+    assert window.geometry().intersects(dock.geometry())
+    assert window.screen().availableGeometry().contains(dock.geometry().center())
+    assert dock.width() >= 420
+
+
+@pytest.mark.qt_log_ignore("does not support raise", "does not support grabbing", extend=True)
+def test_a_tab_that_is_dragged_off_its_bar_takes_its_dock_along(window: MainWindow) -> None:
+    window.go("draw")
+    settle()
+    bar = next(bar for bar in tab_bars(window) if bar.tabText(0) == "Source")
+    dock = area(window).dock("source")
+    begin = bar.tabRect(0).center()
+    away = bar.mapToGlobal(begin) - QPoint(500, -200)
+    drag(bar, begin, [bar.mapToGlobal(begin) + QPoint(-4, 3), bar.mapToGlobal(begin) + QPoint(-60, 80), away])
+    settle()
+    assert dock.isFloating()
+    assert dock.isVisible()
+    assert (dock.geometry().center() - away).manhattanLength() < dock.width() + dock.height()
+    assert [each.objectName() for each in area(window).docks if each.isFloating()] == ["source"]

@@ -81,10 +81,11 @@ def test_a_tube_in_the_middle_of_one_workspace_is_a_dock_in_the_other(
     window.go("fill")
     assert filling.widget() is middle
     assert filling.windowTitle() == "Canvas"
+    qtbot.keyClick(window, Qt.Key.Key_T)
+    assert isinstance(filling.widget(), TubeDock)
+    assert middle.isVisibleTo(window)
+    qtbot.keyClick(window, Qt.Key.Key_T)
     window.reset_workspace()
     filling = dock(window, "fill", "tube")
-    assert filling.widget() is middle
-    assert filling.windowTitle() == "Canvas"
-    qtbot.keyClick(window, Qt.Key.Key_T)
     assert isinstance(filling.widget(), TubeDock)
     assert middle.isVisibleTo(window)

@@ -101,12 +101,10 @@ class Arrangements:
         return usable
 
     def _renew(self, workspace: _Workspace) -> None:
-        old, swapped = workspace.area, workspace.area.swapped
+        old = workspace.area
         area = workspace.new_area()
         self._stack.addWidget(area)
         area.gather()
         self._stack.setCurrentWidget(area)
         self._stack.removeWidget(old)
         old.deleteLater()
-        if swapped:
-            area.swap()

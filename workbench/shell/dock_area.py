@@ -21,6 +21,7 @@ _TUBE = "tube"
 _LOW_PX, _HIGH_PX = 600, 860
 _SIDE_SHARE = 0.36
 _SHARES = (0.58, 0.42)
+_CANVAS_SHARE = 0.56
 _SIDES = {
     "left": Qt.DockWidgetArea.LeftDockWidgetArea,
     "right": Qt.DockWidgetArea.RightDockWidgetArea,
@@ -48,6 +49,7 @@ class DockArea(QMainWindow):
         self._middle = middle
         self._lower = tuple(lower)
         self._afloat: list[QDockWidget] = []
+        self._rooms: dict[QDockWidget, QSize] = {}
         self._focus: QWidget | None = None
         self.host = QWidget()
         column = QVBoxLayout(self.host)
@@ -94,13 +96,24 @@ class DockArea(QMainWindow):
         return _TUBE in self._widgets
 
     def swap(self) -> None:
-        """Exchange what fills the middle with the tube, or back."""
+        """Exchange what fills the middle with the tube, or back; the focus stays where it is."""
+        focus = self.window().focusWidget()
         self.swapped = not self.swapped
+        rooms = self.in_front()
         self.gather()
         dock = self.dock(_TUBE)
         dock.setWindowTitle(_("Canvas") if self.swapped else _("Tube"))
         dock.show()
         dock.raise_()
+        if self.swapped:
+            self._rooms = rooms
+            self.resizeDocks([dock], [round(self.height() * _CANVAS_SHARE)], Qt.Orientation.Vertical)
+        else:
+            self.bring_to_front(self._rooms)
+        if focus is not None and self.isAncestorOf(focus) and focus.isVisibleTo(self):
+            focus.setFocus()
+        else:
+            self.host.setFocus()
 
     @staticmethod
     def _fill(dock: QDockWidget, widget: QWidget) -> None:
@@ -176,6 +189,8 @@ class DockArea(QMainWindow):
     def bring_to_front(self, rooms: Mapping[QDockWidget, QSize]) -> None:
         """Let these docks be seen again, in the room that they had."""
         docks, sizes = list(rooms), list(rooms.values())
+        if not docks:
+            return
         for dock in docks:
             dock.raise_()
         self.resizeDocks(docks, [size.width() for size in sizes], Qt.Orientation.Horizontal)

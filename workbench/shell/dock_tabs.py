@@ -1,13 +1,17 @@
-"""Docks that share a place are named by their tabs alone; a menu on the tab floats or closes them."""
+"""Docks that share a place are named by their tabs, dragged by them, floated and closed by their menu."""
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QPoint, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QSize, Qt, QTimer
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QMenu, QTabBar, QWidget
 
 from workbench.language import _
 
 _UNTIL_RELEASED_MS = 50
+_AWAY_PX = 24
+_TITLE_PX = 10
+_FLOATING = QSize(420, 320)
 
 
 class DockTabs(QObject):
@@ -18,6 +22,7 @@ class DockTabs(QObject):
         self._area = area
         self._docks = docks
         self._bare: dict[QDockWidget, QWidget] = {}
+        self._held: QDockWidget | None = None
         self._later = QTimer(self)
         self._later.setSingleShot(True)
         self._later.timeout.connect(self.refresh)
@@ -51,6 +56,7 @@ class DockTabs(QObject):
                 bar.setToolTip(_("Drag a tab to move its view; right-click to float or close it"))
                 bar.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
                 bar.customContextMenuRequested.connect(lambda at, bar=bar: self._show_menu(bar, at))
+                bar.installEventFilter(self)
 
     def _bars(self) -> list[QTabBar]:
         return self._area.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
@@ -65,12 +71,61 @@ class DockTabs(QObject):
         """What can be done with one dock."""
         menu = QMenu(self._area)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.addAction(_("Float {title}").format(title=dock.windowTitle()), lambda: dock.setFloating(True))
+        menu.addAction(_("Float {title}").format(title=dock.windowTitle()), lambda: self.set_afloat(dock))
         menu.addAction(_("Close {title}").format(title=dock.windowTitle()), dock.close)
         return menu
 
-    def _show_menu(self, bar: QTabBar, at: QPoint) -> None:
+    def set_afloat(self, dock: QDockWidget) -> None:
+        """Make a window of a dock, over its area: Qt would put one that is behind others off the screen."""
+        dock.raise_()
+        dock.setFloating(True)
+        dock.resize(dock.size().expandedTo(_FLOATING))
+        dock.move(self._area.mapToGlobal(self._area.rect().center()) - dock.rect().center())
+
+    def _dock_at(self, bar: QTabBar, at: QPoint) -> QDockWidget | None:
         title = bar.tabText(bar.tabAt(at))
-        dock = next((each for each in self._docks() if each.windowTitle() == title), None)
+        return next((each for each in self._docks() if each.windowTitle() == title), None)
+
+    def _show_menu(self, bar: QTabBar, at: QPoint) -> None:
+        dock = self._dock_at(bar, at)
         if dock is not None:
             self.menu(dock).popup(bar.mapToGlobal(at))
+
+    # Dragging a dock by its tab
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """A tab that is dragged off its bar takes its dock along."""
+        if not isinstance(watched, QTabBar) or not isinstance(event, QMouseEvent):
+            return False
+        at = event.position().toPoint()
+        if event.type() == QEvent.Type.MouseButtonPress:
+            self._held = self._dock_at(watched, at) if event.button() == Qt.MouseButton.LeftButton else None
+        elif event.type() == QEvent.Type.MouseButtonRelease:
+            self._held = None
+        elif self._held is not None and event.buttons() & Qt.MouseButton.LeftButton:
+            off = max(-at.y(), at.y() - watched.height(), -at.x(), at.x() - watched.width())
+            if off > _AWAY_PX:
+                dock, self._held = self._held, None
+                self._hand_over(watched, dock, event)
+                return True
+        return False
+
+    @staticmethod
+    def _hand_over(bar: QTabBar, dock: QDockWidget, event: QMouseEvent) -> None:
+        """Let go of the tab, and take hold of its dock by the title: it follows the mouse from then on."""
+
+        def send(kind: QEvent.Type, to: QWidget, at: QPointF, held: bool) -> None:
+            left, none = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
+            button = none if kind == QEvent.Type.MouseMove else left
+            buttons = left if held else none
+            sent = QMouseEvent(kind, at, to.mapToGlobal(at), button, buttons, event.modifiers())
+            QApplication.sendEvent(to, sent)
+
+        send(QEvent.Type.MouseButtonRelease, bar, event.position(), False)
+        dock.setTitleBarWidget(None)  # type: ignore[arg-type]
+        layout = dock.layout()
+        if layout is not None:
+            layout.activate()
+        title = QPointF(dock.width() / 2, _TITLE_PX)
+        send(QEvent.Type.MouseButtonPress, dock, title, True)
+        send(QEvent.Type.MouseMove, dock, title + QPointF(0, 2 * QApplication.startDragDistance()), True)
