@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 from workbench.document.samples.examples import example_document
 from workbench.session.session import Session
 from workbench.shell.dock_area import DockArea
+from workbench.shell.hints import Hints
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
@@ -266,3 +267,15 @@ def test_a_tab_that_is_dragged_off_its_bar_takes_its_dock_along(window: MainWind
     assert dock.isVisible()
     assert (dock.geometry().center() - away).manhattanLength() < dock.width() + dock.height()
     assert [each.objectName() for each in area(window).docks if each.isFloating()] == ["source"]
+
+
+def test_a_hint_does_not_outlive_the_docks_that_it_points_at(window: MainWindow) -> None:
+    window.show_hints_again()
+    settle()
+    assert window.findChild(Hints) is not None
+    window.reset_workspace()
+    settle()
+    assert window.findChild(Hints) is None
+    window.resize(1100, 640)
+    window.show_hints()
+    assert window.findChild(Hints) is not None
