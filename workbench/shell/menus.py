@@ -35,7 +35,6 @@ class Menus(QObject):
             action.setShortcuts([QKeySequence(key) for key in command.keys])
             keys = f" ({key_text(command.keys[0])})" if command.keys else ""
             action.setToolTip(command.tooltip + keys)
-            action.setStatusTip(command.tooltip)
             action.setCheckable(command.id in _CHECKABLE)
             action.triggered.connect(lambda _checked=False, command=command: window.do(command))
             window.addAction(action)

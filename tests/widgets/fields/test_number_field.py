@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from workbench.widgets.fields.arithmetic import evaluate
 from workbench.widgets.fields.number_field import NumberField, with_subscript
@@ -104,3 +105,32 @@ def test_names_get_real_subscripts():
     assert with_subscript("x_0") == "x<sub>0</sub>"
     assert with_subscript("r") == "r"
     assert with_subscript("a<b") == "a&lt;b"
+
+
+def test_a_field_that_is_entered_by_tab_is_typed_over_although_its_neighbour_was_edited(qtbot):
+    window = QWidget()
+    row = QHBoxLayout(window)
+    first, second = NumberField("x_0"), NumberField("y_0")
+    for each in (first, second):
+        row.addWidget(each)
+    second.set_value(42)
+    first.edited.connect(lambda _value: second.set_value(second.value()))  # as a card shows all anew
+    qtbot.addWidget(window)
+    window.show()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    first.field.setFocus()
+    first.field.selectAll()
+    qtbot.keyClicks(first.field, "20")
+    qtbot.keyClick(first.field, Qt.Key.Key_Tab)
+    assert second.field.hasFocus()
+    qtbot.keyClicks(second.field, "40")
+    qtbot.keyClick(second.field, Qt.Key.Key_Return)
+    assert (first.value(), second.value()) == (20, 40)
+
+
+def test_a_long_number_shows_its_beginning(qtbot, field):
+    field.field.clearFocus()
+    field.set_value(42 + 1 / 6)
+    assert field.field.cursorPosition() == 0
+    assert field.field.text().startswith("42.1666")

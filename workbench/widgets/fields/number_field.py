@@ -164,7 +164,14 @@ class NumberField(QWidget):
 
     def _show(self) -> None:
         self.complain("")
-        self.field.setText(f"{self._value:.10g}".replace("-", "−"))
+        text = f"{self._value:.10g}".replace("-", "−")
+        if text != self.field.text():
+            chosen = self.field.selectedText() == self.field.text()
+            self.field.setText(text)
+            if chosen and self.field.hasFocus():
+                self.field.selectAll()  # as it was entered: typing goes on in place of the old number
+        if not self.field.hasFocus():
+            self.field.setCursorPosition(0)  # a long number is cut at its end, where it matters less
         self.field.setModified(False)
 
     def _typed(self) -> str:
