@@ -5,7 +5,7 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from workbench.widgets.fields.arithmetic import evaluate
@@ -114,7 +114,8 @@ def test_a_field_that_is_entered_by_tab_is_typed_over_although_its_neighbour_was
     for each in (first, second):
         row.addWidget(each)
     second.set_value(42)
-    first.edited.connect(lambda _value: second.set_value(second.value()))  # as a card shows all anew
+    # As a card shows all anew, once the picture has changed
+    first.edited.connect(lambda _value: QTimer.singleShot(0, lambda: second.set_value(second.value())))
     qtbot.addWidget(window)
     window.show()
     window.activateWindow()
@@ -123,6 +124,7 @@ def test_a_field_that_is_entered_by_tab_is_typed_over_although_its_neighbour_was
     first.field.selectAll()
     qtbot.keyClicks(first.field, "20")
     qtbot.keyClick(first.field, Qt.Key.Key_Tab)
+    qtbot.wait(1)
     assert second.field.hasFocus()
     qtbot.keyClicks(second.field, "40")
     qtbot.keyClick(second.field, Qt.Key.Key_Return)
