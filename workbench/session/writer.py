@@ -2,17 +2,17 @@
 
 import threading
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
-from PySide6.QtCore import QObject, Qt, Signal, SignalInstance
+from PySide6.QtCore import QObject, Qt, Signal
 
 from workbench.engine import background
 from workbench.engine.turns import interface, short_turns
 from workbench.exchange.writing import Cancelled, Row, write
-from workbench.language import _
 
 T = TypeVar("T")
 _LOOK_S = 0.05
@@ -20,11 +20,10 @@ _LOOK_S = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """How a writing ended: the files and the content, ``cancelled``, or ``problem``, a sentence."""
+    """How a writing ended: the files and the content, or ``problem``, a sentence; neither when cancelled."""
 
     paths: tuple[Path, ...] = ()
     content: Any = None
-    cancelled: bool = False
     problem: str = ""
 
 
@@ -73,7 +72,7 @@ class Writer(QObject):
         self._thread.start()
 
     def cancel(self) -> None:
-        """End the writing; nothing is written. From any thread."""
+        """End the writing; nothing is left of it. From any thread."""
         self._cancelled.set()
 
     def ask(self, do: Callable[[], T]) -> T:
@@ -81,18 +80,12 @@ class Writer(QObject):
         if threading.current_thread() is not self._thread:
             return do()
         asked = _Asked(do)
-        self._emit(self._asked, asked)
+        self._asked.emit(asked)
         while not asked.done.wait(_LOOK_S):
             self._look()
         if asked.error is not None:
             raise asked.error
         return asked.answer  # type: ignore[no-any-return]
-
-    def _emit(self, signal: SignalInstance, *what: object) -> None:
-        try:
-            signal.emit(*what)
-        except RuntimeError:  # nobody is there any more
-            self.cancel()
 
     def _look(self) -> None:
         if self._cancelled.is_set():
@@ -101,21 +94,20 @@ class Writer(QObject):
     def _told(self, done: int, parts: int) -> None:
         self._look()
         interface.wait()
-        self._emit(self.told, done, parts)
+        self.told.emit(done, parts)
 
     def _work(self, row: Row, make: Callable[[], Any], path: Path) -> None:
-        failed = _("Something in the program failed, so {name} was not written.").format(name=path.name)
-        outcome = Outcome(problem=failed)
-        try:
-            with short_turns:
-                content = make()
-                outcome = Outcome(tuple(write(row, content, path, self._told)), content)
-        except Cancelled:
-            outcome = Outcome(cancelled=True)
-        except (ValueError, OSError) as error:
-            outcome = Outcome(problem=str(error))
-        finally:  # whatever it was, its end is told
-            self._emit(self._over, outcome)
+        outcome = Outcome()
+        with suppress(RuntimeError):  # nobody is there any more
+            try:
+                with short_turns:
+                    content = make()
+                    outcome = Outcome(tuple(write(row, content, path, self._told)), content)
+            except Cancelled:
+                pass
+            except Exception as error:
+                outcome = Outcome(problem=str(error))
+            self._over.emit(outcome)
 
     def _end(self, outcome: Outcome) -> None:
         assert self._thread is not None
