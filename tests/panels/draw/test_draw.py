@@ -337,10 +337,13 @@ def test_a_wrong_click_is_tried_again_or_shown_by_the_step_bar(qtbot, session, p
     bar.show()
     recorded(qtbot, session)
     again, show = bar.bar.after_wrong
+    assert not again.isVisible()
     qtbot.mouseClick(ask_button(bar), LEFT)
     settle()
-    assert not again.isVisible()
-    assert not show.isVisible()
+    assert again.isVisible()
+    assert show.isVisible()
+    assert not again.isEnabled()
+    assert not show.isEnabled()
     qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 21, 10))
     settle()
     assert panel.canvas.overlay.wrong == ((21, 10),)
@@ -355,7 +358,7 @@ def test_a_wrong_click_is_tried_again_or_shown_by_the_step_bar(qtbot, session, p
     qtbot.mouseClick(show, LEFT)
     settle()
     assert panel.canvas.overlay.wrong == ()
-    assert not again.isVisible()
+    assert not again.isEnabled()
     assert (session.run.position, session.run.right, session.run.wrong) == (1, 0, 1)
     qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 30, 2))
     settle()
@@ -368,6 +371,7 @@ def test_a_wrong_click_is_tried_again_or_shown_by_the_step_bar(qtbot, session, p
     qtbot.mouseClick(ask_button(bar), LEFT)
     settle()
     assert panel.canvas.overlay.wrong == ()
+    assert not again.isVisible()
     assert not session.state.ask_first
 
 

@@ -158,8 +158,9 @@ class StepBar(QWidget):
         (self.detail if run.detail else self.step).setChecked(True)
         if self.ask.isChecked() != run.ask_first:
             self.ask.setChecked(run.ask_first)
-        for button in self.after_wrong:
-            button.setVisible(run.refused)
+        for action, button in zip((self.try_again, self.show_answer), self.after_wrong, strict=True):
+            button.setVisible(run.ask_first)  # in its place beforehand, so that no answer moves the bar
+            action.setEnabled(run.refused)
         if not (self.jump.hasFocus() and self.jump.isModified()):
             self.jump.setText(str(run.number) if there else "")
         self.total.setText(f"/ {run.total_text}" if there else "")
@@ -169,6 +170,8 @@ class StepBar(QWidget):
         """Where a run is too long to be recorded whole, offer what comes before and behind."""
         run = self._run
         self.stretch.setVisible(run.entry is not None and run.in_stretches)
+        # In a narrow window there is no room for both, and what is asked is not played.
+        self.speed.setVisible(self.stretch.isHidden() or not run.ask_first)
         if self.stretch.isHidden() or run.steps is None:
             return
         first, last = run.passed + 1, run.passed + len(run.steps)
