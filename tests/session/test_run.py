@@ -168,6 +168,8 @@ def test_ask_first_hides_the_next_step_until_a_pixel_is_named(make: Callable[...
     assert run.answer(21, 11)
     assert run.position == 1
     assert not run.answer(23, 11)
+    assert run.position == 1
+    run.show_answer()
     assert run.position == 2
     assert (run.right, run.wrong) == (1, 1)
     run.back()
@@ -192,6 +194,9 @@ def test_ask_first_by_a_choice(make: Callable[..., Run]) -> None:
     assert (run.position, run.right, run.wrong) == (0, 0, 0)
     assert run.choose("clip top")
     assert not run.choose("accept")
+    assert not run.choose("reject")
+    assert (run.position, run.right, run.wrong) == (1, 1, 1)
+    run.show_answer()
     assert (run.position, run.right, run.wrong) == (2, 1, 1)
     assert run.choose("accept")
     assert (run.position, run.right, run.wrong) == (3, 2, 1)

@@ -172,3 +172,14 @@ def test_the_slider_records_where_it_is_let_go(qtbot: QtBot, run: Run) -> None:
     finish(qtbot, run)
     assert run.passed > 0
     shows(run, 350)
+
+
+def test_the_step_bar_has_room_for_stretches_and_for_what_is_asked(qtbot: QtBot, run: Run) -> None:
+    bar = StepBar(run)
+    qtbot.addWidget(bar)
+    bar.resize(960, bar.height())
+    bar.show()
+    run.set_ask_first(True)
+    assert not bar.stretch.isHidden()
+    assert all(not button.isHidden() for button in bar.after_wrong)
+    assert bar.minimumSizeHint().width() <= 960

@@ -24,7 +24,7 @@ def test_ids_menus_and_words() -> None:
     for command in table:
         assert command.menu in menus
         assert command.tooltip
-        assert command.needs in ("", "document", "run")
+        assert command.needs in ("", "document", "run", "answer")
 
 
 def test_keys_of_the_window_are_unambiguous() -> None:
@@ -191,3 +191,26 @@ def test_the_palette_has_no_more_parts_for_more_commands(qtbot: QtBot, window: M
         QApplication.sendPostedEvents(palette, QEvent.Type.DeferredDelete.value)
     assert parts[0] == parts[1]
     assert parts[0] < 20
+
+
+def test_a_wrong_answer_is_tried_again_and_shown_by_keys(qtbot: QtBot, window: MainWindow) -> None:
+    session = window.session
+    assert session is not None
+    window.enter("draw")
+    window.show()
+    session.open_example("line")
+    session.update_state(ask_first=True)
+    session.flush()
+    qtbot.waitUntil(lambda: session.run.done and session.run.waiting, timeout=20_000)
+    again, show = (window.menus.actions[name] for name in ("try_again", "show_answer"))
+    assert not again.isEnabled()
+    session.run.answer(21, 10)
+    assert again.isEnabled()
+    assert show.isEnabled()
+    again.trigger()
+    assert session.run.answered is None
+    assert not show.isEnabled()
+    session.run.answer(21, 10)
+    show.trigger()
+    assert (session.run.position, session.run.right, session.run.wrong) == (1, 0, 1)
+    assert not show.isEnabled()

@@ -25,7 +25,7 @@ from workbench.widgets.tube.view import TubeView
 EXAMPLES = {"draw": "line", "fill": "triangle", "clip": "clip", "curves": "curve-interpolation"}
 CONTROL = Qt.KeyboardModifier.ControlModifier
 # What a line that is typed into keeps for itself.
-TYPED = {",", ".", "D", "A", "T", "?", "Ctrl+C", "Ctrl+V"}
+TYPED = {",", ".", "D", "A", "Shift+A", "Shift+I", "T", "?", "Ctrl+C", "Ctrl+V"}
 
 
 @pytest.fixture
@@ -60,6 +60,9 @@ def work_in(window: MainWindow, place: str) -> None:
     settle()
     session.run.last()
     settle()
+    for command in commands():
+        if command.needs == "answer":  # as after a wrong answer, which not every place asks for
+            window.menus.actions[command.id].setEnabled(True)
 
 
 def places_of_focus(window: MainWindow, place: str) -> dict[str, QWidget]:

@@ -22,8 +22,12 @@ from workbench.rendering.mapping import Call, device_map
 _SAMPLES_PER_SPAN = 8
 
 
-def construction_of(curve: Curve) -> str:
-    """Slug of the construction that belongs to a curve's kind."""
+def construction_of(curve: Curve, chosen: str = "") -> str:
+    """Slug of the text that is stepped: ``chosen`` where it can be run on the curve, else the construction
+    that belongs to the curve's kind.
+    """
+    if chosen and not construction_fault(curve, chosen):
+        return chosen
     if curve.spline == "nurbs":
         return "de_boor_rational"
     return "de_boor" if curve.spline in B_SPLINES else "de_casteljau"

@@ -293,6 +293,7 @@ class Cursor(RecordedRun):
             self._position = self.last_position if end else event
         else:
             self._position = self.steps.step_of(event)
+            self._seen = max(self._seen, self._position)  # what was seen in detail was seen
         self.moved.emit()
 
     def run_to_line(self, line: int, function: str = "") -> bool:

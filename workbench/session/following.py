@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, QTimer
 
 from workbench.document.model import LINE_CLIPPERS, AnyFigure, Curve, Polygon, SeedFill
 from workbench.rendering.clipping import clipper_calls, clipper_of
-from workbench.rendering.curve_runs import curve_calls
+from workbench.rendering.curve_runs import construction_of, curve_calls
 from workbench.rendering.mapping import Call
 from workbench.rendering.outline_fill import outline_fill
 from workbench.rendering.raster import figure_calls
@@ -18,40 +18,61 @@ if TYPE_CHECKING:
 
 
 class Following(QObject):
-    """``run`` follows the active figure of ``session``, ``follower`` the compared algorithm step for step."""
+    """``run`` follows the active figure of ``session``, ``follower`` the compared algorithm step for step.
+
+    Step, detail and asking first are the session's: what is switched on the run is written into its state at
+    once, and ``update`` makes the run as the state is, whoever changed it last.
+    """
 
     def __init__(self, session: "Session", run: Run, follower: Run) -> None:
         super().__init__(session)
         self._session, self._run, self._follower = session, run, follower
         self._telling = False
-        self._step = 0
-        session.changed.connect(self.update)
-        session.state_changed.connect(self.update)
+        self._step: int | None = None
         run.moved.connect(self._moved)
         run.grown.connect(self._lock)
         run.asked.connect(lambda: session.update_state(ask_first=run.ask_first))
         QTimer.singleShot(0, self.update)
 
+    def begin_anew(self) -> None:
+        """Another document is open: the step in its state is where its run stands."""
+        self._step = None
+
+    def switch(self, stays: bool) -> None:
+        """Ask first and count as the state says, at once: the run is never otherwise than the state.
+
+        Where the run ``stays`` in its step, the state takes the number that this has as it counts now.
+        """
+        before, self._telling = self._telling, self._telling or not stays
+        try:
+            self._run.set_ask_first(self._session.state.ask_first)
+            self._run.set_detail(self._session.state.detail)
+        finally:
+            self._telling = before
+
     def update(self) -> None:
-        """Follow what is active now."""
+        """Follow what is active now; the session calls this before it tells what changed."""
         session, state = self._session, self._session.state
         figure = session.active_figure
         clips = state.stepped == "clipper"
         constructs = state.stepped == "curve" and isinstance(figure, Curve)
         calls: list[Call] = []
         if isinstance(figure, Curve) and constructs:
-            calls = curve_calls(session.sheet, figure, state.construction, state.curve_u)
+            text = construction_of(figure, state.construction)
+            calls = curve_calls(session.sheet, figure, text, state.curve_u)
         elif figure is not None:
             calls = (clipper_calls if clips else figure_calls)(session.sheet, figure)
-        another = figure is not None and figure.id != self._run.figure_id
+        before = self._run.figure_id, self._run.entry
         self._telling = True
         try:
             self._follow(self._run, calls, figure)
-            self._run.set_ask_first(state.ask_first)
-            self._run.set_detail(state.detail)
-            if another or state.step != self._step:
+            self.switch(stays=False)
+            if self._run.figure_id == before[0] and state.step == self._step:
+                if self._run.entry is not before[1]:  # another text on the same figure begins at its start
+                    self._session.update_state(step=0)
+            else:
                 self._run.go_to_number(state.step)
-            self._step = state.step
+            self._step = self._session.state.step
         finally:
             self._telling = False
         self._follow(self._follower, [] if constructs else self._compared(figure), figure)

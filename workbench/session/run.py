@@ -4,6 +4,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from workbench.session.asking import Answer, Verdict, verdict
 from workbench.session.cursor import Cursor
 
 SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
@@ -13,7 +14,7 @@ _FASTEST_TICK_MS = 33
 class Run(Cursor):
     """A run as a person steps it.
 
-    ``played``: playing began or ended. ``asked``: asking was switched, or an answer was counted.
+    ``played``: playing began or ended. ``asked``: asking was switched, or an answer was given or let go.
     """
 
     played = Signal(bool)
@@ -24,6 +25,9 @@ class Run(Cursor):
         self.ask_first = False
         self.right = 0
         self.wrong = 0
+        self.answered: Answer | None = None
+        self._scored: set[int] = set()
+        self.moved.connect(self._leave_answer)
         self._speed = 4.0
         self._tick = QTimer(self)
         self._tick.timeout.connect(self._play_on)
@@ -31,8 +35,9 @@ class Run(Cursor):
     def _leaving(self, same: bool) -> None:
         self.pause()
         super()._leaving(same)
+        self.answered = None
         if not same:
-            self.right = self.wrong = 0
+            self._begin_score()
 
     def _furthest(self) -> int:
         if self.ask_first and not self.detail and self.questioned(self._seen + 1):
@@ -91,7 +96,8 @@ class Run(Cursor):
         """Show a step only after it was guessed, from here on."""
         if ask != self.ask_first:
             self.ask_first = ask
-            self.right = self.wrong = 0
+            self.answered = None
+            self._begin_score()
             self._seen = self._position if not self.detail else (self.step.number if self.step else 0)
             self.asked.emit()
 
@@ -118,10 +124,14 @@ class Run(Cursor):
         )
 
     def answer(self, x: int, y: int) -> bool:
-        """The pixel (x, y) is said to come next: show the step, tell whether that was right, and count."""
+        """The pixel (x, y) is said to come next; tell whether that is right, which shows the step.
+
+        A wrong answer can be followed by another, by ``try_again`` or by ``show_answer``. Only the first to a
+        step is counted, and none that lies far from all pixels in question.
+        """
         if not self.waiting or self.options or self.steps is None:
             return False
-        return self._answered((x, y) in self.steps[self._seen + 1].chosen)
+        return self._take_answer((x, y), verdict(self.steps[self._seen + 1], x, y))
 
     @property
     def options(self) -> tuple[Any, ...]:
@@ -132,14 +142,52 @@ class Run(Cursor):
         """``option`` is said to come next: as ``answer``."""
         if option not in self.options or self.steps is None:
             return False
-        return self._answered(option == self.steps[self._seen + 1].answer)
+        right = option == self.steps[self._seen + 1].answer
+        return self._take_answer(option, "right" if right else "wrong")
 
-    def _answered(self, right: bool) -> bool:
-        number = self._seen + 1
-        self.right += right
-        self.wrong += not right
-        self._seen = number
-        self._position = number
-        self.moved.emit()
+    @property
+    def refused(self) -> bool:
+        """Whether a wrong answer stands, to be tried again or shown."""
+        return self.answered is not None and self.answered.verdict == "wrong"
+
+    def try_again(self) -> None:
+        """Take a wrong answer away and ask anew."""
+        if self.refused:
+            self.answered = None
+            self.asked.emit()
+
+    def show_answer(self) -> None:
+        """After a wrong answer, show the step that was asked for."""
+        if self.refused:
+            self.answered = None
+            self._show_asked()
+            self.asked.emit()
+
+    def _begin_score(self) -> None:
+        self.right = self.wrong = 0
+        self._scored.clear()
+
+    def _take_answer(self, given: object, worth: Verdict) -> bool:
+        number = self.passed + self._seen + 1
+        if worth != "far" and number not in self._scored:
+            self._scored.add(number)
+            self.right += worth == "right"
+            self.wrong += worth == "wrong"
+        if worth == "right":
+            self.answered = Answer(given, worth, number)
+            self._show_asked()
+        else:
+            self.answered = Answer(given, worth, number - 1)
         self.asked.emit()
-        return right
+        return worth == "right"
+
+    def _show_asked(self) -> None:
+        self._seen += 1
+        self._position = self._seen
+        self.moved.emit()
+
+    def _leave_answer(self) -> None:
+        """An answer stands as long as the cursor does."""
+        if self.answered is not None and (self.detail or self.number != self.answered.number):
+            self.answered = None
+            self.asked.emit()

@@ -133,10 +133,15 @@ class Session(QObject):
             figure = self.active_figure
             self.state = state
             self._another_figure(figure, "step" in changes)
+            self._following.switch(stays="step" not in changes and self.active_figure == figure)
             self._tell_later()
 
     def flush(self) -> None:
-        """Tell now what changed since the last time, rather than in the next turn of the event loop."""
+        """Tell now what changed since the last time, rather than in the next turn of the event loop.
+
+        The runs follow first. Whoever is told shows it and writes nothing back.
+        """
+        self._following.update()
         self._waiting = False
         (old, old_state), self._told = self._told, (self.document, self.state)
         addresses = changed_addresses(old, self.document)
@@ -268,6 +273,7 @@ class Session(QObject):
         self._on_disk = on_disk
         self._show(stored.document)
         self.state = cleaned(stored.session, stored.document)
+        self._following.begin_anew()
         self.path_changed.emit(path)
 
     def _clean_changed(self, clean: bool) -> None:

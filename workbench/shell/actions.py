@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """One command. ``needs`` is "document" or "run" for what waits until one is there; ``separated`` draws a
-    line above it in its menu.
+    """One command. ``needs`` is "document", "run" or "answer" (a wrong one): what waits until one is there;
+    ``separated`` draws a line above it in its menu.
     """
 
     id: str
@@ -233,6 +233,26 @@ def commands() -> tuple[Command, ...]:
             _("Choose the next pixel yourself before it is shown"),
             "run",
             "document",
+        ),
+        Command(
+            "try_again",
+            _("Try again"),
+            lambda w: w.run_do("try_again"),
+            ("Shift+A",),
+            "",
+            _("Take the wrong answer away and answer anew"),
+            "run",
+            "answer",
+        ),
+        Command(
+            "show_answer",
+            _("Show it"),
+            lambda w: w.run_do("show_answer"),
+            ("Shift+I",),
+            "",
+            _("Show the step that was asked for"),
+            "run",
+            "answer",
         ),
         Command(
             "home",

@@ -46,9 +46,10 @@ class Menus(QObject):
         """Enable what can be done now; name what undo and redo would do."""
         session = self._window.session
         stepping = session is not None and session.run.entry is not None
+        able_to = {"run": stepping, "answer": session is not None and session.run.refused}
         for command in self.commands.values():
-            if command.needs == "run":
-                self.actions[command.id].setEnabled(stepping)
+            if command.needs in able_to:
+                self.actions[command.id].setEnabled(able_to[command.needs])
         stack = None if session is None else session.undo_stack
         for name, able, what in (
             ("undo", stack and stack.canUndo(), stack and stack.undoText()),

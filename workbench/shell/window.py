@@ -163,7 +163,8 @@ class MainWindow(QMainWindow):
         session.state_changed.connect(self.menus.take_state)
         session.path_changed.connect(self.files.refresh_title)
         session.dirty_changed.connect(self.files.refresh_title)
-        session.run.changed.connect(self.menus.refresh)
+        for signal in (session.run.changed, session.run.asked):
+            signal.connect(self.menus.refresh)
         self.status.follow(session.run)
         self.files.follow(session)
         self.files.refresh_title()
@@ -328,7 +329,7 @@ class MainWindow(QMainWindow):
         self.session.undo_stack.redo()
 
     def run_do(self, name: str) -> None:
-        """Move the cursor of the run: first, back, forward, last."""
+        """Move the cursor of the run (first, back, forward, last), or act on a wrong answer."""
         if self.place in self._offered:
             getattr(self.session.run, name)()
 

@@ -315,7 +315,17 @@ def test_asked_first_a_person_accepts_rejects_or_says_which_side(qtbot, session,
     qtbot.mouseClick(by_text["Reject"], LEFT)
     settle()
     assert (session.run.right, session.run.wrong) == (1, 1)
-    assert told.plain.startswith("Not so. ")
+    assert told.plain.startswith("Not so: “reject” is not what comes next.")
+    assert session.run.position == 1
+    assert [button.text() for button in buttons.buttons if not button.isEnabled()] == ["Reject"]
+    session.run.try_again()
+    assert all(button.isEnabled() for button in buttons.buttons)
+    qtbot.mouseClick(by_text["Reject"], LEFT)
+    right = session.run.steps[2].answer
+    qtbot.mouseClick(by_text[right[:1].upper() + right[1:]], LEFT)
+    settle()
+    assert (session.run.position, session.run.right, session.run.wrong) == (2, 1, 1)
+    assert told.plain.startswith("Right. ")
 
 
 def test_what_is_stepped_follows_the_panel_that_is_seen(qtbot, session, panel):

@@ -7,6 +7,7 @@ from PySide6.QtCore import QEvent, Qt
 
 from tests.panels.curves.by_hand import (
     CTRL,
+    LEFT,
     SHIFT,
     ZIGZAG,
     click,
@@ -19,6 +20,7 @@ from tests.panels.curves.by_hand import (
     the_curve,
 )
 from workbench.widgets.canvas.drawing import Stroke
+from workbench.widgets.stepping.step_bar import Steps
 
 
 @pytest.fixture
@@ -397,3 +399,36 @@ def test_pieces_are_counted_and_legs_drawn_as_the_curve_goes(qtbot, spline, piec
     assert f"{pieces} cubic pieces" in panel.card.count.text()
     (legs,) = [each for each in panel.view.drawn() if isinstance(each, Stroke) and each.pattern == "dash"]
     assert len(legs.points) == pieces + 1
+
+
+def test_asked_first_what_becomes_of_a_piece_is_chosen_and_tried_again(qtbot):
+    panel = opened(qtbot, curve_through((6, 6), (16, 40), (40, 40), (56, 8), spline="bezier"))
+    session, run = panel.session, panel.session.run
+    bar = Steps(run)
+    qtbot.addWidget(bar)
+    bar.show()
+    session.update_state(construction="flatten_bezier", ask_first=True)
+    settle()
+    qtbot.waitUntil(lambda: run.entry.slug == "flatten_bezier" and run.done, timeout=5000)
+    settle()
+
+    def choose(text):
+        button = next(button for button in bar.options.buttons if button.text() == text)
+        qtbot.mouseClick(button, LEFT)
+        settle()
+
+    again, show = bar.bar.after_wrong
+    assert [button.text() for button in bar.options.buttons] == ["Flat", "Divide"]
+    choose("Flat")
+    assert bar.sentence.plain.startswith("Not so: “flat” is not what comes next.")
+    assert (run.position, run.right, run.wrong) == (0, 0, 1)
+    qtbot.mouseClick(again, LEFT)
+    choose("Divide")
+    assert (run.position, run.right, run.wrong) == (1, 0, 1)
+    choose("Flat" if run.steps[2].answer == "divide" else "Divide")
+    qtbot.mouseClick(show, LEFT)
+    assert (run.position, run.right, run.wrong) == (2, 0, 2)
+    before = run.position
+    qtbot.mouseClick(panel.canvas, LEFT, pos=panel.canvas.widget_position(30, 30).toPoint())
+    settle()
+    assert (run.position, run.right, run.wrong) == (before, 0, 2)

@@ -3,15 +3,17 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QToolButton
 
 from workbench.document.model import Circle, Ellipse, Line, Polyline
 from workbench.document.samples.examples import blank_sheet, example_document
 from workbench.panels.draw.panel import DrawPanel
 from workbench.rendering import frame_buffer
 from workbench.session.session import Session
+from workbench.widgets.canvas.drawing import Word
 from workbench.widgets.canvas.overlay import BOTH, ONLY_FIRST, TIE_FIRST
 from workbench.widgets.look.tokens import LIGHT
+from workbench.widgets.stepping.step_bar import Steps
 
 LEFT = Qt.MouseButton.LeftButton
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -321,11 +323,78 @@ def test_ask_first_hides_what_comes_and_a_click_answers(qtbot, session, panel, l
     settle()
     assert (session.run.right, session.run.wrong) == (1, 0)
     assert panel.canvas.overlay.right == ((21, 11),)
+    qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 23, 11))
+    settle()
+    assert (session.run.position, session.run.right, session.run.wrong) == (1, 1, 1)
+    assert panel.canvas.overlay.wrong == ((23, 11),)
+    assert words(panel) == ["Not this one"]
+    assert points(line()) == [(20, 10), (30, 18)]
+
+
+def test_a_wrong_click_is_tried_again_or_shown_by_the_step_bar(qtbot, session, panel, line):
+    bar = Steps(session.run)
+    qtbot.addWidget(bar)
+    bar.show()
+    recorded(qtbot, session)
+    again, show = bar.bar.after_wrong
+    assert not again.isVisible()
+    qtbot.mouseClick(ask_button(bar), LEFT)
+    settle()
+    assert again.isVisible()
+    assert show.isVisible()
+    assert not again.isEnabled()
+    assert not show.isEnabled()
+    qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 21, 10))
+    settle()
+    assert panel.canvas.overlay.wrong == ((21, 10),)
+    assert bar.sentence.plain.startswith("Not so: (21, 10) does not come next.")
+    qtbot.mouseClick(again, LEFT)
+    settle()
+    assert panel.canvas.overlay.wrong == ()
+    assert words(panel) == []
+    assert bar.sentence.plain.startswith("Which pixel comes next?")
+    qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 21, 10))
+    settle()
+    qtbot.mouseClick(show, LEFT)
+    settle()
+    assert panel.canvas.overlay.wrong == ()
+    assert not again.isEnabled()
+    assert (session.run.position, session.run.right, session.run.wrong) == (1, 0, 1)
     qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 30, 2))
     settle()
-    assert (session.run.right, session.run.wrong) == (1, 1)
-    assert panel.canvas.overlay.wrong == ((30, 2),)
+    assert bar.sentence.plain.startswith("(30, 2) is far from the pixels in question")
+    assert panel.canvas.overlay.wrong == ()
+    assert (session.run.position, session.run.right, session.run.wrong) == (1, 0, 1)
+    qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 22, 11))
+    settle()
+    assert panel.canvas.overlay.wrong == ((22, 11),)
+    qtbot.mouseClick(ask_button(bar), LEFT)
+    settle()
+    assert panel.canvas.overlay.wrong == ()
+    assert not again.isVisible()
+    assert not session.state.ask_first
+
+
+def test_a_pixel_under_a_handle_can_be_answered(qtbot, session, panel, line):
+    recorded(qtbot, session)
+    session.update_state(ask_first=True)
+    settle()
+    while session.run.position < 9:
+        session.run.answer(*session.run.steps[session.run.position + 1].chosen[0])
+    settle()
+    assert any((handle.x, handle.y) == (30, 18) for handle in panel.canvas.overlay.handles)
+    qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 30, 18))
+    settle()
+    assert (session.run.position, session.run.right) == (10, 10)
     assert points(line()) == [(20, 10), (30, 18)]
+
+
+def words(panel):
+    return [drawn.text for drawn in panel.canvas.overlay.drawn if isinstance(drawn, Word)]
+
+
+def ask_button(steps):
+    return next(b for b in steps.bar.findChildren(QToolButton) if b.text() == "Ask first")
 
 
 def test_two_algorithms_are_compared_and_ties_are_counted_apart(qtbot, session, panel):

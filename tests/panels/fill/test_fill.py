@@ -283,6 +283,30 @@ def test_ask_first_wants_the_next_pixel(qtbot):
     assert (run.right, run.wrong) == (1, 0)
 
 
+def test_asked_first_a_wrong_pixel_is_struck_out_until_the_right_one_is_clicked(qtbot):
+    panel = opened(qtbot, example("missed").document)
+    run, overlay = panel.session.run, lambda: panel.canvas.overlay
+    panel.session.update_state(ask_first=True)
+    settle()
+    while not run.waiting:
+        run.forward()
+    settle()
+    before = run.position
+    chosen = run.steps[before + 1].chosen
+    x, y = chosen[0]
+    beside = next(
+        (x + dx, y + dy) for dx, dy in ((0, 1), (0, -1), (1, 0), (-1, 0)) if (x + dx, y + dy) not in chosen
+    )
+    click(qtbot, panel, *beside)
+    settle()
+    assert overlay().wrong == (beside,)
+    assert (run.position, run.right, run.wrong) == (before, 0, 1)
+    click(qtbot, panel, x, y)
+    settle()
+    assert (overlay().wrong, overlay().right) == ((), ((x, y),))
+    assert (run.position, run.right, run.wrong) == (before + 1, 0, 1)
+
+
 def test_the_card_asks_for_what_the_text_takes(qtbot, blank):
     blank.choose_tool("seed")
     asked = {}

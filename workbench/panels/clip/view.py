@@ -11,7 +11,7 @@ from workbench.language import _
 from workbench.panels.clip.card import ClipCard
 from workbench.panels.clip.scene import scene
 from workbench.panels.clip.window import ClipSelectTool, window_handles
-from workbench.panels.stage.compose import Composition, with_band
+from workbench.panels.stage.compose import Composition, with_answer, with_band
 from workbench.panels.stage.gesture import HandleDrag, Tool
 from workbench.panels.stage.outline import handles
 from workbench.panels.stage.picture import packed, picture, with_faint
@@ -47,6 +47,7 @@ class ClipView(FigureView):
         overlay = with_band(replace(made.overlay, handles=tuple(grips)), tool.band)
         drawing = tool if isinstance(tool, FigureTool) else None
         self.canvas.set_picture(made.pixels, made.background)
+        overlay = with_answer(overlay, session.run.answered)
         self.canvas.set_overlay(replace(overlay, snap=drawing.snap if drawing else None))
         self.card.refresh(drawing, selected, "")
 

@@ -285,7 +285,7 @@ class CurveCard(ParameterCard):
         self.count.setText(countings(curve))
         self.count.setVisible(True)
         texts = [(slug, _(catalogue.get(slug).title)) for slug in texts_of(curve)]
-        self._fill(self.steps, texts, self._session.state.construction or construction_of(curve))
+        self._fill(self.steps, texts, construction_of(curve, self._session.state.construction))
         fault = fault_of(curve) or ("" if texts else construction_fault(curve, construction_of(curve)))
         self.fault.setText(f"\N{WARNING SIGN} {escape(fault)}")
         self.fault.setVisible(bool(fault))
@@ -384,4 +384,4 @@ def countings(curve: Curve) -> str:
 
 def _stepped(curve: Curve, slug: str) -> tuple[str, ...]:
     """The names of what the stepped text of a curve takes."""
-    return catalogue.get(slug or construction_of(curve)).parameter_names
+    return catalogue.get(construction_of(curve, slug)).parameter_names

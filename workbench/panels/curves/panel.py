@@ -28,7 +28,6 @@ from workbench.panels.stage.actions import Row
 from workbench.panels.stage.clipboard import figures_held
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.stepped import SteppedPanel
-from workbench.rendering.curve_runs import construction_fault
 from workbench.session.session import Session
 
 EXAMPLE = "curve-interpolation"
@@ -215,9 +214,6 @@ class CurvesPanel(SteppedPanel):
 
     def refresh(self) -> None:
         """Show the session as it is now; a sheet without curves asks for one."""
-        curve, chosen = self.focus.curve, self.session.state.construction
-        if curve is not None and chosen and self.isVisible() and construction_fault(curve, chosen):
-            self.session.update_state(construction="")
         super().refresh()
         self.empty.setVisible(not self._has_curves and not self.gesturing)
 

@@ -1,7 +1,6 @@
 """Keeps the canvas and the card of the Curves panel in step with the session and what is looked at."""
 
 import time
-from dataclasses import replace
 
 import numpy as np
 
@@ -27,14 +26,14 @@ from workbench.panels.curves.scene import (
 from workbench.panels.curves.shape import Array, device_points, tangent_ends
 from workbench.panels.curves.still import Parting, moving_part, parted, with_handles
 from workbench.panels.curves.tools import CurveSelectTool
-from workbench.panels.stage.compose import Composition, with_asked, with_band
+from workbench.panels.stage.compose import Composition, with_answer, with_asked, with_band
 from workbench.panels.stage.gesture import HandleDrag, Tool
 from workbench.panels.stage.outline import outline
 from workbench.panels.stage.picture import packed, pale_picture, picture
 from workbench.panels.stage.tools import FigureTool
 from workbench.panels.stage.view import FigureView
 from workbench.rendering import device_map, emitted
-from workbench.rendering.curve_runs import curve_calls
+from workbench.rendering.curve_runs import construction_of, curve_calls
 from workbench.rendering.marks import on_device
 from workbench.session.variables import same_value
 from workbench.widgets.canvas.drawing import Drawn, Spot, Stroke, data_ink
@@ -98,7 +97,7 @@ class CurveView(FigureView):
             snap=self._snapped(),
         )
         overlay = with_asked(with_band(overlay, tool.band), session.state.pixel)
-        self.canvas.set_overlay(replace(overlay, right=self._right, wrong=self._wrong))
+        self.canvas.set_overlay(with_answer(overlay, session.run.answered))
         if not busy or not isinstance(tool, CurveSelectTool):
             self.card.refresh(tool if isinstance(tool, FigureTool) else None, selected, "")
         (self.docks.refresh_soon if busy else self.docks.refresh)()
@@ -174,7 +173,8 @@ class CurveView(FigureView):
         run = self.stepped_run() if state.stepped == "curve" else None
         before = run is not None and number is None and not (run.number or run.detail or run.ask_first)
         reached = None if run is None or before else run.own_call(number)
-        calls = curve_calls(sheet, curve, "" if reached is None else state.construction, share)
+        text = construction_of(curve, "" if reached is None else state.construction)
+        calls = curve_calls(sheet, curve, text, share)
         if not calls:
             return []
         ((entry, arguments, _limit),) = calls

@@ -21,6 +21,7 @@ from workbench.panels.stage.picture import (
 )
 from workbench.rendering.compare import Comparison
 from workbench.rendering.raster import pixels
+from workbench.session.asking import Answer
 from workbench.session.run import Run
 from workbench.widgets.canvas.drawing import Stroke, Word
 from workbench.widgets.canvas.overlay import Cell, Overlay
@@ -126,6 +127,17 @@ def with_selection(overlay: Overlay, sheet: Sheet, selected: list[AnyFigure], he
 def with_band(overlay: Overlay, band: NDArray[np.float64] | None) -> Overlay:
     """The marks with the band of a selection under way."""
     return overlay if band is None else replace(overlay, outlined=(*overlay.outlined, band))
+
+
+def with_answer(overlay: Overlay, answered: Answer | None) -> Overlay:
+    """The marks with the pixel that was said to come next, ticked or struck out."""
+    if answered is None or answered.cell is None or answered.verdict == "far":
+        return overlay
+    if answered.verdict == "right":
+        return replace(overlay, right=(answered.cell,))
+    x, y = answered.cell
+    word = Word(_("Not this one"), x + 0.5, y + 0.5, "error", 1, 1, carded=True)
+    return replace(overlay, wrong=(answered.cell,), drawn=(*overlay.drawn, word))
 
 
 def with_asked(overlay: Overlay, cell: Cell | None) -> Overlay:

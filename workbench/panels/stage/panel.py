@@ -148,6 +148,7 @@ class FigurePanel(PlainPanel, QWidget):
             for signal in (run.changed, run.moved, run.grown, run.asked):
                 signal.connect(self.refresh_soon)
         session.changed.connect(self._take_tool_when_empty)
+        session.path_changed.connect(self._take_run)
         canvas.pressed.connect(self._press)
         canvas.moved.connect(self._move)
         canvas.released.connect(self._release)
@@ -181,7 +182,7 @@ class FigurePanel(PlainPanel, QWidget):
         crossed = self.tool.shape == Qt.CursorShape.CrossCursor
         icon = self._actions[name].icon()
         self.canvas.set_shape(tool_cursor(icon) if crossed else QCursor(self.tool.shape))
-        if isinstance(self.tool, FigureTool):
+        if isinstance(self.tool, FigureTool) and self.session.state.selection:
             self.session.update_state(selection=())
         self.refresh()
 
@@ -195,12 +196,16 @@ class FigurePanel(PlainPanel, QWidget):
         """Show the session as it is now."""
         self._waiting = False
         if self.isVisible():
-            self.session.update_state(stepped=self.stepped)
             self.zoom_text.emit(f"{self.canvas.zoom_percent:.0f} %")
         self.show_now()
         self.empty.setVisible(not self.session.sheet.figures and not self.gesturing)
         for name in ("delete", "duplicate", "forwards", "backwards"):
             self._actions[name].setEnabled(self.isVisible() and bool(self.session.state.selection))
+
+    def _take_run(self) -> None:
+        """Step what is stepped here, when this panel comes to be seen, or another document under it."""
+        if self.isVisible():
+            self.session.update_state(stepped=self.stepped)
 
     def _take_tool_when_empty(self) -> None:
         """An empty sheet asks for something to be drawn, so that is what a drag does."""
@@ -375,6 +380,7 @@ class FigurePanel(PlainPanel, QWidget):
         """The keys of this panel work while it is seen."""
         super().showEvent(event)
         self._enable_actions(True)
+        self._take_run()
         self._take_tool_when_empty()
         self.refresh()
 

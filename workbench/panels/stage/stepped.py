@@ -43,7 +43,6 @@ class SteppedPanel(FigurePanel):
         split.setChildrenCollapsible(False)
         split.addWidget(self.canvas)
         split.addWidget(self.second)
-        self.session.run.moved.connect(self.view.forget_answers)
         exporter.said.connect(self.hover_text)
         self.card.side_by_side_changed.connect(self.refresh_soon)
         self.card.folded.connect(self.leave_room)

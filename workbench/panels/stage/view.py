@@ -14,6 +14,7 @@ from workbench.panels.stage.compose import (
     compose,
     painted,
     progress_at,
+    with_answer,
     with_asked,
     with_band,
     with_selection,
@@ -42,8 +43,6 @@ class FigureView:
         self.session = session
         self.canvas, self.second, self.card = canvas, second, card
         self.comparison: Comparison | None = None
-        self._right: tuple[Cell, ...] = ()
-        self._wrong: tuple[Cell, ...] = ()
 
     def refresh(self, tool: Tool, drag: HandleDrag) -> None:
         """Everything anew, from the session alone."""
@@ -57,10 +56,10 @@ class FigureView:
         chosen = set(session.state.selection)
         selected = [figure for figure in sheet.figures if figure.id in chosen]
         overlay = with_band(with_selection(made.overlay, sheet, selected, drag.held), tool.band)
-        overlay = with_asked(overlay, session.state.pixel)
+        overlay = with_answer(with_asked(overlay, session.state.pixel), session.run.answered)
         snap = tool.snap if isinstance(tool, FigureTool) else None
         self.canvas.set_picture(made.pixels, made.background)
-        self.canvas.set_overlay(replace(overlay, snap=snap, right=self._right, wrong=self._wrong))
+        self.canvas.set_overlay(replace(overlay, snap=snap))
         self.second.setVisible(made.beside is not None)
         if made.beside is not None:
             self.second.set_picture(made.pixels, made.background)
@@ -127,12 +126,8 @@ class FigureView:
         run = self.session.run
         if not run.waiting or run.options:
             return False
-        self._right, self._wrong = ((cell,), ()) if run.answer(*cell) else ((), (cell,))
+        run.answer(*cell)
         return True
-
-    def forget_answers(self) -> None:
-        """The answer shown belongs to a step that is left."""
-        self._right = self._wrong = ()
 
     def summary(self) -> str:
         """What the comparison found, with the mark of each kind of pixel."""

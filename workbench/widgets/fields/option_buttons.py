@@ -29,8 +29,13 @@ class OptionButtons(QWidget):
     def refresh(self) -> None:
         """Follow the run."""
         options = self._run.options
-        if options == self._options:
-            return
+        if options != self._options:
+            self._offer(options)
+        answered = self._run.answered
+        for button, option in zip(self.buttons, options, strict=True):
+            button.setEnabled(answered is None or answered.given != option)
+
+    def _offer(self, options: tuple[object, ...]) -> None:
         self._options = options
         for button in self.buttons:
             self._grid.removeWidget(button)

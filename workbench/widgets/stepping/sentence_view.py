@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from workbench.engine.sentences import Part
 from workbench.language import _
+from workbench.session.asking import Answer
 from workbench.session.run import Run
 from workbench.widgets.look.tokens import TITLE_PX, theme, tokens
 
@@ -45,9 +46,6 @@ class SentenceView(QLabel):
         self.setFixedHeight(2 * self.fontMetrics().lineSpacing() + 8)
         self.linkActivated.connect(self._activated)
         self.linkHovered.connect(self._hovered)
-        self._score = (run.right, run.wrong)
-        self._verdict: tuple[int, bool] | None = None
-        run.asked.connect(self._judge)
         for signal in (run.changed, run.moved, run.grown, run.asked):
             signal.connect(self.refresh)
         theme.changed.connect(self._write)
@@ -71,22 +69,19 @@ class SentenceView(QLabel):
         """The sentence as it is read aloud."""
         return self._plain
 
-    def _judge(self) -> None:
-        """An answer was counted, or asking begins or ends."""
-        before, self._score = self._score, (self._run.right, self._run.wrong)
-        if sum(self._score) > sum(before):
-            self._verdict = self._run.step_number, self._score[0] > before[0]
-        else:
-            self._verdict = None
-
     def _words(self) -> tuple[Part, ...]:
         run = self._run
-        if self._verdict is not None and self._verdict[0] == run.step_number and run.entry is not None:
-            said = _("Right. ") if self._verdict[1] else _("Not so. ")
-            score = _(" {right} right, {wrong} wrong.").format(right=run.right, wrong=run.wrong)
-            rest = (Part(score, None),) if not run.waiting else ()
-            return (Part(said, None), *self._told(), *rest)
-        return self._told()
+        answered = run.answered
+        if answered is not None and answered.verdict != "right":
+            return (Part(_not_right(answered), None), Part(" ", None), self._score())
+        right = (Part(_("Right. "), None),) if answered is not None else ()
+        ends = run.ask_first and run.ended and bool(run.right + run.wrong)
+        score = (Part(" ", None), self._score()) if (right or ends) and not run.waiting else ()
+        return (*right, *self._told(), *score)
+
+    def _score(self) -> Part:
+        score = _("{right} right, {wrong} wrong.").format(right=self._run.right, wrong=self._run.wrong)
+        return Part(score, None)
 
     def _told(self) -> tuple[Part, ...]:
         """What the run says, and what it asks."""
@@ -148,3 +143,17 @@ class SentenceView(QLabel):
         link = part.link if part is not None else None
         self.variable_pointed.emit(link[1] if link is not None and link[0] == "variable" else "")
         self.pixel_pointed.emit(link[1] if link is not None and link[0] == "pixel" else None)
+
+
+def _not_right(answered: Answer) -> str:
+    """What is said of an answer that does not show the step."""
+    if answered.verdict == "far":
+        far = _(
+            "({x}, {y}) is far from the pixels in question, so it is not counted. Click one that is near."
+        )
+        return far.format(x=answered.given[0], y=answered.given[1])
+    if answered.cell is None:
+        said = _("Not so: “{choice}” is not what comes next. Try again, or have it shown.")
+        return said.format(choice=_(str(answered.given)))
+    said = _("Not so: ({x}, {y}) does not come next. Try again, or have it shown.")
+    return said.format(x=answered.cell[0], y=answered.cell[1])

@@ -32,10 +32,16 @@ class StepBar(QWidget):
         self.forward = self._action(_("Step forward"), _("Go one step forward"), "caret-right", run.forward)
         self.last = self._action(_("Last step"), _("Go to the end of the run"), "skip-forward", run.last)
         self.ask = self._action(
-            _("Ask first"), _("Choose the next pixel yourself before it is shown"), "question", None
+            _("Ask first"), _("Choose the next pixel yourself before it is shown"), "", None
         )
         self.ask.setCheckable(True)
         self.ask.toggled.connect(run.set_ask_first)
+        self.try_again = self._action(
+            _("Try again"), _("Take the wrong answer away and answer anew"), "", run.try_again
+        )
+        self.show_answer = self._action(
+            _("Show it"), _("Show the step that was asked for"), "", run.show_answer
+        )
         self.slider = StepSlider(run)
         self.jump = EntryLine()
         self.jump.setFont(code_font())
@@ -126,12 +132,16 @@ class StepBar(QWidget):
         row.addSpacing(8)
         row.addWidget(self.speed)
         row.addSpacing(4)
-        row.addWidget(self._button(self.ask))
+        row.addWidget(self._button(self.ask, words=True))
+        self.after_wrong = [self._button(action, words=True) for action in (self.try_again, self.show_answer)]
+        for button in self.after_wrong:
+            row.addWidget(button)
 
     @property
     def commands(self) -> dict[str, QAction]:
         """The actions by name, for menus and keys."""
-        names = ("first", "back", "play", "forward", "last", "step", "detail", "ask")
+        moving = ("first", "back", "play", "forward", "last")
+        names = (*moving, "step", "detail", "ask", "try_again", "show_answer")
         return {name: getattr(self, name) for name in names}
 
     def refresh(self) -> None:
@@ -148,6 +158,9 @@ class StepBar(QWidget):
         (self.detail if run.detail else self.step).setChecked(True)
         if self.ask.isChecked() != run.ask_first:
             self.ask.setChecked(run.ask_first)
+        for action, button in zip((self.try_again, self.show_answer), self.after_wrong, strict=True):
+            button.setVisible(run.ask_first)  # in its place beforehand, so that no answer moves the bar
+            action.setEnabled(run.refused)
         if not (self.jump.hasFocus() and self.jump.isModified()):
             self.jump.setText(str(run.number) if there else "")
         self.total.setText(f"/ {run.total_text}" if there else "")
@@ -157,6 +170,8 @@ class StepBar(QWidget):
         """Where a run is too long to be recorded whole, offer what comes before and behind."""
         run = self._run
         self.stretch.setVisible(run.entry is not None and run.in_stretches)
+        # In a narrow window there is no room for both, and what is asked is not played.
+        self.speed.setVisible(self.stretch.isHidden() or not run.ask_first)
         if self.stretch.isHidden() or run.steps is None:
             return
         first, last = run.passed + 1, run.passed + len(run.steps)
