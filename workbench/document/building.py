@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from workbench.document.addresses import Address, figure_with, highest, new_ids
 from workbench.document.check import check, shown
 from workbench.document.errors import DocumentError
-from workbench.document.fields import Choice, Number, fields_of, parts_of
+from workbench.document.fields import Choice, Number, fields_of, once_per_type, parts_of
 from workbench.document.model import (
     COORDINATE,
     AnyFigure,
@@ -195,13 +195,21 @@ def position(index: int, most: int, field: str) -> int:
 def plain(holder: Holder) -> Holder:
     """``holder``, a struct, and all in it, with Python's own numbers, whatever type they are made with."""
     values = {}
-    for name, (kind, many) in fields_of(type(holder)).items():
+    for name, own, many in _coercions(type(holder)):
         value = getattr(holder, name)
-        if value is None or not (isinstance(kind, Number) or kind is msgspec.Struct):
-            continue
-        own = coercion(kind) if isinstance(kind, Number) else plain
-        values[name] = tuple(map(own, value)) if many and isinstance(value, Iterable) else own(value)
+        if value is not None:
+            values[name] = tuple(map(own, value)) if many and isinstance(value, Iterable) else own(value)
     return replace(holder, **values)
+
+
+@once_per_type
+def _coercions(struct: type) -> list[tuple[str, Callable[[Any], Any], bool]]:
+    """Name of each number and struct in a struct, what makes it plain, and whether it is a list of them."""
+    return [
+        (name, coercion(kind) if isinstance(kind, Number) else plain, many)
+        for name, (kind, many) in fields_of(struct).items()
+        if isinstance(kind, Number) or kind is msgspec.Struct
+    ]
 
 
 def coercion(declared: Number) -> Callable[[Any], Any]:

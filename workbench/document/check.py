@@ -9,6 +9,7 @@ import math
 import re
 from collections.abc import Callable, Iterator
 from functools import cache
+from operator import attrgetter
 from typing import Any
 
 import msgspec
@@ -45,6 +46,7 @@ MAX_FIGURES = 100_000
 MAX_NAME = 200
 RING_LEAST = 3
 
+_ID = attrgetter("id")
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
 Fault = tuple[str, str]
@@ -185,7 +187,8 @@ def _values(look: Look) -> Look:
 def _parts(parts: Any, before: Any, sheet: Any) -> Fault | None:
     """The first fault in one of ``parts`` that is not among those ``before``, found by their ids."""
     start, old_end, end = between(before or (), parts)
-    known = {part.id: part for part in before[start:old_end]} if start < old_end else {}
+    old_parts = before[start:old_end] if start < old_end else ()
+    known = dict(zip(map(_ID, old_parts), old_parts, strict=True))
     for index in range(start, end):
         part = parts[index]
         old = known.get(part.id) if known else None

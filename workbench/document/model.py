@@ -127,7 +127,8 @@ class Figure(
     @property
     def parts(self) -> "tuple[WorldPoint | Knot, ...]":
         """What in it has an id."""
-        return tuple(chain.from_iterable(getattr(self, name) for name in parts_of(type(self))))
+        first, *others = [getattr(self, name) for name in parts_of(type(self))]
+        return (*first, *chain.from_iterable(others)) if others else first
 
     @property
     def drawn_with(self) -> str:
