@@ -13,8 +13,15 @@ from msgspec.structs import replace
 from workbench.cli import outputs
 from workbench.cli.failure import BadInputError
 from workbench.document import DocumentError, Stored
-from workbench.document.check import MAX_COORDINATE, MAX_SIDE_PX, WEIGHTS
-from workbench.document.model import AnyFigure, Document, Rectangle, Sheet
+from workbench.document.model import (
+    MAX_COORDINATE,
+    MAX_SIDE_PX,
+    WEIGHTS,
+    AnyFigure,
+    Document,
+    Rectangle,
+    Sheet,
+)
 from workbench.document.samples.figures import document_of
 from workbench.document.storage.content import read_content, read_text
 from workbench.document.storage.files import MAX_BYTES, decode

@@ -13,16 +13,8 @@ import msgspec
 
 from workbench.document.differences import between
 from workbench.document.errors import DocumentError
-from workbench.document.model import (
-    AnyFigure,
-    Curve,
-    Document,
-    Knot,
-    Rectangle,
-    Sheet,
-    WorldPoint,
-    number_of,
-)
+from workbench.document.fields import Field, fields_of, parts_of
+from workbench.document.model import AnyFigure, Document, Knot, Sheet, WorldPoint, number_of
 from workbench.language import _
 
 WHOLE = "*"
@@ -102,9 +94,8 @@ def point_with(figure: AnyFigure, point: str) -> WorldPoint:
 
 def part_with(figure: AnyFigure, part: str) -> WorldPoint | Knot:
     """The control point or knot of ``figure`` with this id; raises DocumentError."""
-    knots = figure.knots if isinstance(figure, Curve) else ()
-    found = next((knot for knot in knots if knot.id == part), None)
-    return point_with(figure, part) if found is None else found
+    candidate = next((candidate for candidate in figure.parts if candidate.id == part), None)
+    return point_with(figure, part) if candidate is None else candidate
 
 
 def owner(document: Document, address: Address) -> Document | Sheet | AnyFigure | WorldPoint | Knot:
@@ -142,20 +133,29 @@ def resolve(document: Document, address: Address | str) -> Any:
     return value
 
 
+def declared_at(document: Document, address: Address | str) -> Field:
+    """What is declared of the attribute at ``address``; raises DocumentError where there is none."""
+    address = parse(address)
+    resolve(document, address)
+    holder: Any = owner(document, address)
+    field = Field(msgspec.Struct)
+    for name in address.attribute.split(".") if address.attribute != WHOLE else ():
+        if name.isdecimal():
+            field, holder = Field(field.kind), holder[int(name)]
+        else:
+            field, holder = fields_of(type(holder))[name], getattr(holder, name)
+    return field
+
+
 def changed(old: Document, new: Document) -> frozenset[Address]:
     """The addresses of everything that differs. What came or went is one address of the whole (``*``)."""
     found: set[Address] = set()
     if old.sheets is not new.sheets:
-        _lists(found, old.sheets, new.sheets, Address(), "sheets", "sheet")
+        _lists(found, old.sheets, new.sheets, Address(), "sheets", 0)
     return frozenset(found)
 
 
-_INNER: dict[str, dict[str, str]] = {
-    "sheets": {"figures": "figure"},
-    "figures": {"points_world": "point", "knots": "point"},
-    "points_world": {},
-    "knots": {},
-}
+_LEVELS = ("sheet", "figure", "point")
 
 
 def _lists(
@@ -164,20 +164,20 @@ def _lists(
     new: tuple[Any, ...],
     above: Address,
     attribute: str,
-    level: str,
+    level: int,
 ) -> None:
     for identity, a, b in _different(found, old, new, msgspec.structs.replace(above, attribute=attribute)):
-        at = msgspec.structs.replace(above, **{level: identity})
+        at = msgspec.structs.replace(above, **{_LEVELS[level]: identity})
         if a is None or b is None or type(a) is not type(b):
             found.add(at)
             continue
-        inner = _INNER[attribute]
+        inner = parts_of(type(a))
         for name in a.__struct_fields__:
             x, y = getattr(a, name), getattr(b, name)
             if x is y or name == "id":
                 continue
             if name in inner:
-                _lists(found, x, y, at, name, inner[name])
+                _lists(found, x, y, at, name, level + 1)
             elif x != y:
                 found.update(msgspec.structs.replace(at, attribute=text) for text in _parts(name, x, y))
 
@@ -197,7 +197,7 @@ def _different(
 
 
 def _parts(name: str, old: Any, new: Any) -> list[str]:
-    if isinstance(old, Rectangle) and isinstance(new, Rectangle):
+    if isinstance(old, msgspec.Struct) and type(old) is type(new):
         return [
             f"{name}.{side}" for side in old.__struct_fields__ if getattr(old, side) != getattr(new, side)
         ]

@@ -4,22 +4,21 @@ import operator
 from collections.abc import Callable, Iterable, Iterator
 from functools import wraps
 from itertools import chain
-from typing import Any, ParamSpec, SupportsFloat, SupportsIndex
+from typing import Any, ParamSpec, SupportsFloat, SupportsIndex, TypeVar
 
+import msgspec
 from msgspec.structs import replace
 
 from workbench.document.addresses import Address, figure_with, highest, new_ids
 from workbench.document.check import check, shown
 from workbench.document.errors import DocumentError
+from workbench.document.fields import Choice, Number, fields_of, once_per_type, parts_of
 from workbench.document.model import (
+    COORDINATE,
     AnyFigure,
-    Curve,
-    CurvePoint,
     Document,
-    Knot,
     Polygon,
     Polyline,
-    Rectangle,
     Sheet,
     WorldPoint,
 )
@@ -27,6 +26,7 @@ from workbench.language import _
 
 Edit = Callable[[Document], Document]
 Arguments = ParamSpec("Arguments")
+Holder = TypeVar("Holder", bound=msgspec.Struct)
 
 
 def checked(change: Callable[Arguments, Edit]) -> Callable[Arguments, Edit]:
@@ -89,11 +89,8 @@ def with_owner(document: Document, where: Address, changed: Any) -> Document:
     """``document`` with ``changed`` in place of the sheet, figure or point that ``where`` is on."""
     if where.point:
         figure = figure_with(document, where.figure)[1]
-        if isinstance(changed, Knot) and isinstance(figure, Curve):
-            knots = tuple(changed if old.id == where.point else old for old in figure.knots)
-            return with_changed(document, [replace(figure, knots=knots)])
-        points = tuple(changed if old.id == where.point else old for old in figure.points_world)
-        return with_changed(document, [replace(figure, points_world=points)])
+        lists = _of_parts(figure, lambda old: changed if old.id == where.point else old)
+        return with_changed(document, [replace(figure, **lists)])
     if where.figure:
         return with_changed(document, [changed])
     return with_sheet(document, changed)
@@ -124,13 +121,17 @@ def numbered(document: Document, figure: AnyFigure) -> AnyFigure:
 
 def with_ids(figure: AnyFigure, own: Iterator[object], parts: Iterator[object]) -> AnyFigure:
     """``figure`` with ids where they are empty: numbers from ``own``, for points and knots from ``parts``."""
-    identity = figure.id or f"f{next(own)}"
-    points = tuple(p if p.id else replace(p, id=f"p{next(parts)}") for p in figure.points_world)
-    made = replace(figure, id=identity, points_world=points)
-    if isinstance(made, Curve):
-        knots = tuple(k if k.id else replace(k, id=f"k{next(parts)}") for k in made.knots)
-        made = replace(made, knots=knots)
-    return made
+    identity = figure.id or f"{figure.letter}{next(own)}"
+    return replace(figure, id=identity, **_of_parts(figure, lambda part: _with_id(part, parts)))
+
+
+def _with_id(part: Any, numbers: Iterator[object]) -> Any:
+    return part if part.id else replace(part, id=f"{part.letter}{next(numbers)}")
+
+
+def _of_parts(figure: AnyFigure, change: Callable[[Any], Any]) -> dict[str, tuple[Any, ...]]:
+    """The lists of parts of ``figure`` by name, with ``change(part)`` in place of each part."""
+    return {name: tuple(map(change, getattr(figure, name))) for name in parts_of(type(figure))}
 
 
 def all_numbered(document: Document, figures: Iterable[AnyFigure]) -> tuple[AnyFigure, ...]:
@@ -142,15 +143,12 @@ def all_numbered(document: Document, figures: Iterable[AnyFigure]) -> tuple[AnyF
 
 def without_ids(figure: AnyFigure) -> AnyFigure:
     """``figure`` with empty ids, to be numbered anew."""
-    bare = replace(figure, id="", points_world=tuple(replace(p, id="") for p in figure.points_world))
-    if isinstance(bare, Curve):
-        bare = replace(bare, knots=tuple(replace(knot, id="") for knot in bare.knots))
-    return bare
+    return replace(figure, id="", **_of_parts(figure, lambda part: replace(part, id="")))
 
 
 def moved_by(figure: AnyFigure, dx: float, dy: float) -> AnyFigure:
     """``figure`` with every control point moved by (dx, dy), world; raises DocumentError."""
-    dx, dy = like(0.0, dx, "dx_world"), like(0.0, dy, "dy_world")
+    dx, dy = like(COORDINATE, dx, "dx_world"), like(COORDINATE, dy, "dy_world")
     points = tuple(replace(p, x=p.x + dx, y=p.y + dy) for p in figure.points_world)
     return replace(figure, points_world=points)
 
@@ -194,48 +192,38 @@ def position(index: int, most: int, field: str) -> int:
     return index
 
 
-def plain(figure: AnyFigure) -> AnyFigure:
-    """``figure`` with Python's own numbers, whatever number type it was made with."""
-    points = tuple(_plain_point(point) for point in figure.points_world)
-    names = (
-        _CURVE_NUMBERS
-        if isinstance(figure, Curve)
-        else [name for name in figure.__struct_fields__ if name.startswith("radius")]
-    )
-    numbers = {name: number(getattr(figure, name)) for name in names}
-    made = replace(figure, points_world=points, **numbers)
-    if isinstance(made, Curve):
-        made = replace(made, knots=tuple(replace(knot, u=number(knot.u)) for knot in made.knots))
-    return made
+def plain(holder: Holder) -> Holder:
+    """``holder``, a struct, and all in it, with Python's own numbers, whatever type they are made with."""
+    values = {}
+    for name, own, many in _coercions(type(holder)):
+        value = getattr(holder, name)
+        if value is not None:
+            values[name] = tuple(map(own, value)) if many and isinstance(value, Iterable) else own(value)
+    return replace(holder, **values)
 
 
-_CURVE_NUMBERS = ("tension", "continuity", "bias", "alpha", "tolerance_px")
-
-
-def _plain_point(point: WorldPoint) -> WorldPoint:
-    fields = ("x", "y", "weight", "tangent_x", "tangent_y") if isinstance(point, CurvePoint) else ("x", "y")
-    return replace(point, **{name: number(getattr(point, name)) for name in fields})
-
-
-def plain_rectangle(rectangle: Rectangle) -> Rectangle:
-    """``rectangle`` with Python's own numbers."""
-    return Rectangle(*(number(getattr(rectangle, side)) for side in rectangle.__struct_fields__))
-
-
-def like(old: Any, value: Any, field: str) -> Any:
-    """``value`` as the kind that ``old`` is; raises DocumentError where it is not of that kind."""
-    if isinstance(old, (bool, str)):
-        if type(value) is type(old):
-            return value
-    elif isinstance(old, int):
-        whole = whole_number(value)
-        if type(whole) is int:
-            return whole
-    elif type(real := number(value)) is float:
-        return real
-    what = {bool: _("true or false"), str: _("a text"), int: _("a whole number"), float: _("a number")}[
-        type(old)
+@once_per_type
+def _coercions(struct: type) -> list[tuple[str, Callable[[Any], Any], bool]]:
+    """Name of each number and struct in a struct, what makes it plain, and whether it is a list of them."""
+    return [
+        (name, coercion(kind) if isinstance(kind, Number) else plain, many)
+        for name, (kind, many) in fields_of(struct).items()
+        if isinstance(kind, Number) or kind is msgspec.Struct
     ]
+
+
+def coercion(declared: Number) -> Callable[[Any], Any]:
+    """What makes Python's own number of one of any type, and leaves what is none for the check to refuse."""
+    return whole_number if declared.whole else number
+
+
+def like(declared: Any, value: Any, field: str) -> Any:
+    """``value`` as the Number, Choice, bool or str that is declared; raises DocumentError if it is none."""
+    kind = declared.type if isinstance(declared, Number | Choice) else declared
+    own = coercion(declared)(value) if isinstance(declared, Number) else value
+    if type(own) is kind:
+        return own
+    what = {bool: _("true or false"), str: _("a text"), int: _("a whole number"), float: _("a number")}[kind]
     raise DocumentError(
         field,
         _("{field} is {value}; give {what}.").format(field=field, value=shown(value), what=what),

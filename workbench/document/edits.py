@@ -7,18 +7,19 @@ it is given. What an edit adds may carry empty ids: it is given new ones.
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+import msgspec
 from msgspec.structs import replace
 
 from workbench.document.addresses import (
     WHOLE,
     Address,
+    declared_at,
     figure_with,
     figures_with,
     new_ids,
     owner,
     parse,
     point_with,
-    resolve,
     sheet_with,
 )
 from workbench.document.building import (
@@ -208,11 +209,11 @@ def set_attribute(address: Address | str, value: Any) -> Edit:
     where = parse(address)
 
     def edit(document: Document) -> Document:
-        old = resolve(document, where)
-        if where.attribute in (WHOLE, "id", "last_id") or not isinstance(old, (bool, int, float, str)):
+        kind, many = declared_at(document, where)
+        if where.attribute in (WHOLE, "id", "last_id") or many or kind is msgspec.Struct:
             sentence = _("{address} cannot be set by itself; set one of its attributes.")
             raise DocumentError(str(where), sentence.format(address=where))
-        new = like(old, value, str(where))
+        new = like(kind, value, str(where))
         holder = owner(document, where)
         return with_owner(document, where, replaced(holder, where.attribute.split("."), new))
 

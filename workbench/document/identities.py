@@ -62,7 +62,8 @@ def _exchanged(old: tuple[Any, ...], new: tuple[Any, ...], gone: list[str], come
         if other is None:
             come += figure.ids
         elif other is not figure:
-            first, old_part, new_part = between(other.parts, figure.parts)
-            gone += [part.id for part in other.parts[first:old_part]]
-            come += [part.id for part in figure.parts[first:new_part]]
+            old_parts, new_parts = other.parts, figure.parts
+            first, old_part, new_part = between(old_parts, new_parts)
+            gone += [part.id for part in old_parts[first:old_part]]
+            come += [part.id for part in new_parts[first:new_part]]
     gone += chain.from_iterable(figure.ids for figure in before.values())

@@ -6,12 +6,21 @@ Ids are short texts, unique in their document, and survive edits, insertion and 
 
 import re
 from functools import cached_property
-from itertools import pairwise
-from typing import ClassVar
+from itertools import chain, pairwise
+from typing import Annotated, ClassVar
 
 import msgspec
 
 from workbench.algorithms.catalogue import drawing
+from workbench.document.fields import Choice, Number, parts_of
+from workbench.language import _
+
+MAX_COORDINATE = 1_000_000.0
+MAX_SIDE_PX = 4096
+MAX_PALETTE = 256
+MAX_DEGREE = 7
+MAX_ID = 2**53
+WEIGHTS = (1e-9, 1e9)
 
 _NUMBER = re.compile(r"[0-9]{1,15}$")
 
@@ -22,21 +31,54 @@ def number_of(identity: str) -> int:
     return int(number.group()) if number else 0
 
 
+def coordinate(label: str, symbol: str = "", unit: str = "world") -> Number:
+    """A number that may be negative, as large as pictures have use for."""
+    return Number(
+        label=label,
+        symbol=symbol or label,
+        low=-MAX_COORDINATE,
+        high=MAX_COORDINATE,
+        unit=unit,
+        keyed=True,
+    )
+
+
+COORDINATE = coordinate("x")
+
+
+def _radius(label: str, symbol: str) -> Number:
+    return Number(label=label, symbol=symbol, low=0.0, high=MAX_COORDINATE, unit="world", keyed=True)
+
+
+def _side(label: str) -> Number:
+    return Number(label=label, low=1, high=MAX_SIDE_PX, whole=True, unit="px", keyed=False)
+
+
+def _shape(label: str, low: float, high: float) -> Number:
+    return Number(label=label, low=low, high=high, keyed=True)
+
+
+def _palette_index(label: str) -> Number:
+    return Number(label=label, whole=True, indexes="palette", keyed=False)
+
+
 class WorldPoint(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
-    """A control point, in world coordinates."""
+    """A control point, in world coordinates. Its id begins with ``letter`` by habit."""
+
+    letter: ClassVar[str] = "p"
 
     id: str
-    x: float
-    y: float
+    x: Annotated[float, coordinate("x")]
+    y: Annotated[float, coordinate("y")]
 
 
 class Rectangle(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A window (world) or viewport (device), sides parallel to the axes; xmin < xmax, ymin < ymax."""
 
-    xmin: float
-    ymin: float
-    xmax: float
-    ymax: float
+    xmin: Annotated[float, coordinate("xmin", "x_min")]
+    ymin: Annotated[float, coordinate("ymin", "y_min")]
+    xmax: Annotated[float, coordinate("xmax", "x_max")]
+    ymax: Annotated[float, coordinate("ymax", "y_max")]
 
 
 def whole_sheet(width_px: int, height_px: int) -> Rectangle:
@@ -59,6 +101,7 @@ class Figure(
     the catalogue does not have is kept: a newer program may have written it.
     """
 
+    letter: ClassVar[str] = "f"
     topic: ClassVar[str] = ""
     algorithms: ClassVar[tuple[str, ...]] = ()
     least_points: ClassVar[int] = 1
@@ -67,7 +110,7 @@ class Figure(
     id: str
     points_world: tuple[WorldPoint, ...]
     algorithm: str
-    colour: int = 1
+    colour: Annotated[int, _palette_index(_("colour"))] = 1
     name: str = ""
     visible: bool = True
 
@@ -84,7 +127,8 @@ class Figure(
     @property
     def parts(self) -> "tuple[WorldPoint | Knot, ...]":
         """What in it has an id."""
-        return self.points_world
+        first, *others = [getattr(self, name) for name in parts_of(type(self))]
+        return (*first, *chain.from_iterable(others)) if others else first
 
     @property
     def drawn_with(self) -> str:
@@ -125,7 +169,7 @@ class Polygon(Figure, frozen=True, tag="polygon"):
     least_points: ClassVar[int] = 3
     most_points: ClassVar[int] = 100_000
 
-    ring_ends: tuple[int, ...] = ()
+    ring_ends: tuple[Annotated[int, Number(label=_("list of rings"), whole=True, keyed=False)], ...] = ()
     closed_interior: bool = False
     nonzero: bool = False
 
@@ -142,7 +186,7 @@ class Circle(Figure, frozen=True, tag="circle", kw_only=True):
     topic: ClassVar[str] = "circles"
     algorithms: ClassVar[tuple[str, ...]] = drawing("circle", first="midpoint_circle")
 
-    radius_world: float
+    radius_world: Annotated[float, _radius(_("radius"), "r")]
 
 
 class Ellipse(Figure, frozen=True, tag="ellipse", kw_only=True):
@@ -151,8 +195,8 @@ class Ellipse(Figure, frozen=True, tag="ellipse", kw_only=True):
     topic: ClassVar[str] = "circles"
     algorithms: ClassVar[tuple[str, ...]] = drawing("ellipse", first="midpoint_ellipse")
 
-    radius_x_world: float
-    radius_y_world: float
+    radius_x_world: Annotated[float, _radius(_("horizontal radius"), "r_x")]
+    radius_y_world: Annotated[float, _radius(_("vertical radius"), "r_y")]
 
 
 class SeedFill(Figure, frozen=True, tag="seed_fill", kw_only=True):
@@ -164,8 +208,10 @@ class SeedFill(Figure, frozen=True, tag="seed_fill", kw_only=True):
     topic: ClassVar[str] = "seed_fill"
     algorithms: ClassVar[tuple[str, ...]] = drawing("seed_fill", first="boundary_fill_4")
 
-    boundary: int = 1
-    recursion_limit: int = 1000
+    boundary: Annotated[int, _palette_index(_("boundary colour"))] = 1
+    recursion_limit: Annotated[
+        int, Number(label=_("recursion limit"), low=10, high=4_000, whole=True, keyed=False)
+    ] = 1000
 
 
 SPLINES = (
@@ -200,17 +246,21 @@ class CurvePoint(WorldPoint, frozen=True, omit_defaults=True):
     path of Bézier pieces hang together: not at all, in one direction, or in one direction equally long.
     """
 
-    weight: float = 1.0
-    tangent_x: float = 0.0
-    tangent_y: float = 0.0
-    joint: str = JOINTS[0]
+    weight: Annotated[
+        float, Number(label=_("weight"), symbol="w", low=WEIGHTS[0], high=WEIGHTS[1], keyed=True)
+    ] = 1.0
+    tangent_x: Annotated[float, coordinate(_("x of the tangent"), "x'")] = 0.0
+    tangent_y: Annotated[float, coordinate(_("y of the tangent"), "y'")] = 0.0
+    joint: Annotated[str, Choice(JOINTS)] = JOINTS[0]
 
 
 class Knot(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
-    """One knot of a B-spline, at the parameter ``u``."""
+    """One knot of a B-spline, at the parameter ``u``. Its id begins with ``letter`` by habit."""
+
+    letter: ClassVar[str] = "k"
 
     id: str
-    u: float
+    u: Annotated[float, coordinate("u", unit="")]
 
 
 class Curve(Figure, frozen=True, tag="curve", omit_defaults=True):
@@ -230,23 +280,20 @@ class Curve(Figure, frozen=True, tag="curve", omit_defaults=True):
     most_points: ClassVar[int] = 10_000
 
     points_world: tuple[CurvePoint, ...]
-    spline: str = SPLINES[0]
-    beside: tuple[str, ...] = ()
-    degree: int = 3
+    spline: Annotated[str, Choice(SPLINES)] = SPLINES[0]
+    beside: tuple[Annotated[str, Choice(SPLINES)], ...] = ()
+    degree: Annotated[int, Number(label=_("degree"), low=1, high=MAX_DEGREE, whole=True, keyed=False)] = 3
     closed: bool = False
-    knot_rule: str = KNOT_RULES[0]
+    knot_rule: Annotated[str, Choice(KNOT_RULES)] = KNOT_RULES[0]
     knots: tuple[Knot, ...] = ()
-    tension: float = 0.0
-    continuity: float = 0.0
-    bias: float = 0.0
-    alpha: float = 0.5
-    ends: str = ENDS[0]
-    tolerance_px: float = 0.1
-
-    @property
-    def parts(self) -> "tuple[WorldPoint | Knot, ...]":
-        """What in it has an id."""
-        return (*self.points_world, *self.knots)
+    tension: Annotated[float, _shape(_("tension"), -10.0, 10.0)] = 0.0
+    continuity: Annotated[float, _shape(_("continuity"), -10.0, 10.0)] = 0.0
+    bias: Annotated[float, _shape(_("bias"), -10.0, 10.0)] = 0.0
+    alpha: Annotated[float, _shape(_("alpha"), 0.0, 1.0)] = 0.5
+    ends: Annotated[str, Choice(ENDS)] = ENDS[0]
+    tolerance_px: Annotated[
+        float, Number(label=_("tolerance"), low=1e-4, high=100.0, unit="px", keyed=False)
+    ] = 0.1
 
 
 AnyFigure = Line | Polyline | Polygon | Circle | Ellipse | SeedFill | Curve
@@ -263,18 +310,22 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
     converted, by the clippers named; None clips nothing.
     """
 
+    letter: ClassVar[str] = "s"
+
     id: str
     name: str
-    width_px: int
-    height_px: int
+    width_px: Annotated[int, _side(_("width"))]
+    height_px: Annotated[int, _side(_("height"))]
     window_world: Rectangle
     viewport_device: Rectangle
-    palette: tuple[int, ...]
+    palette: tuple[
+        Annotated[int, Number(label=_("palette"), low=0, high=0xFFFFFF, whole=True, keyed=False)], ...
+    ]
     figures: tuple[AnyFigure, ...] = ()
-    background: int = 0
+    background: Annotated[int, _palette_index(_("background"))] = 0
     clip_world: Rectangle | None = None
-    line_clipper: str = LINE_CLIPPERS[0]
-    polygon_clipper: str = POLYGON_CLIPPERS[0]
+    line_clipper: Annotated[str, Choice(LINE_CLIPPERS)] = LINE_CLIPPERS[0]
+    polygon_clipper: Annotated[str, Choice(POLYGON_CLIPPERS)] = POLYGON_CLIPPERS[0]
 
 
 class Document(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -284,4 +335,4 @@ class Document(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     sheets: tuple[Sheet, ...]
-    last_id: int = 0
+    last_id: Annotated[int, Number(label="last_id", low=0, high=MAX_ID, whole=True, keyed=False)] = 0

@@ -11,7 +11,6 @@ from workbench.document.building import (
     checked,
     ids_on,
     plain,
-    plain_rectangle,
     position,
     remembering,
     whole_number,
@@ -20,8 +19,7 @@ from workbench.document.building import (
     with_sheet,
     without_ids,
 )
-from workbench.document.check import MAX_SIDE_PX
-from workbench.document.model import AnyFigure, Document, Rectangle, Sheet, whole_sheet
+from workbench.document.model import MAX_SIDE_PX, AnyFigure, Document, Rectangle, Sheet, whole_sheet
 
 
 @checked
@@ -107,14 +105,14 @@ def set_sheet_size(sheet: str, width_px: int, height_px: int) -> Edit:
 @checked
 def set_window(sheet: str, window_world: Rectangle) -> Edit:
     """Set the window, in world coordinates."""
-    window = plain_rectangle(window_world)
+    window = plain(window_world)
     return lambda document: with_sheet(document, replace(sheet_with(document, sheet), window_world=window))
 
 
 @checked
 def set_clip(sheet: str, clip_world: Rectangle | None) -> Edit:
     """Set the window that figures are clipped to, in world coordinates; None clips nothing."""
-    clip = None if clip_world is None else plain_rectangle(clip_world)
+    clip = None if clip_world is None else plain(clip_world)
     return lambda document: with_sheet(document, replace(sheet_with(document, sheet), clip_world=clip))
 
 
@@ -135,7 +133,7 @@ def set_clippers(sheet: str, line: str | None = None, polygon: str | None = None
 @checked
 def set_viewport(sheet: str, viewport_device: Rectangle) -> Edit:
     """Set the viewport, in device coordinates."""
-    viewport = plain_rectangle(viewport_device)
+    viewport = plain(viewport_device)
     return lambda document: with_sheet(
         document, replace(sheet_with(document, sheet), viewport_device=viewport)
     )

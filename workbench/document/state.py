@@ -1,15 +1,27 @@
 """What a session keeps in the file beside the picture: it is saved, but never a step of undo."""
 
-from typing import Literal, get_args
+from typing import Annotated, Literal, get_args
 
 import msgspec
 
 from workbench.algorithms import catalogue
-from workbench.document.check import MAX_SIDE_PX, refuse, shown
-from workbench.document.model import CONSTRUCTIONS, LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure, Document
+from workbench.document.check import number_problem, refuse, shown
+from workbench.document.fields import Number, numbers_of
+from workbench.document.model import (
+    CONSTRUCTIONS,
+    LINE_CLIPPERS,
+    MAX_SIDE_PX,
+    POLYGON_CLIPPERS,
+    AnyFigure,
+    Document,
+)
 from workbench.language import _
 
 LONGEST_TIME_S = 1e9
+
+
+def _drive(label: str, low: float, high: float, unit: str = "") -> Number:
+    return Number(label=label, low=low, high=high, unit=unit, keyed=False)
 
 
 class TubeSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -20,12 +32,12 @@ class TubeSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     shown: Literal["both", "raster", "vector"] = "both"
     phosphor: str = "P31"
-    refresh_hz: float = 60.0
-    slow_motion: float = 1.0
-    persistence: float = 1.0
+    refresh_hz: Annotated[float, _drive(_("refresh rate"), 0.1, 1000.0, "Hz")] = 60.0
+    slow_motion: Annotated[float, _drive(_("slow motion"), 0.001, 1e9)] = 1.0
+    persistence: Annotated[float, _drive(_("persistence"), 0.01, 100.0)] = 1.0
     vector_display: str = "teaching"
     paused: bool = False
-    time_s: float = 0.0
+    time_s: Annotated[float, _drive(_("time"), 0.0, LONGEST_TIME_S, "s")] = 0.0
 
 
 class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -80,16 +92,9 @@ def check_state(state: SessionState, document: Document) -> SessionState:
         raise refuse("session.tube.phosphor", _("is no name; give one such as P31"))
     if len(state.tube.vector_display) > 32:
         raise refuse("session.tube.vector_display", _("is no name; give one such as teaching"))
-    for name, low, high in (
-        ("refresh_hz", 0.1, 1000.0),
-        ("slow_motion", 0.001, 1e9),
-        ("persistence", 0.01, 100.0),
-        ("time_s", 0.0, LONGEST_TIME_S),
-    ):
-        value = getattr(state.tube, name)
-        if not low <= value <= high:
-            problem = _("is {value}; give a number between {low:g} and {high:g}")
-            raise refuse(f"session.tube.{name}", problem.format(value=value, low=low, high=high))
+    for name, number in numbers_of(TubeSettings).items():
+        if problem := number_problem(number, getattr(state.tube, name)):
+            raise refuse(f"session.tube.{name}", problem)
     return state
 
 

@@ -1,5 +1,6 @@
 """What is typed in the card, and what it says of what cannot be: too far away to be drawn, no number."""
 
+import math
 from collections.abc import Iterator
 
 import pytest
@@ -8,12 +9,24 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from workbench.document.edits import add_figure, set_attribute
-from workbench.document.model import AnyFigure, Circle, Ellipse, Polyline, SeedFill, WorldPoint
+from workbench.document.edits import add_figure, set_attribute, set_window
+from workbench.document.fields import Number, numbers_of, structs_in
+from workbench.document.model import (
+    AnyFigure,
+    Circle,
+    Ellipse,
+    Polyline,
+    Rectangle,
+    SeedFill,
+    Sheet,
+    WorldPoint,
+)
 from workbench.document.samples.examples import blank_sheet
 from workbench.panels.draw.panel import DrawPanel
+from workbench.panels.stage.card import number_field
 from workbench.rendering import REACH_PX, figure_calls
 from workbench.session.session import Session
+from workbench.widgets.fields.number_field import NumberField
 
 HEXAGON = ((4, 8), (8, 2), (14, 2), (18, 8), (14, 14), (8, 14))
 PLACE = (WorldPoint("p1", 10, 10),)
@@ -120,3 +133,54 @@ def test_a_field_stays_where_it_is_beside_one_that_complains(panel: DrawPanel, q
     settle()
     assert bad.complaint.isVisible()
     assert beside.field.mapTo(panel, QPoint()).y() == bad.field.mapTo(panel, QPoint()).y()
+
+
+NUMBERS = {
+    f"{kind.__name__}.{name}": number
+    for kind in structs_in(Sheet)
+    for name, number in numbers_of(kind).items()
+    if math.isfinite(number.low)
+}
+
+
+@pytest.mark.parametrize("number", NUMBERS.values(), ids=NUMBERS)
+def test_a_field_says_and_takes_what_is_declared(qtbot: QtBot, number: Number) -> None:
+    field = number_field(number, "Meaning")
+    qtbot.addWidget(field)
+    assert (field.label.text(), field.unit.text()) == (number.label, number.unit)
+    sent: list[float] = []
+    field.edited.connect(sent.append)
+
+    def type_(value: float) -> str:
+        field.field.setText(f"{value:.10f}")
+        field.field.returnPressed.emit()
+        return field.complaint.text()
+
+    field.set_value((number.low + number.high) / 2)
+    assert (type_(number.low), type_(number.high)) == ("", "")
+    assert sent == [number.low, number.high]
+    assert "the least is" in type_(number.low - 1)
+    assert "the most is" in type_(number.high + 1)
+    assert ("is not whole" in type_(number.low + 0.5)) == number.whole
+
+
+def test_a_coordinate_is_in_pixels_where_the_world_is_and_a_radius_too(panel: DrawPanel) -> None:
+    session = panel.session
+    session.apply(add_figure(session.sheet.id, FIGURES[1]), "Draw")
+    session.update_state(selection=("f1",), active="f1")
+
+    def fields() -> dict[str, tuple[str, str]]:
+        settle()
+        kept = [field for field in panel.card.findChildren(NumberField) if not field.isHidden()]
+        return {field.label.text(): (field.unit.text(), field.field.accessibleName()) for field in kept}
+
+    names = {"x": "x of the centre", "y": "y of the centre"}
+    radii = {"x": "Horizontal radius", "y": "Vertical radius"}
+    expected = {f"{k}<sub>c</sub>": ("px", name) for k, name in names.items()}
+    expected |= {f"r<sub>{k}</sub>": ("px", name) for k, name in radii.items()}
+    assert fields() == expected
+    session.apply(set_window(session.sheet.id, Rectangle(0.0, 0.0, 100.0, 75.0)), "Window")
+    session.update_state(selection=(), active="")
+    settle()
+    session.update_state(selection=("f1",), active="f1")
+    assert {unit for unit, _name in fields().values()} == {""}

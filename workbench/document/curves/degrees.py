@@ -6,11 +6,10 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import curves
 from workbench.document.building import Edit, checked
-from workbench.document.check import MAX_DEGREE
 from workbench.document.curves.changes import changing
 from workbench.document.curves.pieces import MAX_BEZIER_DEGREE, pieces_of
 from workbench.document.curves.turns import Rows, one_turn, rows_of, spread, spread_knots, with_rows
-from workbench.document.model import B_SPLINES, Curve, CurvePoint
+from workbench.document.model import B_SPLINES, MAX_DEGREE, Curve, CurvePoint
 from workbench.language import _
 
 Array = NDArray[np.float64]

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QPushBu
 
 from workbench.algorithms import catalogue
 from workbench.document.edits import set_clip, set_clippers
+from workbench.document.fields import numbers_of
 from workbench.document.model import LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure, Polygon, Rectangle
 from workbench.language import _, ngettext
 from workbench.panels.clip.scene import Fate, degenerate_count, tally
@@ -18,7 +19,7 @@ from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.tokens import tokens
 
-_SIDES = (("xmin", "x_min"), ("xmax", "x_max"), ("ymin", "y_min"), ("ymax", "y_max"))
+_SIDES = ("xmin", "xmax", "ymin", "ymax")
 
 
 def no_extent(window: Rectangle) -> str:
@@ -56,7 +57,8 @@ class ClipCard(ParameterCard):
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(12)
         grid.setVerticalSpacing(4)
-        for k, (name, label) in enumerate(_SIDES):
+        for k, name in enumerate(_SIDES):
+            label = numbers_of(Rectangle)[name].symbol
             field = NumberField(label, "px", meaning=_("{side} of the clip window").format(side=label))
             field.edited.connect(lambda value, side=name: self._set_side(side, value))
             field.scrubbed.connect(lambda value, side=name: self._set_side(side, value, "scrub"))

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QMenu, 
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.curves import counting
-from workbench.document.check import MAX_DEGREE
 from workbench.document.curves.edits import (
     set_beside,
     set_curve_closed,
@@ -21,6 +20,7 @@ from workbench.document.curves.edits import (
 )
 from workbench.document.curves.pieces import ends_steer, fault_of, goes_round, may_be_closed, pieces_of
 from workbench.document.edits import Edit, both, set_attributes
+from workbench.document.fields import Number, numbers_of
 from workbench.document.model import (
     B_SPLINES,
     CONSTRUCTIONS,
@@ -31,6 +31,7 @@ from workbench.document.model import (
     SPLINES,
     AnyFigure,
     Curve,
+    CurvePoint,
     Sheet,
 )
 from workbench.language import _, ngettext
@@ -45,7 +46,7 @@ from workbench.panels.curves.names import (
 )
 from workbench.panels.curves.pen import PenTool
 from workbench.panels.curves.shape import has_tangent
-from workbench.panels.stage.card import ParameterCard
+from workbench.panels.stage.card import ParameterCard, number_field
 from workbench.panels.stage.tools import FigureTool
 from workbench.rendering.curve_runs import construction_fault, construction_of
 from workbench.widgets.canvas.drawing import ink_of
@@ -84,9 +85,8 @@ class CurveCard(ParameterCard):
         """Kind, degree and closed, knots, ends, shape, joint; kinds beside; countings; what is missing."""
         self.spline = self._choice(_("Kind of curve"), [(name, spline_title(name)) for name in SPLINES])
         self.spline.activated.connect(lambda: self._put("spline", self.spline.currentData()))
-        self.degree = NumberField(
-            _("degree"), "", low=1, high=MAX_DEGREE, integer=True, meaning=_("Degree of the B-spline")
-        )
+        numbers = numbers_of(Curve)
+        self.degree = number_field(numbers["degree"], _("Degree of the B-spline"))
         self.degree.edited.connect(lambda value: self._put("degree", int(value)))
         self.degree.scrubbed.connect(lambda value: self._put("degree", int(value), "scrub"))
         self.degree.scrub_ended.connect(self._session.end_merge)
@@ -100,7 +100,8 @@ class CurveCard(ParameterCard):
         ends = zip(ENDS, (_("Through the end points"), _("End points only steer")), strict=True)
         self.ends = self._choice(_("Ends"), list(ends))
         self.ends.activated.connect(lambda: self._put("ends", self.ends.currentData()))
-        self.shape = {name: self._shape_field(name, title) for name, title in self._shapes()}
+        shapes = ("tension", "continuity", "bias", "alpha")
+        self.shape = {name: self._shape_field(name, numbers[name]) for name in shapes}
         joints = zip(JOINTS, (_("Corner"), _("Smooth"), _("Symmetric")), strict=True)
         self.joint = self._choice(_("Joint at the point"), list(joints))
         self.joint.setToolTip(_("How the handles of the chosen points hang together"))
@@ -119,9 +120,7 @@ class CurveCard(ParameterCard):
         self.steps.setAccessibleName(_("What is stepped"))
         self.steps.setToolTip(_("The text that is stepped and shown as source"))
         self.steps.activated.connect(self._choose_steps)
-        self.tolerance = NumberField(
-            _("tolerance"), "px", low=1e-3, high=20, step=0.05, meaning=_("Tolerance")
-        )
+        self.tolerance = number_field(numbers["tolerance_px"], _("Tolerance"), 0.05)
         self.tolerance.edited.connect(self._put_tolerance)
         self.tolerance.scrubbed.connect(lambda value: self._put_tolerance(value, "scrub"))
         self.tolerance.scrub_ended.connect(self._session.end_merge)
@@ -153,18 +152,9 @@ class CurveCard(ParameterCard):
             label.setProperty("role", role)
         return label
 
-    def _shapes(self) -> list[tuple[str, str]]:
-        return [
-            ("tension", _("tension")),
-            ("continuity", _("continuity")),
-            ("bias", _("bias")),
-            ("alpha", _("alpha")),
-        ]
-
-    def _shape_field(self, name: str, title: str) -> NumberField:
-        low, high = (0.0, 1.0) if name == "alpha" else (-10.0, 10.0)
-        meaning = {"alpha": _("Alpha: 0 uniform, 0.5 centripetal, 1 chordal")}.get(name, title.capitalize())
-        field = NumberField(title, "", low=low, high=high, step=0.05, meaning=meaning)
+    def _shape_field(self, name: str, number: Number) -> NumberField:
+        meanings = {"alpha": _("Alpha: 0 uniform, 0.5 centripetal, 1 chordal")}
+        field = number_field(number, meanings.get(name, number.label.capitalize()), 0.05)
         field.edited.connect(lambda value: self._put(name, value))
         field.scrubbed.connect(lambda value: self._put(name, value, "scrub"))
         field.scrub_ended.connect(self._session.end_merge)
@@ -192,14 +182,14 @@ class CurveCard(ParameterCard):
         listed = []
         for k in self.focus.numbers(figure)[:_MOST_CHOSEN]:
             place, name = f"{sheet.id}/{figure.id}/{figure.points_world[k].id}", point_name(figure, k)
-            mark = name[1:]
-            listed.append((f"{place}/x", f"x_{mark}", _("x of the {who}").format(who=name)))
-            listed.append((f"{place}/y", f"y_{mark}", _("y of the {who}").format(who=name)))
+            meanings = {"x": _("x of the {who}"), "y": _("y of the {who}")}
             if figure.spline == "nurbs":
-                listed.append((f"{place}/weight", f"w_{mark}", _("Weight of {who}").format(who=name)))
+                meanings["weight"] = _("Weight of {who}")
             if has_tangent(figure, k):
-                listed.append((f"{place}/tangent_x", f"x'_{mark}", _("Tangent of {who}, x").format(who=name)))
-                listed.append((f"{place}/tangent_y", f"y'_{mark}", _("Tangent of {who}, y").format(who=name)))
+                meanings |= {"tangent_x": _("Tangent of {who}, x"), "tangent_y": _("Tangent of {who}, y")}
+            for attribute, meaning in meanings.items():
+                label = f"{numbers_of(CurvePoint)[attribute].symbol}_{name[1:]}"
+                listed.append((f"{place}/{attribute}", label, meaning.format(who=name)))
         return listed
 
     def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:

@@ -9,17 +9,16 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QWidget
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import CALLS
-from workbench.document.check import RECURSION_LIMITS
 from workbench.document.edits import set_attributes
+from workbench.document.fields import numbers_of
 from workbench.document.model import AnyFigure, Polygon, SeedFill
 from workbench.language import _
 from workbench.panels.fill.tools import SeedTool, seed_problem, stops_at_boundary
-from workbench.panels.stage.card import ParameterCard
+from workbench.panels.stage.card import ParameterCard, number_field
 from workbench.panels.stage.gesture import snapped
 from workbench.panels.stage.picture import themed
 from workbench.panels.stage.tools import FigureTool
 from workbench.rendering import device_map
-from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.fields.swatches import Swatches
 from workbench.widgets.look.tokens import tokens
 
@@ -49,10 +48,7 @@ class FillCard(ParameterCard):
         self.colours.chosen.connect(lambda index: self._put("colour", index))
         self.boundary = Swatches(_("Boundary"))
         self.boundary.chosen.connect(lambda index: self._put("boundary", index))
-        low, high = RECURSION_LIMITS
-        self.limit = NumberField(
-            _("recursion limit"), "", low=low, high=high, step=10, integer=True, meaning=_("Recursion limit")
-        )
+        self.limit = number_field(numbers_of(SeedFill)["recursion_limit"], _("Recursion limit"), 10)
         self.limit.edited.connect(lambda value: self._put("recursion_limit", int(value)))
         self.limit.scrubbed.connect(lambda value: self._put("recursion_limit", int(value), "scrub"))
         self.limit.scrub_ended.connect(self._session.end_merge)

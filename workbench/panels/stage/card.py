@@ -18,9 +18,10 @@ from PySide6.QtWidgets import (
 )
 
 from workbench.algorithms import catalogue
-from workbench.document.addresses import resolve
+from workbench.document.addresses import declared_at, resolve
 from workbench.document.edits import Edit, set_algorithm, set_attribute, set_sheet_size
 from workbench.document.errors import DocumentError
+from workbench.document.fields import Number, numbers_of
 from workbench.document.model import (
     AnyFigure,
     Circle,
@@ -31,6 +32,7 @@ from workbench.document.model import (
     Polyline,
     SeedFill,
     Sheet,
+    WorldPoint,
 )
 from workbench.language import _, ngettext
 from workbench.panels.stage.tools import FigureTool
@@ -56,6 +58,19 @@ def kind_title(figure: AnyFigure) -> str:
     return titles.get(type(figure), _("Fill"))
 
 
+def number_field(number: Number, meaning: str, step: float = 1.0) -> NumberField:
+    """A field for ``number`` as it is declared; ``meaning`` is what a person calls it here."""
+    return NumberField(
+        number.label,
+        number.unit,
+        low=number.low,
+        high=number.high,
+        step=step,
+        integer=number.whole,
+        meaning=meaning,
+    )
+
+
 def parameters(sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
     """Address, label and meaning of each number of a figure that the card shows."""
     place = f"{sheet.id}/{figure.id}"
@@ -64,13 +79,12 @@ def parameters(sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
     for k, point in enumerate(figure.points_world[:_MOST_POINTS]):
         mark = "c" if centred else "s" if isinstance(figure, SeedFill) else str(k)
         who = _("centre") if centred else _("seed") if mark == "s" else _("point {k}").format(k=k)
-        listed.append((f"{place}/{point.id}/x", f"x_{mark}", _("x of the {who}").format(who=who)))
-        listed.append((f"{place}/{point.id}/y", f"y_{mark}", _("y of the {who}").format(who=who)))
-    if isinstance(figure, Circle):
-        listed.append((f"{place}/radius_world", "r", _("Radius")))
-    if isinstance(figure, Ellipse):
-        listed.append((f"{place}/radius_x_world", "r_x", _("Radius along x")))
-        listed.append((f"{place}/radius_y_world", "r_y", _("Radius along y")))
+        for name, number in numbers_of(WorldPoint).items():
+            meaning = _("{name} of the {who}").format(name=number.label, who=who)
+            listed.append((f"{place}/{point.id}/{name}", f"{number.symbol}_{mark}", meaning))
+    for name, number in numbers_of(type(figure)).items():
+        if number.unit == "world":
+            listed.append((f"{place}/{name}", number.symbol, number.label.capitalize()))
     return listed
 
 
@@ -268,7 +282,8 @@ class ParameterCard(QFrame):
         pixels = sheet.window_world == sheet.viewport_device
         if one is not None:
             for k, (address, label, meaning) in enumerate(self.numbers(sheet, one)):
-                unit = "px" if pixels and not address.endswith("/weight") else ""
+                number = declared_at(self._session.document, address).kind
+                unit = ("px" if pixels else "") if number.unit == "world" else number.unit
                 field = NumberField(label, unit, meaning=meaning)
                 field.edited.connect(lambda value, a=address: self._set(a, value))
                 field.scrubbed.connect(lambda value, a=address: self._set(a, value, "scrub"))
@@ -276,14 +291,11 @@ class ParameterCard(QFrame):
                 self._fields[address] = field
                 self._grid.addWidget(field, k // 2, k % 2)
         elif not figures:
-            size = tuple(
-                NumberField(label, "px", low=1, high=4096, integer=True, meaning=meaning)
-                for label, meaning in (
-                    (_("width"), _("Width of the sheet")),
-                    (_("height"), _("Height of the sheet")),
-                )
+            numbers = numbers_of(Sheet)
+            self._size = (
+                number_field(numbers["width_px"], _("Width of the sheet")),
+                number_field(numbers["height_px"], _("Height of the sheet")),
             )
-            self._size = size[0], size[1]
             for k, field in enumerate(self._size):
                 field.edited.connect(lambda _value: self._set_size())
                 field.scrubbed.connect(lambda _value: self._set_size("scrub"))
