@@ -56,8 +56,10 @@ def _ellipse_chords(
 
 
 def _segments(sheet: Sheet, figure: AnyFigure, flatness: float) -> list[tuple[float, float, float, float]]:
+    if isinstance(figure, Line | Polyline | Curve):
+        return [(x0, y0, x1, y1) for x0, y0, x1, y1 in visible_segments(sheet, [figure]).table.tolist()]
     if isinstance(figure, Polygon):
-        return [stroke for ring in visible_rings(sheet, figure) for stroke in ring_strokes(ring)]
+        return [stroke for ring in visible_rings(sheet, [figure])[0] for stroke in ring_strokes(ring)]
     scale = device_map(sheet)
     if isinstance(figure, Circle | Ellipse) and figure.points_world:
         centre = scale.point(figure.points_world[0].x, figure.points_world[0].y)
@@ -81,9 +83,6 @@ def display_list(sheet: Sheet, flatness_px: float = FLATNESS_PX) -> list[Stroke]
         if not figure.visible:
             continue
         colour = colour_of(sheet, figure)
-        if isinstance(figure, Line | Polyline | Curve):
-            strokes += [Stroke(*ends, colour, index) for ends in visible_segments(sheet, figure, bounds)]
-            continue
         for segment in _segments(sheet, figure, flatness_px):
             seen = clip_segment(*segment, *bounds)
             if seen is not None:

@@ -39,16 +39,21 @@ def reach(width: int, height: int) -> tuple[float, float, float, float]:
     return -REACH_PX, -REACH_PX, width + REACH_PX, height + REACH_PX
 
 
+def polygon_reach(width: int, height: int) -> tuple[float, float, float, float]:
+    """How far polygons are filled around a picture of this size, as ``reach``."""
+    return -POLYGON_REACH_PX, -POLYGON_REACH_PX, width + POLYGON_REACH_PX, height + POLYGON_REACH_PX
+
+
 def clip_ring(ring: NDArray[np.float64], width: int, height: int) -> NDArray[np.float64]:
     """A ring (n, 2) of device points, cut where it leaves the reach of a picture; one inside is unchanged.
 
     What lies beyond is folded onto the edge of the reach, so that insides stay as they were within it.
     """
-    for axis, size in ((0, width), (1, height)):
-        for sign, bound in ((-1.0, POLYGON_REACH_PX), (1.0, size + POLYGON_REACH_PX)):
-            beyond = sign * ring[:, axis] > bound
-            if beyond.any():
-                ring = _cut(ring, beyond, axis, sign * bound)
+    xmin, ymin, xmax, ymax = polygon_reach(width, height)
+    for axis, sign, at in ((0, -1, xmin), (0, 1, xmax), (1, -1, ymin), (1, 1, ymax)):
+        beyond = sign * ring[:, axis] > sign * at
+        if beyond.any():
+            ring = _cut(ring, beyond, axis, at)
     return ring
 
 
