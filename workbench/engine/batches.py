@@ -60,24 +60,23 @@ class Calls:
             table[:, number] = column
         return Calls(function, colours.astype(np.uint32), numbers.astype(np.int32), (table, *lists))
 
-    def paint(
+    def painter(
         self,
         image: NDArray[np.uint32],
         painter: NDArray[np.int32],
-        bounds: NDArray[np.int64],
-        first: int,
-        last: int,
+        bounds: tuple[int, int, int, int],
         flavour: str = "",
-    ) -> None:
-        """Paint the calls from ``first`` to before ``last`` into ``image`` and ``painter`` (h, w).
+    ) -> Callable[[int, int], None]:
+        """What paints the calls from a first to before a last one into ``image`` and ``painter`` (h, w).
 
         What lies outside ``bounds``, first and last column, first and last row, in the picture, is left out.
-        Compiles and loads what is not at hand. Raises: NotCompilable, DialectError.
+        It compiles and loads what is not at hand. Raises: NotCompilable, DialectError.
         """
         from workbench.engine import compiled  # here, as the first frame is painted without
 
-        given = image, painter, first, last, bounds, self.colours, self.numbers, *self.values
-        compiled.kernel(self.function, flavour=flavour).call(f"_{USE}", given, True)
+        call = compiled.kernel(self.function, flavour=flavour).call
+        given = image, painter, np.array(bounds, np.int64), self.colours, self.numbers, *self.values
+        return lambda first, last: call(f"_{USE}", (first, last, *given), True)
 
 
 def load(function: Function, arguments: Iterable[Any]) -> None:
@@ -86,6 +85,6 @@ def load(function: Function, arguments: Iterable[Any]) -> None:
         Lists(value, np.array([0, len(value)])) if isinstance(value, np.ndarray) else np.array([value])
         for value in arguments
     ]
-    image, bounds = np.zeros((4, 4), np.uint32), np.array([0, 3, 0, 3])
+    image = np.zeros((4, 4), np.uint32)
     calls = Calls.of(function, np.ones(1), np.zeros(1), values)
-    calls.paint(image, image.astype(np.int32), bounds, 0, 1)
+    calls.painter(image, image.astype(np.int32), (0, 3, 0, 3))(0, 1)

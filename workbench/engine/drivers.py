@@ -65,7 +65,7 @@ def _paint_many(_image, _value, _stop, _rows):
 
 _PAINT_BATCH = """
 @reading
-def _paint_batch(_image, _painter, _first, _last, _bounds, _colours, _numbers, {given}):
+def _paint_batch(_first, _last, _image, _painter, _bounds, _colours, _numbers, {given}):
     _seen = Bounds(_bounds[0], _bounds[1], _bounds[2], _bounds[3])
     for row in range(_first, _last):
         {name}({sink}(_image, _painter, _colours[row], _numbers[row], _seen), {items})

@@ -285,8 +285,10 @@ def _paint_figure_span(sink: PaintFigureSpans, *values: Any) -> None:
     if bounds.y_first <= y <= bounds.y_last:
         left, right = max(values[1], bounds.x_first), min(values[2], bounds.x_last)
         if left <= right:
-            sink.image[y, left : right + 1] = sink.value
-            sink.painter[y, left : right + 1] = sink.number
+            row, painters = sink.image[np.uint64(y)], sink.painter[np.uint64(y)]
+            for x in range(np.uint64(left), np.uint64(right + 1)):
+                row[x] = sink.value
+                painters[x] = sink.number
 
 
 def _hit(sink: Hit, *values: Any) -> None:

@@ -1,7 +1,7 @@
 """A sheet as a frame buffer: every figure scan converted, from back to front."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from itertools import groupby, repeat
 from operator import itemgetter
@@ -149,7 +149,7 @@ def _stretches(sheet: Sheet, numbers: Sequence[int]) -> Iterator[_Stretch | int]
 
 def _paint(sheet: Sheet, numbers: Sequence[int], onto: Composite) -> None:
     """Paint the figures of these numbers, from back to front."""
-    compiled: dict[int, Calls] = {}
+    painters: dict[int, Callable[[int, int], None]] = {}
     for stretch in _stretches(sheet, numbers):
         if isinstance(stretch, int):
             _fill(sheet, stretch, onto)
@@ -157,9 +157,10 @@ def _paint(sheet: Sheet, numbers: Sequence[int], onto: Composite) -> None:
         batch, colours, figures, bounds, first, last = stretch
         function = batch.entry.function
         if at_hand(function, USE):
-            if id(batch) not in compiled:
-                compiled[id(batch)] = Calls.of(function, colours, figures, batch.values)
-            compiled[id(batch)].paint(*onto, np.array(bounds), first, last)
+            if id(batch) not in painters:
+                compiled = Calls.of(function, colours, figures, batch.values)
+                painters[id(batch)] = compiled.painter(*onto, bounds)
+            painters[id(batch)](first, last)
         else:
             rows = [emitted(call) for call in batch.calls(first, last)]
             _put(batch.entry, rows, colours[first:last], figures[first:last], bounds, onto)
