@@ -23,8 +23,12 @@ from workbench.algorithms.entry import Entry
 from workbench.engine import batches, compiled, counts, kernel_files, touches
 from workbench.engine.arguments import kinds, only_numbers
 from workbench.engine.drivers import PAINTING, takes_batches
+from workbench.engine.turns import interface
 
 # In the order in which they are felt: a drag, the step bar, a question about a pixel.
+PICTURES = ("paint_batch", "collect_many", "collect")
+"""What a picture is drawn by, where it is at hand."""
+
 USES = ("paint_batch", "collect_many", "paint", "collect", "count", "probe", "hits")
 
 
@@ -130,6 +134,20 @@ def _has(entry: Entry, use: str) -> bool:
         case "hits":
             return entry.emits in ("pixels", "coverage", "spans", "fragments")
     return True
+
+
+def load(slug: str, stopped: Callable[[], bool]) -> None:
+    """Have at hand in this process what an entry's pictures are drawn by and was compiled before.
+
+    For a thread, which waits while the interface works, and leaves off as soon as ``stopped()`` is true.
+    """
+    entry = catalogue.get(slug)
+    for _slug, use in work([slug], PICTURES):
+        interface.wait()
+        if stopped():
+            return
+        if warm(slug, use):
+            compile_use(entry, use)
 
 
 def compile_use(entry: Entry, use: str) -> None:

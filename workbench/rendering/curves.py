@@ -1,6 +1,7 @@
 """Curves of the document as the lines that are drawn, device."""
 
-from functools import lru_cache
+from collections.abc import Iterable
+from functools import lru_cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,8 +51,15 @@ def polyline_of(sheet: Sheet, curve: Curve, spline: str = "", tolerance_px: floa
     return _polylines.get(key, lambda: _polyline(*key))
 
 
+def polylines_of(sheet: Sheet, curves: Iterable[Curve]) -> list[Array]:
+    """That of each curve at its own tolerance."""
+    scale = device_map(sheet)
+    keys = [(scale, curve, "", curve.tolerance_px) for curve in curves]
+    return [_polylines.get(key, partial(_polyline, *key)) for key in keys]
+
+
 # A sheet of many curves is drawn at every step of a drag, each as pixels and as a smooth line.
-_polylines = Memory(32 << 20)
+_polylines: Memory[Array] = Memory(32 << 20)
 
 
 def _polyline(scale: DeviceMap, curve: Curve, spline: str, tolerance_px: float) -> Array:

@@ -19,7 +19,7 @@ Emitted = NDArray[np.float64] | NDArray[np.int64]
 _MOST_COLUMNS = 3
 """Of a row, as of a span; where nothing is emitted there is no row to tell."""
 
-_memory = Memory(48 << 20)
+_memory: Memory[Emitted] = Memory(48 << 20)
 
 
 def emitted(call: Call) -> Emitted:

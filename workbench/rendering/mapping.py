@@ -70,6 +70,7 @@ def device_map(sheet: Sheet) -> DeviceMap:
     return _device_map(box(sheet.window_world), box(sheet.viewport_device))
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def device_points(sheet: Sheet, chains: Iterable[Sequence[WorldPoint]]) -> NDArray[np.float64]:
     """All points (n, 2) of some chains, one chain after the other, device coordinates."""
     places = [place for chain in chains for point in chain for place in (point.x, point.y)]

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from workbench.algorithms import catalogue
 from workbench.document.model import Curve, Line, Polyline, Sheet
 from workbench.engine.at_hand import at_hand
-from workbench.rendering.curves import polyline_of
+from workbench.rendering.curves import polylines_of
 from workbench.rendering.emissions import emitted
-from workbench.rendering.limits import clip_segment
+from workbench.rendering.limits import clip_segments
 from workbench.rendering.mapping import Box, Call, device_points
 
 Segment = tuple[float, float, float, float]
@@ -36,7 +36,7 @@ def segments(sheet: Sheet, figures: Sequence[Lines]) -> Segments:
     others = [k for k, figure in enumerate(figures) if not isinstance(figure, Curve)]
     if not curves:
         return _straight(sheet, figures, np.arange(len(figures)))
-    chains = [polyline_of(sheet, figure) for figure in figures if isinstance(figure, Curve)]
+    chains = polylines_of(sheet, [figure for figure in figures if isinstance(figure, Curve)])
     chords = _chains(np.concatenate(chains), [len(chain) for chain in chains], np.array(curves))
     if not others:
         return chords
@@ -102,10 +102,8 @@ def cut(whole: Segments, window: Box) -> Segments:
     kept = inside(whole.table, window)
     if kept.all():
         return whole
-    crossing = whole.table[~kept].tolist()
-    parts = [clip_segment(x0, y0, x1, y1, *window) for x0, y0, x1, y1 in crossing]
-    counts = np.array([int(part is not None) for part in parts])
-    return _with_parts(whole, kept, _table([part for part in parts if part is not None]), counts)
+    parts, seen = clip_segments(whole.table[~kept], window)
+    return _with_parts(whole, kept, parts, seen.astype(np.int64))
 
 
 def _with_parts(
