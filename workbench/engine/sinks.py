@@ -287,8 +287,7 @@ def _paint_figure_span(sink: PaintFigureSpans, *values: Any) -> None:
         if left <= right:
             row, painters = sink.image[np.uint64(y)], sink.painter[np.uint64(y)]
             for x in range(np.uint64(left), np.uint64(right + 1)):
-                row[x] = sink.value
-                painters[x] = sink.number
+                row[x], painters[x] = sink.value, sink.number
 
 
 def _hit(sink: Hit, *values: Any) -> None:
