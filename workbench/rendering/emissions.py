@@ -24,7 +24,9 @@ _memory: Memory[Emitted] = Memory(48 << 20)
 
 def emitted(call: Call) -> Emitted:
     """Everything a call emits, one row each; read-only and remembered."""
-    content = tuple(_content(a) if isinstance(a, np.ndarray) else a for a in call.arguments)
+    content = call.arguments
+    if np.ndarray in map(type, content):
+        content = tuple(_content(a) if isinstance(a, np.ndarray) else a for a in content)
     return _memory.get((call.entry.function, content, call.recursion_limit), lambda: _run(call))
 
 
