@@ -9,7 +9,7 @@ from unittest import mock
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
@@ -158,8 +158,23 @@ def reading(name: str) -> Iterator[None]:
         raster._composite.cache_clear()
 
 
+def over_the_edges() -> Sheet:
+    """Figures of each kind of emission that leave the picture on all sides."""
+    corners = [(-9.0, 20.0), (30.0, 49.0), (69.0, 20.0), (30.0, -9.0)]
+    drawn = [
+        Polyline("a", points("a", corners), "bresenham_line", 1, closed=True),
+        Polyline("b", points("b", [corners[0], corners[2]]), "wu_line", 2),
+        Polyline("c", points("c", [corners[3], corners[1]]), "wu_line", 3),
+        Circle("d", points("d", [(30.0, 20.0)]), "midpoint_circle", 2, radius_world=33.0),
+        Polygon("e", points("e", [*corners, corners[0], *corners[:0:-1]]), "scan_line_fill", 4, nonzero=True),
+        Polygon("g", points("g", corners), "scan_line_fill", 3),
+    ]
+    return document_of("Edges", 60, 40, drawn).sheets[0]
+
+
 @pytest.mark.parametrize("name", ["plain", "interpreted", "compiled"])
 @settings(max_examples=50)
+@example(sheet=over_the_edges(), count=4)
 @given(sheet=sheets(), count=st.integers(0, 8))
 def test_a_sheet_drawn_in_batches_is_the_sheet_drawn_one_by_one(name: str, sheet: Sheet, count: int) -> None:
     with reading(name):
