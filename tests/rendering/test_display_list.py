@@ -3,13 +3,14 @@
 import itertools
 import math
 
+import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.rendering.test_frame_buffer import line, points, sheet
 from workbench.document.model import Circle, Ellipse, Polyline, SeedFill
 from workbench.rendering import display_list, unshown
-from workbench.rendering.limits import clip_segment
+from workbench.rendering.limits import clip_segments
 
 
 def test_a_line_is_one_unrounded_stroke() -> None:
@@ -47,7 +48,9 @@ def test_strokes_end_at_the_viewport() -> None:
 
 @given(*(st.floats(-50, 50) for _ in range(4)))
 def test_clipping_keeps_points_on_the_segment_and_in_the_box(x0, y0, x1, y1) -> None:
-    seen = clip_segment(x0, y0, x1, y1, -10.0, -5.0, 10.0, 5.0)
+    parts, kept = clip_segments(np.array([[x0, y0, x1, y1]]), (-10.0, -5.0, 10.0, 5.0))
+    assert len(parts) == kept.sum()
+    seen = parts[0].tolist() if kept[0] else None
     samples = [(x0 + k / 200 * (x1 - x0), y0 + k / 200 * (y1 - y0)) for k in range(201)]
     inside = [(x, y) for x, y in samples if -10 < x < 10 and -5 < y < 5]
     if seen is None:

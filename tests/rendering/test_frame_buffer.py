@@ -152,7 +152,7 @@ def test_only_the_changed_figure_runs_again(monkeypatch: pytest.MonkeyPatch) -> 
     frame_buffer(sheet(*figures))
     ran = []
     real = emissions._run
-    monkeypatch.setattr(emissions, "_run", lambda *given: ran.append(given[2]) or real(*given))
+    monkeypatch.setattr(emissions, "_run", lambda call: ran.append(call.arguments) or real(call))
     figures[7] = line((7.2, 1.0), (31.0, 27.0), 1, "f7")
     frame_buffer(sheet(*figures))
     assert ran == [(7, 1, 31, 27)]

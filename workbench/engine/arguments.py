@@ -20,7 +20,7 @@ from workbench.language import _
 
 _MOST_EXPECTED = 2**24
 _ANNOTATIONS: dict[Any, Kind] = {int: "int", float: "float", bool: "bool"}
-_LISTS = ("points", "floats", "ints")
+LISTS = ("points", "floats", "ints")
 _LARGEST = 2**62
 
 
@@ -104,7 +104,7 @@ def for_recording(function: Callable[..., Any], arguments: tuple[Any, ...]) -> t
     """
     kept = list(arguments)
     for number, (value, (_name, kind)) in enumerate(zip(arguments, kinds(function), strict=False)):
-        if kind in _LISTS and isinstance(value, np.ndarray) and value.size > LARGEST_ARRAY:
+        if kind in LISTS and isinstance(value, np.ndarray) and value.size > LARGEST_ARRAY:
             kept[number] = value.copy()
             kept[number].setflags(write=False)
     return tuple(kept)

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Emits
-from workbench.engine import arguments, kernel_files, sinks
+from workbench.engine import arguments, at_hand, kernel_files, sinks
 from workbench.engine.drivers import PAINTING, drivers, ticking_drivers
 from workbench.engine.lowering import Lowered, Variant, lower
 from workbench.engine.processor import load_llvm, mask_short_loops
@@ -35,7 +35,6 @@ __all__ = [
     "collect",
     "collect_many",
     "hits",
-    "loaded",
     "paint",
     "paint_many",
     "ready",
@@ -82,11 +81,6 @@ def available() -> bool:
     return not _numba.cache_info().currsize or _numba() is not None
 
 
-def loaded() -> bool:
-    """Whether the compiler is there and at hand: nobody need wait for it to be imported."""
-    return _numba.cache_info().currsize > 0 and _numba() is not None
-
-
 @dataclass(slots=True)
 class Kernel:
     """The drivers of one function: its text with them, and the module once it is loaded."""
@@ -118,6 +112,8 @@ class Kernel:
         self._run(driver, values, self.ready(use), numba.core.errors.NumbaError)
         self.used[use] = getattr(self._module(True), driver)
         kernel_files.mark(self.key, use)
+        if not self.flavour:
+            at_hand.note(self.function, use.partition("-")[0])
 
     def _run(self, driver: str, values: tuple[Any, ...], ready: bool, refused: type[Exception]) -> None:
         """Run a compiled driver; what is kept of it costs time when it fails, and is gone on without."""

@@ -4,9 +4,10 @@ Each driver takes the algorithm's own arguments last, all of them, in order; its
 """
 
 from workbench.algorithms.entry import Emits
-from workbench.engine.arguments import only_numbers
+from workbench.engine.arguments import LISTS, only_numbers
 
 PAINTING: dict[str, str] = {"pixels": "Paint", "coverage": "Blend", "spans": "PaintSpans"}
+FIGURES = {"pixels": "PaintFigure", "coverage": "BlendFigure", "spans": "PaintFigureSpans"}
 
 _HEAD = "from workbench.engine.sinks import {names}"
 
@@ -60,6 +61,14 @@ def _paint_many(_image, _value, _stop, _rows):
         if _stop[0] != 0:
             raise Stopped
         _paint(_image, _value, {columns})
+"""
+
+_PAINT_BATCH = """
+@reading
+def _paint_batch(_first, _last, _image, _painter, _bounds, _colours, _numbers, {given}):
+    _seen = Bounds(_bounds[0], _bounds[1], _bounds[2], _bounds[3])
+    for row in range(_first, _last):
+        {name}({sink}(_image, _painter, _colours[row], _numbers[row], _seen), {items})
 """
 
 _HITS = """
@@ -118,11 +127,33 @@ def drivers(
             text += _PAINT.format(**fields, sink=sink)
         if numbers:
             text += _PAINT_MANY.format(**fields)
+        if takes_batches(parameters):
+            used += ["Bounds", FIGURES[emits]]
+            text += _paint_batch(name, parameters, FIGURES[emits])
     if emits in ("pixels", "coverage", "fragments", "spans"):
         sink = "HitSpan" if emits == "spans" else "Hit"
         used.append(sink)
         text += _HITS.format(**fields, sink=sink)
     return _HEAD.format(names=", ".join(sorted(used))) + "\n" + text
+
+
+def takes_batches(parameters: tuple[tuple[str, str | None], ...]) -> bool:
+    """Whether each parameter, (name, kind), is a number or a list: no call writes what another reads."""
+    return all(kind in LISTS or only_numbers([(name, kind)]) for name, kind in parameters)
+
+
+def _paint_batch(name: str, parameters: tuple[tuple[str, str | None], ...], sink: str) -> str:
+    """The text of the driver that paints many figures; see ``batches`` for what it is given."""
+    given, items, numbers = ["_rows"], [], 0
+    for parameter, kind in parameters:
+        if kind in LISTS:
+            given += [f"_{parameter}", f"_starts_{parameter}"]
+            starts = f"_starts_{parameter}"
+            items.append(f"_{parameter}[{starts}[row] : {starts}[row + 1]]")
+        else:
+            items.append(_column(numbers, kind))
+            numbers += 1
+    return _PAINT_BATCH.format(name=name, sink=sink, given=", ".join(given), items=", ".join(items))
 
 
 def _column(number: int, kind: str | None) -> str:

@@ -77,6 +77,45 @@ class PaintSpans(NamedTuple):
     value: Any
 
 
+class Bounds(NamedTuple):
+    """First and last column, first and last row of what is seen; it lies inside the picture."""
+
+    x_first: int
+    x_last: int
+    y_first: int
+    y_last: int
+
+
+class PaintFigure(NamedTuple):
+    """Paints single pixels that are seen, and notes the ``number`` of their figure as their painter."""
+
+    image: NDArray[Any]
+    painter: NDArray[np.int32]
+    value: Any
+    number: Any
+    bounds: Bounds
+
+
+class BlendFigure(NamedTuple):
+    """As ``PaintFigure``, for pixels with a coverage; the picture holds 0xRRGGBB."""
+
+    image: NDArray[Any]
+    painter: NDArray[np.int32]
+    value: Any
+    number: Any
+    bounds: Bounds
+
+
+class PaintFigureSpans(NamedTuple):
+    """As ``PaintFigure``, for runs of pixels (y, x_left, x_right), both ends included."""
+
+    image: NDArray[Any]
+    painter: NDArray[np.int32]
+    value: Any
+    number: Any
+    bounds: Bounds
+
+
 class Hit(NamedTuple):
     """Keeps the numbers of the emissions that touch the pixel (x, y)."""
 
@@ -194,28 +233,61 @@ def _paint_inside(sink: PaintInside, *values: Any) -> None:
     sink.image[np.uint64(values[1]), np.uint64(values[0])] = sink.value
 
 
+def mixed(under: int, over: int, coverage: float) -> int:
+    """Two colours, 0xRRGGBB, mixed channel by channel: a coverage of 1 gives ``over``, 0 ``under``."""
+    colour = 0
+    for shift in (0, 8, 16):
+        below = (under >> shift) & 255
+        above = (over >> shift) & 255
+        colour |= int(below + (above - below) * coverage + 0.5) << shift
+    return colour
+
+
 def _blend(sink: Blend, *values: Any) -> None:
     x, y = values[0], values[1]
     if 0 <= x < sink.image.shape[1] and 0 <= y < sink.image.shape[0]:
         under, over, coverage = int(sink.image[y, x]), int(sink.value), values[2]
         if sink.image.itemsize == 4:
-            mixed = 0
-            for shift in (0, 8, 16):
-                below = (under >> shift) & 255
-                above = (over >> shift) & 255
-                mixed |= int(below + (above - below) * coverage + 0.5) << shift
+            sink.image[y, x] = mixed(under, over, coverage)
         else:
-            mixed = int(np.floor(under + (over - under) * coverage + 0.5))
-        sink.image[y, x] = mixed
+            sink.image[y, x] = int(np.floor(under + (over - under) * coverage + 0.5))
 
 
 def _paint_span(sink: PaintSpans, *values: Any) -> None:
     y = values[0]
     if 0 <= y < sink.image.shape[0]:
-        left = max(values[1], 0)
-        right = min(values[2], sink.image.shape[1] - 1)
+        left, right = max(values[1], 0), min(values[2], sink.image.shape[1] - 1)
         if left <= right:
             sink.image[y, left : right + 1] = sink.value
+
+
+def seen(b: Bounds, x: int, y: int) -> bool:
+    """Whether the pixel (x, y) lies within the bounds."""
+    return b.x_first <= x <= b.x_last and b.y_first <= y <= b.y_last
+
+
+def _paint_figure(sink: PaintFigure, *values: Any) -> None:
+    x, y = values[0], values[1]
+    if seen(sink.bounds, x, y):
+        sink.image[np.uint64(y), np.uint64(x)] = sink.value
+        sink.painter[np.uint64(y), np.uint64(x)] = sink.number
+
+
+def _blend_figure(sink: BlendFigure, *values: Any) -> None:
+    x, y = values[0], values[1]
+    if seen(sink.bounds, x, y):
+        sink.image[y, x] = mixed(int(sink.image[y, x]), int(sink.value), values[2])
+        sink.painter[y, x] = sink.number
+
+
+def _paint_figure_span(sink: PaintFigureSpans, *values: Any) -> None:
+    y, bounds = values[0], sink.bounds
+    if bounds.y_first <= y <= bounds.y_last:
+        left, right = max(values[1], bounds.x_first), min(values[2], bounds.x_last)
+        if left <= right:
+            row, painters = sink.image[np.uint64(y)], sink.painter[np.uint64(y)]
+            for x in range(np.uint64(left), np.uint64(right + 1)):
+                row[x], painters[x] = sink.value, sink.number
 
 
 def _hit(sink: Hit, *values: Any) -> None:
@@ -304,6 +376,9 @@ _BODIES: dict[type, Callable[..., None]] = {
     PaintInside: _paint_inside,
     Blend: _blend,
     PaintSpans: _paint_span,
+    PaintFigure: _paint_figure,
+    BlendFigure: _blend_figure,
+    PaintFigureSpans: _paint_figure_span,
     Hit: _hit,
     HitSpan: _hit_span,
     Count: _count,
@@ -311,9 +386,8 @@ _BODIES: dict[type, Callable[..., None]] = {
     ProbeSpan: _probe_span,
 }
 
-
 # What the bodies call.
-SHARED = (room, note)
+SHARED = (room, note, mixed, seen)
 
 
 def body(sink: type, arity: int) -> Callable[..., None]:

@@ -20,12 +20,16 @@ import numpy as np
 from workbench import paths
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
-from workbench.engine import compiled, counts, kernel_files, touches
+from workbench.engine import batches, compiled, counts, kernel_files, touches
 from workbench.engine.arguments import kinds, only_numbers
-from workbench.engine.drivers import PAINTING
+from workbench.engine.drivers import PAINTING, takes_batches
+from workbench.engine.turns import interface
 
 # In the order in which they are felt: a drag, the step bar, a question about a pixel.
-USES = ("paint", "paint_many", "collect_many", "collect", "count", "probe", "hits")
+PICTURES = ("paint_batch", "collect_many", "collect")
+"""What a picture is drawn by, where it is at hand."""
+
+USES = ("paint_batch", "collect_many", "paint", "collect", "count", "probe", "hits")
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,14 +127,27 @@ def _has(entry: Entry, use: str) -> bool:
     match use:
         case "paint":
             return bool(entry.writes) or entry.emits in PAINTING
-        case "paint_many":
-            return entry.emits in PAINTING and only_numbers(kinds(entry.function))
+        case "paint_batch":
+            return entry.emits in PAINTING and takes_batches(kinds(entry.function))
         case "collect_many":
-            many = entry.emits == "segments" or "line" in entry.draws
-            return many and only_numbers(kinds(entry.function))
+            return entry.emits == "segments" and only_numbers(kinds(entry.function))
         case "hits":
             return entry.emits in ("pixels", "coverage", "spans", "fragments")
     return True
+
+
+def load(slug: str, stopped: Callable[[], bool]) -> None:
+    """Have at hand in this process what an entry's pictures are drawn by and was compiled before.
+
+    For a thread, which waits while the interface works, and leaves off as soon as ``stopped()`` is true.
+    """
+    entry = catalogue.get(slug)
+    for _slug, use in work([slug], PICTURES):
+        interface.wait()
+        if stopped():
+            return
+        if warm(slug, use):
+            compile_use(entry, use)
 
 
 def compile_use(entry: Entry, use: str) -> None:
@@ -140,8 +157,8 @@ def compile_use(entry: Entry, use: str) -> None:
     match use:
         case "paint":
             compiled.paint(function, image, 1, *example)
-        case "paint_many":
-            compiled.paint_many(function, image, 1, [example])
+        case "paint_batch":
+            batches.load(function, example)
         case "collect_many":
             compiled.collect_many(function, [example])
         case "collect":

@@ -4,39 +4,37 @@ Coordinates are those of the device, not rounded. Lines and polygons are clipped
 catalogue; the pixels of all other figures are left out where their centres lie outside the window.
 """
 
+from collections.abc import Callable, Sequence
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure, Circle, Curve, Line, Polygon, Polyline, Sheet
-from workbench.geometry.conventions import round_half_up
-from workbench.rendering.limits import clip_ring, clip_segment, reach
+from workbench.rendering.emissions import emitted
+from workbench.rendering.limits import clip_ring, polygon_reach, reach
 from workbench.rendering.mapping import Box, Call, device_map, device_rings
 from workbench.rendering.segments import (
     Lines,
     Segment,
-    Table,
+    Segments,
+    clipped,
     clipped_segment,
-    clipped_table,
-    cut_table,
-    few,
-    few_segments,
+    cut,
     rounded,
-    segment_table,
+    segments,
 )
 
 __all__ = [
     "Segment",
+    "Segments",
     "clip_box",
     "clipped_segment",
     "clipper_calls",
     "clipper_of",
+    "drawn_rings",
     "line_ends",
-    "line_table",
-    "polygon_values",
     "ring_strokes",
     "segments_of",
     "visible_rings",
@@ -78,76 +76,66 @@ def clipper_calls(sheet: Sheet, figure: AnyFigure, clipper: str | None = None) -
     if isinstance(figure, Line | Polyline | Curve):
         return [Call(entry, (*segment, *window)) for segment in segments_of(sheet, figure)]
     if isinstance(figure, Polygon):
-        return [Call(entry, (ring, *window)) for ring in device_rings(sheet, figure)]
+        return [Call(entry, (ring, *window)) for ring in device_rings(sheet, [figure])[0]]
     scale = device_map(sheet)
     return [Call(entry, (*scale.point(point.x, point.y), *window)) for point in figure.points_world]
 
 
 def segments_of(sheet: Sheet, figure: Lines) -> list[Segment]:
     """The segments (x0, y0, x1, y1) that a figure is made of, device coordinates."""
-    if few(figure):
-        return few_segments(sheet, figure)
-    return [(x0, y0, x1, y1) for x0, y0, x1, y1 in segment_table(sheet, figure).tolist()]
+    return [(x0, y0, x1, y1) for x0, y0, x1, y1 in segments(sheet, [figure]).table.tolist()]
 
 
-def visible_segments(sheet: Sheet, figure: Lines, window: Box) -> list[Segment]:
-    """What of each segment is left to be drawn and lies in a ``window``, device coordinates."""
-    if not few(figure):
-        return [
-            (x0, y0, x1, y1) for x0, y0, x1, y1 in cut_table(visible_table(sheet, figure), window).tolist()
-        ]
-    clip, found = clip_box(sheet), few_segments(sheet, figure)
-    if clip is not None:
-        found = [part for segment in found for part in clipped_segment(sheet.line_clipper, segment, clip)]
-    parts = (clip_segment(*segment, *window) for segment in found)
-    return [part for part in parts if part is not None]
+def visible_segments(sheet: Sheet, figures: Sequence[Lines]) -> Segments:
+    """What of each segment of some figures is left to be drawn, device coordinates."""
+    window, whole = clip_box(sheet), segments(sheet, figures)
+    return whole if window is None else clipped(sheet.line_clipper, whole, window)
 
 
-def visible_table(sheet: Sheet, figure: Lines) -> Table:
-    """What of each segment (n, 4) is left to be drawn, device coordinates."""
-    window, table = clip_box(sheet), segment_table(sheet, figure)
-    return table if window is None else clipped_table(sheet.line_clipper, table, window)
+def line_ends(sheet: Sheet, figures: Sequence[Lines]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The ends (n, 4), rounded, of each segment that a line's algorithm is to draw, and whose it is (n,)."""
+    near = cut(visible_segments(sheet, figures), reach(sheet.width_px, sheet.height_px))
+    return rounded(near.table), near.of
 
 
-def visible_rings(sheet: Sheet, figure: Polygon) -> list[Ring]:
-    """The rings (n, 2) that are left to be drawn, device coordinates."""
+def visible_rings(sheet: Sheet, figures: Sequence[Polygon]) -> tuple[list[Ring], NDArray[np.int64]]:
+    """The rings (k, 2) of some figures that are left to be drawn, device coordinates, and whose each is."""
+    rings, of = device_rings(sheet, figures)
     window = clip_box(sheet)
     if window is None:
-        return device_rings(sheet, figure)
-    function = catalogue.get(sheet.polygon_clipper).function
-    clipped = (list(function(ring, *window)) for ring in device_rings(sheet, figure))
-    return [np.array(ring, np.float64) for ring in clipped if len(ring) > 2]
+        return rings, of
+    entry = catalogue.get(sheet.polygon_clipper)
+    return _replaced(rings, of, window, lambda ring: emitted(Call(entry, (ring, *window))).astype(float))
 
 
-def polygon_values(sheet: Sheet, figure: Polygon) -> dict[str, Any] | None:
-    """What a polygon's algorithm is given, by name; None where nothing of it is left.
+def drawn_rings(sheet: Sheet, figures: Sequence[Polygon]) -> tuple[list[Ring], NDArray[np.int64]]:
+    """The rings that the algorithm of polygons is to fill, and whose each is (n,), ascending.
 
-    What lies far outside the picture is cut off first, since each of its rows would be walked.
+    What lies far outside the picture is cut off, since each of its rows would be walked.
     """
-    rings = [clip_ring(ring, sheet.width_px, sheet.height_px) for ring in visible_rings(sheet, figure)]
-    rings = [ring for ring in rings if len(ring) > 2]
-    if not rings:
-        return None
-    return {
-        "vertices": np.concatenate(rings),
-        "ring_ends": np.cumsum([len(ring) for ring in rings]).astype(np.int64),
-        "closed": figure.closed_interior,
-        "nonzero": figure.nonzero,
-    }
+    size = sheet.width_px, sheet.height_px
+    return _replaced(
+        *visible_rings(sheet, figures), polygon_reach(*size), lambda ring: clip_ring(ring, *size)
+    )
 
 
-def line_table(sheet: Sheet, figure: Lines) -> NDArray[np.int64]:
-    """The ends (n, 4), rounded, of each segment that a line's algorithm is to draw."""
-    return rounded(cut_table(visible_table(sheet, figure), reach(sheet.width_px, sheet.height_px)))
-
-
-def line_ends(sheet: Sheet, figure: Lines) -> list[tuple[int, int, int, int]]:
-    """The rows of ``line_table``."""
-    if not few(figure):
-        return [(x0, y0, x1, y1) for x0, y0, x1, y1 in line_table(sheet, figure).tolist()]
-    near = visible_segments(sheet, figure, reach(sheet.width_px, sheet.height_px))
-    nearest = round_half_up
-    return [(nearest(x0), nearest(y0), nearest(x1), nearest(y1)) for x0, y0, x1, y1 in near]
+def _replaced(
+    rings: list[Ring], of: NDArray[np.int64], window: Box, clip: Callable[[Ring], NDArray[np.float64]]
+) -> tuple[list[Ring], NDArray[np.int64]]:
+    """Rings with those clipped that do not lie inside a window, which alone are changed; areas only."""
+    xmin, ymin, xmax, ymax = window
+    whole = [ring for ring in rings if len(ring) > 2]
+    kept = of[[len(ring) > 2 for ring in rings]]
+    if not whole:
+        return whole, kept
+    corners = np.concatenate(whole)
+    beyond = ((corners < (xmin, ymin)) | (corners > (xmax, ymax))).any(axis=1)
+    outside = np.logical_or.reduceat(beyond, np.cumsum([0, *map(len, whole[:-1])])).tolist()
+    if not any(outside):
+        return whole, kept
+    parts = [clip(ring) if out else ring for ring, out in zip(whole, outside, strict=True)]
+    areas = [len(ring) > 2 for ring in parts]
+    return [ring for ring, area in zip(parts, areas, strict=True) if area], kept[areas]
 
 
 def ring_strokes(ring: Ring) -> list[Segment]:

@@ -1,6 +1,7 @@
 """Curves of the document as the lines that are drawn, device."""
 
-from functools import lru_cache
+from collections.abc import Iterable
+from functools import lru_cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +11,7 @@ from workbench.algorithms.curves import Pieces
 from workbench.document.curves.pieces import fault_of, pieces_of
 from workbench.document.model import Curve, Sheet
 from workbench.rendering.mapping import DeviceMap, device_map
+from workbench.rendering.memory import Memory
 
 Array = NDArray[np.float64]
 
@@ -45,14 +47,22 @@ def polyline_of(sheet: Sheet, curve: Curve, spline: str = "", tolerance_px: floa
     No point of the curve is farther from them than the tolerance, in pixels; by default the curve's own.
     Read-only and remembered.
     """
-    return _polyline(device_map(sheet), curve, spline, tolerance_px or curve.tolerance_px)
+    key = device_map(sheet), curve, spline, tolerance_px or curve.tolerance_px
+    return _polylines.get(key, lambda: _polyline(*key))
+
+
+def polylines_of(sheet: Sheet, curves: Iterable[Curve]) -> list[Array]:
+    """That of each curve at its own tolerance."""
+    scale = device_map(sheet)
+    keys = [(scale, curve, "", curve.tolerance_px) for curve in curves]
+    return [_polylines.get(key, partial(_polyline, *key)) for key in keys]
 
 
 # A sheet of many curves is drawn at every step of a drag, each as pixels and as a smooth line.
-@lru_cache(maxsize=256)
+_polylines: Memory[Array] = Memory(32 << 20)
+
+
 def _polyline(scale: DeviceMap, curve: Curve, spline: str, tolerance_px: float) -> Array:
     if fault_of(curve, spline):
         return np.empty((0, 2))
-    corners = curves.polyline(_device(Same(pieces_of(curve, spline)), scale), tolerance_px)
-    corners.setflags(write=False)
-    return corners
+    return curves.polyline(_device(Same(pieces_of(curve, spline)), scale), tolerance_px)

@@ -8,6 +8,8 @@ import itertools
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from workbench.document.model import (
     AnyFigure,
     Circle,
@@ -21,9 +23,9 @@ from workbench.document.model import (
 )
 from workbench.language import _
 from workbench.rendering.clipping import clip_box, ring_strokes, visible_rings, visible_segments
-from workbench.rendering.limits import clip_segment
 from workbench.rendering.mapping import Box, box, device_map, device_radii
 from workbench.rendering.pipeline import colour_of
+from workbench.rendering.segments import Lines, Segment, Segments, cut
 
 FLATNESS_PX = 0.05
 """Largest distance between a curve and the chords that stand for it."""
@@ -40,9 +42,7 @@ class Stroke(NamedTuple):
     figure: int
 
 
-def _ellipse_chords(
-    xc: float, yc: float, rx: float, ry: float, flatness: float
-) -> list[tuple[float, float, float, float]]:
+def _ellipse_chords(xc: float, yc: float, rx: float, ry: float, flatness: float) -> list[Segment]:
     largest = max(rx, ry)
     # The sagitta of a chord over the angle a is r (1 - cos(a / 2)).
     half_angle = math.acos(max(1.0 - flatness / largest, -1.0)) if largest > flatness else math.pi / 8
@@ -55,14 +55,33 @@ def _ellipse_chords(
     return [(*a, *b) for a, b in itertools.pairwise(points)]
 
 
-def _segments(sheet: Sheet, figure: AnyFigure, flatness: float) -> list[tuple[float, float, float, float]]:
+def _outline(sheet: Sheet, figure: AnyFigure, flatness: float) -> list[Segment]:
     if isinstance(figure, Polygon):
-        return [stroke for ring in visible_rings(sheet, figure) for stroke in ring_strokes(ring)]
+        return [stroke for ring in visible_rings(sheet, [figure])[0] for stroke in ring_strokes(ring)]
     scale = device_map(sheet)
     if isinstance(figure, Circle | Ellipse) and figure.points_world:
         centre = scale.point(figure.points_world[0].x, figure.points_world[0].y)
         return _ellipse_chords(*centre, *device_radii(sheet, figure), flatness)
     return []
+
+
+def _segments(sheet: Sheet, flatness: float) -> Segments:
+    """What the visible figures of a sheet are made of, and the index of the figure each segment is of."""
+    lines: list[tuple[int, Lines]] = []
+    rows: list[Segment] = []
+    of: list[int] = []
+    for index, figure in enumerate(sheet.figures):
+        if figure.visible and isinstance(figure, Line | Polyline | Curve):
+            lines.append((index, figure))
+        elif figure.visible:
+            rows += _outline(sheet, figure, flatness)
+            of += [index] * (len(rows) - len(of))
+    straight = visible_segments(sheet, [figure for _index, figure in lines])
+    indexes = np.array([index for index, _figure in lines], np.int64)
+    table = np.concatenate([straight.table, np.array(rows, np.float64).reshape(-1, 4)])
+    whose = np.concatenate([indexes[straight.of], np.array(of, np.int64)])
+    order = np.argsort(whose, kind="stable")
+    return Segments(table[order], whose[order])
 
 
 def _bounds(sheet: Sheet) -> Box:
@@ -75,20 +94,10 @@ def _bounds(sheet: Sheet) -> Box:
 
 def display_list(sheet: Sheet, flatness_px: float = FLATNESS_PX) -> list[Stroke]:
     """The strokes of every visible figure from back to front; a seed fill has none (see ``unshown``)."""
-    strokes: list[Stroke] = []
-    bounds = _bounds(sheet)
-    for index, figure in enumerate(sheet.figures):
-        if not figure.visible:
-            continue
-        colour = colour_of(sheet, figure)
-        if isinstance(figure, Line | Polyline | Curve):
-            strokes += [Stroke(*ends, colour, index) for ends in visible_segments(sheet, figure, bounds)]
-            continue
-        for segment in _segments(sheet, figure, flatness_px):
-            seen = clip_segment(*segment, *bounds)
-            if seen is not None:
-                strokes.append(Stroke(*seen, colour, index))
-    return strokes
+    seen = cut(_segments(sheet, flatness_px), _bounds(sheet))
+    colours = np.array([colour_of(sheet, figure) for figure in sheet.figures], np.int64)[seen.of]
+    columns = *seen.table.T.tolist(), colours.tolist(), seen.of.tolist()
+    return list(map(Stroke._make, zip(*columns, strict=True)))
 
 
 def unshown(sheet: Sheet) -> list[tuple[str, str]]:

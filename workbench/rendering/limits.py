@@ -13,25 +13,29 @@ REACH_PX = 1 << 14
 POLYGON_REACH_PX = 1 << 8
 
 
-def clip_segment(
-    x0: float, y0: float, x1: float, y1: float, xmin: float, ymin: float, xmax: float, ymax: float
-) -> tuple[float, float, float, float] | None:
-    """What of a segment lies in a rectangle, or None; a segment inside comes back unchanged."""
-    u_enter, u_leave = 0.0, 1.0
+@np.errstate(over="ignore", invalid="ignore", divide="ignore")
+def clip_segments(
+    table: NDArray[np.float64], window: tuple[float, float, float, float]
+) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """What of segments (n, 4) lies in a rectangle (xmin, ymin, xmax, ymax), and of which (n,) something does.
+
+    An end inside stays exactly as it is.
+    """
+    x0, y0, x1, y1 = table.T
     dx, dy = x1 - x0, y1 - y0
+    xmin, ymin, xmax, ymax = window
+    enter, leave = np.zeros(len(table)), np.ones(len(table))
+    beside = np.zeros(len(table), np.bool_)
+    # Beyond all numbers inf and nan come up, which compare as they should.
     for p, q in ((-dx, x0 - xmin), (dx, xmax - x0), (-dy, y0 - ymin), (dy, ymax - y0)):
-        if p == 0.0:
-            if q < 0.0:
-                return None
-        elif p < 0.0:
-            u_enter = max(u_enter, q / p)
-        else:
-            u_leave = min(u_leave, q / p)
-    if u_enter > u_leave:
-        return None
-    start = (x0, y0) if u_enter == 0.0 else (x0 + u_enter * dx, y0 + u_enter * dy)
-    end = (x1, y1) if u_leave == 1.0 else (x0 + u_leave * dx, y0 + u_leave * dy)
-    return (*start, *end)
+        u = np.divide(q, p, out=np.zeros(len(table)), where=p != 0.0)
+        enter = np.where(p < 0.0, np.fmax(enter, u), enter)
+        leave = np.where(p > 0.0, np.fmin(leave, u), leave)
+        beside |= (p == 0.0) & (q < 0.0)
+    kept = ~beside & (enter <= leave)
+    parts = np.stack([x0 + enter * dx, y0 + enter * dy, x0 + leave * dx, y0 + leave * dy], axis=1)
+    whole = np.stack([enter == 0.0, enter == 0.0, leave == 1.0, leave == 1.0], axis=1)
+    return np.where(whole, table, parts)[kept], kept
 
 
 def reach(width: int, height: int) -> tuple[float, float, float, float]:
@@ -39,16 +43,21 @@ def reach(width: int, height: int) -> tuple[float, float, float, float]:
     return -REACH_PX, -REACH_PX, width + REACH_PX, height + REACH_PX
 
 
+def polygon_reach(width: int, height: int) -> tuple[float, float, float, float]:
+    """How far polygons are filled around a picture of this size, as ``reach``."""
+    return -POLYGON_REACH_PX, -POLYGON_REACH_PX, width + POLYGON_REACH_PX, height + POLYGON_REACH_PX
+
+
 def clip_ring(ring: NDArray[np.float64], width: int, height: int) -> NDArray[np.float64]:
     """A ring (n, 2) of device points, cut where it leaves the reach of a picture; one inside is unchanged.
 
     What lies beyond is folded onto the edge of the reach, so that insides stay as they were within it.
     """
-    for axis, size in ((0, width), (1, height)):
-        for sign, bound in ((-1.0, POLYGON_REACH_PX), (1.0, size + POLYGON_REACH_PX)):
-            beyond = sign * ring[:, axis] > bound
-            if beyond.any():
-                ring = _cut(ring, beyond, axis, sign * bound)
+    xmin, ymin, xmax, ymax = polygon_reach(width, height)
+    for axis, sign, at in ((0, -1, xmin), (0, 1, xmax), (1, -1, ymin), (1, 1, ymax)):
+        beyond = sign * ring[:, axis] > sign * at
+        if beyond.any():
+            ring = _cut(ring, beyond, axis, at)
     return ring
 
 

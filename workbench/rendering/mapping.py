@@ -1,6 +1,8 @@
 """From the world to the device, before anything is clipped or rounded."""
 
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -8,7 +10,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.viewing import window_to_viewport
-from workbench.document.model import Circle, Ellipse, Polygon, Rectangle, Sheet
+from workbench.document.model import Circle, Ellipse, Polygon, Rectangle, Sheet, WorldPoint
 
 Box = tuple[float, float, float, float]
 """A rectangle as (xmin, ymin, xmax, ymax)."""
@@ -68,10 +70,24 @@ def device_map(sheet: Sheet) -> DeviceMap:
     return _device_map(box(sheet.window_world), box(sheet.viewport_device))
 
 
-def device_rings(sheet: Sheet, figure: Polygon) -> list[NDArray[np.float64]]:
-    """The rings of a polygon, each (n, 2), device coordinates."""
-    scale = device_map(sheet)
-    return [np.array([scale.point(p.x, p.y) for p in ring], np.float64) for ring in figure.rings]
+@np.errstate(over="ignore", invalid="ignore")
+def device_points(sheet: Sheet, chains: Iterable[Sequence[WorldPoint]]) -> NDArray[np.float64]:
+    """All points (n, 2) of some chains, one chain after the other, device coordinates."""
+    places = [place for chain in chains for point in chain for place in (point.x, point.y)]
+    return device_map(sheet).points(np.array(places, np.float64).reshape(-1, 2))
+
+
+def device_rings(
+    sheet: Sheet, figures: Sequence[Polygon]
+) -> tuple[list[NDArray[np.float64]], NDArray[np.int64]]:
+    """The rings (k, 2) of some polygons, device coordinates, and which of these each one is of, (n,)."""
+    corners, ends, of = device_points(sheet, [figure.points_world for figure in figures]), [0], []
+    for number, figure in enumerate(figures):
+        before = ends[-1]
+        rings = figure.ring_ends or (len(figure.points_world),)
+        ends += [before + end for end in rings]
+        of += [number] * len(rings)
+    return [corners[start:end] for start, end in pairwise(ends)], np.array(of, np.int64)
 
 
 def device_radii(sheet: Sheet, figure: Circle | Ellipse) -> tuple[float, float]:

@@ -5,7 +5,8 @@ rounded, by ``round_half_up``. The corners of a polygon are not, since its algor
 whose device radii differ (the scale is not the same in x and y) is drawn as an ellipse.
 """
 
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,50 +24,119 @@ from workbench.document.model import (
     SeedFill,
     Sheet,
 )
-from workbench.geometry.conventions import round_half_up
-from workbench.rendering.clipping import line_ends, line_table, polygon_values
+from workbench.engine.batches import Lists, Values
+from workbench.rendering.clipping import drawn_rings, line_ends
 from workbench.rendering.limits import REACH_PX
-from workbench.rendering.mapping import Call, device_map, device_radii
-from workbench.rendering.segments import Lines
+from workbench.rendering.mapping import Call, device_map, device_points, device_radii
+from workbench.rendering.segments import rounded
 
-_ENDS = ("x0", "y0", "x1", "y1")
-
-
-def line_calls_table(sheet: Sheet, figure: Lines) -> tuple[Entry, NDArray[np.int64]]:
-    """The algorithm of a figure made of lines, and its arguments (n, k), a row for each of its calls."""
-    entry, ends = catalogue.get(figure.drawn_with), line_table(sheet, figure)
-    columns = [
-        ends[:, _ENDS.index(p.name)] if p.name in _ENDS else np.full(len(ends), p.example, np.int64)
-        for p in entry.parameters
-    ]
-    return entry, np.stack(columns, axis=1)
+Index = NDArray[np.int64]
 
 
-def _named(
-    sheet: Sheet, figure: Polygon | Circle | Ellipse | SeedFill, below: NDArray[np.uint32] | None
-) -> list[dict[str, Any]]:
-    """For each call the values its parameters may ask for, by the names that the catalogue uses."""
-    if isinstance(figure, Polygon):
-        values = polygon_values(sheet, figure)
-        return [] if values is None else [values]
-    if not figure.points_world:
-        return []
-    if reach_of(sheet, figure) > REACH_PX:
-        return []
-    x, y = device_map(sheet).point(figure.points_world[0].x, figure.points_world[0].y)
-    if isinstance(figure, Circle | Ellipse):
-        radius_x, radius_y = device_radii(sheet, figure)
-        rx, ry = round_half_up(radius_x), round_half_up(radius_y)
-        return [{"xc": round_half_up(x), "yc": round_half_up(y), "rx": rx, "ry": ry, "r": rx}]
+class Batch(NamedTuple):
+    """All calls of one text for some figures: for each parameter their ``values``, and the number of the
+    figure, among those given, that each call is ``of`` (n,), ascending."""
+
+    entry: Entry
+    values: tuple[Values, ...]
+    of: Index
+
+    def calls(self, first: int = 0, last: int | None = None) -> list[Call]:
+        """The calls from ``first`` to before ``last``, one by one."""
+        last = len(self.of) if last is None else last
+        columns: list[list[Any]] = []
+        for value in self.values:
+            if isinstance(value, Lists):
+                starts = value.starts.tolist()
+                columns.append([value.items[starts[k] : starts[k + 1]] for k in range(first, last)])
+            else:
+                columns.append(value[first:last].tolist())
+        return [Call(self.entry, arguments) for arguments in zip(*columns, strict=True)]
+
+
+Named = tuple[dict[str, Values], Index]
+"""Arguments of the calls for some figures by the names that the catalogue uses, and whose each call is."""
+
+
+def batches(sheet: Sheet, figures: Sequence[AnyFigure], algorithm: str | None = None) -> list[Batch]:
+    """The calls of all figures that read nothing of what lies below them; a batch for each text.
+
+    They are drawn by their own algorithm or by another of the catalogue. Raises LookupError when it has no
+    such algorithm.
+    """
+    groups: dict[tuple[Callable[..., Named], str], list[int]] = {}
+    for number, figure in enumerate(figures):
+        named = _NAMED.get(type(figure))
+        if named is not None and figure.points_world:
+            groups.setdefault((named, algorithm or figure.drawn_with), []).append(number)
+    laid_out: list[Batch] = []
+    for (named, slug), numbers in groups.items():
+        values, of = named(sheet, [figures[k] for k in numbers])
+        laid_out += _by_text(catalogue.get(slug), values, np.array(numbers)[of])
+    return laid_out
+
+
+def _by_text(entry: Entry, values: dict[str, Values], of: Index) -> list[Batch]:
+    """The calls of one text; where it takes one radius, those of two radii are calls of its sister."""
+    if "r" not in values or all(p.name != "r" for p in entry.parameters):
+        return [_batch(entry, values, of)]
+    unequal = np.not_equal(values["rx"], values["ry"])
     return [
-        {
-            "image": below,
-            "x": round_half_up(x),
-            "y": round_half_up(y),
-            "fill": colour_of(sheet, figure),
-            "boundary": sheet.palette[figure.boundary % len(sheet.palette)],
-        }
+        _batch(text, {name: np.asarray(value)[chosen] for name, value in values.items()}, of[chosen])
+        for text, chosen in ((entry, ~unequal), (_of_ellipses(entry), unequal))
+        if chosen.any()
     ]
+
+
+def _batch(entry: Entry, values: dict[str, Values], of: Index) -> Batch:
+    columns = tuple(
+        values[p.name] if p.name in values else np.full(len(of), p.example) for p in entry.parameters
+    )
+    return Batch(entry, columns, of)
+
+
+def _of_lines(sheet: Sheet, figures: Sequence[Line | Polyline | Curve]) -> Named:
+    ends, of = line_ends(sheet, figures)
+    return dict(zip(("x0", "y0", "x1", "y1"), ends.T, strict=True)), of
+
+
+def _of_polygons(sheet: Sheet, figures: Sequence[Polygon]) -> Named:
+    rings, whose = drawn_rings(sheet, figures)
+    of, rings_of = np.unique(whose, return_counts=True)
+    lengths = np.array([len(ring) for ring in rings], np.int64)
+    ring_starts, starts = _starts(rings_of), _starts(lengths)[_starts(rings_of)]
+    # The ends of rings are counted from the first corner of their own polygon.
+    ends = np.cumsum(lengths) - np.repeat(starts[:-1], rings_of)
+    filled = [figures[k] for k in of.tolist()]
+    return {
+        "vertices": Lists(np.concatenate(rings) if rings else np.empty((0, 2)), starts),
+        "ring_ends": Lists(ends, ring_starts),
+        "closed": np.array([figure.closed_interior for figure in filled], np.bool_),
+        "nonzero": np.array([figure.nonzero for figure in filled], np.bool_),
+    }, of
+
+
+def _starts(lengths: Index) -> Index:
+    """Where each of some lists begins that stand one after the other, and where the last ends."""
+    return np.append(0, np.cumsum(lengths))
+
+
+def _of_rounds(sheet: Sheet, figures: Sequence[Circle | Ellipse]) -> Named:
+    centres = device_points(sheet, [figure.points_world for figure in figures])
+    radii = np.array([device_radii(sheet, figure) for figure in figures])
+    near = np.maximum(np.abs(centres), radii).max(axis=1) <= REACH_PX
+    (xc, yc), (rx, ry) = rounded(centres[near]).T, rounded(radii[near]).T
+    return {"xc": xc, "yc": yc, "rx": rx, "ry": ry, "r": rx}, np.flatnonzero(near)
+
+
+_NAMED: dict[type, Callable[..., Named]] = {
+    Line: _of_lines,
+    Polyline: _of_lines,
+    Curve: _of_lines,
+    Polygon: _of_polygons,
+    Circle: _of_rounds,
+    Ellipse: _of_rounds,
+}
 
 
 def reach_of(sheet: Sheet, figure: AnyFigure) -> float:
@@ -101,22 +171,15 @@ def calls(
     writes. Raises LookupError when the catalogue has no such algorithm.
     """
     entry = catalogue.get(algorithm or figure.drawn_with)
-    if isinstance(figure, Line | Polyline | Curve):
-        places = [_ENDS.index(p.name) if p.name in _ENDS else -1 for p in entry.parameters]
-        ends = line_ends(sheet, figure)
-        if places == [0, 1, 2, 3]:
-            return [Call(entry, row) for row in ends]
-        given = [(*row, *(p.example for p in entry.parameters)) for row in ends]
-        chosen_of = [place if place >= 0 else number + 4 for number, place in enumerate(places)]
-        return [Call(entry, tuple(row[at] for at in chosen_of)) for row in given]
-    made: list[Call] = []
-    for values in _named(sheet, figure, below):
-        chosen = entry
-        if "r" in values and values["rx"] != values["ry"] and any(p.name == "r" for p in entry.parameters):
-            chosen = _of_ellipses(entry)
-        limit = figure.recursion_limit if isinstance(figure, SeedFill) and chosen.compiles else 0
-        made.append(Call(chosen, tuple(values.get(p.name, p.example) for p in chosen.parameters), limit))
-    return made
+    if not isinstance(figure, SeedFill):
+        return [call for batch in batches(sheet, [figure], algorithm) for call in batch.calls()]
+    if not figure.points_world or reach_of(sheet, figure) > REACH_PX:
+        return []
+    ((x, y),) = rounded(device_points(sheet, [figure.points_world[:1]])).tolist()
+    boundary = sheet.palette[figure.boundary % len(sheet.palette)]
+    values = {"image": below, "x": x, "y": y, "fill": colour_of(sheet, figure), "boundary": boundary}
+    limit = figure.recursion_limit if entry.compiles else 0
+    return [Call(entry, tuple(values.get(p.name, p.example) for p in entry.parameters), limit)]
 
 
 def fills(figure: AnyFigure) -> bool:

@@ -1,20 +1,24 @@
 """A sheet as a frame buffer: every figure scan converted, from back to front."""
 
 import math
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
+from itertools import groupby, repeat
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry
-from workbench.document.model import AnyFigure, Circle, Curve, Line, Polyline, Sheet
+from workbench.document.model import AnyFigure, Circle, Sheet
+from workbench.engine.at_hand import at_hand
+from workbench.engine.batches import USE, Calls
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering.clipping import clip_box, clipper_of
-from workbench.rendering.emissions import Emitted, emitted, emitted_by_all
+from workbench.rendering.emissions import Emitted, emitted
 from workbench.rendering.mapping import Call
-from workbench.rendering.pipeline import calls, colour_of, fills, line_calls_table
-from workbench.rendering.segments import few
+from workbench.rendering.pipeline import Batch, batches, calls, colour_of, fills
 
 __all__ = [
     "Bounds",
@@ -31,6 +35,7 @@ __all__ = [
     "viewport_bounds",
 ]
 
+Index = NDArray[np.int64]
 Bounds = tuple[int, int, int, int]
 """First and last column, first and last row."""
 
@@ -42,22 +47,30 @@ class Composite(NamedTuple):
     painter: NDArray[np.int32]
 
 
-def pixels(entry: Entry, rows: Emitted, bounds: Bounds | None = None) -> NDArray[np.int64]:
+def pixels(entry: Entry, rows: Emitted, bounds: Bounds | None = None) -> Index:
     """The pixels (n, 2) as (x, y) in the order in which they were emitted, spans spread out.
 
     With ``bounds`` spans are cut there first, since those of a large area are long; all else stays whole.
     """
+    return _spread(entry, rows, bounds)[0]
+
+
+def _spread(entry: Entry, rows: Emitted, bounds: Bounds | None) -> tuple[Index, Index]:
+    """As ``pixels``, and for each (n,) the number of its row."""
+    number = np.arange(len(rows))
     if entry.emits != "spans":
-        return rows[:, :2].astype(np.int64)
+        return rows[:, :2].astype(np.int64), number
     y, left, right = (rows[:, j].astype(np.int64) for j in range(3))
     if bounds is not None:
         x_first, x_last, y_first, y_last = bounds
         seen = (y >= y_first) & (y <= y_last)
-        y, left, right = y[seen], np.maximum(left[seen], x_first), np.minimum(right[seen], x_last)
+        number, y = number[seen], y[seen]
+        left, right = np.maximum(left[seen], x_first), np.minimum(right[seen], x_last)
     lengths = np.maximum(right - left + 1, 0)
     starts = np.cumsum(lengths) - lengths
     offsets = np.arange(int(lengths.sum())) - np.repeat(starts, lengths)
-    return np.column_stack([np.repeat(left, lengths) + offsets, np.repeat(y, lengths)])
+    xy = np.column_stack([np.repeat(left, lengths) + offsets, np.repeat(y, lengths)])
+    return xy, np.repeat(number, lengths)
 
 
 def viewport_bounds(sheet: Sheet) -> Bounds:
@@ -87,59 +100,101 @@ def seen_bounds(sheet: Sheet, figure: AnyFigure) -> Bounds:
     )
 
 
-def _blend(image: NDArray[np.uint32], x: Any, y: Any, coverage: NDArray[Any], colour: int) -> None:
-    share = coverage.astype(np.float64)
+def _blend(image: NDArray[np.uint32], x: Index, y: Index, share: NDArray[Any], colours: Index) -> None:
     mixed = np.zeros(len(share), dtype=np.uint32)
     for shift in (16, 8, 0):
-        old = (image[y, x] >> shift) & 0xFF
-        mixed |= (np.floor(old + share * (((colour >> shift) & 0xFF) - old.astype(float)) + 0.5)).astype(
-            np.uint32
-        ) << np.uint32(shift)
+        old, over = ((value >> shift) & 0xFF for value in (image[y, x], colours))
+        mixed |= np.floor(old + share * (over - old.astype(float)) + 0.5).astype(np.uint32) << np.uint32(
+            shift
+        )
     image[y, x] = mixed
 
 
-def _paint(sheet: Sheet, index: int, figure: AnyFigure, onto: Composite) -> None:
-    below = onto.image if fills(figure) else None
-    colour = colour_of(sheet, figure)
-    bounds = seen_bounds(sheet, figure)
-    if isinstance(figure, Line | Polyline | Curve) and not few(figure):
-        entry, table = line_calls_table(sheet, figure)
-        rows, ends = emitted_by_all(entry, table)
-        of = np.repeat(np.arange(len(table)), np.diff(ends, prepend=0))
-        _put(entry, rows, of, colour, index, bounds, onto)
-        return
-    for call in calls(sheet, figure, below=below):
-        _put(call.entry, emitted(call), None, colour, index, bounds, onto)
+class _Stretch(NamedTuple):
+    """Calls of a batch, from ``first`` to before ``last``, of figures that nothing else lies between."""
+
+    batch: Batch
+    colours: Index
+    numbers: Index
+    bounds: Bounds
+    first: int
+    last: int
+
+
+def _stretches(sheet: Sheet, numbers: Sequence[int]) -> Iterator[_Stretch | int]:
+    """What paints figures of these numbers, from back to front; of a figure that fills, its number."""
+    figures = [sheet.figures[k] for k in numbers]
+    laid_out = batches(sheet, figures)
+    # Number of a figure, of its batch, of its first call and one past its last.
+    order = [(k, -1, 0, 0) for k, figure in zip(numbers, figures, strict=True) if fills(figure)]
+    whole: list[_Stretch] = []
+    for batch in laid_out:
+        number_of = np.array(numbers)[batch.of]
+        starts = np.flatnonzero(np.diff(number_of, prepend=-1))
+        owners = number_of[starts].tolist()
+        colours = np.array([colour_of(sheet, sheet.figures[k]) for k in owners], np.int64)
+        counts = np.diff(starts, append=len(number_of))
+        bounds = seen_bounds(sheet, sheet.figures[owners[0]]) if owners else (0, 0, 0, 0)
+        whole.append(_Stretch(batch, np.repeat(colours, counts), number_of, bounds, 0, len(number_of)))
+        ends = (starts + counts).tolist()
+        order += zip(owners, repeat(len(whole) - 1), starts.tolist(), ends, strict=False)
+    order.sort()
+    for number, group in groupby(order, key=itemgetter(1)):
+        first, *rest = group
+        if number < 0:
+            yield from (figure for figure, *_calls in (first, *rest))
+        else:
+            yield whole[number]._replace(first=first[2], last=(rest or [first])[-1][3])
+
+
+def _paint(sheet: Sheet, numbers: Sequence[int], onto: Composite) -> None:
+    """Paint the figures of these numbers, from back to front."""
+    painters: dict[int, Callable[[int, int], None]] = {}
+    for stretch in _stretches(sheet, numbers):
+        if isinstance(stretch, int):
+            _fill(sheet, stretch, onto)
+            continue
+        batch, colours, figures, bounds, first, last = stretch
+        function = batch.entry.function
+        if at_hand(function, USE):
+            if id(batch) not in painters:
+                compiled = Calls.of(function, colours, figures, batch.values)
+                painters[id(batch)] = compiled.painter(*onto, bounds)
+            painters[id(batch)](first, last)
+        else:
+            rows = [emitted(call) for call in batch.calls(first, last)]
+            _put(batch.entry, rows, colours[first:last], figures[first:last], bounds, onto)
+
+
+def _fill(sheet: Sheet, number: int, onto: Composite) -> None:
+    """Paint a figure that reads what lies below it."""
+    figure = sheet.figures[number]
+    for call in calls(sheet, figure, below=onto.image):
+        colour, bounds = np.array([colour_of(sheet, figure)]), seen_bounds(sheet, figure)
+        _put(call.entry, [emitted(call)], colour, np.array([number]), bounds, onto)
 
 
 def _put(
-    entry: Entry,
-    rows: Emitted,
-    of: NDArray[np.int64] | None,
-    colour: int,
-    index: int,
-    bounds: Bounds,
-    onto: Composite,
+    entry: Entry, parts: list[Emitted], colours: Index, numbers: Index, bounds: Bounds, onto: Composite
 ) -> None:
-    """Paint what was emitted; ``of`` tells for each row which call it is of, None that all are of one."""
+    """Paint what calls have emitted, one after the other, each in its colour and for the figure it is of."""
     x_first, x_last, y_first, y_last = bounds
-    xy = pixels(entry, rows, bounds)
-    x, y = xy[:, 0], xy[:, 1]
+    rows: Any = np.concatenate(parts)
+    xy, row = _spread(entry, rows, bounds)
+    x, y = xy.T
+    of = np.repeat(np.arange(len(parts)), [len(part) for part in parts])[row]
     inside = (x >= x_first) & (x <= x_last) & (y >= y_first) & (y <= y_last)
     if not inside.all():
-        x, y, rows = x[inside], y[inside], rows if entry.emits == "spans" else rows[inside]
-        of = None if of is None else of[inside]
-    if entry.emits != "coverage":
-        onto.image[y, x] = colour
-    elif of is None:
-        _blend(onto.image, x, y, rows[:, 2], colour)
-    else:
+        x, y, row, of = x[inside], y[inside], row[inside], of[inside]
+    if entry.emits == "coverage":
         for turn in _turns(x, y, of):
-            _blend(onto.image, x[turn], y[turn], rows[turn, 2], colour)
-    onto.painter[y, x] = index
+            _blend(onto.image, x[turn], y[turn], rows[row[turn], 2], colours[of[turn]])
+    else:
+        onto.image[y, x] = colours[of]
+    onto.painter[y, x] = numbers[of]
 
 
-def _turns(x: NDArray[np.int64], y: NDArray[np.int64], of: NDArray[np.int64]) -> list[NDArray[np.int64]]:
+def _turns(x: Index, y: Index, of: Index) -> list[Index]:
     """The rows in groups that can be blended at once, one after the other: no pixel twice in one of them.
 
     A call that comes to a pixel twice blends it once, by the last row, as it does alone.
@@ -165,19 +220,17 @@ def _empty(sheet: Sheet) -> Composite:
 
 def composite_below(sheet: Sheet, count: int) -> Composite:
     """The picture made of the first ``count`` figures."""
-    made = _empty(sheet)
-    for index, figure in enumerate(sheet.figures[:count]):
-        if figure.visible:
-            _paint(sheet, index, figure, made)
-    return made
+    onto = _empty(sheet)
+    _paint(sheet, [k for k, figure in enumerate(sheet.figures[:count]) if figure.visible], onto)
+    return onto
 
 
 @lru_cache(maxsize=4)
 def _composite(sheet: Sheet) -> Composite:
-    made = composite_below(sheet, len(sheet.figures))
-    for array in made:
+    whole = composite_below(sheet, len(sheet.figures))
+    for array in whole:
         array.setflags(write=False)
-    return made
+    return whole
 
 
 def frame_buffer(sheet: Sheet) -> NDArray[np.uint32]:

@@ -281,7 +281,7 @@ class _Description(msgspec.Struct):
     origin_stamp: Stamp | None = None
 
 
-# Made here, by the thread that imports: as in ``document.files``.
+# Made here, by the thread that imports: as in ``document.storage.files``.
 _description_decoder = msgspec.json.Decoder(_Description)
 
 

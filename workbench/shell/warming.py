@@ -68,6 +68,7 @@ class Warming(QObject):
         from workbench.algorithms import catalogue
         from workbench.engine import compiled
         from workbench.engine.warm import Warming as Child
+        from workbench.engine.warm import load
 
         if not self._stopped and compiled.available():
             slugs = [entry.slug for entry in catalogue.entries() if entry.topic in topics]
@@ -76,6 +77,8 @@ class Warming(QObject):
                 self._child.stop()
             else:
                 self._child.follow(self._report)
+            for slug in slugs:
+                load(slug, lambda: self._stopped)
 
     def _report(self, progress: Progress) -> None:
         self._progressed.emit(progress.done, progress.total)

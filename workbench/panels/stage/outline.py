@@ -1,7 +1,5 @@
 """The ideal geometry of figures in device coordinates: drawn thin over the pixels, and pointed at."""
 
-from functools import lru_cache
-
 import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
@@ -11,6 +9,7 @@ from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline,
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering import device_map, display_list, painter_of
 from workbench.rendering.mapping import device_radii
+from workbench.rendering.memory import Memory
 from workbench.widgets.canvas.overlay import Handle
 
 Curve = NDArray[np.float64]
@@ -20,10 +19,13 @@ _FLATNESS_PX = 0.005  # no corner is seen where a pixel is forty large
 
 def outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
     """The whole figure as open polylines, each (n, 2), clipped to the viewport alone."""
-    return _outline(replace(sheet, figures=(figure,), clip_world=None))
+    key = sheet.window_world, sheet.viewport_device, figure
+    return _outlines.get(key, lambda: _outline(replace(sheet, figures=(figure,), clip_world=None)))
 
 
-@lru_cache(maxsize=2048)
+_outlines: Memory[tuple[Curve, ...]] = Memory(32 << 20)
+
+
 def _outline(sheet: Sheet) -> tuple[Curve, ...]:
     curves: list[list[tuple[float, float]]] = []
     for stroke in display_list(sheet, _FLATNESS_PX):

@@ -1,0 +1,56 @@
+"""Arrays that are dear to make, kept by what they are made of: those asked for last, up to a size."""
+
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
+from threading import Lock
+from typing import Any, Generic, TypeVar
+
+from numpy.typing import NDArray
+
+T = TypeVar("T", bound=NDArray[Any] | tuple[NDArray[Any], ...])
+
+_BESIDE = 600
+"""Bytes that each takes beside its numbers: its key, and its place here."""
+
+
+class Memory(Generic[T]):
+    """Arrays, or tuples of them, by key: read-only, no larger than ``most_bytes``, for several threads."""
+
+    def __init__(self, most_bytes: int) -> None:
+        self._most = most_bytes
+        self._kept: OrderedDict[Hashable, T] = OrderedDict()
+        self._bytes = 0
+        self._lock = Lock()
+
+    def get(self, key: Hashable, make: Callable[[], T]) -> T:
+        """What has this key, made now if it is not there."""
+        with self._lock:
+            kept = self._kept.get(key)
+            if kept is not None:
+                self._kept.move_to_end(key)
+                return kept
+        new = make()
+        for array in _arrays(new):
+            array.setflags(write=False)
+        with self._lock:
+            if key in self._kept:  # another thread was faster
+                self._bytes -= _size(self._kept[key])
+            self._kept[key] = new
+            self._bytes += _size(new)
+            while self._bytes > self._most and len(self._kept) > 1:
+                self._bytes -= _size(self._kept.popitem(last=False)[1])
+        return new
+
+    def clear(self) -> None:
+        """Forget all."""
+        with self._lock:
+            self._kept.clear()
+            self._bytes = 0
+
+
+def _arrays(value: NDArray[Any] | tuple[NDArray[Any], ...]) -> tuple[NDArray[Any], ...]:
+    return value if isinstance(value, tuple) else (value,)
+
+
+def _size(value: NDArray[Any] | tuple[NDArray[Any], ...]) -> int:
+    return sum(array.nbytes + _BESIDE for array in _arrays(value))
