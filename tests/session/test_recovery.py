@@ -221,8 +221,13 @@ def test_whatever_fails_it_goes_on_by_itself(
         def refuse(*_args: object) -> None:
             raise error
 
-        patch.setattr(recovery, broken, refuse)
+        if broken != "_remove":
+            patch.setattr(recovery, broken, refuse)
         file = RecoveryFile(folder, 0.001, said.append, lambda _sentence: mended.set())
+        if broken == "_remove":
+            file.keep(stored)
+            assert file.flush()
+            patch.setattr(recovery, broken, refuse)
         file.keep(None if broken == "_remove" else stored)
         assert not file.flush()
         assert not file.flush()
@@ -236,6 +241,41 @@ def test_whatever_fails_it_goes_on_by_itself(
     assert recovery.Recoverable(file.path, None, "", 0.0).read() == stored
     file.close()
     assert list(folder.iterdir()) == []
+
+
+def test_nothing_is_tried_where_there_is_nothing_to_keep_or_remove(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    said: list[str] = []
+    file = RecoveryFile(tmp_path / "file" / "recovery", failed=said.append)
+    (tmp_path / "file").unlink()
+    for _time in range(3):
+        file.keep(None)
+        assert file.flush()
+    assert len(said) == 1
+    assert list(tmp_path.iterdir()) == []
+    file.close()
+
+
+def test_what_cannot_be_removed_is_not_tried_without_a_pause(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = RecoveryFile(tmp_path, delay_s=60)
+    file.keep(Stored(example_document()))
+    assert file.flush()
+    tries: list[Path] = []
+
+    def refuse(path: Path) -> None:
+        tries.append(path)
+        raise OSError(30, "Read-only file system")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(recovery, "_remove", refuse)
+        file.keep(None)
+        assert not file.flush()
+        time.sleep(0.05)
+        assert 1 <= len(tries) <= 2
+    assert file.flush()
+    file.close()
 
 
 def test_a_folder_that_is_removed_is_made_again(tmp_path: Path) -> None:

@@ -102,6 +102,7 @@ class RecoveryFile:
         self._failed = failed
         self._mended = mended
         self._trouble = ""
+        self._on_disk = False  # whether a part of what is kept may be there
         self._lock_file: int | None = None
         self.path = self._folder / _NO_NAME
         self._state = threading.Condition()
@@ -155,7 +156,8 @@ class RecoveryFile:
                     return
                 wanted, changes, flushes = self._wanted, self._changes, self._flushes
             began_s = time.monotonic()
-            kept = changes == self._kept or self._trying(partial(self._write, wanted))
+            nothing = changes == self._kept or (wanted is None and not self._on_disk)
+            kept = nothing or self._trying(partial(self._write, wanted))
             ended_s = time.monotonic()
             next_s = max(next_s, ended_s + REST * (ended_s - began_s))
             with self._state:
@@ -168,7 +170,9 @@ class RecoveryFile:
         return self._changes > self._kept or self._flushes > self._flushed or self._closing
 
     def _hurries(self) -> bool:
-        return self._wanted is None or self._flushes > self._flushed or self._closing
+        """Whether to act at once; what has failed waits, even where there is only something to remove."""
+        nothing_unsaved = self._wanted is None and not self._trouble
+        return nothing_unsaved or self._flushes > self._flushed or self._closing
 
     def _trying(self, act: Callable[[], None]) -> bool:
         """Whether ``act`` did not fail. Nothing that it raises ends the thread: the next time may do."""
@@ -199,10 +203,12 @@ class RecoveryFile:
         return sentence.format(reason=error if isinstance(error, DocumentError) else f"{error!r}.")
 
     def _write(self, wanted: Stored | None) -> None:
-        self._hold_name()
         if wanted is None:
             _remove(self.path)
+            self._on_disk = False
             return
+        self._hold_name()
+        self._on_disk = True
         blobs = {_blob_path(self.path, digest): content for digest, content in wanted.blobs.items()}
         kept = set(_blobs_beside(self.path))
         for path, content in blobs.items():

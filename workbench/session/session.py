@@ -100,17 +100,17 @@ class Session(QObject):
         new = edit(old)
         if new == old:
             return
-        if merge and self._merging and self._merging[0] == merge:
-            self.undo_stack.extend(self._merging[1], new)
-            return
-        self.end_merge()
+        if self._merging and self._merging[0] != merge:
+            self.end_merge()
         self._pushing = True
         try:
-            step = self.undo_stack.push(name, old, new)
+            if self._merging:
+                step = self.undo_stack.extend(self._merging[1], new)
+            else:
+                step = self.undo_stack.push(name, old, new)
         finally:
             self._pushing = False
-        if merge:
-            self._merging = (merge, step)
+        self._merging = (merge, step) if merge else None
 
     def end_merge(self, merge: str = "") -> None:
         """End a drag: the next edit is a step of its own. A drag back to its start leaves none.
