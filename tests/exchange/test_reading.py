@@ -1,6 +1,9 @@
 """The child process reads what the parent would have read, tells how far it is, and can be stopped."""
 
 import hashlib
+import os
+import shlex
+import sys
 import threading
 from pathlib import Path
 
@@ -14,8 +17,18 @@ from workbench.document.state import SessionState
 from workbench.document.storage.content import Stopped
 from workbench.document.storage.files import Stored, encode
 from workbench.exchange import reading
-from workbench.exchange.reading import Fitted, Job, Reading, ReadingError, read_at_once, read_now
+from workbench.exchange.reading import (
+    Fitted,
+    Job,
+    Reading,
+    ReadingError,
+    ReadingFailure,
+    read_at_once,
+    read_now,
+)
 
+ROOT = Path(__file__).parents[2]
+posix = pytest.mark.skipif(os.name != "posix", reason="limits and scripts of POSIX")
 SHEET = example_document().sheets[0]
 WAVE = "".join(f"{k / 9:.3f};{np.sin(k / 40):.6f}\n" for k in range(3000)).encode()
 PATHS = "".join(f'<path id="p{k}" d="M {k} 0 C {k} 2 9 4 3 0A1 2 3 0 1 {k} 9"/>' for k in range(1500))
@@ -103,6 +116,53 @@ def test_a_reading_that_is_stopped_gives_nothing() -> None:
     threading.Timer(0.05, stopped.stop).start()
     with pytest.raises(Stopped):
         stopped.follow(lambda share: stopped.stop())
+
+
+def test_a_name_without_its_folder_is_that_of_this_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.gwb").write_bytes(encode(large_picture()))
+    assert Reading(Job("picture", "a.gwb")).follow() == large_picture()
+
+
+def in_the_child(monkeypatch: pytest.MonkeyPatch, folder: Path, code: str) -> None:
+    """Let every child run ``code`` first, with the modules of the program at hand."""
+    starter = folder / "python"
+    preface = f"import runpy, sys; sys.path.insert(0, {str(ROOT)!r}); {code}"
+    line = preface + "; from workbench.exchange import reading; sys.exit(reading.main())"
+    starter.write_text(f"#!/bin/sh\nexec {shlex.quote(sys.executable)} -c {shlex.quote(line)}\n")
+    starter.chmod(0o700)
+    monkeypatch.setattr(reading.sys, "executable", str(starter))
+
+
+@posix
+@pytest.mark.parametrize("hard", [3 * 2**30, 8 * 2**30])
+def test_a_limit_that_is_there_already_is_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, hard: int
+) -> None:
+    in_the_child(monkeypatch, tmp_path, f"import resource as r; r.setrlimit(r.RLIMIT_AS, ({hard}, {hard}))")
+    job = Job("points", content=WAVE)
+    assert np.array_equal(Reading(job).follow(), read_now(job))
+
+
+@posix
+def test_a_system_that_bounds_no_memory_reads_all_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    code = "import resource as r; r.setrlimit = lambda *_bounds: [].index(0)"
+    in_the_child(monkeypatch, tmp_path, code)
+    assert len(Reading(Job("points", content=WAVE)).follow()) == 3000
+
+
+@posix
+def test_a_failure_of_the_program_in_the_child_is_told_with_its_traceback(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    code = "import workbench.exchange.reading as r; r.read_now = lambda *_job: {}['no such thing']"
+    in_the_child(monkeypatch, tmp_path, code)
+    with pytest.raises(ReadingFailure, match=r"Traceback[^$]*KeyError: 'no such thing'"):
+        Reading(Job("points", content=WAVE)).follow()
 
 
 def test_a_child_that_dies_is_said(monkeypatch: pytest.MonkeyPatch) -> None:

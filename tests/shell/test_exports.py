@@ -153,6 +153,15 @@ def test_dialogs_begin_beside_the_document_with_its_name(
         qtbot.waitUntil(lambda dialog=dialog: not dialog.isVisible())
 
 
+def test_without_a_home_dialogs_begin_here(window: MainWindow, monkeypatch: pytest.MonkeyPatch) -> None:
+    def none() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.setattr(Path, "home", none)
+    window.session.new()
+    assert window.files.exports.proposed("run", ".gif") == Path("Untitled-run.gif")
+
+
 def test_the_ending_follows_the_kind_that_is_chosen(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
     trigger(window, "export_step")
     dialog = dialog_of(qtbot, window)
@@ -309,7 +318,7 @@ def test_cancelled_nothing_is_left(
     assert not card.isVisible()
     assert names(tmp_path) == ["walk-003.png", "work.gwb"]
     assert (tmp_path / "walk-003.png").read_bytes() == b"mine"
-    assert window.status.hover.text() == "walk.png was not written; nothing is left of it."
+    assert window.status.hover.text() == "Cancelled; walk.png was not written."
 
 
 def slow(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -349,6 +358,26 @@ def test_the_window_does_not_close_on_what_is_being_written(
     qtbot.waitUntil(lambda: not window.isVisible(), timeout=10_000)
     with Image.open(tmp_path / "walk.gif") as image:
         assert image.n_frames == 11
+
+
+@pytest.mark.parametrize("when", ["before", "after"])
+def test_a_failed_export_does_not_close_the_window(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, when: str
+) -> None:
+    from workbench.document.edits import move_figures
+
+    slow(monkeypatch)
+    choose_run(window, ".gif")
+    type_name(qtbot, window, "walk")
+    window.close()
+    window.session.apply(move_figures([window.session.sheet.figures[0].id], 1, 1), "Move")
+    wish = next(each for each in window.messages.buttons() if each.text() == "Close when it is written")
+    if when == "after":
+        qtbot.waitUntil(lambda: not window.files.exports.writer.busy, timeout=10_000)
+    wish.click()
+    assert written(qtbot, window).startswith("The picture was changed before all its steps were written")
+    assert window.isVisible()
+    assert names(tmp_path) == ["work.gwb"]
 
 
 # What the disk refuses

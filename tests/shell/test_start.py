@@ -68,6 +68,22 @@ def test_words_that_are_no_picture_are_refused() -> None:
     assert start(["--sideways"]) == 2
 
 
+def test_a_name_without_its_folder_is_opened_as_that_of_this_folder(tmp_path: Path) -> None:
+    (tmp_path / "a.gwb").touch()
+    code = (
+        "import sys; from workbench.shell import start;"
+        "start.Building = lambda window, path: (print(path), sys.exit(0)); start.start(['a.gwb'])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert done.stdout == f"{tmp_path / 'a.gwb'}\n", done.stderr
+
+
 def test_the_rest_is_built_behind_the_first_frame(qtbot: QtBot) -> None:
     window = make_window()
     building = Building(window)

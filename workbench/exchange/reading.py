@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 import time
+import traceback
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -38,6 +39,10 @@ LIMITS = {"picture": MAX_BYTES, "drawing": MOST_BYTES, "points": MOST_CHARACTERS
 
 class ReadingError(ValueError):
     """What was to be read was refused: one sentence."""
+
+
+class ReadingFailure(Exception):  # noqa: N818 - nothing is wrong with what was to be read
+    """The program itself failed in the child: the traceback from there."""
 
 
 class Job(msgspec.Struct, frozen=True):
@@ -128,6 +133,10 @@ class _Refused(msgspec.Struct, tag=True):
     sentence: str
 
 
+class _Failed(msgspec.Struct, tag=True):
+    traceback: str
+
+
 class _Frame(msgspec.Struct, tag=True):
     """A picture without its figures and blobs."""
 
@@ -161,7 +170,7 @@ class _Fit(msgspec.Struct, tag=True):
     error: float
 
 
-_Part = _Share | _Refused | _Frame | _Figures | _Blob | _Drawn | _Points | _Fit
+_Part = _Share | _Refused | _Failed | _Frame | _Figures | _Blob | _Drawn | _Points | _Fit
 
 _encoder = msgspec.msgpack.Encoder()
 _part_decoder = msgspec.msgpack.Decoder(_Part)
@@ -232,12 +241,16 @@ class Reading:
 
     def __init__(self, job: Job) -> None:
         bare = None if job.sheet is None else replace(job.sheet, figures=())
-        self._job = replace(job, sheet=bare)
+        path = str(Path(job.path).absolute()) if job.path else ""  # the child has another current folder
+        self._job = replace(job, path=path, sheet=bare)
         self._process: subprocess.Popen[bytes] | None = None
         self._stopped = False
 
     def follow(self, progress: Progress = silent) -> Result:
-        """The result, once it is there. Raises: ReadingError with one sentence; Stopped after ``stop``."""
+        """The result, once it is there.
+
+        Raises: ReadingError with one sentence; ReadingFailure; Stopped after ``stop``.
+        """
         self._process = subprocess.Popen(
             [sys.executable, "-m", "workbench.exchange.reading"],
             cwd=Path(__file__).parents[2],
@@ -258,6 +271,8 @@ class Reading:
                     progress(said.share)
                 elif isinstance(said, _Refused):
                     raise ReadingError(said.sentence)
+                elif isinstance(said, _Failed):
+                    raise ReadingFailure(said.traceback)
                 else:
                     parts.append(said)
         except BrokenPipeError:
@@ -296,7 +311,6 @@ def _received(stream: IO[bytes]) -> Iterator[_Part]:
 def main() -> int:
     """The child: a job on standard input, parts of what it gives on standard output."""
     out = sys.stdout.buffer
-    _bound_memory()
     told = -1.0
 
     def tell(share: float) -> None:
@@ -306,6 +320,7 @@ def main() -> int:
             _send(out, _Share(share))
 
     try:
+        _bound_memory()
         size = int.from_bytes(sys.stdin.buffer.read(8), "little")
         result = read_now(_job_decoder.decode(sys.stdin.buffer.read(size)), tell)
         for each in _parts(result):
@@ -314,6 +329,8 @@ def main() -> int:
         _send(out, _Refused(str(error)))
     except MemoryError:
         _send(out, _Refused(_("It takes more memory than there is; choose a smaller file.")))
+    except Exception:
+        _send(out, _Failed(traceback.format_exc()))
     return 0
 
 
@@ -321,7 +338,10 @@ def _bound_memory() -> None:
     if sys.platform != "win32":
         import resource
 
-        resource.setrlimit(resource.RLIMIT_AS, (_CHILD_BYTES, _CHILD_BYTES))
+        bounds = [each for each in resource.getrlimit(resource.RLIMIT_AS) if each != resource.RLIM_INFINITY]
+        most = min([_CHILD_BYTES, *bounds])
+        with suppress(OSError, ValueError):  # some systems bound nothing so
+            resource.setrlimit(resource.RLIMIT_AS, (most, most))
 
 
 if __name__ == "__main__":
