@@ -17,6 +17,7 @@ from workbench.document.state import SessionState
 from workbench.document.storage.content import Stopped
 from workbench.document.storage.files import Stored, encode
 from workbench.exchange import reading
+from workbench.exchange.figures import write_figures
 from workbench.exchange.reading import (
     Fitted,
     Job,
@@ -44,7 +45,8 @@ def large_picture() -> Stored:
     document = replace(example_document(), sheets=(replace(sheet, figures=figures), bare))
     blob = bytes(range(256)) * 10_000
     blobs = {hashlib.sha256(content).hexdigest(): content for content in (blob, b"")}
-    return Stored(document, SessionState(sheet="other", step=3), blobs, "/from/there.gwb")
+    state = SessionState(sheet="other", step=3)
+    return Stored(document, state, blobs, "/from/there.gwb", (3, 2, 1), ("beside",))
 
 
 def test_a_picture_comes_whole(tmp_path: Path) -> None:
@@ -58,7 +60,14 @@ def test_a_picture_comes_whole(tmp_path: Path) -> None:
     assert all(0.0 <= share <= 1.0 for share in shares)
 
 
-@pytest.mark.parametrize("job", [Job("drawing", content=DRAWING, sheet=SHEET), Job("points", content=WAVE)])
+@pytest.mark.parametrize(
+    "job",
+    [
+        Job("drawing", content=DRAWING, sheet=SHEET),
+        Job("points", content=WAVE),
+        Job("figures", content=write_figures(list(SHEET.figures) * 300)),
+    ],
+)
 def test_the_child_reads_what_is_read_here(job: Job) -> None:
     there, here = Reading(job).follow(), read_now(job)
     if isinstance(here, np.ndarray):
@@ -82,6 +91,7 @@ def test_a_curve_is_fitted_by_the_child() -> None:
         (Job("drawing", content=DRAWING + b"<", sheet=SHEET), "the XML is broken"),
         (Job("points", content=WAVE + b"a;b"), "Line 3001, column 1: 'a' is no number"),
         (Job("picture", "/dev/zero"), "/dev/zero is not a file that can be opened"),
+        (Job("figures", content=b"[[]" * 9), "The figures on the clipboard cannot be read"),
         (Job("picture", "/no/such.gwb"), "There is no file /no/such.gwb"),
     ],
 )

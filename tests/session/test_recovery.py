@@ -119,6 +119,7 @@ def test_what_a_dead_process_left_is_offered_and_restored(
     (work,) = recoverable(tmp_path)
     assert (work.path, work.origin, work.name) == (path, origin, "lab 3.gwb")
     session.recover(work)
+    assert session._recovery.flush()
     assert session.document == MOVE(example_document())
     assert session.path == origin
     assert session.dirty
@@ -139,6 +140,29 @@ def test_work_stays_until_the_new_session_keeps_it_itself(qtbot: QtBot, tmp_path
     session = Session()
     session.recover(recoverable(tmp_path)[0])
     assert len(recoverable(tmp_path)) == 1
+
+
+@pytest.mark.parametrize("end", ["save", "close"])
+def test_recovered_work_goes_once_it_is_saved_or_given_up(
+    session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, end: str
+) -> None:
+    left_by_a_dead_process(tmp_path / "left")
+    (work,) = recoverable(tmp_path / "left")
+
+    def refuse(*_args: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(recovery, "write", refuse)
+        session.recover(work)
+        assert not session._recovery.flush()
+        assert len(recoverable(tmp_path / "left")) == 1
+        if end == "save":
+            session.save_as(tmp_path / "mine.gwb")
+            assert session._recovery.flush()
+        else:
+            session.close()
+    assert recoverable(tmp_path / "left") == []
 
 
 def test_damaged_work_is_refused_and_what_is_open_stays(session: Session, tmp_path: Path) -> None:
@@ -345,6 +369,7 @@ def test_blobs_of_a_dead_process_are_restored_and_cleared_away(session: Session,
     path.with_suffix(f".{'0' * 64}.blob").touch()
     (work,) = recoverable(tmp_path)
     session.recover(work)
+    assert session._recovery.flush()
     assert session.stored.blobs == BLOBS
     assert recoverable(tmp_path) == []
     assert {file.name.partition(".")[0] for file in tmp_path.iterdir()} == {session._recovery.path.stem}

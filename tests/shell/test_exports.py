@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import re
+import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -183,6 +184,20 @@ def test_the_picture_has_every_pixel(qtbot: QtBot, window: MainWindow, tmp_path:
         assert image.size == (cell * sheet.width_px, cell * sheet.height_px)
         middle = cell // 2
         assert image.getpixel((20 * cell + middle, (sheet.height_px - 1 - 10) * cell + middle)) == BLUE
+
+
+def test_the_picture_is_drawn_beside_the_interface(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import workbench.rendering as rendering
+
+    real, threads = rendering.frame_buffer, []
+    watched = lambda sheet: (threads.append(threading.current_thread().name), real(sheet))[1]  # noqa: E731
+    monkeypatch.setattr(rendering, "frame_buffer", watched)
+    trigger(window, "export_picture")
+    type_name(qtbot, window, "dots")
+    written(qtbot, window)
+    assert threads == ["write"]
 
 
 def test_the_drawing_is_xml_and_the_step_is_too(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:

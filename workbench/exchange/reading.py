@@ -22,6 +22,7 @@ from workbench.document.model import AnyFigure, Curve, Document, Sheet
 from workbench.document.state import SessionState
 from workbench.document.storage.content import Progress, Stopped, part, read_content, silent
 from workbench.document.storage.files import MAX_BYTES, Stored, decode
+from workbench.exchange.figures import read_figures
 from workbench.exchange.fitted_curve import fitted
 from workbench.exchange.point_lists import MOST_CHARACTERS, Array, read_points
 from workbench.exchange.svg_reading import Imported, read_svg
@@ -34,7 +35,13 @@ _AT_ONCE_S = 0.05  # of the processor, after which a child is asked after all
 _POINTS_IN_A_PART = 5_000
 _BLOB_IN_A_PART = 2**20
 _CHILD_BYTES = 4 * 2**30  # of addresses, far above what any limit of a reader lets it use
-LIMITS = {"picture": MAX_BYTES, "drawing": MOST_BYTES, "points": MOST_CHARACTERS, "fit": MOST_CHARACTERS}
+LIMITS = {
+    "picture": MAX_BYTES,
+    "figures": MAX_BYTES,
+    "drawing": MOST_BYTES,
+    "points": MOST_CHARACTERS,
+    "fit": MOST_CHARACTERS,
+}
 
 
 class ReadingError(ValueError):
@@ -48,11 +55,12 @@ class ReadingFailure(Exception):  # noqa: N818 - nothing is wrong with what was 
 class Job(msgspec.Struct, frozen=True):
     """What is read: a file, or with an empty path the ``content``.
 
-    A picture becomes Stored, a drawing (SVG, placed on ``sheet``) Imported, points an (n, 2) array, world;
-    fit becomes Fitted: a path in ``colour`` that passes the points within ``tolerance_px``.
+    A picture becomes Stored, a drawing (SVG, placed on ``sheet``) Imported, and so do figures as the
+    clipboard has them, whose numbers are unchecked; points an (n, 2) array, world; fit becomes Fitted: a path
+    in ``colour`` that passes the points within ``tolerance_px``.
     """
 
-    kind: Literal["picture", "drawing", "points", "fit"]
+    kind: Literal["picture", "figures", "drawing", "points", "fit"]
     path: str = ""
     content: bytes = b""
     sheet: Sheet | None = None
@@ -88,6 +96,8 @@ def read_now(job: Job, progress: Progress = silent) -> Result:
     rest = part(progress, 0.1, 1.0)
     if job.kind == "picture":
         return decode(content)
+    if job.kind == "figures":
+        return Imported(tuple(read_figures(content)), (), ())
     if job.kind == "drawing":
         assert job.sheet is not None
         return read_svg(content if job.path else content.decode("utf-8", "replace"), job.sheet, progress=rest)
@@ -144,6 +154,8 @@ class _Frame(msgspec.Struct, tag=True):
     last_id: int
     session: SessionState
     origin: str | None
+    origin_stamp: tuple[int, int, int] | None
+    blobs_beside: tuple[str, ...]
 
 
 class _Figures(msgspec.Struct, tag=True):
@@ -180,9 +192,11 @@ _job_decoder = msgspec.msgpack.Decoder(Job)
 def _parts(result: Result) -> Iterator[_Part]:
     """The result in parts, each quickly decoded."""
     match result:
-        case Stored(document=document, session=session, blobs=blobs, origin=origin):
+        case Stored(document=document, session=session, blobs=blobs):
             bare = [replace(sheet, figures=()) for sheet in document.sheets]
-            yield _Frame(bare, document.last_id, session, origin)
+            yield _Frame(
+                bare, document.last_id, session, result.origin, result.origin_stamp, result.blobs_beside
+            )
             for number, sheet in enumerate(document.sheets):
                 yield from _batches(number, sheet.figures)
             for name, content in blobs.items():
@@ -221,10 +235,11 @@ def _joined(parts: list[_Part]) -> Result:
             blobs.setdefault(each.name, []).append(each.content)
     for each in parts:
         match each:
-            case _Frame(sheets=bare, last_id=last_id, session=session, origin=origin):
+            case _Frame(sheets=bare, last_id=last_id, session=session):
                 sheets = (replace(s, figures=tuple(figures[k])) for k, s in enumerate(bare))
                 document = Document(tuple(sheets), last_id)
-                return Stored(document, session, {k: b"".join(v) for k, v in blobs.items()}, origin)
+                whole = {name: b"".join(content) for name, content in blobs.items()}
+                return Stored(document, session, whole, each.origin, each.origin_stamp, each.blobs_beside)
             case _Drawn(approximated=approximated, notes=notes):
                 return Imported(tuple(figures[0]), tuple(approximated), tuple(notes))
             case _Fit(points=points, error=error):

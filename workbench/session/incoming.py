@@ -10,10 +10,10 @@ from PySide6.QtCore import QObject, Signal, SignalInstance
 
 from workbench.document.storage.content import Stopped
 from workbench.engine import background
-from workbench.exchange.reading import Job, Reading, Result, read_at_once
+from workbench.exchange.reading import Job, Reading, read_at_once
 from workbench.language import _
 
-Prepare = Callable[[Result], object]
+Prepare = Callable[[Any], object]  # given a Result
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -65,7 +65,10 @@ class Recoverable:
 
     def read(self) -> Stored:
         """What was kept; raises DocumentError."""
-        stored = read(self.path)
+        return self.completed(read(self.path))
+
+    def completed(self, stored: Stored) -> Stored:
+        """What was read of the file, with the blobs beside it; raises DocumentError."""
         beside = {path.suffixes[0][1:]: path for path in _blobs_beside(self.path)}
         blobs = dict(stored.blobs)
         for digest in stored.blobs_beside:
@@ -110,15 +113,21 @@ class RecoveryFile:
         self._changes = self._kept = 0
         self._flushes = self._flushed = 0
         self._closing = False
+        self._afterwards: list[Callable[[], object]] = []
         self._trying(self._hold_name)
         self._thread = threading.Thread(target=self._run, name="recovery", daemon=True)
         self._thread.start()
 
-    def keep(self, stored: Stored | None) -> None:
-        """Write ``stored`` soon; None when there is nothing unsaved any more, and the file is removed."""
+    def keep(self, stored: Stored | None, then: Callable[[], object] | None = None) -> None:
+        """Write ``stored`` soon; None when there is nothing unsaved any more, and the file is removed.
+
+        ``then`` is called once, on the writing thread, when that or a later call is done, or at a clean end.
+        """
         with self._state:
             self._wanted = stored
             self._changes += 1
+            if then is not None:
+                self._afterwards.append(then)
             self._state.notify_all()
 
     def flush(self) -> bool:
@@ -137,6 +146,7 @@ class RecoveryFile:
             self._state.notify_all()
         self._thread.join()
         self._give_up_name()
+        self._call(self._afterwards)
 
     def _run(self) -> None:
         try:
@@ -155,9 +165,12 @@ class RecoveryFile:
                 if self._closing:
                     return
                 wanted, changes, flushes = self._wanted, self._changes, self._flushes
+                afterwards = self._afterwards[:]
             began_s = time.monotonic()
             nothing = changes == self._kept or (wanted is None and not self._on_disk)
             kept = nothing or self._trying(partial(self._write, wanted))
+            if kept:
+                self._call(afterwards)
             ended_s = time.monotonic()
             next_s = max(next_s, ended_s + REST * (ended_s - began_s))
             with self._state:
@@ -165,6 +178,11 @@ class RecoveryFile:
                     self._kept = changes
                 self._flushed = flushes
                 self._state.notify_all()
+
+    def _call(self, afterwards: list[Callable[[], object]]) -> None:
+        for each in list(afterwards):
+            each()
+            self._afterwards.remove(each)
 
     def _has_work(self) -> bool:
         return self._changes > self._kept or self._flushes > self._flushed or self._closing

@@ -62,8 +62,7 @@ class Exports(QObject):
 
         sheet = self._window.session.sheet
         cell = max(1, _PICTURE_PX // max(sheet.width_px, sheet.height_px))
-        image = partial(frame_buffer, sheet)
-        self._ask("picture", "", lambda: (self.writer.ask(image), cell))
+        self._ask("picture", "", lambda: (frame_buffer(sheet), cell))
 
     def drawing(self) -> None:
         """The figures of the sheet, and what of them is not exact."""

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QDropEvent
@@ -15,6 +15,7 @@ from workbench.shell.exports import Exports
 from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
+    from workbench.document.building import Edit
     from workbench.document.storage.files import Stored
     from workbench.session.recovery import Recoverable
     from workbench.session.saver import Saved
@@ -112,19 +113,25 @@ class Files(QObject):
             from workbench.exchange.reading import Job
 
             take, refuse = partial(self._add_sheets, path), partial(self._not_imported, path)
-            self._session.incoming.read(Job("picture", str(path)), path.name, take, refuse)
+            job = Job("picture", str(path))
+            self._session.incoming.read(job, path.name, take, refuse, self._with_sheets)
 
-    def _add_sheets(self, path: Path, stored: "Stored") -> None:
-        """The sheets of another picture come beside those of the open one, as one step of undo."""
-        from workbench.document.building import both
-        from workbench.document.errors import DocumentError
+    def _with_sheets(self, stored: Any) -> "Edit":
+        """The edit by which the sheets of another picture come beside those of the open one."""
+        from workbench.document.building import both, foreseen
         from workbench.document.sheet_edits import add_sheet
+
+        edits = [add_sheet(sheet) for sheet in stored.document.sheets]
+        return foreseen(both(*edits), self._session.document)
+
+    def _add_sheets(self, path: Path, edit: "Edit") -> None:
+        """Do that as one step of undo, and show the first of them."""
+        from workbench.document.errors import DocumentError
 
         session = self._session
         known = {sheet.id for sheet in session.document.sheets}
         try:
-            edits = [add_sheet(sheet) for sheet in stored.document.sheets]
-            session.apply(both(*edits), _("Import {name}").format(name=path.name))
+            session.apply(edit, _("Import {name}").format(name=path.name))
         except DocumentError as error:
             self._not_imported(path, str(error))
             return
@@ -225,13 +232,16 @@ class Files(QObject):
             return
 
     def _recover(self, lost: "Recoverable") -> None:
-        from workbench.document.errors import DocumentError
+        from workbench.exchange.reading import Job
 
-        try:
-            self._session.recover(lost)
-        except DocumentError as error:
+        def refuse(error: str) -> None:
             self._window.messages.say(_("Nothing could be recovered: {error}").format(error=error), "error")
-            return
+
+        job, take = Job("picture", str(lost.path)), partial(self._recovered, lost)
+        self._session.incoming.read(job, lost.name, take, refuse, lost.completed)
+
+    def _recovered(self, lost: "Recoverable", stored: "Stored") -> None:
+        self._session.take_recovered(lost, stored)
         self._window.enter("draw")
         if self._session.changed_on_disk:
             self._window.messages.say(

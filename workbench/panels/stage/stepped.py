@@ -85,7 +85,7 @@ class SteppedPanel(FigurePanel):
     def paste(self) -> None:
         """Put the figures of the clipboard on the sheet."""
         if not self.gesturing:
-            self.hover_text.emit(paste_figures(self.session))
+            paste_figures(self.session, self.hover_text.emit)
 
     def offer_export(self, menu: QMenu) -> None:
         """Let the canvas's menu lead to what can be exported."""
