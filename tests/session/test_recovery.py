@@ -8,6 +8,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -183,6 +184,29 @@ def test_locks_without_work_are_cleared_away_and_work_without_a_lock_is_found(tm
     assert [work.path.name for work in recoverable(tmp_path)] == ["2-00000000.gwb"]
     assert {file.name for file in tmp_path.iterdir()} == {"2-00000000.gwb", "2-00000000.lock", "mine.gwb"}
     assert recoverable(tmp_path / "none") == []
+
+
+def test_where_nothing_goes_that_is_open_locks_are_closed_first(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = Path.unlink
+
+    def unlink(path: Path, missing_ok: bool = False) -> None:
+        for descriptor in range(64):
+            with suppress(OSError):
+                if os.path.samestat(os.fstat(descriptor), path.stat()):
+                    raise AssertionError(f"{path.name} is open")
+        real(path, missing_ok)
+
+    (tmp_path / "1-00000000.lock").touch()
+    file = RecoveryFile(tmp_path)
+    with monkeypatch.context() as patch:
+        patch.setattr(recovery.sys, "platform", "win32")
+        patch.setattr(Path, "unlink", unlink)
+        assert recoverable(tmp_path) == []
+        assert [each.stem for each in tmp_path.iterdir()] == [file.path.stem]
+        file.close()
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_stream_of_changes_does_not_put_off_the_write(

@@ -248,10 +248,9 @@ class RecoveryFile:
     def _give_up_name(self) -> None:
         if self._lock_file is not None:
             _discard(self.path)
-            os.close(self._lock_file)
-            self._lock_file = None
+            held, self._lock_file = self._lock_file, None
             with suppress(OSError):
-                _remove(self.path.with_suffix(_LOCK))
+                _drop_lock(self.path.with_suffix(_LOCK), held)
 
 
 def _tell(listener: Callable[[str], None], sentence: str) -> None:
@@ -279,14 +278,15 @@ def _left(path: Path) -> Recoverable | None:
     """The work in a recovery file whose process is dead; raises OSError."""
     lock = path.with_suffix(_LOCK)
     descriptor = _locked(lock)
+    end = partial(os.close, descriptor)
     try:
         if path.exists():
             return _described(path)
         _discard(path)
-        _remove(lock)
+        end = partial(_drop_lock, lock, descriptor)
         return None
     finally:
-        os.close(descriptor)
+        end()
 
 
 class _SheetName(msgspec.Struct):
@@ -355,6 +355,17 @@ def _fresh(folder: Path) -> tuple[Path, int]:
 def _remove(path: Path) -> None:
     with suppress(FileNotFoundError):
         path.unlink()
+
+
+def _drop_lock(lock: Path, descriptor: int) -> None:
+    """Remove a lock while it is held; on Windows, where nothing goes that is open, right after that."""
+    try:
+        if sys.platform != "win32":
+            _remove(lock)
+    finally:
+        os.close(descriptor)
+    if sys.platform == "win32":
+        _remove(lock)
 
 
 if sys.platform == "win32":

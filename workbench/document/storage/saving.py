@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from workbench.document.errors import DocumentError
 from workbench.language import _
+from workbench.paths import alive
 
 _ENDING = ".saving"
 _CHUNK = 2**18
@@ -247,19 +248,6 @@ def sweep(folder: Path, prefix: str = ".") -> None:
         left = [entry for entry in entries if entry.name.startswith(prefix) and entry.name.endswith(_ENDING)]
     for entry in left:
         number = entry.name.removesuffix(_ENDING).rpartition(".")[2]
-        if number.isdecimal() and not _alive(int(number)):
+        if number.isdecimal() and not alive(int(number)):
             with suppress(OSError):
                 os.unlink(entry.path)
-
-
-def _alive(process: int) -> bool:
-    if sys.platform == "win32":
-        # An open file cannot be unlinked there, so that trying is the test.
-        return process == os.getpid()
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except (PermissionError, OverflowError):
-        return True
-    return True
