@@ -94,11 +94,11 @@ def test_a_surface_becomes_a_mesh(capsys: pytest.CaptureFixture[str], folder: Pa
 @pytest.mark.parametrize(
     ("words", "named"),
     [
-        (("convert", "a.svg", "-o", "a.pdf"), "a.pdf: this is written as .gwb or .svg"),
+        (("convert", "a.svg", "-o", "a.pdf"), "a.pdf: choose a name that ends in .gwb or .svg"),
         (("convert", "nowhere.svg", "-o", "a.gwb"), "There is no file nowhere.svg; choose another"),
         (("convert", "a.doc", "-o", "a.gwb"), "a.doc: this cannot be read"),
         (("convert", "broken.svg", "-o", "a.gwb"), "broken.svg: Line 1, column 61, <path>: command 2"),
-        (("convert", "broken.csv", "-o", "a.gwb"), "broken.csv: Line 2, column 1: 'b' is no number"),
+        (("convert", "broken.csv", "-o", "a.gwb"), "broken.csv: Line 2, column 1: 'b' is not a number"),
         (("convert", "one.csv", "-o", "a.gwb"), "one.csv: There are 1 points"),
         (("convert", "same.csv", "-o", "a.gwb"), "same.csv: All points are in one place"),
         (("convert", "latin.csv", "-o", "a.gwb"), "latin.csv: "),
@@ -110,7 +110,7 @@ def test_a_surface_becomes_a_mesh(capsys: pytest.CaptureFixture[str], folder: Pa
             ("surface", "cube", "-o", "a.obj"),
             "There is no file cube; give a JSON file or one of",
         ),
-        (("surface", "sphere", "-o", "a.fbx"), "a.fbx: this is written as .obj, .ply or .stl"),
+        (("surface", "sphere", "-o", "a.fbx"), "a.fbx: choose a name that ends in .obj, .ply or .stl"),
         (("surface", "sphere", "-o", "a.obj", "--tolerance", "-1"), "The tolerance is -1"),
         (("surface", "broken.json", "-o", "a.obj"), "broken.json is not JSON"),
         (("surface", "list.json", "-o", "a.obj"), "list.json holds no surface"),

@@ -126,11 +126,11 @@ def test_a_wrong_ending_is_refused_with_those_there_are(
     qtbot: QtBot, window: MainWindow, tmp_path: Path
 ) -> None:
     window.files.save_as()
-    assert type_name(qtbot, window, "work.png") == ["work.png: this is written as .gwb; let the name end so."]
+    assert type_name(qtbot, window, "work.png") == ["work.png: choose a name that ends in .gwb."]
     dialog_of(qtbot, window).reject()
     trigger(window, "export_step")
     (said,) = type_name(qtbot, window, "step.xyz")
-    assert said == "step.xyz: this is written as .png, .svg or .pdf; let the name end so."
+    assert said == "step.xyz: choose a name that ends in .png, .svg or .pdf."
     dialog_of(qtbot, window).reject()
     assert names(tmp_path) == ["work.gwb"]
 

@@ -69,10 +69,12 @@ def size(text: str) -> tuple[int, int]:
     """Width and height from a text such as 640x480. Raises: ArgumentTypeError."""
     words = text.lower().split("x")
     if len(words) != 2 or not all(word.isascii() and word.isdecimal() for word in words):
-        raise argparse.ArgumentTypeError(_("{text!r} is no size; write it as 640x480").format(text=text[:20]))
+        raise argparse.ArgumentTypeError(
+            _("{text!r} is not a size; write it as 640x480").format(text=text[:20])
+        )
     sides = int(words[0][:9]), int(words[1][:9])
     if not all(1 <= side <= MAX_SIDE_PX for side in sides):
-        sentence = _("{text!r} is no size; each side has 1 to {most} pixels")
+        sentence = _("{text!r} is not a size; each side has 1 to {most} pixels")
         raise argparse.ArgumentTypeError(sentence.format(text=text[:20], most=MAX_SIDE_PX))
     return sides
 

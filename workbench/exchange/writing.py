@@ -74,7 +74,7 @@ def row_for(rows: Sequence[Row], path: Path) -> Row:
             return row
     endings = [row.suffix for row in rows]
     listed = _(" or ").join(filter(None, (", ".join(endings[:-1]), endings[-1])))
-    sentence = _("{name}: this is written as {endings}; let the name end so.")
+    sentence = _("{name}: choose a name that ends in {endings}.")
     raise SuffixError(sentence.format(name=path.name or path, endings=listed))
 
 

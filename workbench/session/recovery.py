@@ -73,7 +73,7 @@ class Recoverable:
         blobs = dict(stored.blobs)
         for digest in stored.blobs_beside:
             if digest not in beside:
-                sentence = _("{path} lacks a part that stood beside it; open another copy.")
+                sentence = _("A file that belongs to {path} is missing; open another copy.")
                 raise DocumentError("blobs_beside", sentence.format(path=self.path))
             blobs[digest] = read_content(beside[digest], MAX_BLOB_BYTES)
         return replace(stored, blobs=sound_blobs(blobs), blobs_beside=())
