@@ -157,4 +157,6 @@ def start(argv: Sequence[str]) -> int:
     window.show()
     status = application.exec()
     building.wait()
+    if application.platformName() == "offscreen":  # its clipboard is the process's own
+        application.clipboard().clear()  # and outlives the interpreter, which what Python made there does not
     return status
