@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
+from workbench.document.errors import DocumentError
 from workbench.document.model import Polyline, WorldPoint
 from workbench.document.samples.examples import example_document, examples
 from workbench.document.state import SessionState
-from workbench.document.storage.content import Stopped
+from workbench.document.storage.content import Stopped, read_text
 from workbench.document.storage.files import Stored, encode
 from workbench.exchange import reading
 from workbench.exchange.figures import write_figures
@@ -102,6 +103,23 @@ def test_a_refusal_is_the_same_sentence(job: Job, said: str) -> None:
         read_now(job)
     assert str(there.value) == str(here.value)
     assert said in str(here.value)
+
+
+@pytest.mark.parametrize("kind", ["points", "fit"])
+def test_points_that_are_not_utf_8_are_refused_as_every_text_is(tmp_path: Path, kind: str) -> None:
+    path = tmp_path / "a.csv"
+    path.write_bytes("größe;y\n1;2\n".encode("latin-1"))
+    with pytest.raises(DocumentError) as refusal:
+        read_now(Job(kind, str(path), sheet=SHEET))
+    with pytest.raises(DocumentError) as same:
+        read_text(path, 100)
+    assert (
+        str(refusal.value)
+        == str(same.value)
+        == (f"{path} is not UTF-8 text; save it as UTF-8, or choose another file.")
+    )
+    path.write_bytes(b"\xef\xbb\xbf1;2\n3;4\n")
+    assert read_now(Job("points", str(path))).tolist() == [[1, 2], [3, 4]]
 
 
 def test_every_example_is_read_at_once(tmp_path: Path) -> None:

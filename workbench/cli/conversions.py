@@ -16,7 +16,7 @@ from workbench.document import DocumentError, Stored
 from workbench.document.check import MAX_COORDINATE, MAX_SIDE_PX, WEIGHTS
 from workbench.document.model import AnyFigure, Document, Rectangle, Sheet
 from workbench.document.samples.figures import document_of
-from workbench.document.storage.content import read_content, read_text
+from workbench.document.storage.content import decoded, read_content, read_text
 from workbench.document.storage.files import MAX_BYTES, decode
 from workbench.language import _
 
@@ -93,6 +93,7 @@ def _read(
         raise BadInputError(sentence.format(file=source, kinds=", ".join(most)))
     try:
         content = read_content(source, most[kind])
+        text = decoded(content, source) if kind in POINTS else ""
     except DocumentError as error:
         raise BadInputError(str(error)) from None
     try:
@@ -100,7 +101,7 @@ def _read(
             return _sheet(decode(content).document, source, number), []
         if kind == ".svg":
             return _from_svg(source, content, tolerance, wanted)
-        return _from_points(source, content, tolerance, wanted)
+        return _from_points(source, text, tolerance, wanted)
     except ValueError as error:
         raise BadInputError(f"{source}: {error}") from None
 
@@ -126,13 +127,13 @@ def _from_svg(
 
 
 def _from_points(
-    source: Path, content: bytes, tolerance: float | None, wanted: tuple[int, int] | None
+    source: Path, text: str, tolerance: float | None, wanted: tuple[int, int] | None
 ) -> tuple[Document, list[str]]:
     from workbench.algorithms.curves import fit_pieces
     from workbench.exchange.point_lists import read_points
     from workbench.exchange.svg_figures import MOST_PIECES, path_of
 
-    points = read_points(content.decode("utf-8-sig"))
+    points = read_points(text)
     low, high = points.min(axis=0), points.max(axis=0)
     extent = float((high - low).max())
     within = tolerance or max(_SHARE * extent, 1e-9)

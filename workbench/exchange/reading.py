@@ -20,7 +20,7 @@ from msgspec.structs import replace
 
 from workbench.document.model import AnyFigure, Curve, Document, Sheet
 from workbench.document.state import SessionState
-from workbench.document.storage.content import Progress, Stopped, part, read_content, silent
+from workbench.document.storage.content import Progress, Stopped, decoded, part, read_content, silent
 from workbench.document.storage.files import MAX_BYTES, Stored, decode
 from workbench.exchange.figures import read_figures
 from workbench.exchange.fitted_curve import fitted
@@ -101,7 +101,7 @@ def read_now(job: Job, progress: Progress = silent) -> Result:
     if job.kind == "drawing":
         assert job.sheet is not None
         return read_svg(content if job.path else content.decode("utf-8", "replace"), job.sheet, progress=rest)
-    text = content.decode("utf-8", "replace")
+    text = decoded(content, job.path)
     if job.kind == "points":
         return read_points(text, rest)
     assert job.sheet is not None

@@ -106,8 +106,7 @@ class CurveExchange(QObject):
 
     def _read(self, job: Job, name: str, take: Callable[[Any], None], *prepare: Prepare) -> None:
         """Read what is short at once, and else beside: meanwhile one may go on."""
-        if not self.session.incoming.read(job, name, take, self.said.emit, *prepare):
-            self.said.emit(_("Reading {name} ...").format(name=name))
+        self.session.incoming.read(job, name, take, self.said.emit, *prepare)
 
     def _take_fitted(self, sheet: Sheet, result: Fitted) -> None:
         if self._is_still(sheet) and self._add(add_figures(sheet.id, [result.curve]), _("Fit a curve")):
