@@ -18,9 +18,9 @@ from workbench.document.model import AnyFigure, Document, Rectangle, Sheet
 from workbench.document.samples.figures import document_of
 from workbench.document.storage.content import decoded, read_content, read_text
 from workbench.document.storage.files import MAX_BYTES, decode
+from workbench.exchange.readable import SUFFIXES, kind_of
 from workbench.language import _
 
-POINTS = (".csv", ".tsv", ".txt")
 _LONGER_SIDE_PX = 200
 _MOST_NET_BYTES = 8 * 2**20
 _MOST_NET_POINTS = 10_000
@@ -86,20 +86,20 @@ def _read(
     from workbench.exchange.point_lists import MOST_CHARACTERS
     from workbench.exchange.svg_tree import MOST_BYTES
 
-    kind = source.suffix.lower()
-    most = {".gwb": MAX_BYTES, ".svg": MOST_BYTES, **dict.fromkeys(POINTS, MOST_CHARACTERS)}
-    if kind not in most:
+    kind = kind_of(source)
+    most = {"picture": MAX_BYTES, "drawing": MOST_BYTES, "points": MOST_CHARACTERS}
+    if not kind:
         sentence = _("{file}: this cannot be read; give one of {kinds}.")
-        raise BadInputError(sentence.format(file=source, kinds=", ".join(most)))
+        raise BadInputError(sentence.format(file=source, kinds=", ".join(SUFFIXES)))
     try:
         content = read_content(source, most[kind])
-        text = decoded(content, source) if kind in POINTS else ""
+        text = decoded(content, source) if kind == "points" else ""
     except DocumentError as error:
         raise BadInputError(str(error)) from None
     try:
-        if kind == ".gwb":
+        if kind == "picture":
             return _sheet(decode(content).document, source, number), []
-        if kind == ".svg":
+        if kind == "drawing":
             return _from_svg(source, content, tolerance, wanted)
         return _from_points(source, text, tolerance, wanted)
     except ValueError as error:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog
 
+from workbench.exchange.readable import READABLE, SUFFIXES, kind_of
 from workbench.language import _
 from workbench.paths import home_folder
 from workbench.shell.exports import Exports
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 PROGRAM = "Graphics Workbench"
 SUFFIX = ".gwb"
-_BROUGHT_IN = (".svg", ".csv", ".txt")
+_IMPORTED = ("drawing", "points")  # what comes into a picture; another picture takes its place
 
 
 class Files(QObject):
@@ -98,13 +99,13 @@ class Files(QObject):
 
     def take(self, path: Path) -> None:
         """Open a picture, or bring what else it is into Curves."""
-        if path.suffix.lower() in _BROUGHT_IN:
+        if kind_of(path) in _IMPORTED:
             self._bring_in(path)
         else:
             self.open_path(path)
 
     def _bring_in(self, path: Path) -> None:
-        if path.suffix.lower() in _BROUGHT_IN:
+        if kind_of(path) in _IMPORTED:
             from workbench.panels.curves.panel import CurvesPanel
 
             self._window.enter("curves")
@@ -315,7 +316,9 @@ class Files(QObject):
             event.accept()
         elif event.mimeData().hasUrls():
             self._window.say_status(
-                _("Drop one file here: a picture (.gwb), a drawing (.svg) or a list of points (.csv, .txt).")
+                _("Drop one file here: a picture, a drawing or a list of points ({endings}).").format(
+                    endings=", ".join(SUFFIXES)
+                )
             )
 
     def take_drop(self, event: QDropEvent) -> None:
@@ -330,15 +333,11 @@ class Files(QObject):
         """The one file that is being dropped, when it is of a kind that can be taken."""
         urls = event.mimeData().urls()
         path = Path(urls[0].toLocalFile()) if len(urls) == 1 and urls[0].isLocalFile() else None
-        return path if path is not None and path.suffix.lower() in (SUFFIX, *_BROUGHT_IN) else None
+        return path if path is not None and kind_of(path) else None
 
 
 def _kinds() -> list[str]:
     """What can be opened or brought in, for the list of a dialog."""
-    each = [
-        (_("Pictures of the workbench"), (SUFFIX,)),
-        (_("Drawings"), (".svg",)),
-        (_("Lists of points"), (".csv", ".txt")),
-    ]
-    everything = (_("Everything that can be opened"), (SUFFIX, *_BROUGHT_IN))
+    each = [(readable.title, readable.suffixes) for readable in READABLE]
+    everything = (_("Everything that can be opened"), SUFFIXES)
     return [f"{title} ({' '.join('*' + suffix for suffix in kinds)})" for title, kinds in (everything, *each)]

@@ -17,6 +17,7 @@ from workbench.document.edits import add_figures
 from workbench.document.errors import DocumentError
 from workbench.document.model import Curve, CurvePoint, Sheet
 from workbench.exchange.point_lists import Array, write_points
+from workbench.exchange.readable import kind_of
 from workbench.exchange.reading import LIMITS, Fitted, Job
 from workbench.exchange.svg_paths import Imported
 from workbench.language import _, ngettext
@@ -94,7 +95,7 @@ class CurveExchange(QObject):
     def take_file(self, path: Path) -> None:
         """Bring in a file: an SVG by its ending, or else a table of points."""
         sheet = self.session.sheet
-        if path.suffix.lower() == ".svg":
+        if kind_of(path) == "drawing":
             take, prepare = partial(self._take_drawing, sheet), partial(self._with_edit, sheet)
             self._read(Job("drawing", str(path), sheet=sheet), path.name, take, prepare)
         else:
