@@ -8,10 +8,16 @@ and so serve several profiles.
 
 import errno
 import os
+import sys
 import threading
 from pathlib import Path
 
 from platformdirs import PlatformDirs
+
+# Of Windows.
+_SYNCHRONIZE = 0x00100000
+_ACCESS_DENIED = 5
+_STILL_RUNNING = 0x102
 
 CACHE = "GRAPHICS_WORKBENCH_CACHE"
 
@@ -66,6 +72,29 @@ def try_writing(folder: Path) -> None:
         trial.write_bytes(bytes(4096))
     finally:
         trial.unlink(missing_ok=True)
+
+
+def alive(process: int) -> bool:
+    """Whether a process with this number is there."""
+    if sys.platform == "win32":
+        import ctypes
+
+        kernel = ctypes.WinDLL("kernel32", use_last_error=True)
+        kernel.OpenProcess.restype = ctypes.c_void_p
+        handle = ctypes.c_void_p(kernel.OpenProcess(_SYNCHRONIZE, False, process & 0xFFFFFFFF))
+        if not handle:
+            return ctypes.get_last_error() == _ACCESS_DENIED  # it is another user's
+        try:
+            return bool(kernel.WaitForSingleObject(handle, 0) == _STILL_RUNNING)
+        finally:
+            kernel.CloseHandle(handle)
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except (PermissionError, OverflowError):
+        return True
+    return True
 
 
 def settings_folder() -> Path:

@@ -26,7 +26,7 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
 @pytest.mark.parametrize(
     ("imports", "call", "said"),
     [
-        (SVG, """svg('<rect x="' + '1' * 20_000 + 'a"/>')""", "which is no length that can be drawn"),
+        (SVG, """svg('<rect x="' + '1' * 20_000 + 'a"/>')""", "which is not a length that can be drawn"),
         (SVG, """svg('<g transform="rotate(' + '1' * 200_000 + 'a)"/>')""", "cannot be read"),
         (SVG, """svg('<g fill="url(#' + ' ' * 200_000 + '"><line x2="1"/></g>')""", "read"),
         (SVG, "svg(doubling(17))", "more than 100,000 elements"),

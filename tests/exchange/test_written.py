@@ -14,6 +14,9 @@ from hypothesis import strategies as st
 from PIL import Image, ImageSequence
 
 from workbench.algorithms import catalogue
+from workbench.document import Stored
+from workbench.document.samples.examples import example_document
+from workbench.document.storage.files import pieces_of
 from workbench.document.storage.saving import SavingError
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
@@ -39,6 +42,15 @@ class Made:
 
 def reds(image: Image.Image) -> int:
     return sum(count for count, colour in image.convert("RGB").getcolors() if colour == (200, 10, 20))
+
+
+def test_a_document_is_written_in_the_pieces_that_saving_writes() -> None:
+    stored = Stored(example_document())
+    (row,) = rows("document")
+    given: list[list[bytes]] = []
+    row.encode(stored, lambda data: given.append(list(data)), lambda *_told: None)
+    assert given == [list(pieces_of(stored))]
+    assert len(given[0]) > 1
 
 
 def test_every_suffix_of_a_kind_is_there_once() -> None:
@@ -158,9 +170,7 @@ def test_names_are_completed(typed: str, name: str) -> None:
 
 
 def test_a_wrong_ending_names_the_right_ones() -> None:
-    with pytest.raises(
-        SuffixError, match=r"^a\.doc: this is written as \.csv, \.json or \.html; let the name"
-    ):
+    with pytest.raises(SuffixError, match=r"^a\.doc: choose a name that ends in \.csv, \.json or \.html\."):
         completed(rows("table"), Path("a.doc"), rows("table")[0])
 
 

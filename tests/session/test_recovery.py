@@ -8,6 +8,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -119,6 +120,7 @@ def test_what_a_dead_process_left_is_offered_and_restored(
     (work,) = recoverable(tmp_path)
     assert (work.path, work.origin, work.name) == (path, origin, "lab 3.gwb")
     session.recover(work)
+    assert session._recovery.flush()
     assert session.document == MOVE(example_document())
     assert session.path == origin
     assert session.dirty
@@ -141,6 +143,29 @@ def test_work_stays_until_the_new_session_keeps_it_itself(qtbot: QtBot, tmp_path
     assert len(recoverable(tmp_path)) == 1
 
 
+@pytest.mark.parametrize("end", ["save", "close"])
+def test_recovered_work_goes_once_it_is_saved_or_given_up(
+    session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, end: str
+) -> None:
+    left_by_a_dead_process(tmp_path / "left")
+    (work,) = recoverable(tmp_path / "left")
+
+    def refuse(*_args: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(recovery, "write", refuse)
+        session.recover(work)
+        assert not session._recovery.flush()
+        assert len(recoverable(tmp_path / "left")) == 1
+        if end == "save":
+            session.save_as(tmp_path / "mine.gwb")
+            assert session._recovery.flush()
+        else:
+            session.close()
+    assert recoverable(tmp_path / "left") == []
+
+
 def test_damaged_work_is_refused_and_what_is_open_stays(session: Session, tmp_path: Path) -> None:
     path = left_by_a_dead_process(tmp_path)
     path.write_bytes(path.read_bytes()[:300])
@@ -159,6 +184,29 @@ def test_locks_without_work_are_cleared_away_and_work_without_a_lock_is_found(tm
     assert [work.path.name for work in recoverable(tmp_path)] == ["2-00000000.gwb"]
     assert {file.name for file in tmp_path.iterdir()} == {"2-00000000.gwb", "2-00000000.lock", "mine.gwb"}
     assert recoverable(tmp_path / "none") == []
+
+
+def test_where_nothing_goes_that_is_open_locks_are_closed_first(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = Path.unlink
+
+    def unlink(path: Path, missing_ok: bool = False) -> None:
+        for descriptor in range(64):
+            with suppress(OSError):
+                if os.path.samestat(os.fstat(descriptor), path.stat()):
+                    raise AssertionError(f"{path.name} is open")
+        real(path, missing_ok)
+
+    (tmp_path / "1-00000000.lock").touch()
+    file = RecoveryFile(tmp_path)
+    with monkeypatch.context() as patch:
+        patch.setattr(recovery.sys, "platform", "win32")
+        patch.setattr(Path, "unlink", unlink)
+        assert recoverable(tmp_path) == []
+        assert [each.stem for each in tmp_path.iterdir()] == [file.path.stem]
+        file.close()
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_stream_of_changes_does_not_put_off_the_write(
@@ -221,8 +269,13 @@ def test_whatever_fails_it_goes_on_by_itself(
         def refuse(*_args: object) -> None:
             raise error
 
-        patch.setattr(recovery, broken, refuse)
+        if broken != "_remove":
+            patch.setattr(recovery, broken, refuse)
         file = RecoveryFile(folder, 0.001, said.append, lambda _sentence: mended.set())
+        if broken == "_remove":
+            file.keep(stored)
+            assert file.flush()
+            patch.setattr(recovery, broken, refuse)
         file.keep(None if broken == "_remove" else stored)
         assert not file.flush()
         assert not file.flush()
@@ -236,6 +289,41 @@ def test_whatever_fails_it_goes_on_by_itself(
     assert recovery.Recoverable(file.path, None, "", 0.0).read() == stored
     file.close()
     assert list(folder.iterdir()) == []
+
+
+def test_nothing_is_tried_where_there_is_nothing_to_keep_or_remove(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    said: list[str] = []
+    file = RecoveryFile(tmp_path / "file" / "recovery", failed=said.append)
+    (tmp_path / "file").unlink()
+    for _time in range(3):
+        file.keep(None)
+        assert file.flush()
+    assert len(said) == 1
+    assert list(tmp_path.iterdir()) == []
+    file.close()
+
+
+def test_what_cannot_be_removed_is_not_tried_without_a_pause(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = RecoveryFile(tmp_path, delay_s=60)
+    file.keep(Stored(example_document()))
+    assert file.flush()
+    tries: list[Path] = []
+
+    def refuse(path: Path) -> None:
+        tries.append(path)
+        raise OSError(30, "Read-only file system")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(recovery, "_remove", refuse)
+        file.keep(None)
+        assert not file.flush()
+        time.sleep(0.05)
+        assert 1 <= len(tries) <= 2
+    assert file.flush()
+    file.close()
 
 
 def test_a_folder_that_is_removed_is_made_again(tmp_path: Path) -> None:
@@ -305,25 +393,26 @@ def test_blobs_of_a_dead_process_are_restored_and_cleared_away(session: Session,
     path.with_suffix(f".{'0' * 64}.blob").touch()
     (work,) = recoverable(tmp_path)
     session.recover(work)
+    assert session._recovery.flush()
     assert session.stored.blobs == BLOBS
     assert recoverable(tmp_path) == []
     assert {file.name.partition(".")[0] for file in tmp_path.iterdir()} == {session._recovery.path.stem}
 
 
-@pytest.mark.parametrize("damage", ["does not match its content", "lacks a part"])
+@pytest.mark.parametrize("damage", ["does not match its content", "A file that belongs to .* is missing"])
 def test_a_damaged_blob_is_refused_and_nothing_is_thrown_away(
     session: Session, tmp_path: Path, damage: str
 ) -> None:
     path = left_by_a_dead_process(tmp_path, blobs=BLOBS)
     digest, content = next(iter(BLOBS.items()))
     damaged = path.with_suffix(f".{digest}.blob")
-    if "lacks" in damage:
+    if "missing" in damage:
         damaged.unlink()
     else:
         damaged.write_bytes(content[:-1])
     with pytest.raises(DocumentError, match=damage):
         session.recover(recoverable(tmp_path)[0])
-    assert len(list(tmp_path.glob(f"{path.stem}.*"))) == 4 - ("lacks" in damage)
+    assert len(list(tmp_path.glob(f"{path.stem}.*"))) == 4 - ("missing" in damage)
 
 
 def test_blobs_without_their_recovery_file_are_cleared_away(tmp_path: Path) -> None:

@@ -106,6 +106,24 @@ def test_saving_in_the_middle_of_a_drag_keeps_dirty_true(session: Session, tmp_p
     assert session.document == load(tmp_path / "a.gwb")
 
 
+def test_a_drag_that_goes_on_when_it_is_saved_at_its_start_is_dirty(session: Session, tmp_path: Path) -> None:
+    start = session.document
+    session.save_behind(tmp_path / "a.gwb")
+    for name in ("away", "A line"):
+        session.apply(edits.rename_sheet("s1", name), "Rename", merge="drag")
+    assert session.document == start
+    session.finish_saving()
+    assert not session.dirty
+    for name in ("further", "on"):
+        session.apply(edits.rename_sheet("s1", name), "Rename", merge="drag")
+    assert session.dirty
+    session.end_merge()
+    assert session.undo_stack.count() == 1
+    session.undo_stack.undo()
+    assert session.document == start
+    assert not session.dirty
+
+
 def test_a_refused_edit_leaves_everything(session: Session, qtbot: QtBot) -> None:
     told = Told(session)
     session.apply(moved(1), "Move", merge="drag")

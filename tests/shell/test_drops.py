@@ -91,7 +91,7 @@ def test_a_drawing_comes_into_curves(window: MainWindow, tmp_path: Path, place: 
     assert window.place == "curves"
     (curve,) = curves(window)
     assert curve.spline == "bezier_path"
-    assert "1 figure came in" in window.status.hover.text()
+    assert "1 figure imported" in window.status.hover.text()
     window.undo()
     assert window.session.sheet.figures == before
 

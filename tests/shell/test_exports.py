@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import re
+import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -125,11 +126,11 @@ def test_a_wrong_ending_is_refused_with_those_there_are(
     qtbot: QtBot, window: MainWindow, tmp_path: Path
 ) -> None:
     window.files.save_as()
-    assert type_name(qtbot, window, "work.png") == ["work.png: this is written as .gwb; let the name end so."]
+    assert type_name(qtbot, window, "work.png") == ["work.png: choose a name that ends in .gwb."]
     dialog_of(qtbot, window).reject()
     trigger(window, "export_step")
     (said,) = type_name(qtbot, window, "step.xyz")
-    assert said == "step.xyz: this is written as .png, .svg or .pdf; let the name end so."
+    assert said == "step.xyz: choose a name that ends in .png, .svg or .pdf."
     dialog_of(qtbot, window).reject()
     assert names(tmp_path) == ["work.gwb"]
 
@@ -153,6 +154,15 @@ def test_dialogs_begin_beside_the_document_with_its_name(
         qtbot.waitUntil(lambda dialog=dialog: not dialog.isVisible())
 
 
+def test_without_a_home_dialogs_begin_here(window: MainWindow, monkeypatch: pytest.MonkeyPatch) -> None:
+    def none() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.setattr(Path, "home", none)
+    window.session.new()
+    assert window.files.exports.proposed("run", ".gif") == Path("Untitled-run.gif")
+
+
 def test_the_ending_follows_the_kind_that_is_chosen(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
     trigger(window, "export_step")
     dialog = dialog_of(qtbot, window)
@@ -174,6 +184,20 @@ def test_the_picture_has_every_pixel(qtbot: QtBot, window: MainWindow, tmp_path:
         assert image.size == (cell * sheet.width_px, cell * sheet.height_px)
         middle = cell // 2
         assert image.getpixel((20 * cell + middle, (sheet.height_px - 1 - 10) * cell + middle)) == BLUE
+
+
+def test_the_picture_is_drawn_beside_the_interface(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import workbench.rendering as rendering
+
+    real, threads = rendering.frame_buffer, []
+    watched = lambda sheet: (threads.append(threading.current_thread().name), real(sheet))[1]  # noqa: E731
+    monkeypatch.setattr(rendering, "frame_buffer", watched)
+    trigger(window, "export_picture")
+    type_name(qtbot, window, "dots")
+    written(qtbot, window)
+    assert threads == ["write"]
 
 
 def test_the_drawing_is_xml_and_the_step_is_too(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
@@ -309,7 +333,7 @@ def test_cancelled_nothing_is_left(
     assert not card.isVisible()
     assert names(tmp_path) == ["walk-003.png", "work.gwb"]
     assert (tmp_path / "walk-003.png").read_bytes() == b"mine"
-    assert window.status.hover.text() == "walk.png was not written; nothing is left of it."
+    assert window.status.hover.text() == "Cancelled; walk.png was not written."
 
 
 def slow(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -349,6 +373,26 @@ def test_the_window_does_not_close_on_what_is_being_written(
     qtbot.waitUntil(lambda: not window.isVisible(), timeout=10_000)
     with Image.open(tmp_path / "walk.gif") as image:
         assert image.n_frames == 11
+
+
+@pytest.mark.parametrize("when", ["before", "after"])
+def test_a_failed_export_does_not_close_the_window(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, when: str
+) -> None:
+    from workbench.document.edits import move_figures
+
+    slow(monkeypatch)
+    choose_run(window, ".gif")
+    type_name(qtbot, window, "walk")
+    window.close()
+    window.session.apply(move_figures([window.session.sheet.figures[0].id], 1, 1), "Move")
+    wish = next(each for each in window.messages.buttons() if each.text() == "Close when it is written")
+    if when == "after":
+        qtbot.waitUntil(lambda: not window.files.exports.writer.busy, timeout=10_000)
+    wish.click()
+    assert written(qtbot, window).startswith("The picture was changed before all its steps were written")
+    assert window.isVisible()
+    assert names(tmp_path) == ["work.gwb"]
 
 
 # What the disk refuses

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -14,6 +15,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
 from pytestqt.qtbot import QtBot
 
 from tests.shell.dialogs import dialog_of, type_name
+from workbench.document import building
 from workbench.document.model import Document, Polyline, WorldPoint
 from workbench.document.samples.examples import example_document
 from workbench.document.storage.files import load, save
@@ -325,9 +327,79 @@ def test_a_long_picture_that_is_broken_is_refused(qtbot: QtBot, window: MainWind
     assert window.session.document is before
 
 
+def other_threads(monkeypatch: pytest.MonkeyPatch, module: object, name: str) -> list[bool]:
+    """For each call of a function from now on, whether it is on a thread beside the interface."""
+    real, beside = getattr(module, name), []
+
+    def watched(*given: object) -> object:
+        beside.append(threading.current_thread() is not threading.main_thread())
+        return real(*given)
+
+    monkeypatch.setattr(module, name, watched)
+    return beside
+
+
+def test_the_sheets_of_a_long_picture_are_put_in_beside_the_interface(
+    qtbot: QtBot, window: MainWindow, chosen: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document = long_picture(chosen)
+    beside = other_threads(monkeypatch, building, "foreseen")
+    window.files.bring_in()
+    qtbot.waitUntil(lambda: len(window.session.document.sheets) == 2, timeout=30_000)
+    assert beside == [True]
+    points = [(point.x, point.y) for point in window.session.sheet.figures[0].points_world]
+    assert points == [(point.x, point.y) for point in document.sheets[0].figures[0].points_world]
+
+
+def test_many_figures_are_pasted_beside_the_interface(
+    qtbot: QtBot, window: MainWindow, chosen: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from workbench.panels.stage import clipboard
+
+    session, said = window.session, []
+    (figure,) = long_picture(chosen).sheets[0].figures
+    beside = other_threads(monkeypatch, clipboard, "foreseen")
+    clipboard.copy_figures([figure])
+    for _time in range(2):
+        before = session.document
+        clipboard.paste_figures(session, said.append)
+        assert session.document is before
+        qtbot.waitUntil(lambda: not session.incoming.busy, timeout=30_000)
+    assert beside == [True, True]
+    assert said == ["1 figure pasted.", "1 figure pasted."]
+    first, second = session.sheet.figures[-2:]
+    assert session.state.selection == (second.id,)
+    shifts = {(b.x - a.x, b.y - a.y) for a, b in zip(first.points_world, second.points_world, strict=True)}
+    assert shifts == {(1, -1)}
+    clipboard.paste_figures(session, said.append)
+    session.open_example("line")
+    qtbot.waitUntil(lambda: not session.incoming.busy, timeout=30_000)
+    assert said[2:] == ["Another sheet was opened before the figures were pasted; paste them again here."]
+    QApplication.clipboard().clear()
+
+
+def test_long_work_is_recovered_beside_the_interface(
+    qtbot: QtBot, window: MainWindow, chosen: Path, tmp_path: Path
+) -> None:
+    document = long_picture(chosen)
+    crash(chosen)
+    before = window.session.document
+    window.session.start_autosave()
+    window.files.offer_recovery()
+    answer(window, "Recover")
+    assert window.session.document is before
+    qtbot.waitUntil(lambda: window.session.document is not before, timeout=30_000)
+    assert window.session.sheet.figures == document.sheets[0].figures
+    assert window.session.dirty
+    assert window.session._recovery.flush()
+    window.files.offer_recovery()
+    assert window.messages.text == ""
+
+
 CRASH = """
 import os, sys
 from PySide6.QtCore import QCoreApplication
+from workbench.document import building
 from workbench.document.edits import rename_sheet
 from workbench.document.samples.examples import example_document
 from workbench.session.session import Session

@@ -59,6 +59,23 @@ def test_settings_that_are_a_folder(qtbot: QtBot, profile: Path) -> None:
     assert list((profile / "settings").iterdir()) == [profile / "settings" / "settings.ini"]
 
 
+@pytest.mark.parametrize("linked", [False, True])
+def test_settings_that_are_a_pipe_are_left_alone(profile: Path, tmp_path: Path, linked: bool) -> None:
+    path = profile / "settings" / "settings.ini"
+    path.parent.mkdir(parents=True)
+    pipe = tmp_path / "pipe" if linked else path
+    os.mkfifo(pipe)
+    if linked:
+        path.symlink_to(pipe)
+    settings = Settings()
+    assert settings.problem.endswith("(it is not a regular file): put that right and start again.")
+    settings.set("calm", False)
+    settings.write()
+    assert settings.get("calm") is False
+    assert pipe.is_fifo()
+    assert path.is_symlink() == linked
+
+
 def test_nothing_is_said_when_all_is_well(qtbot: QtBot, profile: Path) -> None:
     assert said_after_the_start(qtbot) == ""
     assert Settings().get("calm") is False

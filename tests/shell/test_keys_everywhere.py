@@ -14,12 +14,14 @@ from pytestqt.qtbot import QtBot
 from tests.shell.conftest import leave
 from workbench.document.edits import move_figures, set_sheet_size
 from workbench.exchange.figures import MIME
+from workbench.panels.stage.clipboard import copy_figures, figures_held
 from workbench.session.session import Session
 from workbench.shell.actions import commands
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
+from workbench.widgets.stepping.source_view import SourceText
 from workbench.widgets.tube.view import TubeView
 
 EXAMPLES = {"draw": "line", "fill": "triangle", "clip": "clip", "curves": "curve-interpolation"}
@@ -371,6 +373,25 @@ def test_where_nothing_can_be_copied_that_is_said(window: MainWindow) -> None:
     press(window._pages["home"], "Ctrl+C")
     assert QGuiApplication.clipboard().text() == "before"
     assert window.status.hover.text() == "There is nothing here to copy."
+
+
+def test_text_that_is_only_read_leaves_copy_and_paste_to_the_picture(window: MainWindow) -> None:
+    work_in(window, "draw")
+    source = window.findChild(SourceText)
+    assert source.isReadOnly()
+    figures = window.session.sheet.figures
+    copy_figures(list(figures[:1]))
+    source.setFocus()
+    press(source, "Ctrl+V")
+    settle()
+    assert len(window.session.sheet.figures) == len(figures) + 1
+    assert window.status.hover.text() == "1 figure pasted."
+    QGuiApplication.clipboard().clear()
+    press(source, "Ctrl+C")
+    assert figures_held()  # the one that was pasted is selected
+    source.selectAll()
+    press(source, "Ctrl+C")
+    assert QGuiApplication.clipboard().text() == source.toPlainText()
 
 
 def test_a_panel_that_is_not_seen_answers_no_keys(window: MainWindow) -> None:

@@ -68,6 +68,46 @@ def test_words_that_are_no_picture_are_refused() -> None:
     assert start(["--sideways"]) == 2
 
 
+def test_a_name_without_its_folder_is_opened_as_that_of_this_folder(tmp_path: Path) -> None:
+    (tmp_path / "a.gwb").touch()
+    code = (
+        "import sys; from workbench.shell import start;"
+        "start.Building = lambda window, path: (print(path), sys.exit(0)); start.start(['a.gwb'])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert done.stdout == f"{tmp_path / 'a.gwb'}\n", done.stderr
+
+
+COPYING = """
+import sys
+from PySide6.QtWidgets import QApplication
+from workbench.document.samples.examples import example_document
+from workbench.panels.stage.clipboard import copy_figures
+from workbench.shell import start
+class Copying:
+    def __init__(self, window, path):
+        pass
+    def start(self):
+        copy_figures(list(example_document().sheets[0].figures))
+        QApplication.quit()
+    def wait(self):
+        pass
+start.Building = Copying
+sys.exit(start.start([]))
+"""
+
+
+def test_what_was_copied_does_not_end_the_process_otherwise_than_well() -> None:
+    done = run("-c", COPYING)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
 def test_the_rest_is_built_behind_the_first_frame(qtbot: QtBot) -> None:
     window = make_window()
     building = Building(window)

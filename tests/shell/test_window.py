@@ -300,6 +300,31 @@ def test_a_question_is_not_displaced_by_a_remark(window: MainWindow) -> None:
     assert window.messages.text == "A remark."
 
 
+def test_a_remark_waits_for_the_end_of_work_and_does_not_end_it(window: MainWindow) -> None:
+    ended: list[str] = []
+    messages = window.messages
+    messages.work("Reading 1 %", ("Cancel", lambda: ended.append("cancel")))
+    messages.say("A warning.", "warn", buttons=[("Yes", lambda: ended.append("yes"))])
+    messages.say("Another.")
+    messages.work("Reading 2 %", ("Cancel", lambda: ended.append("cancel")))
+    assert messages.text == "Reading 2 %"
+    messages.end_work()
+    assert messages.text == "A warning."
+    messages.buttons()[0].click()
+    assert messages.text == "Another."
+    messages.dismiss()
+    assert messages.text == ""
+    assert ended == ["yes"]
+
+
+def test_a_message_in_the_place_of_another_is_closed_without_answering_that(window: MainWindow) -> None:
+    ended: list[str] = []
+    window.messages.ask("Save it?", [("Save", lambda: None)], refuse=lambda: ended.append("refused"))
+    window.messages.ask("Really?", [("Yes", lambda: None)])
+    window.messages.dismiss()
+    assert (window.messages.text, ended) == ("", [])
+
+
 def test_home_lists_twelve_questions_and_offers_those_with_a_workspace(window: MainWindow) -> None:
     assert [question.number for question in questions()] == list(range(1, 13))
     slugs = {each.slug for each in workspaces()}

@@ -124,7 +124,7 @@ def test_a_mesh_reads_back(write: object, kind: str, tmp_path: Path) -> None:
 
 
 def test_what_cannot_be_written_is_said(tmp_path: Path) -> None:
-    with pytest.raises(writing.SuffixError, match=r"mesh.fbx: this is written as .obj, .ply or .stl"):
+    with pytest.raises(writing.SuffixError, match=r"mesh.fbx: choose a name that ends in .obj, .ply or .stl"):
         writing.row_for(rows("mesh"), tmp_path / "mesh.fbx")
     with pytest.raises(ValueError, match="vertex that is not there"):
         obj([[0, 0, 0]], [[0, 0, 1]])

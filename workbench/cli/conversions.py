@@ -23,11 +23,11 @@ from workbench.document.model import (
     Sheet,
 )
 from workbench.document.samples.figures import document_of
-from workbench.document.storage.content import read_content, read_text
+from workbench.document.storage.content import decoded, read_content, read_text
 from workbench.document.storage.files import MAX_BYTES, decode
+from workbench.exchange.readable import SUFFIXES, kind_of
 from workbench.language import _
 
-POINTS = (".csv", ".tsv", ".txt")
 _LONGER_SIDE_PX = 200
 _MOST_NET_BYTES = 8 * 2**20
 _MOST_NET_POINTS = 10_000
@@ -76,10 +76,12 @@ def size(text: str) -> tuple[int, int]:
     """Width and height from a text such as 640x480. Raises: ArgumentTypeError."""
     words = text.lower().split("x")
     if len(words) != 2 or not all(word.isascii() and word.isdecimal() for word in words):
-        raise argparse.ArgumentTypeError(_("{text!r} is no size; write it as 640x480").format(text=text[:20]))
+        raise argparse.ArgumentTypeError(
+            _("{text!r} is not a size; write it as 640x480").format(text=text[:20])
+        )
     sides = int(words[0][:9]), int(words[1][:9])
     if not all(1 <= side <= MAX_SIDE_PX for side in sides):
-        sentence = _("{text!r} is no size; each side has 1 to {most} pixels")
+        sentence = _("{text!r} is not a size; each side has 1 to {most} pixels")
         raise argparse.ArgumentTypeError(sentence.format(text=text[:20], most=MAX_SIDE_PX))
     return sides
 
@@ -91,21 +93,22 @@ def _read(
     from workbench.exchange.point_lists import MOST_CHARACTERS
     from workbench.exchange.svg_tree import MOST_BYTES
 
-    kind = source.suffix.lower()
-    most = {".gwb": MAX_BYTES, ".svg": MOST_BYTES, **dict.fromkeys(POINTS, MOST_CHARACTERS)}
-    if kind not in most:
+    kind = kind_of(source)
+    most = {"picture": MAX_BYTES, "drawing": MOST_BYTES, "points": MOST_CHARACTERS}
+    if not kind:
         sentence = _("{file}: this cannot be read; give one of {kinds}.")
-        raise BadInputError(sentence.format(file=source, kinds=", ".join(most)))
+        raise BadInputError(sentence.format(file=source, kinds=", ".join(SUFFIXES)))
     try:
         content = read_content(source, most[kind])
+        text = decoded(content, source) if kind == "points" else ""
     except DocumentError as error:
         raise BadInputError(str(error)) from None
     try:
-        if kind == ".gwb":
+        if kind == "picture":
             return _sheet(decode(content).document, source, number), []
-        if kind == ".svg":
+        if kind == "drawing":
             return _from_svg(source, content, tolerance, wanted)
-        return _from_points(source, content, tolerance, wanted)
+        return _from_points(source, text, tolerance, wanted)
     except ValueError as error:
         raise BadInputError(f"{source}: {error}") from None
 
@@ -131,13 +134,13 @@ def _from_svg(
 
 
 def _from_points(
-    source: Path, content: bytes, tolerance: float | None, wanted: tuple[int, int] | None
+    source: Path, text: str, tolerance: float | None, wanted: tuple[int, int] | None
 ) -> tuple[Document, list[str]]:
     from workbench.algorithms.curves import fit_pieces
     from workbench.exchange.point_lists import read_points
     from workbench.exchange.svg_figures import MOST_PIECES, path_of
 
-    points = read_points(content.decode("utf-8-sig"))
+    points = read_points(text)
     low, high = points.min(axis=0), points.max(axis=0)
     extent = float((high - low).max())
     within = tolerance or max(_SHARE * extent, 1e-9)

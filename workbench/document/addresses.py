@@ -40,7 +40,7 @@ def parse(text: str | Address) -> Address:
     if not 1 <= len(parts) <= 4 or not all(parts):
         raise DocumentError(
             text,
-            _("{text!r} is no address; write one such as s1/f2/p3/x or s1/f2/radius_world.").format(
+            _("{text!r} is not an address; write one such as s1/f2/p3/x or s1/f2/radius_world.").format(
                 text=text
             ),
         )

@@ -157,7 +157,7 @@ def polyline_with(document: Document, figure: str) -> Polyline:
     """The polyline with this id; raises DocumentError."""
     found = figure_with(document, figure)[1]
     if not isinstance(found, Polyline):
-        sentence = _("Figure {id!r} is no polyline, so it is neither open nor closed; choose a polyline.")
+        sentence = _("Figure {id!r} is not a polyline, so it is neither open nor closed; choose a polyline.")
         raise DocumentError(figure, sentence.format(id=figure))
     return found
 
@@ -167,7 +167,7 @@ def of_many_points(document: Document, figure: str) -> Polyline | Polygon:
     found = figure_with(document, figure)[1]
     if not isinstance(found, Polyline | Polygon):
         sentence = _(
-            "Figure {id!r} is no polyline or polygon, so its number of points is fixed; choose one of these."
+            "Figure {id!r} is not a polyline or polygon, so its number of points is fixed; choose one."
         )
         raise DocumentError(figure, sentence.format(id=figure))
     return found

@@ -277,7 +277,7 @@ def add_ring(polygon: str, corners_world: Iterable[tuple[float, float]]) -> Edit
     def edit(document: Document) -> Document:
         old = figure_with(document, polygon)[1]
         if not isinstance(old, Polygon):
-            sentence = _("Figure {id!r} is no polygon, so it has no rings; choose a polygon.")
+            sentence = _("Figure {id!r} is not a polygon, so it has no rings; choose a polygon.")
             raise DocumentError(polygon, sentence.format(id=polygon))
         fresh = new_ids(document, "p", len(corners))
         added = tuple(WorldPoint(name, x, y) for name, (x, y) in zip(fresh, corners, strict=True))

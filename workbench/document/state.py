@@ -89,9 +89,9 @@ def check_state(state: SessionState, document: Document) -> SessionState:
     if not 0 <= state.step < 2**53:
         raise refuse("session.step", _("is {value}; give a whole number from 0").format(value=state.step))
     if not state.tube.phosphor.isalnum() or len(state.tube.phosphor) > 32:
-        raise refuse("session.tube.phosphor", _("is no name; give one such as P31"))
+        raise refuse("session.tube.phosphor", _("is not a name; give one such as P31"))
     if len(state.tube.vector_display) > 32:
-        raise refuse("session.tube.vector_display", _("is no name; give one such as teaching"))
+        raise refuse("session.tube.vector_display", _("is not a name; give one such as teaching"))
     for name, number in numbers_of(TubeSettings).items():
         if problem := number_problem(number, getattr(state.tube, name)):
             raise refuse(f"session.tube.{name}", problem)

@@ -86,20 +86,8 @@ def _sweep(temporary: Path) -> None:
     """Remove the private folders of processes that were killed before they could."""
     for folder in temporary.glob(f"{_PRIVATE}*"):
         process = folder.name.removeprefix(_PRIVATE).partition("-")[0]
-        if process.isdecimal() and not _alive(int(process)) and sealed(folder):
+        if process.isdecimal() and not paths.alive(int(process)) and sealed(folder):
             shutil.rmtree(folder, ignore_errors=True)
-
-
-def _alive(process: int) -> bool:
-    if sys.platform == "win32":
-        return True  # to ask is to end it
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except (PermissionError, OverflowError):
-        return True
-    return True
 
 
 @functools.cache

@@ -3,7 +3,10 @@
 import msgspec
 
 from workbench.document.model import AnyFigure
+from workbench.language import _
 
+# Made here, by the thread that imports: as in ``document.storage.files``.
+_decoder = msgspec.json.Decoder(list[AnyFigure])
 MIME = "application/x-graphics-workbench-figures"
 
 
@@ -13,5 +16,8 @@ def write_figures(figures: list[AnyFigure]) -> bytes:
 
 
 def read_figures(data: bytes | bytearray | memoryview) -> list[AnyFigure]:
-    """The figures in such a text, their numbers unchecked. Raises: ValueError."""
-    return msgspec.json.decode(data, type=list[AnyFigure])
+    """The figures in such a text, their numbers unchecked. Raises: ValueError with one sentence."""
+    try:
+        return _decoder.decode(data)
+    except (ValueError, RecursionError):
+        raise ValueError(_("The figures on the clipboard cannot be read; copy them again.")) from None

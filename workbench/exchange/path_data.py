@@ -128,7 +128,7 @@ def commands(data: str) -> Iterator[tuple[str, list[float]]]:
         letter = data[at]
         needed = _COUNTS.get(letter.upper(), -1)
         if needed < 0:
-            raise _refusal(number, _("{what} is no command").format(what=_excerpt(data, at)))
+            raise _refusal(number, _("{what} is not a command").format(what=_excerpt(data, at)))
         if number == 1 and letter not in "Mm":
             raise _refusal(1, _("a path begins with M, not with {letter}").format(letter=letter))
         at = _BLANK.match(data, at + 1).end()  # type: ignore[union-attr]
@@ -142,7 +142,7 @@ def commands(data: str) -> Iterator[tuple[str, list[float]]]:
                 letter=letter, needed=needed, there=there
             )
             if at < len(data) and data[at].upper() not in _COUNTS:
-                what = _("{what} is no number").format(what=_excerpt(data, at))
+                what = _("{what} is not a number").format(what=_excerpt(data, at))
             raise _refusal(number, what)
         points += len(values) // max(needed, 1) * _POINTS.get(letter.upper(), 1) + 1
         if points > MOST_POINTS:
@@ -166,7 +166,7 @@ def _arc_values(data: str, at: int, number: int, values: list[float]) -> int:
         if len(values) % 7 in _FLAGS:
             if data[at] not in "01":
                 raise _refusal(
-                    number, _("{what} is no flag, which is 0 or 1").format(what=_excerpt(data, at))
+                    number, _("{what} is not a flag, which is 0 or 1").format(what=_excerpt(data, at))
                 )
             values.append(int(data[at]))
             at += 1

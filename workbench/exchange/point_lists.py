@@ -119,7 +119,7 @@ def _value(line: int, column: int, cell: str, comma: bool) -> float:
     plain = plain.replace("\u2212", "-")
     where = {"line": line, "column": column, "text": text[:30]}
     if not _NUMBER.fullmatch(plain):
-        sentence = _("Line {line}, column {column}: {text!r} is no number; correct it.")
+        sentence = _("Line {line}, column {column}: {text!r} is not a number; correct it.")
         raise PointsError(sentence.format(**where))
     value = float(plain)
     if not (math.isfinite(value) and abs(value) <= MAX_COORDINATE):

@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 import time
+import traceback
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -19,8 +20,9 @@ from msgspec.structs import replace
 
 from workbench.document.model import AnyFigure, Curve, Document, Sheet
 from workbench.document.state import SessionState
-from workbench.document.storage.content import Progress, Stopped, part, read_content, silent
+from workbench.document.storage.content import Progress, Stopped, decoded, part, read_content, silent
 from workbench.document.storage.files import MAX_BYTES, Stored, decode
+from workbench.exchange.figures import read_figures
 from workbench.exchange.fitted_curve import fitted
 from workbench.exchange.point_lists import MOST_CHARACTERS, Array, read_points
 from workbench.exchange.svg_reading import Imported, read_svg
@@ -33,21 +35,32 @@ _AT_ONCE_S = 0.05  # of the processor, after which a child is asked after all
 _POINTS_IN_A_PART = 5_000
 _BLOB_IN_A_PART = 2**20
 _CHILD_BYTES = 4 * 2**30  # of addresses, far above what any limit of a reader lets it use
-LIMITS = {"picture": MAX_BYTES, "drawing": MOST_BYTES, "points": MOST_CHARACTERS, "fit": MOST_CHARACTERS}
+LIMITS = {
+    "picture": MAX_BYTES,
+    "figures": MAX_BYTES,
+    "drawing": MOST_BYTES,
+    "points": MOST_CHARACTERS,
+    "fit": MOST_CHARACTERS,
+}
 
 
 class ReadingError(ValueError):
     """What was to be read was refused: one sentence."""
 
 
+class ReadingFailure(Exception):  # noqa: N818 - nothing is wrong with what was to be read
+    """The program itself failed in the child: the traceback from there."""
+
+
 class Job(msgspec.Struct, frozen=True):
     """What is read: a file, or with an empty path the ``content``.
 
-    A picture becomes Stored, a drawing (SVG, placed on ``sheet``) Imported, points an (n, 2) array, world;
-    fit becomes Fitted: a path in ``colour`` that passes the points within ``tolerance_px``.
+    A picture becomes Stored, a drawing (SVG, placed on ``sheet``) Imported, and so do figures as the
+    clipboard has them, whose numbers are unchecked; points an (n, 2) array, world; fit becomes Fitted: a path
+    in ``colour`` that passes the points within ``tolerance_px``.
     """
 
-    kind: Literal["picture", "drawing", "points", "fit"]
+    kind: Literal["picture", "figures", "drawing", "points", "fit"]
     path: str = ""
     content: bytes = b""
     sheet: Sheet | None = None
@@ -83,10 +96,12 @@ def read_now(job: Job, progress: Progress = silent) -> Result:
     rest = part(progress, 0.1, 1.0)
     if job.kind == "picture":
         return decode(content)
+    if job.kind == "figures":
+        return Imported(tuple(read_figures(content)), (), ())
     if job.kind == "drawing":
         assert job.sheet is not None
         return read_svg(content if job.path else content.decode("utf-8", "replace"), job.sheet, progress=rest)
-    text = content.decode("utf-8", "replace")
+    text = decoded(content, job.path)
     if job.kind == "points":
         return read_points(text, rest)
     assert job.sheet is not None
@@ -128,6 +143,10 @@ class _Refused(msgspec.Struct, tag=True):
     sentence: str
 
 
+class _Failed(msgspec.Struct, tag=True):
+    traceback: str
+
+
 class _Frame(msgspec.Struct, tag=True):
     """A picture without its figures and blobs."""
 
@@ -135,6 +154,8 @@ class _Frame(msgspec.Struct, tag=True):
     last_id: int
     session: SessionState
     origin: str | None
+    origin_stamp: tuple[int, int, int] | None
+    blobs_beside: tuple[str, ...]
 
 
 class _Figures(msgspec.Struct, tag=True):
@@ -161,7 +182,7 @@ class _Fit(msgspec.Struct, tag=True):
     error: float
 
 
-_Part = _Share | _Refused | _Frame | _Figures | _Blob | _Drawn | _Points | _Fit
+_Part = _Share | _Refused | _Failed | _Frame | _Figures | _Blob | _Drawn | _Points | _Fit
 
 _encoder = msgspec.msgpack.Encoder()
 _part_decoder = msgspec.msgpack.Decoder(_Part)
@@ -171,9 +192,11 @@ _job_decoder = msgspec.msgpack.Decoder(Job)
 def _parts(result: Result) -> Iterator[_Part]:
     """The result in parts, each quickly decoded."""
     match result:
-        case Stored(document=document, session=session, blobs=blobs, origin=origin):
+        case Stored(document=document, session=session, blobs=blobs):
             bare = [replace(sheet, figures=()) for sheet in document.sheets]
-            yield _Frame(bare, document.last_id, session, origin)
+            yield _Frame(
+                bare, document.last_id, session, result.origin, result.origin_stamp, result.blobs_beside
+            )
             for number, sheet in enumerate(document.sheets):
                 yield from _batches(number, sheet.figures)
             for name, content in blobs.items():
@@ -212,10 +235,11 @@ def _joined(parts: list[_Part]) -> Result:
             blobs.setdefault(each.name, []).append(each.content)
     for each in parts:
         match each:
-            case _Frame(sheets=bare, last_id=last_id, session=session, origin=origin):
+            case _Frame(sheets=bare, last_id=last_id, session=session):
                 sheets = (replace(s, figures=tuple(figures[k])) for k, s in enumerate(bare))
                 document = Document(tuple(sheets), last_id)
-                return Stored(document, session, {k: b"".join(v) for k, v in blobs.items()}, origin)
+                whole = {name: b"".join(content) for name, content in blobs.items()}
+                return Stored(document, session, whole, each.origin, each.origin_stamp, each.blobs_beside)
             case _Drawn(approximated=approximated, notes=notes):
                 return Imported(tuple(figures[0]), tuple(approximated), tuple(notes))
             case _Fit(points=points, error=error):
@@ -232,12 +256,16 @@ class Reading:
 
     def __init__(self, job: Job) -> None:
         bare = None if job.sheet is None else replace(job.sheet, figures=())
-        self._job = replace(job, sheet=bare)
+        path = str(Path(job.path).absolute()) if job.path else ""  # the child has another current folder
+        self._job = replace(job, path=path, sheet=bare)
         self._process: subprocess.Popen[bytes] | None = None
         self._stopped = False
 
     def follow(self, progress: Progress = silent) -> Result:
-        """The result, once it is there. Raises: ReadingError with one sentence; Stopped after ``stop``."""
+        """The result, once it is there.
+
+        Raises: ReadingError with one sentence; ReadingFailure; Stopped after ``stop``.
+        """
         self._process = subprocess.Popen(
             [sys.executable, "-m", "workbench.exchange.reading"],
             cwd=Path(__file__).parents[2],
@@ -258,6 +286,8 @@ class Reading:
                     progress(said.share)
                 elif isinstance(said, _Refused):
                     raise ReadingError(said.sentence)
+                elif isinstance(said, _Failed):
+                    raise ReadingFailure(said.traceback)
                 else:
                     parts.append(said)
         except BrokenPipeError:
@@ -296,7 +326,6 @@ def _received(stream: IO[bytes]) -> Iterator[_Part]:
 def main() -> int:
     """The child: a job on standard input, parts of what it gives on standard output."""
     out = sys.stdout.buffer
-    _bound_memory()
     told = -1.0
 
     def tell(share: float) -> None:
@@ -306,6 +335,7 @@ def main() -> int:
             _send(out, _Share(share))
 
     try:
+        _bound_memory()
         size = int.from_bytes(sys.stdin.buffer.read(8), "little")
         result = read_now(_job_decoder.decode(sys.stdin.buffer.read(size)), tell)
         for each in _parts(result):
@@ -314,6 +344,8 @@ def main() -> int:
         _send(out, _Refused(str(error)))
     except MemoryError:
         _send(out, _Refused(_("It takes more memory than there is; choose a smaller file.")))
+    except Exception:
+        _send(out, _Failed(traceback.format_exc()))
     return 0
 
 
@@ -321,7 +353,10 @@ def _bound_memory() -> None:
     if sys.platform != "win32":
         import resource
 
-        resource.setrlimit(resource.RLIMIT_AS, (_CHILD_BYTES, _CHILD_BYTES))
+        bounds = [each for each in resource.getrlimit(resource.RLIMIT_AS) if each != resource.RLIM_INFINITY]
+        most = min([_CHILD_BYTES, *bounds])
+        with suppress(OSError, ValueError):  # some systems bound nothing so
+            resource.setrlimit(resource.RLIMIT_AS, (most, most))
 
 
 if __name__ == "__main__":

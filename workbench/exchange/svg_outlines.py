@@ -139,7 +139,7 @@ def length_of(element: Element, name: str, default: float = 0.0) -> float:
             length = svgelements.Length(text)
             value = float(length.value(ppi=96.0, relative_length=whole or math.nan, font_size=16.0))
     if not (math.isfinite(value) and abs(value) <= LARGEST):
-        sentence = _("{name} is {text!r}, which is no length that can be drawn; correct it.")
+        sentence = _("{name} is {text!r}, which is not a length that can be drawn; correct it.")
         raise element.refusal(sentence.format(name=name, text=text[:20]))
     return value
 

@@ -197,7 +197,7 @@ def stated_frame(root: Element) -> tuple[float, float, float, float] | None:
             x = y = width = height = math.nan
         if not (width > 0 and height > 0 and math.isfinite(x + y + width + height)):
             shown = root.attributes["viewBox"][:40]
-            sentence = _("viewBox {text!r} is no x, y, width and height above 0; correct it.")
+            sentence = _("viewBox {text!r} is not x, y, width and height, the last two above 0; correct it.")
             raise root.refusal(sentence.format(text=shown))
         return x, y, width, height
     if all("%" not in root.attributes.get(name, "%") for name in ("width", "height")):

@@ -5,7 +5,7 @@ Whoever cancels, or whatever fails, leaves the disk as it was.
 """
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from workbench.document.storage.saving import Replacement
 from workbench.language import _
 
 Progress = Callable[[int, int], None]
-Put = Callable[[bytes], None]
+Put = Callable[[bytes | Iterable[bytes]], None]
 Encode = Callable[[Any, Put, Progress], object]
 
 # What stands behind the last point of a name is an ending when it looks like one: "lab 2.3" has none.
@@ -34,8 +34,7 @@ class Row:
     """How one kind of content is written under one suffix.
 
     ``encode(content, put, told)`` gives every whole file to ``put`` and tells how many of its parts are done,
-    which may raise Cancelled. ``numbered`` rows put a file for each part. ``verify`` is given each file as it
-    reads back from the disk, and raises what it finds wrong.
+    which may raise Cancelled. ``numbered`` rows put a file for each part.
     """
 
     kind: str
@@ -43,7 +42,6 @@ class Row:
     title: str
     encode: Encode
     numbered: bool = False
-    verify: Callable[[bytes], object] | None = None
 
     def paths(self, path: Path, parts: int) -> list[Path]:
         """The files that are written under the name ``path`` for content of so many parts."""
@@ -53,7 +51,7 @@ class Row:
         return [path.with_stem(f"{path.stem}-{number:0{digits}d}") for number in range(parts)]
 
 
-def whole(make: Callable[[Any], bytes]) -> Encode:
+def whole(make: Callable[[Any], bytes | Iterable[bytes]]) -> Encode:
     """The ``encode`` of a row whose content becomes one file in one go."""
 
     def encode(content: Any, put: Put, _told: Progress) -> None:
@@ -74,7 +72,7 @@ def row_for(rows: Sequence[Row], path: Path) -> Row:
             return row
     endings = [row.suffix for row in rows]
     listed = _(" or ").join(filter(None, (", ".join(endings[:-1]), endings[-1])))
-    sentence = _("{name}: this is written as {endings}; let the name end so.")
+    sentence = _("{name}: choose a name that ends in {endings}.")
     raise SuffixError(sentence.format(name=path.name or path, endings=listed))
 
 
@@ -96,7 +94,7 @@ def write(row: Row, content: Any, path: Path, told: Progress = lambda _done, _pa
     paths = row.paths(path, parts)
     waiting = iter(paths)
     with Replacement() as replacement:
-        row.encode(content, lambda data: replacement.put(next(waiting), data, row.verify), told)
+        row.encode(content, lambda data: replacement.put(next(waiting), data), told)
         told(parts, parts)
         replacement.commit()
     return paths

@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from workbench.document import DocumentError, Stored
-from workbench.document.storage.files import decode, encode
+from workbench.document.storage.files import pieces_of
 from workbench.exchange import meshes, tables
 from workbench.exchange.frames import animation, each_png, one_png
 from workbench.exchange.pictures import png
@@ -16,16 +15,8 @@ from workbench.exchange.point_lists import write_points
 from workbench.exchange.svg_writing import Exported
 from workbench.exchange.tables import Table
 from workbench.exchange.writing import Encode, Progress, Put, Row, of_kind, whole
-from workbench.language import _
 
 _TOLD_EVERY = 64
-
-
-def _document(stored: Stored) -> bytes:
-    data = encode(stored)
-    if decode(data) != stored:
-        raise DocumentError("", _("What was written reads back differently, so nothing was saved."))
-    return data
 
 
 def _picture(content: Sequence[Any]) -> bytes:
@@ -79,7 +70,7 @@ def _mesh(make: Callable[..., bytes]) -> Encode:
 # mesh         (vertices, faces)
 # step, run    frames.Frames
 ROWS: tuple[Row, ...] = (
-    Row("document", ".gwb", "Graphics Workbench", whole(_document), verify=decode),
+    Row("document", ".gwb", "Graphics Workbench", whole(pieces_of)),
     Row("picture", ".png", "PNG", whole(_picture)),
     Row("drawing", ".svg", "SVG", whole(_drawing)),
     Row("table", ".csv", "CSV", _table(tables.to_csv)),

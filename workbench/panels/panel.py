@@ -67,6 +67,12 @@ class Panel(Protocol):
     def offer_export(self, menu: QMenu) -> None:
         """Let its own menus lead to what can be exported."""
 
+    def copy(self) -> bool:
+        """Put what is selected, or else the picture, on the clipboard; whether it has anything to copy."""
+
+    def paste(self) -> bool:
+        """Take what is on the clipboard; whether anything can be pasted into it."""
+
 
 class PlainPanel:
     """Goes before the widget among the bases of a panel: no docks, no commands, nothing said."""
@@ -108,3 +114,11 @@ class PlainPanel:
 
     def offer_export(self, menu: QMenu) -> None:
         """It has no menu of its own."""
+
+    def copy(self) -> bool:
+        """Nothing."""
+        return False
+
+    def paste(self) -> bool:
+        """Nothing."""
+        return False

@@ -37,7 +37,7 @@ def construction_fault(curve: Curve, slug: str) -> str:
     """The sentence that says why a text cannot be run on a curve; empty where it can."""
     takes = catalogue.get(slug).parameter_names
     if "knots" in takes and curve.spline not in B_SPLINES:
-        return _("This curve is no B-spline, so it has no knots; step de Casteljau's construction instead.")
+        return _("This curve is not a B-spline and has no knots; step de Casteljau's construction instead.")
     if curve.spline == "nurbs" and "weights" not in takes and np.ptp(weights_of(curve)) > 0:
         return _("This takes no weights, and those of the curve differ; step its own construction instead.")
     return fault_of(curve)

@@ -6,13 +6,14 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Signal, SignalInstance
 
 from workbench.document.storage.content import Stopped
 from workbench.engine import background
-from workbench.exchange.reading import Job, Reading, Result, read_at_once
+from workbench.exchange.reading import Job, Reading, read_at_once
+from workbench.language import _
 
-Prepare = Callable[[Result], object]
+Prepare = Callable[[Any], object]  # given a Result
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -80,14 +81,17 @@ class Incoming(QObject):
 
     def _work(self, wish: _Wish) -> None:
         result, sentence = None, ""
-        with suppress(RuntimeError):  # who asked is gone
-            try:
-                result = wish.prepare(wish.reading.follow(partial(self._told.emit, wish)))
-            except Stopped:
-                return
-            except (ValueError, OSError) as error:
-                sentence = str(error)
-            self._done.emit(wish, result, sentence)
+        try:
+            result = wish.prepare(wish.reading.follow(partial(_emit, self._told, wish)))
+        except Stopped:
+            return
+        except (ValueError, OSError) as error:
+            sentence = str(error)
+        except Exception:
+            failed = _("Something in the program failed while this was read; try another file.")
+            _emit(self._done, wish, None, failed)
+            raise
+        _emit(self._done, wish, result, sentence)
 
     def _tell(self, wish: _Wish, share: float) -> None:
         if wish is self._wish:
@@ -102,3 +106,8 @@ class Incoming(QObject):
             wish.refuse(sentence)
         else:
             wish.take(result)
+
+
+def _emit(signal: SignalInstance, *what: object) -> None:
+    with suppress(RuntimeError):  # who asked is gone
+        signal.emit(*what)

@@ -65,12 +65,15 @@ class Recoverable:
 
     def read(self) -> Stored:
         """What was kept; raises DocumentError."""
-        stored = read(self.path)
+        return self.completed(read(self.path))
+
+    def completed(self, stored: Stored) -> Stored:
+        """What was read of the file, with the blobs beside it; raises DocumentError."""
         beside = {path.suffixes[0][1:]: path for path in _blobs_beside(self.path)}
         blobs = dict(stored.blobs)
         for digest in stored.blobs_beside:
             if digest not in beside:
-                sentence = _("{path} lacks a part that stood beside it; open another copy.")
+                sentence = _("A file that belongs to {path} is missing; open another copy.")
                 raise DocumentError("blobs_beside", sentence.format(path=self.path))
             blobs[digest] = read_content(beside[digest], MAX_BLOB_BYTES)
         return replace(stored, blobs=sound_blobs(blobs), blobs_beside=())
@@ -102,6 +105,7 @@ class RecoveryFile:
         self._failed = failed
         self._mended = mended
         self._trouble = ""
+        self._on_disk = False  # whether a part of what is kept may be there
         self._lock_file: int | None = None
         self.path = self._folder / _NO_NAME
         self._state = threading.Condition()
@@ -109,15 +113,21 @@ class RecoveryFile:
         self._changes = self._kept = 0
         self._flushes = self._flushed = 0
         self._closing = False
+        self._afterwards: list[Callable[[], object]] = []
         self._trying(self._hold_name)
         self._thread = threading.Thread(target=self._run, name="recovery", daemon=True)
         self._thread.start()
 
-    def keep(self, stored: Stored | None) -> None:
-        """Write ``stored`` soon; None when there is nothing unsaved any more, and the file is removed."""
+    def keep(self, stored: Stored | None, then: Callable[[], object] | None = None) -> None:
+        """Write ``stored`` soon; None when there is nothing unsaved any more, and the file is removed.
+
+        ``then`` is called once, on the writing thread, when that or a later call is done, or at a clean end.
+        """
         with self._state:
             self._wanted = stored
             self._changes += 1
+            if then is not None:
+                self._afterwards.append(then)
             self._state.notify_all()
 
     def flush(self) -> bool:
@@ -136,6 +146,7 @@ class RecoveryFile:
             self._state.notify_all()
         self._thread.join()
         self._give_up_name()
+        self._call(self._afterwards)
 
     def _run(self) -> None:
         try:
@@ -154,8 +165,12 @@ class RecoveryFile:
                 if self._closing:
                     return
                 wanted, changes, flushes = self._wanted, self._changes, self._flushes
+                afterwards = self._afterwards[:]
             began_s = time.monotonic()
-            kept = changes == self._kept or self._trying(partial(self._write, wanted))
+            nothing = changes == self._kept or (wanted is None and not self._on_disk)
+            kept = nothing or self._trying(partial(self._write, wanted))
+            if kept:
+                self._call(afterwards)
             ended_s = time.monotonic()
             next_s = max(next_s, ended_s + REST * (ended_s - began_s))
             with self._state:
@@ -164,11 +179,18 @@ class RecoveryFile:
                 self._flushed = flushes
                 self._state.notify_all()
 
+    def _call(self, afterwards: list[Callable[[], object]]) -> None:
+        for each in list(afterwards):
+            each()
+            self._afterwards.remove(each)
+
     def _has_work(self) -> bool:
         return self._changes > self._kept or self._flushes > self._flushed or self._closing
 
     def _hurries(self) -> bool:
-        return self._wanted is None or self._flushes > self._flushed or self._closing
+        """Whether to act at once; what has failed waits, even where there is only something to remove."""
+        nothing_unsaved = self._wanted is None and not self._trouble
+        return nothing_unsaved or self._flushes > self._flushed or self._closing
 
     def _trying(self, act: Callable[[], None]) -> bool:
         """Whether ``act`` did not fail. Nothing that it raises ends the thread: the next time may do."""
@@ -199,10 +221,12 @@ class RecoveryFile:
         return sentence.format(reason=error if isinstance(error, DocumentError) else f"{error!r}.")
 
     def _write(self, wanted: Stored | None) -> None:
-        self._hold_name()
         if wanted is None:
             _remove(self.path)
+            self._on_disk = False
             return
+        self._hold_name()
+        self._on_disk = True
         blobs = {_blob_path(self.path, digest): content for digest, content in wanted.blobs.items()}
         kept = set(_blobs_beside(self.path))
         for path, content in blobs.items():
@@ -224,10 +248,9 @@ class RecoveryFile:
     def _give_up_name(self) -> None:
         if self._lock_file is not None:
             _discard(self.path)
-            os.close(self._lock_file)
-            self._lock_file = None
+            held, self._lock_file = self._lock_file, None
             with suppress(OSError):
-                _remove(self.path.with_suffix(_LOCK))
+                _drop_lock(self.path.with_suffix(_LOCK), held)
 
 
 def _tell(listener: Callable[[str], None], sentence: str) -> None:
@@ -255,14 +278,15 @@ def _left(path: Path) -> Recoverable | None:
     """The work in a recovery file whose process is dead; raises OSError."""
     lock = path.with_suffix(_LOCK)
     descriptor = _locked(lock)
+    end = partial(os.close, descriptor)
     try:
         if path.exists():
             return _described(path)
         _discard(path)
-        _remove(lock)
+        end = partial(_drop_lock, lock, descriptor)
         return None
     finally:
-        os.close(descriptor)
+        end()
 
 
 class _SheetName(msgspec.Struct):
@@ -331,6 +355,17 @@ def _fresh(folder: Path) -> tuple[Path, int]:
 def _remove(path: Path) -> None:
     with suppress(FileNotFoundError):
         path.unlink()
+
+
+def _drop_lock(lock: Path, descriptor: int) -> None:
+    """Remove a lock while it is held; on Windows, where nothing goes that is open, right after that."""
+    try:
+        if sys.platform != "win32":
+            _remove(lock)
+    finally:
+        os.close(descriptor)
+    if sys.platform == "win32":
+        _remove(lock)
 
 
 if sys.platform == "win32":

@@ -4,6 +4,7 @@ Three kinds of state: the document (undone, saved), the session's state (saved, 
 (docks, zoom), which lives in the settings and not here.
 """
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -100,17 +101,17 @@ class Session(QObject):
         new = edit(old)
         if new == old:
             return
-        if merge and self._merging and self._merging[0] == merge:
-            self.undo_stack.extend(self._merging[1], new)
-            return
-        self.end_merge()
+        if self._merging and self._merging[0] != merge:
+            self.end_merge()
         self._pushing = True
         try:
-            step = self.undo_stack.push(name, old, new)
+            if self._merging:
+                step = self.undo_stack.extend(self._merging[1], new)
+            else:
+                step = self.undo_stack.push(name, old, new)
         finally:
             self._pushing = False
-        if merge:
-            self._merging = (merge, step)
+        self._merging = (merge, step) if merge else None
 
     def end_merge(self, merge: str = "") -> None:
         """End a drag: the next edit is a step of its own. A drag back to its start leaves none.
@@ -241,17 +242,20 @@ class Session(QObject):
             self._keep_safe()
 
     def recover(self, work: Recoverable) -> None:
-        """Open what a dead process left, as unsaved work; raises DocumentError, and what is open stays.
+        """Read and open what a dead process left; raises DocumentError, and what is open stays."""
+        self.take_recovered(work, work.read())
 
-        Where the file it came from is another by now, it counts as changed on the disk.
+    def take_recovered(self, work: Recoverable, stored: Stored) -> None:
+        """Open what was read of the work of a dead process, as unsaved work.
+
+        Where the file it came from is another by now, it counts as changed on the disk. The work is discarded
+        once it is kept here.
         """
         on_disk = work.origin_stamp if work.origin is None or work.origin_changed else stamp(work.origin)
-        self._begin(work.read(), work.origin, on_disk)
+        self._begin(stored, work.origin, on_disk)
         self.undo_stack.resetClean()
         if self._recovery is not None:
-            self._keep_safe()
-            if self._recovery.flush():
-                work.discard()
+            self._keep_safe(work.discard)
 
     def close(self) -> None:
         """End the session: nothing unsaved is kept any longer."""
@@ -280,11 +284,11 @@ class Session(QObject):
         self._keep_safe()
         self.dirty_changed.emit(not clean)
 
-    def _keep_safe(self) -> None:
+    def _keep_safe(self, then: Callable[[], object] | None = None) -> None:
         if self._recovery is not None:
             origin = "" if self.path is None else str(self.path.absolute())
             kept = replace(self.stored, origin=origin, origin_stamp=self._on_disk)
-            self._recovery.keep(kept if self.dirty else None)
+            self._recovery.keep(kept if self.dirty else None, then)
 
     def _show(self, document: Document) -> None:
         figure = self.active_figure

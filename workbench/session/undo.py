@@ -91,10 +91,14 @@ class UndoStack(QObject):
         self._tell(was_clean)
         return step
 
-    def extend(self, step: Step, new: Document) -> None:
-        """Let ``step``, the last one, lead to ``new``."""
+    def extend(self, step: Step, new: Document) -> Step:
+        """Let ``step``, the last one, lead to ``new``; where it leads to what was saved, one more does."""
+        if self.isClean():
+            self.end(step)
+            return self.push(step.name, step.new, new)
         step.new = new
         self._show(new)
+        return step
 
     def end(self, step: Step) -> None:
         """``step``, the last one, will not be extended any more; where it leads nowhere it goes."""
@@ -102,6 +106,8 @@ class UndoStack(QObject):
             was_clean = self.isClean()
             self._show(step.old)
             self._steps.remove(step)
+            if was_clean:
+                self._clean = self._index - 1
             self._index -= 1
             self._tell(was_clean)
         else:

@@ -2,17 +2,17 @@
 
 import threading
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal, SignalInstance
 
 from workbench.engine import background
 from workbench.engine.turns import interface, short_turns
 from workbench.exchange.writing import Cancelled, Row, write
+from workbench.language import _
 
 T = TypeVar("T")
 _LOOK_S = 0.05
@@ -20,10 +20,11 @@ _LOOK_S = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """How a writing ended: the files and the content, or ``problem``, a sentence; neither when cancelled."""
+    """How a writing ended: the files and the content, ``cancelled``, or ``problem``, a sentence."""
 
     paths: tuple[Path, ...] = ()
     content: Any = None
+    cancelled: bool = False
     problem: str = ""
 
 
@@ -72,7 +73,7 @@ class Writer(QObject):
         self._thread.start()
 
     def cancel(self) -> None:
-        """End the writing; nothing is left of it. From any thread."""
+        """End the writing; nothing is written. From any thread."""
         self._cancelled.set()
 
     def ask(self, do: Callable[[], T]) -> T:
@@ -80,12 +81,18 @@ class Writer(QObject):
         if threading.current_thread() is not self._thread:
             return do()
         asked = _Asked(do)
-        self._asked.emit(asked)
+        self._emit(self._asked, asked)
         while not asked.done.wait(_LOOK_S):
             self._look()
         if asked.error is not None:
             raise asked.error
         return asked.answer  # type: ignore[no-any-return]
+
+    def _emit(self, signal: SignalInstance, *what: object) -> None:
+        try:
+            signal.emit(*what)
+        except RuntimeError:  # nobody is there any more
+            self.cancel()
 
     def _look(self) -> None:
         if self._cancelled.is_set():
@@ -94,20 +101,21 @@ class Writer(QObject):
     def _told(self, done: int, parts: int) -> None:
         self._look()
         interface.wait()
-        self.told.emit(done, parts)
+        self._emit(self.told, done, parts)
 
     def _work(self, row: Row, make: Callable[[], Any], path: Path) -> None:
-        outcome = Outcome()
-        with suppress(RuntimeError):  # nobody is there any more
-            try:
-                with short_turns:
-                    content = make()
-                    outcome = Outcome(tuple(write(row, content, path, self._told)), content)
-            except Cancelled:
-                pass
-            except Exception as error:
-                outcome = Outcome(problem=str(error))
-            self._over.emit(outcome)
+        failed = _("Something in the program failed, so {name} was not written.").format(name=path.name)
+        outcome = Outcome(problem=failed)
+        try:
+            with short_turns:
+                content = make()
+                outcome = Outcome(tuple(write(row, content, path, self._told)), content)
+        except Cancelled:
+            outcome = Outcome(cancelled=True)
+        except (ValueError, OSError) as error:
+            outcome = Outcome(problem=str(error))
+        finally:  # whatever it was, its end is told
+            self._emit(self._over, outcome)
 
     def _end(self, outcome: Outcome) -> None:
         assert self._thread is not None

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QApplication, QLabel, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QPlainTextEdit, QTextEdit, QWidget
 
 from workbench.language import _
 
@@ -28,10 +28,18 @@ def paste(window: "MainWindow") -> None:
 
 def _let(window: "MainWindow", act: str) -> bool:
     """Let the first part do it that can; False when none can."""
-    able = next((part for part in _parts(window) if callable(getattr(part, act, None))), None)
-    if able is not None:
-        getattr(able, act)()
-    return able is not None
+    return any(_can(part, act) and getattr(part, act)() is not False for part in _parts(window))
+
+
+def _can(part: object, act: str) -> bool:
+    """Whether a part knows how; text also needs a selection to copy, and to be open to what is pasted."""
+    if isinstance(part, QLineEdit):
+        selected = part.hasSelectedText()
+    elif isinstance(part, QPlainTextEdit | QTextEdit):
+        selected = part.textCursor().hasSelection()
+    else:
+        return callable(getattr(part, act, None))
+    return selected if act == "copy" else not part.isReadOnly()
 
 
 def _parts(window: "MainWindow") -> Iterator[object]:

@@ -65,7 +65,7 @@ def export_commands() -> tuple[Command, ...]:
             lambda w: w.files.exports.points(),
             (),
             "dots-three",
-            _("The chosen points, or all, as a list that can be brought in again"),
+            _("The chosen points, or all, as a list that can be imported again"),
             "export",
             "document",
         ),

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from PySide6.QtCore import QEvent, QObject, QTimer
 
 from workbench.language import _, ngettext
+from workbench.paths import home_folder
 
 if TYPE_CHECKING:
     from workbench.exchange.writing import Row
@@ -43,7 +44,7 @@ class Exports(QObject):
         self._soon.setInterval(_CARD_AFTER_MS)
         self._soon.timeout.connect(self._show_card)
         self._name = ""
-        self._closes = False
+        self._closes = self._failed = False
         window.entered.connect(self._offer)
 
     def _offer(self, workspace: str) -> None:
@@ -61,8 +62,7 @@ class Exports(QObject):
 
         sheet = self._window.session.sheet
         cell = max(1, _PICTURE_PX // max(sheet.width_px, sheet.height_px))
-        image = partial(frame_buffer, sheet)
-        self._ask("picture", "", lambda: (self.writer.ask(image), cell))
+        self._ask("picture", "", lambda: (frame_buffer(sheet), cell))
 
     def drawing(self) -> None:
         """The figures of the sheet, and what of them is not exact."""
@@ -190,7 +190,7 @@ class Exports(QObject):
     def proposed(self, word: str, suffix: str) -> Path:
         """Beside the document, with its name, and a word for what it is."""
         path = self._window.session.path
-        folder = path.parent if path else Path.home()
+        folder = path.parent if path else home_folder()
         stem = "-".join(filter(None, (self._window.files.name, word.replace(" ", "-"))))
         return folder / f"{stem}{suffix}"
 
@@ -297,14 +297,13 @@ class Exports(QObject):
         self._window.removeEventFilter(self)
         self._close_card()
         messages = self._window.messages
-        if self._closes:
-            self._window.close()
-        elif outcome.problem:
+        self._failed = bool(outcome.problem)
+        if outcome.problem:
             messages.say(outcome.problem, "error")
-        elif not outcome.paths:
-            self._window.say_status(
-                _("{name} was not written; nothing is left of it.").format(name=self._name)
-            )
+        elif self._closes:
+            self._window.close()
+        elif outcome.cancelled:
+            self._window.say_status(_("Cancelled; {name} was not written.").format(name=self._name))
         else:
             messages.say(" ".join([_written(outcome.paths), *self._notes(outcome.content)]))
 
@@ -324,13 +323,16 @@ class Exports(QObject):
         return True
 
     def _close_later(self) -> None:
+        """Close, now or at the end; what was not written is said first."""
         self._closes = True
-        if not self.writer.busy:
+        if not self.writer.busy and not self._failed:
             self._window.close()
 
     def _close_without(self) -> None:
         self.writer.cancel()
-        self._close_later()
+        self._closes = True
+        if not self.writer.busy:
+            self._window.close()
 
 
 def _written(paths: tuple[Path, ...]) -> str:

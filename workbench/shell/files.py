@@ -3,18 +3,20 @@
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog
 
+from workbench.exchange.readable import READABLE, SUFFIXES, kind_of
 from workbench.language import _
 from workbench.paths import home_folder
 from workbench.shell.exports import Exports
 from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
+    from workbench.document.building import Edit
     from workbench.document.storage.files import Stored
     from workbench.session.recovery import Recoverable
     from workbench.session.saver import Saved
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 
 PROGRAM = "Graphics Workbench"
 SUFFIX = ".gwb"
-_BROUGHT_IN = (".svg", ".csv", ".txt")
+_IMPORTED = ("drawing", "points")  # what comes into a picture; another picture takes its place
 
 
 class Files(QObject):
@@ -97,13 +99,13 @@ class Files(QObject):
 
     def take(self, path: Path) -> None:
         """Open a picture, or bring what else it is into Curves."""
-        if path.suffix.lower() in _BROUGHT_IN:
+        if kind_of(path) in _IMPORTED:
             self._bring_in(path)
         else:
             self.open_path(path)
 
     def _bring_in(self, path: Path) -> None:
-        if path.suffix.lower() in _BROUGHT_IN:
+        if kind_of(path) in _IMPORTED:
             from workbench.panels.curves.panel import CurvesPanel
 
             self._window.enter("curves")
@@ -112,19 +114,25 @@ class Files(QObject):
             from workbench.exchange.reading import Job
 
             take, refuse = partial(self._add_sheets, path), partial(self._not_imported, path)
-            self._session.incoming.read(Job("picture", str(path)), path.name, take, refuse)
+            job = Job("picture", str(path))
+            self._session.incoming.read(job, path.name, take, refuse, self._with_sheets)
 
-    def _add_sheets(self, path: Path, stored: "Stored") -> None:
-        """The sheets of another picture come beside those of the open one, as one step of undo."""
-        from workbench.document.building import both
-        from workbench.document.errors import DocumentError
+    def _with_sheets(self, stored: Any) -> "Edit":
+        """The edit by which the sheets of another picture come beside those of the open one."""
+        from workbench.document.building import both, foreseen
         from workbench.document.sheet_edits import add_sheet
+
+        edits = [add_sheet(sheet) for sheet in stored.document.sheets]
+        return foreseen(both(*edits), self._session.document)
+
+    def _add_sheets(self, path: Path, edit: "Edit") -> None:
+        """Do that as one step of undo, and show the first of them."""
+        from workbench.document.errors import DocumentError
 
         session = self._session
         known = {sheet.id for sheet in session.document.sheets}
         try:
-            edits = [add_sheet(sheet) for sheet in stored.document.sheets]
-            session.apply(both(*edits), _("Import {name}").format(name=path.name))
+            session.apply(edit, _("Import {name}").format(name=path.name))
         except DocumentError as error:
             self._not_imported(path, str(error))
             return
@@ -225,13 +233,16 @@ class Files(QObject):
             return
 
     def _recover(self, lost: "Recoverable") -> None:
-        from workbench.document.errors import DocumentError
+        from workbench.exchange.reading import Job
 
-        try:
-            self._session.recover(lost)
-        except DocumentError as error:
+        def refuse(error: str) -> None:
             self._window.messages.say(_("Nothing could be recovered: {error}").format(error=error), "error")
-            return
+
+        job, take = Job("picture", str(lost.path)), partial(self._recovered, lost)
+        self._session.incoming.read(job, lost.name, take, refuse, lost.completed)
+
+    def _recovered(self, lost: "Recoverable", stored: "Stored") -> None:
+        self._session.take_recovered(lost, stored)
         self._window.enter("draw")
         if self._session.changed_on_disk:
             self._window.messages.say(
@@ -305,7 +316,9 @@ class Files(QObject):
             event.accept()
         elif event.mimeData().hasUrls():
             self._window.say_status(
-                _("Drop one file here: a picture (.gwb), a drawing (.svg) or a list of points (.csv, .txt).")
+                _("Drop one file here: a picture, a drawing or a list of points ({endings}).").format(
+                    endings=", ".join(SUFFIXES)
+                )
             )
 
     def take_drop(self, event: QDropEvent) -> None:
@@ -320,15 +333,11 @@ class Files(QObject):
         """The one file that is being dropped, when it is of a kind that can be taken."""
         urls = event.mimeData().urls()
         path = Path(urls[0].toLocalFile()) if len(urls) == 1 and urls[0].isLocalFile() else None
-        return path if path is not None and path.suffix.lower() in (SUFFIX, *_BROUGHT_IN) else None
+        return path if path is not None and kind_of(path) else None
 
 
 def _kinds() -> list[str]:
     """What can be opened or brought in, for the list of a dialog."""
-    each = [
-        (_("Pictures of the workbench"), (SUFFIX,)),
-        (_("Drawings"), (".svg",)),
-        (_("Lists of points"), (".csv", ".txt")),
-    ]
-    everything = (_("Everything that can be opened"), (SUFFIX, *_BROUGHT_IN))
+    each = [(readable.title, readable.suffixes) for readable in READABLE]
+    everything = (_("Everything that can be opened"), SUFFIXES)
     return [f"{title} ({' '.join('*' + suffix for suffix in kinds)})" for title, kinds in (everything, *each)]

@@ -35,7 +35,7 @@ class _Mark(QWidget):
 
 
 class MessageBar(QFrame):
-    """One message at a time. A question stays until it is answered; a later remark waits."""
+    """One message at a time. A question stays until it is answered, work until it ends; remarks wait."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -61,7 +61,7 @@ class MessageBar(QFrame):
         row.addLayout(self._buttons)
         row.addWidget(self._close)
         self._asking = self._working = False
-        self._waiting: tuple[str, str, str] | None = None
+        self._waiting: list[tuple[str, str, str, Sequence[Button]]] = []
         self._refuse: Callable[[], object] | None = None
         self.hide()
 
@@ -76,8 +76,8 @@ class MessageBar(QFrame):
 
     def say(self, text: str, kind: str = "info", details: str = "", buttons: Sequence[Button] = ()) -> None:
         """Say one sentence; ``details`` can then be copied."""
-        if self._asking:
-            self._waiting = (text, kind, details)
+        if self._asking or self._working:
+            self._waiting.append((text, kind, details, buttons))
             return
         offered = list(buttons)
         if details:
@@ -109,12 +109,11 @@ class MessageBar(QFrame):
     def end_work(self) -> None:
         """What was being done has ended."""
         if self._working:
-            self._refuse = None
             self._end()
 
     def dismiss(self) -> None:
         """Close the message; a question is then answered with no, and work is ended."""
-        refuse, self._refuse = self._refuse, None
+        refuse = self._refuse
         self._end()
         if refuse:
             refuse()
@@ -127,13 +126,14 @@ class MessageBar(QFrame):
 
     def _end(self) -> None:
         self._asking = self._working = False
+        self._refuse = None
         self.hide()
-        waiting, self._waiting = self._waiting, None
-        if waiting:
-            self.say(*waiting)
+        if self._waiting:
+            self.say(*self._waiting.pop(0))
 
     def _show(self, text: str, kind: str, buttons: Sequence[Button], closes: bool) -> None:
         self._working = False
+        self._refuse = None
         self._mark.kind = kind
         self._mark.setAccessibleName({"warn": _("Warning"), "error": _("Error")}.get(kind, _("Message")))
         self._text.setText(text)
@@ -154,7 +154,6 @@ class MessageBar(QFrame):
     def _answer(self, act: Callable[[], object], closes: bool) -> Callable[[], None]:
         def answered() -> None:
             if closes:
-                self._refuse = None
                 self._end()
             act()
 

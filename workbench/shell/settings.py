@@ -103,8 +103,10 @@ def _refusal(path: Path) -> str:
     """Why nothing can be kept in this file, else ""."""
     try:
         try_writing(path.parent)
-        if path.exists():
+        if path.is_file() or path.is_dir():
             path.open("r+b").close()
+        elif path.exists():  # to write there would replace it
+            return _("it is not a regular file")
     except OSError as error:
         return error.strerror or str(error)
     return ""

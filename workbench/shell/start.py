@@ -139,9 +139,9 @@ def start(argv: Sequence[str]) -> int:
             _("Give one picture to open, or nothing: {words}").format(words=" ".join(words)) + "\n"
         )
         return 2
-    path = Path(words[0]) if words else None
+    path = Path(words[0]).absolute() if words else None
     if path is not None and not os.path.isfile(path):
-        sys.stderr.write(_("There is no file {path}.").format(path=path) + "\n")
+        sys.stderr.write(_("There is no file {path}.").format(path=words[0]) + "\n")
         return 2
     application = QApplication([PROGRAM])
     window = make_window()
@@ -157,4 +157,6 @@ def start(argv: Sequence[str]) -> int:
     window.show()
     status = application.exec()
     building.wait()
+    if application.platformName() == "offscreen":  # its clipboard is the process's own
+        application.clipboard().clear()  # and outlives the interpreter, which what Python made there does not
     return status

@@ -376,7 +376,7 @@ def _themes(text: str) -> tuple[str, ...]:
     for each in chosen:
         if each not in THEMES:
             raise argparse.ArgumentTypeError(
-                _("{each} is no theme; give light, dark or both").format(each=each)
+                _("{each} is not a theme; give light, dark or both").format(each=each)
             )
     return chosen
 
@@ -387,7 +387,7 @@ def _scales(text: str) -> tuple[float, ...]:
     except ValueError:
         chosen = ()
     if not chosen or not all(_SCALES[0] <= each <= _SCALES[1] for each in chosen):
-        raise argparse.ArgumentTypeError(_("{text} is no list of scales like 1,1.5,2").format(text=text))
+        raise argparse.ArgumentTypeError(_("{text} is not a list of scales like 1,1.5,2").format(text=text))
     return chosen
 
 
@@ -397,4 +397,4 @@ def _size(text: str) -> tuple[int, int]:
         size = int(width), int(height)
         if all(low <= value <= high for low, value, high in zip(_SIZES[0], size, _SIZES[1], strict=True)):
             return size
-    raise argparse.ArgumentTypeError(_("{text} is no size like 1280x680").format(text=text))
+    raise argparse.ArgumentTypeError(_("{text} is not a size like 1280x680").format(text=text))

@@ -220,9 +220,7 @@ class MainWindow(QMainWindow):
         if not usable:
             self.messages.say(_("The remembered arrangement could not be used; this is the first one again."))
         elif self.settings.drop_older_arrangements():
-            self.messages.say(
-                _("This version arranges the docks anew, once; move them again to where you had them.")
-            )
+            self.messages.say(_("Docks are arranged differently in this version; your old layout was reset."))
         self.entered.emit(slug)
 
     def topics(self, slug: str) -> tuple[str, ...]:

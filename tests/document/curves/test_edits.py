@@ -287,7 +287,7 @@ def test_tangents_are_made_from_the_neighbours_once() -> None:
         (curve_edits.set_weights({"s1/f1/p1/*": 0.0}), "weight is 0.0"),
         (curve_edits.set_degree("f1", 8), "degree is 8"),
         (curve_edits.set_degree("f1", 0), "degree is 0"),
-        (curve_edits.add_path_point("f1", 1, 1), "no path"),
+        (curve_edits.add_path_point("f1", 1, 1), "not a path"),
         (curve_edits.move_curve_points({"s1/f1/p1/x": (math.nan, 1)}), "finite"),
         (curve_edits.move_curve_points({"s1/f1/p98/x": (1, 1)}), "no point"),
         (curve_edits.set_joint(["s1/f1/p1/*"], "round"), "corner"),

@@ -64,7 +64,7 @@ def test_arithmetic_can_be_typed_and_the_unit_stays(qtbot, field):
 
 @pytest.mark.parametrize(
     ("text", "says"),
-    [("7/2", "3.5 is not whole"), ("101", "too large"), ("-1", "too small"), ("a", "no number")],
+    [("7/2", "3.5 is not whole"), ("101", "too large"), ("-1", "too small"), ("a", "not a number")],
 )
 def test_a_bad_value_is_said_in_place_and_not_sent(qtbot, field, text, says):
     with qtbot.assertNotEmitted(field.edited):

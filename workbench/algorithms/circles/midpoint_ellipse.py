@@ -101,7 +101,7 @@ ENTRY = Entry(
             "circles/test_circles.py::test_the_ellipse_chooses_by_the_exact_sign_each_pixel_once",
         ),
         Law(
-            "Every choice agrees with the sign of the ellipse's function at the midpoint, reckoned exactly.",
+            "Every choice agrees with the sign of the ellipse's function at the midpoint, computed exactly.",
             "circles/test_circles.py::test_the_ellipse_chooses_by_the_exact_sign_each_pixel_once",
         ),
         Law(

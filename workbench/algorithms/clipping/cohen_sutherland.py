@@ -144,7 +144,7 @@ ENTRY = Entry(
             "clipping/test_lines.py::test_an_end_inside_stays_as_it_is_and_clipping_again_changes_nothing",
         ),
         Law(
-            "Four intersections are reckoned at most, and none for a line that is accepted or rejected "
+            "Four intersections are computed at most, and none for a line that is accepted or rejected "
             "at once.",
             "clipping/test_lines.py::test_no_more_intersections_than_are_promised",
         ),
@@ -161,7 +161,7 @@ ENTRY = Entry(
     ),
     not_laws=(
         NO_LINE_LAW,
-        "Only intersections on the window are reckoned: some lie on an edge's extension and are cut again.",
+        "Only intersections on the window are computed: some lie on an edge's extension and are cut again.",
     ),
     labs=("Clipping: Cohen-Sutherland",),
     next_rung="liang_barsky",

@@ -13,7 +13,7 @@ def curve_with(document: Document, figure: str) -> Curve:
     """The curve with this id; raises DocumentError."""
     found = figure_with(document, figure)[1]
     if not isinstance(found, Curve):
-        sentence = _("Figure {id!r} is no curve; choose a curve.")
+        sentence = _("Figure {id!r} is not a curve; choose a curve.")
         raise DocumentError(figure, sentence.format(id=figure))
     return found
 

@@ -142,7 +142,7 @@ def add_path_point(
 
     def change(curve: Curve) -> Curve:
         if not is_path(curve):
-            raise ValueError(_("This curve is no path of Bézier pieces, so its points have no handles."))
+            raise ValueError(_("This curve is not a path of Bézier pieces, so its points have no handles."))
         return _grown(curve, [(where, dragged)], first)
 
     return changing(figure, change)

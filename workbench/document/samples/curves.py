@@ -51,7 +51,7 @@ def curve_examples() -> list[Example]:
         _example(
             "circle",
             _("An exact circle"),
-            _("Nine weighted points make a NURBS circle; with all weights 1 it is no circle any more."),
+            _("Nine weighted points make a NURBS circle; with all weights 1 it is not a circle any more."),
             [_circle()],
         ),
         _example(

@@ -62,8 +62,13 @@ def read_content(path: Path | str, most: int, progress: Progress = silent) -> by
 
 def read_text(path: Path | str, most: int, progress: Progress = silent) -> str:
     """The text of a regular file in UTF-8, with or without its mark; raises DocumentError."""
+    return decoded(read_content(path, most, progress), path)
+
+
+def decoded(content: bytes, path: Path | str) -> str:
+    """The text of what was read of the file ``path``, as ``read_text`` gives it; raises DocumentError."""
     try:
-        return read_content(path, most, progress).decode("utf-8-sig")
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         sentence = _("{path} is not UTF-8 text; save it as UTF-8, or choose another file.")
         raise DocumentError("", sentence.format(path=path)) from error

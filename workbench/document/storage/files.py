@@ -91,16 +91,19 @@ def write(stored: Stored, path: Path | str) -> None:
 
     Other threads go on meanwhile: nothing here holds the interpreter for long.
     """
-    replace_file(Path(path), _pieces(stored))
+    replace_file(Path(path), pieces_of(stored))
 
 
 def encode(stored: Stored) -> bytes:
     """The text of a file; raises DocumentError when ``stored`` is not sound."""
-    return b"".join(_pieces(stored))
+    return b"".join(pieces_of(stored))
 
 
-def _pieces(stored: Stored) -> Iterator[bytes]:
-    """The text of a file; raises DocumentError when ``stored`` is not sound, or larger than can be opened."""
+def pieces_of(stored: Stored) -> Iterator[bytes]:
+    """The text of a file, each piece proven to read back as what it is of.
+
+    Raises DocumentError when ``stored`` is not sound, or larger than can be opened.
+    """
     check(stored.document)
     check_state(stored.session, stored.document)
     sound_blobs(stored.blobs)

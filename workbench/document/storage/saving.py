@@ -7,7 +7,7 @@ import shutil
 import stat
 import sys
 import zlib
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from workbench.document.errors import DocumentError
 from workbench.language import _
+from workbench.paths import alive
 
 _ENDING = ".saving"
 _CHUNK = 2**18
@@ -56,14 +57,11 @@ class Replacement:
                 staged.temporary.unlink()
         self._staged.clear()
 
-    def put(
-        self, path: Path, data: bytes | Iterable[bytes], verify: Callable[[bytes], object] | None = None
-    ) -> None:
+    def put(self, path: Path, data: bytes | Iterable[bytes]) -> None:
         """Let ``data`` be the content of ``path``, which keeps its permissions; links are followed.
 
         What comes in pieces is never held as a whole; what making them raises is passed on.
-        ``verify`` is given what was read back from the disk, and raises what it finds wrong. Raises
-        SavingError when the file system refuses.
+        Raises SavingError when the file system refuses, or gives back other bytes.
         """
         try:
             target = Path(os.path.realpath(path))
@@ -74,7 +72,6 @@ class Replacement:
             self._staged.append(_Staged(path, target, temporary, old is not None))
             written = _fill(descriptor, (data,) if isinstance(data, bytes) else data, old)
             back = _read_back(temporary)
-            content = b"" if verify is None else temporary.read_bytes()
         except DocumentError:
             raise
         except (OSError, ValueError) as error:
@@ -83,8 +80,6 @@ class Replacement:
             raise SavingError(
                 _("{path} reads back from the disk differently; save under another name.").format(path=path)
             )
-        if verify is not None:
-            verify(content)
 
     def commit(self) -> None:
         """Let every file take its place. Raises SavingError, and then those before it have theirs back."""
@@ -112,16 +107,14 @@ class Replacement:
             _sync_folder(folder)
 
 
-def replace_file(
-    path: Path, data: bytes | Iterable[bytes], verify: Callable[[bytes], object] | None = None
-) -> None:
+def replace_file(path: Path, data: bytes | Iterable[bytes]) -> None:
     """Make ``data`` the content of ``path``, keeping its permissions and following symbolic links.
 
-    ``data`` and ``verify`` are as in ``Replacement.put``. Raises SavingError when the file system refuses;
+    ``data`` is as in ``Replacement.put``. Raises SavingError when the file system refuses;
     then the old file is as it was.
     """
     with Replacement() as replacement:
-        replacement.put(path, data, verify)
+        replacement.put(path, data)
         replacement.commit()
 
 
@@ -247,19 +240,6 @@ def sweep(folder: Path, prefix: str = ".") -> None:
         left = [entry for entry in entries if entry.name.startswith(prefix) and entry.name.endswith(_ENDING)]
     for entry in left:
         number = entry.name.removesuffix(_ENDING).rpartition(".")[2]
-        if number.isdecimal() and not _alive(int(number)):
+        if number.isdecimal() and not alive(int(number)):
             with suppress(OSError):
                 os.unlink(entry.path)
-
-
-def _alive(process: int) -> bool:
-    if sys.platform == "win32":
-        # An open file cannot be unlinked there, so that trying is the test.
-        return process == os.getpid()
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except (PermissionError, OverflowError):
-        return True
-    return True

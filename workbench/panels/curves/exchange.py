@@ -8,7 +8,7 @@ from typing import Any
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from workbench.document.building import Edit, foreseen
 from workbench.document.curves.edits import add_points
@@ -17,6 +17,7 @@ from workbench.document.edits import add_figures
 from workbench.document.errors import DocumentError
 from workbench.document.model import Curve, CurvePoint, Sheet
 from workbench.exchange.point_lists import Array, write_points
+from workbench.exchange.readable import kind_of
 from workbench.exchange.reading import LIMITS, Fitted, Job
 from workbench.exchange.svg_paths import Imported
 from workbench.language import _, ngettext
@@ -24,9 +25,6 @@ from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.curves.freehand import FIT_PX, fit_words
 from workbench.panels.stage.actions import Row
 from workbench.session.incoming import Prepare
-
-_SVG = "SVG (*.svg)"
-_POINTS = "CSV (*.csv);;" + "TXT (*.txt)"
 
 
 class CurveExchange(QObject):
@@ -39,7 +37,7 @@ class CurveExchange(QObject):
 
     def __init__(self, focus: CurveFocus, model: Callable[[], Curve], owner: QWidget) -> None:
         super().__init__(owner)
-        self.focus, self._model, self._owner = focus, model, owner
+        self.focus, self._model = focus, model
         self.session = focus.session
 
     def rows(self) -> list[Row]:
@@ -48,8 +46,6 @@ class CurveExchange(QObject):
             ("copy_points", _("Copy points"), "copy-simple", "", self.copy),
             ("paste_points", _("Paste points or paths"), "clipboard-text", "", self.paste),
             ("paste_fitted", _("Fit a curve to pasted points"), "clipboard-text", "", self.paste_fitted),
-            ("import_svg", _("Bring in SVG..."), "download-simple", "", self.ask_svg),
-            ("import_points", _("Bring in points from CSV..."), "download-simple", "", self.ask_points),
         ]
 
     # The clipboard
@@ -99,7 +95,7 @@ class CurveExchange(QObject):
     def take_file(self, path: Path) -> None:
         """Bring in a file: an SVG by its ending, or else a table of points."""
         sheet = self.session.sheet
-        if path.suffix.lower() == ".svg":
+        if kind_of(path) == "drawing":
             take, prepare = partial(self._take_drawing, sheet), partial(self._with_edit, sheet)
             self._read(Job("drawing", str(path), sheet=sheet), path.name, take, prepare)
         else:
@@ -111,8 +107,7 @@ class CurveExchange(QObject):
 
     def _read(self, job: Job, name: str, take: Callable[[Any], None], *prepare: Prepare) -> None:
         """Read what is short at once, and else beside: meanwhile one may go on."""
-        if not self.session.incoming.read(job, name, take, self.said.emit, *prepare):
-            self.said.emit(_("Reading {name} ...").format(name=name))
+        self.session.incoming.read(job, name, take, self.said.emit, *prepare)
 
     def _take_fitted(self, sheet: Sheet, result: Fitted) -> None:
         if self._is_still(sheet) and self._add(add_figures(sheet.id, [result.curve]), _("Fit a curve")):
@@ -149,9 +144,9 @@ class CurveExchange(QObject):
         if not drawing.figures:
             self.said.emit(" ".join(drawing.notes) or _("This SVG shows nothing that is a figure."))
             return
-        if self._add(edit, _("Bring in SVG")):
+        if self._add(edit, _("Import SVG")):
             count = len(drawing.figures)
-            said = [ngettext("{n} figure came in.", "{n} figures came in.", count).format(n=count)]
+            said = [ngettext("{n} figure imported.", "{n} figures imported.", count).format(n=count)]
             if drawing.error > 0:
                 said.append(_("Arcs are at most {error:.2g} off.").format(error=drawing.error))
             self.said.emit(" ".join([*said, *drawing.notes]))
@@ -160,7 +155,7 @@ class CurveExchange(QObject):
         """Whether the sheet that something was read for is still the current one; says so if not."""
         if self.session.sheet.id == sheet.id:
             return True
-        self.said.emit(_("Another sheet was opened before this was read; bring it in again here."))
+        self.said.emit(_("Another sheet was opened before this was read; import it again here."))
         return False
 
     def _add(self, edit: Edit, name: str) -> bool:
@@ -179,18 +174,3 @@ class CurveExchange(QObject):
             self.said.emit(problem.short)
             return False
         return True
-
-    # Files
-
-    def ask_svg(self) -> None:
-        """Ask for an SVG and bring it in."""
-        self._open(_("Bring in SVG"), _SVG)
-
-    def ask_points(self) -> None:
-        """Ask for a table of points and bring it in."""
-        self._open(_("Bring in points"), _POINTS)
-
-    def _open(self, title: str, kinds: str) -> None:
-        chosen, _kind = QFileDialog.getOpenFileName(self._owner, title, "", kinds)
-        if chosen:
-            self.take_file(Path(chosen))

@@ -63,15 +63,7 @@ def groups() -> list[tuple[str, tuple[str, ...]]]:
             ),
         ),
         (_("Show"), (*(f"show_{name}" for name, _title, _meaning in switches()), _PARTED, "why")),
-        (
-            _("In and out"),
-            (
-                "import_svg",
-                "import_points",
-                _PARTED,
-                "copy_picture",
-            ),
-        ),
+        (_("In and out"), ("copy_picture",)),
     ]
 
 

@@ -151,19 +151,20 @@ class CurvesPanel(SteppedPanel):
         if not self.commands.remove():
             super().delete_selected()
 
-    def copy(self) -> None:
+    def copy(self) -> bool:
         """Put the chosen points on the clipboard; without any, as everywhere."""
         if self.focus.selected is not None and self.focus.points:
             self.exchange.copy()
-        else:
-            super().copy()
+            return True
+        return super().copy()
 
-    def paste(self) -> None:
+    def paste(self) -> bool:
         """Figures come onto the sheet as everywhere, points and SVG as in the menu."""
         if figures_held():
-            super().paste()
-        elif not self.gesturing:
+            return super().paste()
+        if not self.gesturing:
             self.exchange.paste()
+        return True
 
     def select_all(self) -> None:
         """All points of the selected curve, or with none selected all figures."""

@@ -62,9 +62,10 @@ class DisplayPanel(PlainPanel, QWidget):
         """What fills the middle of the workspace."""
         return self
 
-    def copy(self) -> None:
+    def copy(self) -> bool:
         """Put the tube that is measured, as it glows now, on the clipboard."""
         QGuiApplication.clipboard().setPixmap((self.instruments.tube or self.raster).grab())
+        return True
 
     def _show_state(self) -> None:
         shown = self.session.state.tube.shown

@@ -1,13 +1,18 @@
 """Figures to the clipboard and back."""
 
+from collections.abc import Callable
+from functools import partial
+
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
-from workbench.document.building import moved_by, without_ids
+from workbench.document.building import Edit, foreseen, moved_by, without_ids
 from workbench.document.edits import add_figures
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure
-from workbench.exchange.figures import MIME, read_figures, write_figures
+from workbench.document.model import AnyFigure, Sheet
+from workbench.exchange.figures import MIME, write_figures
+from workbench.exchange.reading import Job
+from workbench.exchange.svg_reading import Imported
 from workbench.language import _, ngettext
 from workbench.session.session import Session
 
@@ -30,32 +35,43 @@ def figures_held() -> bool:
     return data is not None and data.hasFormat(MIME)  # on some systems an empty clipboard is None
 
 
-def paste_figures(session: Session) -> str:
-    """Put the clipboard's figures on the sheet and select them; the sentence that says what became of it.
+def paste_figures(session: Session, say: Callable[[str], object]) -> None:
+    """Put the clipboard's figures on the sheet and select them; ``say`` is given what became of it.
 
-    They come to where they were, or beside those that are there still.
+    They come to where they were, or beside those that are there still. Many are read beside the interface.
     """
     if not figures_held():
-        return _("There are no figures on the clipboard; copy some first.")
+        say(_("There are no figures on the clipboard; copy some first."))
+        return
+    job = Job("figures", content=bytes(QGuiApplication.clipboard().mimeData().data(MIME).data()))
     sheet = session.sheet
+    take, prepare = partial(_take, session, sheet, say), partial(_placed, session, sheet)
+    session.incoming.read(job, _("figures"), take, say, prepare)
+
+
+def _placed(session: Session, sheet: Sheet, pasted: Imported) -> Edit:
+    """The edit that puts figures on the sheet. Raises: ValueError with one sentence."""
     taken = {without_ids(figure) for figure in sheet.figures}
+    figures = [without_ids(each) for each in pasted.figures]
+    while taken.intersection(figures):
+        figures = [moved_by(each, *_BESIDE) for each in figures]
     try:
-        figures = [without_ids(each) for each in _figures()]
-        while taken.intersection(figures):
-            figures = [moved_by(each, *_BESIDE) for each in figures]
-        session.apply(add_figures(sheet.id, figures), _("Paste"))
+        return foreseen(add_figures(sheet.id, figures), session.document)
     except DocumentError as problem:
-        return problem.short
-    made = [figure.id for figure in session.sheet.figures[len(sheet.figures) :]]
-    if made:
-        session.update_state(selection=tuple(made), active=made[-1])
-    return ngettext("{n} figure pasted.", "{n} figures pasted.", len(made)).format(n=len(made))
+        raise ValueError(problem.short) from None
 
 
-def _figures() -> list[AnyFigure]:
+def _take(session: Session, sheet: Sheet, say: Callable[[str], object], edit: Edit) -> None:
+    if session.sheet.id != sheet.id:
+        say(_("Another sheet was opened before the figures were pasted; paste them again here."))
+        return
+    before = len(session.sheet.figures)
     try:
-        return read_figures(QGuiApplication.clipboard().mimeData().data(MIME).data())
-    except ValueError as problem:
-        raise DocumentError(
-            "", _("The figures on the clipboard cannot be read; copy them again.")
-        ) from problem
+        session.apply(edit, _("Paste"))
+    except DocumentError as problem:
+        say(problem.short)
+        return
+    pasted = tuple(figure.id for figure in session.sheet.figures[before:])
+    if pasted:
+        session.update_state(selection=pasted, active=pasted[-1])
+    say(ngettext("{n} figure pasted.", "{n} figures pasted.", len(pasted)).format(n=len(pasted)))

@@ -74,17 +74,19 @@ class SteppedPanel(FigurePanel):
         """Canvases and card as the session is now, and what the panel shows beside them."""
         self.view.refresh(self.tool, self.handle_drag)
 
-    def copy(self) -> None:
+    def copy(self) -> bool:
         """Put the selected figures on the clipboard, or with none selected the picture."""
         if chosen := self.selected():
             self.hover_text.emit(copy_figures(chosen))
         else:
             self.exporter.copy_picture()
+        return True
 
-    def paste(self) -> None:
+    def paste(self) -> bool:
         """Put the figures of the clipboard on the sheet."""
         if not self.gesturing:
-            self.hover_text.emit(paste_figures(self.session))
+            paste_figures(self.session, self.hover_text.emit)
+        return True
 
     def offer_export(self, menu: QMenu) -> None:
         """Let the canvas's menu lead to what can be exported."""

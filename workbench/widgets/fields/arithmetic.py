@@ -30,7 +30,7 @@ def evaluate(text: str) -> float:
         raise ValueError(_("This divides by zero; type another divisor.")) from None
     except (SyntaxError, TypeError, RecursionError, MemoryError):
         raise ValueError(
-            _("{text!r} is no number; type one, or arithmetic such as 30/2.").format(text=text)
+            _("{text!r} is not a number; type one, or arithmetic such as 30/2.").format(text=text)
         ) from None
     except OverflowError:
         value = math.inf

@@ -116,7 +116,7 @@ class WritingCard(QFrame):
     def stop(self) -> None:
         """It was cancelled, and ends soon."""
         self.cancel.setEnabled(False)
-        self.note.setText(_("Ending ..."))
+        self.note.setText(_("Cancelling ..."))
 
     def _dress(self, title: str, note: str, choosing: bool) -> None:
         self._title.setText(title)
