@@ -9,11 +9,11 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from workbench.document.samples.figures import document_of
 
 from tests.bench.large_document import large
 from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure, Circle, Polygon, Polyline, Sheet, WorldPoint
+from workbench.document.samples.figures import document_of
 from workbench.engine.warm import compile_use, work
 from workbench.rendering import display_list, frame_buffer
 
