@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
 from pytestqt.qtbot import QtBot
 
@@ -200,6 +200,27 @@ def test_closing_can_discard(qtbot: QtBot, window: MainWindow) -> None:
     assert not window.isVisible()
 
 
+def test_what_is_drawn_after_a_close_that_came_to_nothing_is_asked_about(
+    qtbot: QtBot, window: MainWindow
+) -> None:
+    class Stays(QObject):
+        def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+            if event.type() == QEvent.Type.Close:
+                event.ignore()
+            return event.type() == QEvent.Type.Close
+
+    draw_a_line(qtbot, window)
+    window.close()
+    stays = Stays()
+    window.installEventFilter(stays)
+    answer(window, "Discard changes")
+    window.removeEventFilter(stays)
+    draw_a_line(qtbot, window)
+    window.close()
+    assert window.isVisible()
+    assert window.messages.text == "Untitled has changes that are not saved."
+
+
 def test_opening_asks_too_and_a_failed_save_loses_nothing(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -359,6 +380,23 @@ def test_what_a_crash_left_is_offered(qtbot: QtBot, window: MainWindow, wish: st
     if wish == "Discard":
         window.files.offer_recovery()
         assert window.messages.text == ""
+
+
+def test_recovering_asks_about_what_was_drawn_meanwhile(qtbot: QtBot, window: MainWindow) -> None:
+    crash()
+    window.files.offer_recovery()
+    offer = window.messages.text
+    draw_a_line(qtbot, window)
+    drawn = window.session.document
+    answer(window, "Recover")
+    assert window.messages.text == "Untitled has changes that are not saved."
+    answer(window, "Cancel")
+    assert window.session.document == drawn
+    window.files.offer_recovery()
+    assert window.messages.text == offer
+    answer(window, "Recover")
+    answer(window, "Discard changes")
+    assert window.session.sheet.name == "nearly lost"
 
 
 def test_recovered_work_asks_before_it_replaces_what_was_saved_since(

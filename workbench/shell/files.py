@@ -218,7 +218,7 @@ class Files(QObject):
                     name=lost.name
                 ),
                 [
-                    (_("Recover"), partial(self._recover, lost)),
+                    (_("Recover"), partial(self.unless_unsaved, partial(self._recover, lost))),
                     (_("Discard"), lost.discard),
                 ],
             )

@@ -392,5 +392,7 @@ class MainWindow(QMainWindow):
         super().closeEvent(event)
 
     def _close_now(self) -> None:
+        """Close; where something keeps the window open, what is changed from then on is asked about again."""
         self._closing = True
         self.close()
+        self._closing = False
