@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from workbench.shell.files import Files
 from workbench.shell.start import Building, make_window, start
 
 pytestmark = pytest.mark.xdist_group("processes")
@@ -84,6 +85,26 @@ def test_the_rest_is_built_behind_the_first_frame(qtbot: QtBot) -> None:
     window.close()
     window.deleteLater()
     QApplication.processEvents()
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_the_rest_is_built_whatever_the_offer_of_recovery_does(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(_files: Files) -> None:
+        raise MemoryError
+
+    monkeypatch.setattr(Files, "offer_recovery", fail)
+    window = make_window()
+    qtbot.addWidget(window)
+    building = Building(window, warms=False)
+    window.first_frame.connect(building.start)
+    with qtbot.captureExceptions() as raised, qtbot.waitSignal(building.built, timeout=60_000):
+        window.show()
+    assert [kind for kind, *_rest in raised] == [MemoryError]
+    assert window.panels("draw")
+    window.session.close()
+    building.wait()
 
 
 def test_tour_refuses_in_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -21,6 +21,7 @@ from workbench.document.storage.files import Stored, read, write
 from workbench.language import _
 from workbench.session.following import Following
 from workbench.session.incoming import Incoming
+from workbench.session.origins import text_of
 from workbench.session.recovery import Recoverable, RecoveryFile
 from workbench.session.run import Run
 from workbench.session.saver import Saved, Saver
@@ -276,7 +277,7 @@ class Session(QObject):
 
     def _keep_safe(self) -> None:
         if self._recovery is not None:
-            origin = "" if self.path is None else str(self.path.absolute())
+            origin = "" if self.path is None else text_of(self.path)
             kept = replace(self.stored, origin=origin, origin_stamp=self._on_disk)
             self._recovery.keep(kept if self.dirty else None)
 

@@ -101,7 +101,7 @@ class Building(QObject):
         session.autosave_mended.connect(window.files.reassure)
         if any(problems):
             window.files.warn(" ".join(filter(None, problems)))
-        window.files.offer_recovery()
+        QTimer.singleShot(0, window.files.offer_recovery)  # whatever fails there, this goes on
         window.status.preparing("")
         if self._warms:
             self._warming.prepare("draw")
