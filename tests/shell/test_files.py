@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -16,6 +17,7 @@ from pytestqt.qtbot import QtBot
 from tests.shell.dialogs import dialog_of, type_name
 from workbench.document.model import Document, Polyline, WorldPoint
 from workbench.document.samples.examples import example_document
+from workbench.document.storage import saving
 from workbench.document.storage.files import load, save
 from workbench.engine import background
 from workbench.session import saver
@@ -444,3 +446,57 @@ def test_recovered_work_is_saved_without_a_question_where_nothing_was_changed(
 def test_nothing_is_offered_after_a_clean_end(window: MainWindow) -> None:
     window.files.offer_recovery()
     assert window.messages.text == ""
+
+
+@pytest.mark.parametrize(
+    "name", ["\u00e4" + "x" * 250, f"{'x' * 300}/a", "\u00e4" * 200], ids=range(3)
+)
+def test_a_name_that_no_file_can_have_is_asked_for_again(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, name: str
+) -> None:
+    window.files.save_as()
+    (sentence,) = type_name(qtbot, window, tmp_path / name)
+    assert "is too long; choose a shorter one." in sentence
+    assert len(sentence) < 150
+    assert sentence.isprintable()
+    dialog = dialog_of(qtbot, window)
+    assert dialog.isVisible()
+    dialog.reject()
+    assert window.session.path is None
+
+
+def test_saving_twice_at_once_is_not_taken_for_another_program(
+    qtbot: QtBot, window: MainWindow, chosen: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window.files.save()
+    saved(window)
+    draw_a_line(qtbot, window)
+    replaced, go_on = threading.Event(), threading.Event()
+    sync = saving._sync_folder
+
+    def slowly(folder: Path) -> None:
+        replaced.set()
+        assert go_on.wait(10)
+        sync(folder)
+
+    monkeypatch.setattr(saving, "_sync_folder", slowly)
+    window.files.save()
+    assert replaced.wait(10)
+    draw_a_line(qtbot, window)
+    window.files.save()
+    assert window.messages.text == ""
+    go_on.set()
+    qtbot.waitUntil(lambda: not window.session.dirty)
+    assert window.messages.text == ""
+    assert load(chosen) == window.session.document
+
+
+def test_a_window_stays_where_a_save_that_it_waited_for_failed(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    window.files._save(tmp_path / "nowhere" / "copy.gwb", None)
+    window.close()
+    assert window.isVisible()
+    assert window.messages.text.startswith("copy.gwb was not saved: ")
+    window.close()
+    assert not window.isVisible()

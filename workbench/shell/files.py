@@ -159,7 +159,15 @@ class Files(QObject):
             self._window.enter("draw")
 
     def save(self, then: Callable[[], object] | None = None) -> None:
-        """Save, the first time under a name that is asked for; ``then`` follows when it was saved."""
+        """Save, the first time under a name that is asked for; ``then`` follows when it was saved.
+
+        Where a save is under way this one follows it, since the file is changing by our own hand.
+        """
+        if self._session.saving:
+            self._session.saved.connect(
+                lambda _saved: self.save(then), Qt.ConnectionType.SingleShotConnection
+            )
+            return
         path = self._session.path
         if path is None:
             self.save_as(then)
@@ -189,10 +197,18 @@ class Files(QObject):
             lambda path, _row: self._save(path, then),
         ).open()
 
-    def is_unsaved(self) -> bool:
-        """Whether there is unsaved work, once a save that is under way has ended."""
+    def finish_saving(self) -> bool:
+        """Wait for a save that is under way; False where that has just been told to have failed."""
+        failed = False
+
+        def look(saved: "Saved") -> None:
+            nonlocal failed
+            failed = bool(saved.problem)
+
+        ended = self._session.saved.connect(look)
         self._session.finish_saving()
-        return bool(self._session.dirty)
+        self._session.saved.disconnect(ended)
+        return not failed
 
     def unless_unsaved(self, then: Callable[[], object]) -> None:
         """Do ``then`` at once, or after a person has saved or given up the unsaved changes."""

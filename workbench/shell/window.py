@@ -378,7 +378,10 @@ class MainWindow(QMainWindow):
         self.files.take_drop(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self.session is not None and self.files.is_unsaved() and not self._closing:
+        if self.session is not None and not self.files.finish_saving():
+            event.ignore()  # else the failure would be said in a window that goes
+            return
+        if self.session is not None and self.session.dirty and not self._closing:
             event.ignore()
             self.files.unless_unsaved(self._close_now)
             return
