@@ -448,9 +448,7 @@ def test_nothing_is_offered_after_a_clean_end(window: MainWindow) -> None:
     assert window.messages.text == ""
 
 
-@pytest.mark.parametrize(
-    "name", ["\u00e4" + "x" * 250, f"{'x' * 300}/a", "\u00e4" * 200], ids=range(3)
-)
+@pytest.mark.parametrize("name", ["\u00e4" + "x" * 250, f"{'x' * 300}/a", "\u00e4" * 200], ids=range(3))
 def test_a_name_that_no_file_can_have_is_asked_for_again(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, name: str
 ) -> None:

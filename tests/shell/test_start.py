@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from workbench.session.recovery import recoverable
 from workbench.shell.files import Files
 from workbench.shell.start import Building, make_window, start
 
@@ -105,6 +106,31 @@ def test_the_rest_is_built_whatever_the_offer_of_recovery_does(
     assert window.panels("draw")
     window.session.close()
     building.wait()
+
+
+INTERRUPTED = """
+import os, signal, sys
+from workbench.document.edits import rename_sheet
+from workbench.shell import start
+def change(building):
+    session = building._window.session
+    session.apply(rename_sheet(session.sheet.id, "nearly lost"), "Rename")
+    os.kill(os.getpid(), signal.SIGINT)
+class Building(start.Building):
+    def __init__(self, *words):
+        super().__init__(*words, warms=False)
+        self.built.connect(lambda: change(self))
+start.Building = Building
+sys.exit(start.start([]))
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends itself a signal")
+def test_an_interrupt_in_the_terminal_ends_it_and_loses_nothing(profile: Path) -> None:
+    done = run("-c", INTERRUPTED)
+    assert (done.returncode, done.stderr) == (130, "")
+    (work,) = recoverable(profile / "recovery")
+    assert work.read().document.sheets[0].name == "nearly lost"
 
 
 def test_tour_refuses_in_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

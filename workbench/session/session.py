@@ -249,6 +249,15 @@ class Session(QObject):
             if self._recovery.flush():
                 work.discard()
 
+    def abandon(self) -> None:
+        """End at once: unsaved work stays in its recovery file, which is offered at the next start."""
+        self.finish_saving()
+        if self.dirty and self._recovery is not None:
+            self.flush()
+            self._recovery.flush()
+        else:
+            self.close()
+
     def close(self) -> None:
         """End the session: nothing unsaved is kept any longer."""
         self.incoming.cancel()

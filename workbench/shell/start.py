@@ -150,11 +150,17 @@ def start(argv: Sequence[str]) -> int:
         window.show()
         return application.exec()
     from workbench.shell.failures import Failures
+    from workbench.shell.interrupts import STATUS, Interrupts
 
     Failures(window).install()
     building = Building(window, path)
     window.first_frame.connect(building.start)
+    interrupts = Interrupts(application)
+    interrupts.interrupted.connect(lambda: application.exit(STATUS))
     window.show()
     status = application.exec()
+    interrupts.end()
+    if status == STATUS and window.session is not None:
+        window.session.abandon()
     building.wait()
     return status

@@ -146,7 +146,7 @@ def refusal(path: Path, error: OSError | ValueError) -> SavingError:
     """The sentence that says why ``path`` cannot be written."""
     number = error.errno if isinstance(error, OSError) else None
     match number:
-        case errno.ENOENT | errno.ENOTDIR if not path.parent.is_dir():
+        case errno.ENOENT | errno.ENOTDIR if not os.path.isdir(path.parent):
             sentence = _("There is no folder {folder} for {name}; choose another folder.")
         case errno.EACCES | errno.EPERM:
             sentence = _("You may not write {name} in the folder {folder}; choose another folder.")
