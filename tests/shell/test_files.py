@@ -498,3 +498,30 @@ def test_a_window_stays_where_a_save_that_it_waited_for_failed(
     assert window.messages.text.startswith("copy.gwb was not saved: ")
     window.close()
     assert not window.isVisible()
+
+
+def test_the_name_of_a_file_is_shown_as_it_is_and_on_one_line(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    folder = tmp_path / "a"
+    folder.mkdir()
+    path = folder / f"<h1>big&<br>\n{'x' * 100}[*].gwb"
+    window.files._save(path, None)
+    saved(window)
+    draw_a_line(qtbot, window)
+    window.files.new()
+    asked = window.messages.text
+    assert asked.startswith("<h1>big&<br>\N{REPLACEMENT CHARACTER}xxx")
+    assert asked.isprintable()
+    assert len(asked) < 120
+    assert window.messages._text.textFormat() == Qt.TextFormat.PlainText
+    assert "\n" not in window.windowTitle()
+    window.menus._fill_recent()
+    entry = window.menus._recent.actions()[0]
+    assert entry.text().startswith("<h1>big&&<br>\N{REPLACEMENT CHARACTER}xxx")
+    assert "&lt;h1&gt;" in entry.toolTip()
+    window.go("home")
+    home = window._pages["home"]
+    button = home._recent.itemAtPosition(0, 0).widget()
+    assert "&lt;h1&gt;" in button.toolTip()
+    assert button.text().isprintable()

@@ -27,7 +27,7 @@ from workbench.document.storage.content import read_content
 from workbench.document.storage.files import MAX_BYTES, Stored, read, sound_blobs, write
 from workbench.document.storage.saving import replace_file, sweep
 from workbench.engine.turns import short_turns
-from workbench.language import _
+from workbench.language import _, legible
 from workbench.paths import recovery_folder, try_writing
 from workbench.session.origins import path_of
 from workbench.session.stamps import Stamp, stamp
@@ -297,7 +297,8 @@ def _described(path: Path) -> Recoverable:
     except (msgspec.DecodeError, UnicodeDecodeError, IndexError):
         return Recoverable(path, None, _("Damaged"), kept_at)
     origin = path_of(told.origin)
-    return Recoverable(path, origin, origin.name if origin else name, kept_at, told.origin_stamp)
+    called = legible(origin.name if origin else name)
+    return Recoverable(path, origin, called, kept_at, told.origin_stamp)
 
 
 def _blob_path(path: Path, digest: str) -> Path:

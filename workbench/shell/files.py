@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog
 
-from workbench.language import _
+from workbench.language import _, legible
 from workbench.paths import home_folder
 from workbench.shell.exports import Exports
 from workbench.shell.workspaces import panel_of
@@ -48,7 +48,7 @@ class Files(QObject):
 
     def refresh_title(self, *_what: object) -> None:
         """Name the picture in the title, with a mark while it is not saved."""
-        self._window.setWindowTitle(f"{self.name}[*] - {PROGRAM}")
+        self._window.setWindowTitle(f"{legible(self.name).replace('[*]', '[*][*]')}[*] - {PROGRAM}")
         self._window.setWindowModified(self._session.dirty)
 
     def follow(self, session: "Session") -> None:
@@ -58,7 +58,7 @@ class Files(QObject):
 
         def began(what: str) -> None:
             nonlocal name
-            name = what
+            name = legible(what)
             progressed(0.0)
 
         def progressed(share: float) -> None:
@@ -131,7 +131,7 @@ class Files(QObject):
         self.show_sheet(next(sheet.id for sheet in session.document.sheets if sheet.id not in known))
 
     def _not_imported(self, path: Path, error: str) -> None:
-        sentence = _("{name} was not imported: {error}").format(name=path.name, error=error)
+        sentence = _("{name} was not imported: {error}").format(name=legible(path.name), error=error)
         self._window.messages.say(sentence, "error")
 
     def open_path(self, path: Path) -> None:
@@ -146,7 +146,7 @@ class Files(QObject):
         if beside:
             self._window.messages.say(
                 _("{name} stays open beside this example: View, Sheets shows it again.").format(
-                    name=before.name
+                    name=legible(before.name)
                 )
             )
         if then:
@@ -173,7 +173,9 @@ class Files(QObject):
             self.save_as(then)
         elif self._session.changed_on_disk:
             self._window.messages.ask(
-                _("Another program has changed {name} since it was opened here.").format(name=path.name),
+                _("Another program has changed {name} since it was opened here.").format(
+                    name=legible(path.name)
+                ),
                 [
                     (_("Save under another name"), lambda: self.save_as(then)),
                     (_("Save over it"), lambda: self._save(path, then)),
@@ -216,7 +218,7 @@ class Files(QObject):
             then()
             return
         self._window.messages.ask(
-            _("{name} has changes that are not saved.").format(name=self.name),
+            _("{name} has changes that are not saved.").format(name=legible(self.name)),
             [
                 (_("Save"), lambda: self.save(partial(self.unless_unsaved, then))),
                 (_("Discard changes"), then),
@@ -270,7 +272,7 @@ class Files(QObject):
 
     def _unread(self, path: Path, error: str) -> None:
         self._window.messages.say(
-            _("{name} was not opened: {error}").format(name=path.name, error=error), "error"
+            _("{name} was not opened: {error}").format(name=legible(path.name), error=error), "error"
         )
 
     def _read(self, path: Path, on_disk: "Stamp | None", revision: int, stored: "Stored") -> None:
@@ -291,11 +293,11 @@ class Files(QObject):
         session = self._session
         session.finish_saving()
         session.saved.connect(partial(self._saved, then), Qt.ConnectionType.SingleShotConnection)
-        self._window.say_status(_("Saving {name} ...").format(name=path.name))
+        self._window.say_status(_("Saving {name} ...").format(name=legible(path.name)))
         session.save_behind(path)
 
     def _saved(self, then: Callable[[], object] | None, saved: "Saved") -> None:
-        name = saved.path.name
+        name = legible(saved.path.name)
         if saved.problem:
             self._window.say_status("")
             self._window.messages.say(

@@ -16,14 +16,14 @@ import msgspec
 from workbench.document.check import check, refuse
 from workbench.document.errors import DocumentError
 from workbench.document.model import Document
-from workbench.document.places import legible, line_of, path_at
+from workbench.document.places import line_of, path_at
 from workbench.document.state import SessionState, check_state
 from workbench.document.storage.blobs import Blob
 from workbench.document.storage.content import Progress, read_content, silent
 from workbench.document.storage.encoding import pieces
 from workbench.document.storage.renumbering import with_room
 from workbench.document.storage.saving import replace_file
-from workbench.language import _
+from workbench.language import _, legible
 
 FORMAT = "graphics-workbench"
 VERSION = 3

@@ -14,8 +14,7 @@ from types import TracebackType
 from typing import NamedTuple
 
 from workbench.document.errors import DocumentError
-from workbench.document.places import legible
-from workbench.language import _
+from workbench.language import _, legible
 
 _ENDING = ".saving"
 _CHUNK = 2**18

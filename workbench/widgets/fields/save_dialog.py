@@ -7,10 +7,9 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from workbench.document.places import legible
 from workbench.document.storage.saving import refusal
 from workbench.exchange.writing import Row, SuffixError, completed
-from workbench.language import _
+from workbench.language import _, legible
 
 
 class SaveDialog(QFileDialog):
