@@ -74,5 +74,19 @@ def test_an_export_that_gets_no_thread_is_told_and_the_next_one_works(
     assert outcomes[1].paths == (tmp_path / "a.png",)
 
 
+def test_what_the_system_says_is_told_without_its_number(qtbot: QtBot, tmp_path: Path) -> None:
+    row = next(row for row in rows("picture") if row.suffix == ".png")
+    outcomes: list[Outcome] = []
+    writer = Writer()
+    writer.ended.connect(outcomes.append)
+
+    def fail() -> None:
+        raise OSError(24, "Too many open files")
+
+    writer.start(row, fail, tmp_path / "a.png")
+    qtbot.waitUntil(lambda: not writer.busy)
+    assert outcomes[0].problem == "Too many open files"
+
+
 def refuse(_thread: threading.Thread) -> None:
     raise RuntimeError("can't start new thread")

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from workbench.document.storage.content import Stopped
 from workbench.engine import background
 from workbench.exchange.reading import Job, Reading, Result, read_at_once
+from workbench.language import reason_of
 
 Prepare = Callable[[Result], object]
 
@@ -61,7 +62,7 @@ class Incoming(QObject):
             result = read_at_once(job)
             prepared = None if result is None else prepare(result)
         except ValueError as error:
-            refuse(str(error))
+            refuse(reason_of(error))
             return True
         if result is not None:
             take(prepared)
@@ -86,7 +87,7 @@ class Incoming(QObject):
             except Stopped:
                 return
             except (ValueError, OSError) as error:
-                sentence = str(error)
+                sentence = reason_of(error)
             self._done.emit(wish, result, sentence)
 
     def _tell(self, wish: _Wish, share: float) -> None:

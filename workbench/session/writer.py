@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from workbench.engine import background
 from workbench.engine.turns import interface, short_turns
 from workbench.exchange.writing import Cancelled, Row, write
-from workbench.language import _
+from workbench.language import _, reason_of
 
 T = TypeVar("T")
 _LOOK_S = 0.05
@@ -112,7 +112,7 @@ class Writer(QObject):
             except Cancelled:
                 pass
             except Exception as error:
-                outcome = Outcome(problem=str(error))
+                outcome = Outcome(problem=reason_of(error))
             self._over.emit(outcome)
 
     def _end(self, outcome: Outcome) -> None:

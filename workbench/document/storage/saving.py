@@ -14,7 +14,7 @@ from types import TracebackType
 from typing import NamedTuple
 
 from workbench.document.errors import DocumentError
-from workbench.language import _, legible
+from workbench.language import _, legible, reason_of
 
 _ENDING = ".saving"
 _CHUNK = 2**18
@@ -161,7 +161,7 @@ def refusal(path: Path, error: OSError | ValueError) -> SavingError:
             sentence = _("{path} is a link that leads back to itself; choose another name.")
         case _:
             sentence = _("{path} cannot be written ({reason}); choose another folder.")
-    reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    reason = reason_of(error)
     name, folder = legible(path.name), legible(str(path.parent), _LONGEST_FOLDER)
     whole = legible(str(path), _LONGEST_FOLDER) if len(str(path)) <= _LONGEST_FOLDER else name
     longest = legible(max(path.parts, key=len, default=""))
