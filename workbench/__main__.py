@@ -8,7 +8,13 @@ from pathlib import Path
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command in ``arguments`` (default: those of the process) and return its exit status."""
-    words = sys.argv[1:] if arguments is None else list(arguments)
+    try:
+        return _run(sys.argv[1:] if arguments is None else list(arguments))
+    except KeyboardInterrupt:  # while something is imported, too
+        return 130
+
+
+def _run(words: list[str]) -> int:
     # The matrices here are small: threads of the linear algebra would only wait for one another.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     if _opens_a_window(words):
@@ -30,7 +36,7 @@ def _opens_a_window(words: Sequence[str]) -> bool:
         return True
     if words[0].startswith("-"):
         return words[0] not in ("-h", "--help", "--version")
-    return Path(words[0]).suffix == ".gwb"
+    return Path(words[0]).suffix.lower() == ".gwb"
 
 
 if __name__ == "__main__":

@@ -273,3 +273,24 @@ def test_an_ascii_terminal_gets_ascii() -> None:
     done = subprocess.run(command, env=environment, capture_output=True, timeout=60, check=True)
     assert done.stdout.splitlines()[0].split()[:2] == [b"k", b"p_k"]
     assert done.stdout.isascii()
+
+
+def test_an_interrupt_while_something_is_imported_is_no_traceback(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Interrupted:
+        def find_spec(self, name: str, *_rest: object) -> None:
+            if name.startswith("workbench.cli"):
+                raise KeyboardInterrupt
+
+    for name in [name for name in sys.modules if name.startswith("workbench.cli")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.delattr("workbench.cli")
+    monkeypatch.setattr(sys, "meta_path", [Interrupted(), *sys.meta_path])
+    assert main(["list"]) == 130
+
+
+@pytest.mark.parametrize("name", ["nowhere.gwb", "NOWHERE.GWB"])
+def test_a_picture_is_opened_in_the_window_whatever_the_case_of_its_ending(
+    capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    assert main([name]) == 2
+    assert capsys.readouterr().err == f"There is no file {name}.\n"

@@ -112,6 +112,7 @@ def test_a_surface_becomes_a_mesh(capsys: pytest.CaptureFixture[str], folder: Pa
         ),
         (("surface", "sphere", "-o", "a.fbx"), "a.fbx: choose a name that ends in .obj, .ply or .stl"),
         (("surface", "sphere", "-o", "a.obj", "--tolerance", "-1"), "The tolerance is -1"),
+        (("surface", "x" * 300, "-o", "a.obj"), "cannot be read (File name too long); choose another file."),
         (("surface", "broken.json", "-o", "a.obj"), "broken.json is not JSON"),
         (("surface", "list.json", "-o", "a.obj"), "list.json holds no surface"),
         (("surface", "ragged.json", "-o", "a.obj"), "ragged.json holds no surface"),

@@ -76,3 +76,17 @@ def test_the_vector_tube_never_refreshes_above_its_cap(
     assert beam.frame_ps >= cap
     longer = vector_beam(tube, [*strokes, (*a, *b, 0xFFFFFF)], PICTURE, setup)
     assert longer.frame_ps >= beam.frame_ps
+
+
+@pytest.mark.parametrize("far", [100.0, 1e6, 1e9])
+def test_a_stroke_costs_no_more_than_the_face_has_of_it(far: float) -> None:
+    setup = TubeSetup()
+    tube = vector_tube(PICTURE, SIZE, setup, np.float64)
+    within, beyond, away = (
+        vector_beam(tube, [(x0, 7, x1, 7, 0xFFFFFF)], PICTURE, setup)
+        for x0, x1 in ((-3, 23), (-far, far), (far, 2 * far))
+    )
+    assert len(beyond.pieces) <= 2 * len(within.pieces)
+    assert away.pieces == []
+    face = slice(None), slice(8, -8)
+    assert beyond.energy_per_frame(0)[face] == pytest.approx(within.energy_per_frame(0)[face], rel=1e-3)

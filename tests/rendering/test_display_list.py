@@ -4,11 +4,13 @@ import itertools
 import math
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from tests.rendering.test_frame_buffer import line, points, sheet
-from workbench.document.model import Circle, Ellipse, Polyline, SeedFill
+from workbench.document.model import Circle, Ellipse, Polyline, Rectangle, SeedFill
 from workbench.rendering import display_list, unshown
 from workbench.rendering.limits import clip_segments
 
@@ -30,6 +32,34 @@ def test_chords_stay_within_the_tolerance(rx: float, ry: float, flatness: float)
         u, v = ((x0 + x1) / 2 - 19.5) / rx, ((y0 + y1) / 2 - 14.5) / ry
         # In the frame where the ellipse is a unit circle the sagitta shrinks by at least its radius.
         assert (1.0 - math.hypot(u, v)) * min(rx, ry) <= flatness * (1 + 1e-9)
+
+
+@given(st.floats(-400, 400), st.floats(-400, 400), st.floats(0.2, 500.0), st.floats(0.2, 500.0))
+def test_no_visible_part_of_a_large_ellipse_is_missing(xc: float, yc: float, rx: float, ry: float) -> None:
+    figure = Ellipse("e", points((xc, yc)), "midpoint_ellipse", radius_x_world=rx, radius_y_world=ry)
+    strokes = display_list(sheet(figure), 0.05)
+    ends = np.array([stroke[:4] for stroke in strokes]).reshape(-1, 4)
+    for k in range(2000):
+        x = xc + rx * math.cos(2 * math.pi * k / 2000)
+        y = yc + ry * math.sin(2 * math.pi * k / 2000)
+        if 0 <= x <= 39 and 0 <= y <= 29:
+            line = np.linspace(ends[:, :2], ends[:, 2:], 200)
+            assert np.hypot(line[..., 0] - x, line[..., 1] - y).min() < 0.2
+
+
+@pytest.mark.parametrize("radius", [1e3, 1e6])
+@pytest.mark.parametrize("viewport", [40.0, 1e6])
+@pytest.mark.parametrize("window", [1e-3, 1.0])
+def test_a_circle_has_as_many_strokes_as_there_is_room_for(
+    radius: float, viewport: float, window: float
+) -> None:
+    circle = Circle("c", points((radius, 0)), "midpoint_circle", radius_world=radius)
+    large = replace(
+        sheet(circle, window=(-window, -window, window, window)),
+        viewport_device=Rectangle(-viewport, -viewport, viewport, viewport),
+    )
+    strokes = display_list(large)
+    assert 0 < len(strokes) < 3000
 
 
 def test_a_circle_under_unequal_scale_is_flattened_as_an_ellipse() -> None:

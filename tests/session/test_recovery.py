@@ -12,6 +12,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 from pytestqt.qtbot import QtBot
 
 from workbench.document import DocumentError, Stored, edits, read, write
@@ -497,3 +498,61 @@ def test_without_a_folder_to_keep_it_in_work_goes_on(qtbot: QtBot, tmp_path: Pat
         assert session._recovery.flush()
     assert read(session._recovery.path).document == session.document
     session.close()
+
+
+@pytest.mark.parametrize("kind", ["pipe", "device", "sparse"])
+def test_what_is_no_recovery_file_is_not_read(tmp_path: Path, kind: str) -> None:
+    path = tmp_path / "1-aaaaaaaa.gwb"
+    if kind == "pipe":
+        os.mkfifo(path)
+    elif kind == "device":
+        path.symlink_to("/dev/zero")
+    else:
+        with path.open("wb") as file:
+            file.truncate(8 << 30)
+    assert recoverable(tmp_path) == []
+    assert os.path.lexists(path)
+
+
+@pytest.mark.parametrize("lock", ["folder", "loop", "link"])
+def test_a_lock_that_no_process_can_hold_hides_no_work(tmp_path: Path, lock: str) -> None:
+    path = left_by_a_dead_process(tmp_path)
+    place = path.with_suffix(".lock")
+    place.unlink()
+    if lock == "folder":
+        place.mkdir()
+    else:
+        place.symlink_to(place if lock == "loop" else "/dev/zero")
+    (work,) = recoverable(tmp_path)
+    assert work.path == path
+    work.discard()
+    assert not path.exists()
+    assert recoverable(tmp_path) == []
+
+
+def test_work_whose_origin_is_no_path_is_offered_without_one(session: Session, tmp_path: Path) -> None:
+    folder = tmp_path / "left"
+    path = left_by_a_dead_process(folder)
+    stored = read(path)
+    write(replace(stored, origin="/tmp/a\0b.gwb"), path)
+    (work,) = recoverable(folder)
+    assert (work.origin, work.name) == (None, "A line")
+    session.recover(work)
+    assert session.path is None
+    assert session.dirty
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="names of files are any bytes on Linux only")
+def test_work_on_a_file_whose_name_is_not_utf_8_is_kept_with_its_name(
+    session: Session, tmp_path: Path
+) -> None:
+    origin = tmp_path / os.fsdecode(b"caf\xe9 %41.gwb")
+    session.save_as(origin)
+    session.apply(MOVE, "Move")
+    assert session._recovery.flush()
+    copy = tmp_path / "copies"
+    copy.mkdir()
+    shutil.copy(session._recovery.path, copy)
+    (work,) = recoverable(copy)
+    assert work.origin == origin
+    assert not work.origin_changed

@@ -1,14 +1,18 @@
 """Saving behind the session's back: whatever happens there, its end is told and the next save works."""
 
+import threading
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
 from workbench.document import Stored, read
 from workbench.document.samples.examples import example_document
+from workbench.exchange.written import rows
 from workbench.session import saver
 from workbench.session.saver import Saved, Saver
+from workbench.session.writer import Outcome, Writer
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
@@ -31,3 +35,58 @@ def test_a_failure_of_the_program_is_told_too(
     one.wait()
     assert [bool(save.problem) for save in saves] == [True, False]
     assert read(tmp_path / "a.gwb") == stored
+
+
+def test_where_the_system_gives_no_thread_the_file_is_written_all_the_same(
+    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    saves: list[Saved] = []
+    one = Saver()
+    one.saved.connect(saves.append)
+    stored = Stored(example_document())
+    with monkeypatch.context() as patch:
+        patch.setattr(threading.Thread, "start", refuse)
+        one.start(stored, tmp_path / "a.gwb")
+        assert one.busy
+        one.wait()
+    assert not one.busy
+    one.start(stored, tmp_path / "b.gwb")
+    one.wait()
+    assert [(save.path.name, save.problem) for save in saves] == [("a.gwb", ""), ("b.gwb", "")]
+    assert read(tmp_path / "a.gwb") == read(tmp_path / "b.gwb") == stored
+
+
+def test_an_export_that_gets_no_thread_is_told_and_the_next_one_works(
+    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    row = next(row for row in rows("picture") if row.suffix == ".png")
+    image = np.zeros((4, 5), np.uint32), 1
+    outcomes: list[Outcome] = []
+    writer = Writer()
+    writer.ended.connect(outcomes.append)
+    with monkeypatch.context() as patch:
+        patch.setattr(threading.Thread, "start", refuse)
+        writer.start(row, lambda: image, tmp_path / "a.png")
+    assert not writer.busy
+    assert outcomes[0].problem.startswith("a.png was not written")
+    writer.start(row, lambda: image, tmp_path / "a.png")
+    qtbot.waitUntil(lambda: not writer.busy)
+    assert outcomes[1].paths == (tmp_path / "a.png",)
+
+
+def test_what_the_system_says_is_told_without_its_number(qtbot: QtBot, tmp_path: Path) -> None:
+    row = next(row for row in rows("picture") if row.suffix == ".png")
+    outcomes: list[Outcome] = []
+    writer = Writer()
+    writer.ended.connect(outcomes.append)
+
+    def fail() -> None:
+        raise OSError(24, "Too many open files")
+
+    writer.start(row, fail, tmp_path / "a.png")
+    qtbot.waitUntil(lambda: not writer.busy)
+    assert outcomes[0].problem == "Too many open files"
+
+
+def refuse(_thread: threading.Thread) -> None:
+    raise RuntimeError("can't start new thread")

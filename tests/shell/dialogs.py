@@ -23,7 +23,10 @@ def type_name(qtbot: QtBot, window: MainWindow, name: str | Path, answer: str = 
     assert field is not None
     qtbot.waitUntil(lambda: field.hasFocus() or bool(dialog.activateWindow()) or bool(field.setFocus()))
     field.clear()
-    qtbot.keyClicks(field, str(name))
+    if str(name).isascii() and str(name).isprintable():
+        qtbot.keyClicks(field, str(name))
+    else:
+        field.insert(str(name))  # as it is pasted
     QApplication.processEvents()
     asked: list[str] = []
 

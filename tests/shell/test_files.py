@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
 from pytestqt.qtbot import QtBot
 
@@ -18,6 +18,7 @@ from tests.shell.dialogs import dialog_of, type_name
 from workbench.document import building
 from workbench.document.model import Document, Polyline, WorldPoint
 from workbench.document.samples.examples import example_document
+from workbench.document.storage import saving
 from workbench.document.storage.files import load, save
 from workbench.engine import background
 from workbench.session import saver
@@ -200,6 +201,27 @@ def test_closing_can_discard(qtbot: QtBot, window: MainWindow) -> None:
     window.close()
     answer(window, "Discard changes")
     assert not window.isVisible()
+
+
+def test_what_is_drawn_after_a_close_that_came_to_nothing_is_asked_about(
+    qtbot: QtBot, window: MainWindow
+) -> None:
+    class Stays(QObject):
+        def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+            if event.type() == QEvent.Type.Close:
+                event.ignore()
+            return event.type() == QEvent.Type.Close
+
+    draw_a_line(qtbot, window)
+    window.close()
+    stays = Stays()
+    window.installEventFilter(stays)
+    answer(window, "Discard changes")
+    window.removeEventFilter(stays)
+    draw_a_line(qtbot, window)
+    window.close()
+    assert window.isVisible()
+    assert window.messages.text == "Untitled has changes that are not saved."
 
 
 def test_opening_asks_too_and_a_failed_save_loses_nothing(
@@ -433,6 +455,23 @@ def test_what_a_crash_left_is_offered(qtbot: QtBot, window: MainWindow, wish: st
         assert window.messages.text == ""
 
 
+def test_recovering_asks_about_what_was_drawn_meanwhile(qtbot: QtBot, window: MainWindow) -> None:
+    crash()
+    window.files.offer_recovery()
+    offer = window.messages.text
+    draw_a_line(qtbot, window)
+    drawn = window.session.document
+    answer(window, "Recover")
+    assert window.messages.text == "Untitled has changes that are not saved."
+    answer(window, "Cancel")
+    assert window.session.document == drawn
+    window.files.offer_recovery()
+    assert window.messages.text == offer
+    answer(window, "Recover")
+    answer(window, "Discard changes")
+    assert window.session.sheet.name == "nearly lost"
+
+
 def test_recovered_work_asks_before_it_replaces_what_was_saved_since(
     qtbot: QtBot, window: MainWindow, chosen: Path
 ) -> None:
@@ -478,3 +517,82 @@ def test_recovered_work_is_saved_without_a_question_where_nothing_was_changed(
 def test_nothing_is_offered_after_a_clean_end(window: MainWindow) -> None:
     window.files.offer_recovery()
     assert window.messages.text == ""
+
+
+@pytest.mark.parametrize("name", ["\u00e4" + "x" * 250, f"{'x' * 300}/a", "\u00e4" * 200], ids=range(3))
+def test_a_name_that_no_file_can_have_is_asked_for_again(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, name: str
+) -> None:
+    window.files.save_as()
+    (sentence,) = type_name(qtbot, window, tmp_path / name)
+    assert "is too long; choose a shorter one." in sentence
+    assert len(sentence) < 150
+    assert sentence.isprintable()
+    dialog = dialog_of(qtbot, window)
+    assert dialog.isVisible()
+    dialog.reject()
+    assert window.session.path is None
+
+
+def test_saving_twice_at_once_is_not_taken_for_another_program(
+    qtbot: QtBot, window: MainWindow, chosen: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window.files.save()
+    saved(window)
+    draw_a_line(qtbot, window)
+    replaced, go_on = threading.Event(), threading.Event()
+    sync = saving._sync_folder
+
+    def slowly(folder: Path) -> None:
+        replaced.set()
+        assert go_on.wait(10)
+        sync(folder)
+
+    monkeypatch.setattr(saving, "_sync_folder", slowly)
+    window.files.save()
+    assert replaced.wait(10)
+    draw_a_line(qtbot, window)
+    window.files.save()
+    assert window.messages.text == ""
+    go_on.set()
+    qtbot.waitUntil(lambda: not window.session.dirty)
+    assert window.messages.text == ""
+    assert load(chosen) == window.session.document
+
+
+def test_a_window_stays_where_a_save_that_it_waited_for_failed(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    window.files._save(tmp_path / "nowhere" / "copy.gwb", None)
+    window.close()
+    assert window.isVisible()
+    assert window.messages.text.startswith("copy.gwb was not saved: ")
+    window.close()
+    assert not window.isVisible()
+
+
+def test_the_name_of_a_file_is_shown_as_it_is_and_on_one_line(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    folder = tmp_path / "a"
+    folder.mkdir()
+    path = folder / f"<h1>big&<br>\n{'x' * 100}[*].gwb"
+    window.files._save(path, None)
+    saved(window)
+    draw_a_line(qtbot, window)
+    window.files.new()
+    asked = window.messages.text
+    assert asked.startswith("<h1>big&<br>\N{REPLACEMENT CHARACTER}xxx")
+    assert asked.isprintable()
+    assert len(asked) < 120
+    assert window.messages._text.textFormat() == Qt.TextFormat.PlainText
+    assert "\n" not in window.windowTitle()
+    window.menus._fill_recent()
+    entry = window.menus._recent.actions()[0]
+    assert entry.text().startswith("<h1>big&&<br>\N{REPLACEMENT CHARACTER}xxx")
+    assert "&lt;h1&gt;" in entry.toolTip()
+    window.go("home")
+    home = window._pages["home"]
+    button = home._recent.itemAtPosition(0, 0).widget()
+    assert "&lt;h1&gt;" in button.toolTip()
+    assert button.text().isprintable()

@@ -76,6 +76,39 @@ def test_settings_that_are_a_pipe_are_left_alone(profile: Path, tmp_path: Path, 
     assert path.is_symlink() == linked
 
 
+@pytest.mark.parametrize(
+    ("kind", "reason"),
+    [
+        ("folder", "settings.ini.lock is in the way"),
+        ("pipe", "settings.ini.lock is in the way"),
+        ("foreign", "another program holds settings.ini.lock"),
+        ("large", "it has over 1,000,000 bytes"),
+    ],
+)
+def test_settings_that_would_be_waited_for_are_only_remembered(
+    qtbot: QtBot, profile: Path, kind: str, reason: str
+) -> None:
+    path = profile / "settings" / "settings.ini"
+    path.parent.mkdir(parents=True)
+    lock = path.with_name("settings.ini.lock")
+    if kind == "folder":
+        lock.mkdir()
+    elif kind == "pipe":
+        os.mkfifo(lock)
+    elif kind == "foreign":
+        lock.write_text("1\nanother\nelsewhere\n")
+    else:
+        with path.open("wb") as file:
+            file.truncate(3 << 30)
+    before = sorted(path.parent.iterdir())
+    settings = Settings()
+    assert f"({reason})" in settings.problem
+    settings.set("calm", False)
+    settings.write()
+    assert settings.get("calm") is False
+    assert sorted(path.parent.iterdir()) == before
+
+
 def test_nothing_is_said_when_all_is_well(qtbot: QtBot, profile: Path) -> None:
     assert said_after_the_start(qtbot) == ""
     assert Settings().get("calm") is False

@@ -10,6 +10,8 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from workbench.session.recovery import recoverable
+from workbench.shell.files import Files
 from workbench.shell.start import Building, make_window, start
 
 pytestmark = pytest.mark.xdist_group("processes")
@@ -124,6 +126,51 @@ def test_the_rest_is_built_behind_the_first_frame(qtbot: QtBot) -> None:
     window.close()
     window.deleteLater()
     QApplication.processEvents()
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_the_rest_is_built_whatever_the_offer_of_recovery_does(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(_files: Files) -> None:
+        raise MemoryError
+
+    monkeypatch.setattr(Files, "offer_recovery", fail)
+    window = make_window()
+    qtbot.addWidget(window)
+    building = Building(window, warms=False)
+    window.first_frame.connect(building.start)
+    with qtbot.captureExceptions() as raised, qtbot.waitSignal(building.built, timeout=60_000):
+        window.show()
+    assert [kind for kind, *_rest in raised] == [MemoryError]
+    assert window.panels("draw")
+    window.session.close()
+    building.wait()
+
+
+INTERRUPTED = """
+import os, signal, sys
+from workbench.document.edits import rename_sheet
+from workbench.shell import start
+def change(building):
+    session = building._window.session
+    session.apply(rename_sheet(session.sheet.id, "nearly lost"), "Rename")
+    os.kill(os.getpid(), signal.SIGINT)
+class Building(start.Building):
+    def __init__(self, *words):
+        super().__init__(*words, warms=False)
+        self.built.connect(lambda: change(self))
+start.Building = Building
+sys.exit(start.start([]))
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends itself a signal")
+def test_an_interrupt_in_the_terminal_ends_it_and_loses_nothing(profile: Path) -> None:
+    done = run("-c", INTERRUPTED)
+    assert (done.returncode, done.stderr) == (130, "")
+    (work,) = recoverable(profile / "recovery")
+    assert work.read().document.sheets[0].name == "nearly lost"
 
 
 def test_tour_refuses_in_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,5 +1,7 @@
 """Preparing algorithms in the background: one failure does not end it for good."""
 
+import threading
+
 import pytest
 from pytestqt.qtbot import QtBot
 
@@ -25,6 +27,25 @@ def test_after_a_failure_the_next_workspace_is_prepared(
     warming = Warming(window)
     warming.prepare("draw")
     warming.prepare("display")
-    qtbot.waitUntil(lambda: len(asked) == 2)
+    qtbot.waitUntil(lambda: len(asked) > 2)  # one for the reason that is told of the failure
     warming.stop()
+    qtbot.waitUntil(lambda: warming._thread is None)
+
+
+def test_what_gets_no_thread_is_prepared_later(
+    qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compiled_topics: list[str] = []
+    monkeypatch.setattr(window, "topics", lambda slug: (slug,))
+    monkeypatch.setattr(Warming, "_compile", lambda _self, topics: compiled_topics.extend(topics))
+    warming = Warming(window)
+    with monkeypatch.context() as patch:
+
+        def refuse(_thread: threading.Thread) -> None:
+            raise RuntimeError("can't start new thread")
+
+        patch.setattr(threading.Thread, "start", refuse)
+        warming.prepare("draw")
+    warming.prepare("display")
+    qtbot.waitUntil(lambda: compiled_topics == ["draw", "display"])
     qtbot.waitUntil(lambda: warming._thread is None)

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from workbench import __version__
 from workbench.cli.failure import BadInputError, WorkError
-from workbench.document.places import legible
-from workbench.language import _
+from workbench.language import _, legible
 
 if TYPE_CHECKING:
     from workbench.document.model import Sheet

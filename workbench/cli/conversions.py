@@ -186,10 +186,13 @@ def _patches(path: Path) -> Any:
     from workbench.algorithms.curves import open_uniform_knots
     from workbench.algorithms.surfaces import EXAMPLES, b_spline_patch, bezier_patch
 
-    if not path.exists():
-        sentence = _("There is no file {file}; give a JSON file or one of {examples}.")
-        raise ValueError(sentence.format(file=path, examples=", ".join(EXAMPLES)))
-    text = read_text(path, _MOST_NET_BYTES)
+    try:
+        text = read_text(path, _MOST_NET_BYTES)
+    except DocumentError as error:
+        if isinstance(error.__cause__, FileNotFoundError):
+            sentence = _("There is no file {file}; give a JSON file or one of {examples}.")
+            raise ValueError(sentence.format(file=path, examples=", ".join(EXAMPLES))) from None
+        raise
     try:
         found = json.loads(text)
     except (ValueError, RecursionError) as error:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.clipping.liang_barsky import liang_barsky
 from workbench.display.phosphor import Phosphor, names
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.timings import RasterTiming
@@ -138,7 +139,10 @@ def vector_tube(
 def vector_beam(
     tube: Tube, strokes: Sequence[DeviceStroke], picture_px: tuple[int, int], setup: TubeSetup
 ) -> VectorBeam:
-    """The beam that draws ``strokes``; a long one refreshed 60 times a second is a little above white."""
+    """The beam that draws ``strokes``; a long one refreshed 60 times a second is a little above white.
+
+    It goes only where the spot can light the face: the rest of a stroke takes no time.
+    """
     left, bottom, right, _top = area_mm(picture_px)
     pitch = (right - left) / picture_px[0]
 
@@ -146,9 +150,12 @@ def vector_beam(
         return left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch
 
     timing = VectorTiming.named(setup.vector_display)
+    margin = tube.reach * tube.spot_mm
+    lit = -margin, -margin, tube.size_mm[0] + margin, tube.size_mm[1] + margin
     drawn = [
-        MmStroke(place(x0, y0), place(x1, y1), currents_of_colour(colour, len(tube.guns), setup.gamma))
+        MmStroke((ax, ay), (bx, by), currents_of_colour(colour, len(tube.guns), setup.gamma))
         for x0, y0, x1, y1, colour in strokes
+        for ax, ay, bx, by in liang_barsky(*place(x0, y0), *place(x1, y1), *lit)
     ]
     shortest_ps = int(Fraction(10**12) / setup.refresh)
     # Energy per length times sqrt(2 pi) spots is the energy across a long stroke; one pixel gets its share.

@@ -2,7 +2,8 @@
 
 import re
 
-LONGEST_NAME = 60
+from workbench.language import LONGEST_NAME, legible
+
 _DEEPEST = 32
 _TEXT = rb'"(?:[^"\\]++|\\.)*+'
 _FLAT = rb'(?:[^{}\[\]"]++|' + _TEXT + rb'")*+'
@@ -44,12 +45,6 @@ def joined(keys: list[str | int]) -> str:
         elif key:
             text += f".{key}" if text else key
     return text if len(keys) <= _DEEPEST else text + "…"
-
-
-def legible(name: str, most: int = LONGEST_NAME) -> str:
-    """``name``, whatever stands in it, as a sentence can hold it: on one line, and at most so long."""
-    cut = name if len(name) <= most else name[: most - 1] + "…"
-    return "".join(sign if sign.isprintable() else "\ufffd" for sign in cut)
 
 
 def line_of(text: bytes, offset: int) -> int:

@@ -23,6 +23,7 @@ from workbench.document.model import (
 )
 from workbench.language import _
 from workbench.rendering.clipping import clip_box, ring_strokes, visible_rings, visible_segments
+from workbench.rendering.limits import reach
 from workbench.rendering.mapping import Box, box, device_map, device_radii
 from workbench.rendering.pipeline import colour_of
 from workbench.rendering.segments import Lines, Segment, Segments, cut
@@ -42,30 +43,60 @@ class Stroke(NamedTuple):
     figure: int
 
 
-def _ellipse_chords(xc: float, yc: float, rx: float, ry: float, flatness: float) -> list[Segment]:
+def _ellipse_chords(
+    xc: float, yc: float, rx: float, ry: float, flatness: float, bounds: Box
+) -> list[Segment]:
+    """Those chords of an ellipse that may reach into ``bounds``, as few as a large one has there."""
     largest = max(rx, ry)
-    # The sagitta of a chord over the angle a is r (1 - cos(a / 2)).
-    half_angle = math.acos(max(1.0 - flatness / largest, -1.0)) if largest > flatness else math.pi / 8
+    # The sagitta of a chord over the angle a is r (1 - cos(a / 2)) = 2 r sin(a / 4)^2.
+    half_angle = 2.0 * math.asin(math.sqrt(flatness / (2.0 * largest))) if largest > flatness else math.pi / 8
     count = max(8, 4 * math.ceil(math.pi / (4.0 * half_angle)))
-    points = [
-        (xc + rx * math.cos(2 * math.pi * k / count), yc + ry * math.sin(2 * math.pi * k / count))
-        for k in range(count)
-    ]
-    points.append(points[0])
-    return [(*a, *b) for a, b in itertools.pairwise(points)]
+
+    def point(number: int) -> tuple[float, float]:
+        angle = 2 * math.pi * (number % count) / count
+        return xc + rx * math.cos(angle), yc + ry * math.sin(angle)
+
+    per_angle = count / (2 * math.pi)
+    seen = {
+        number % count
+        for begin, end in _arcs(xc, yc, rx, ry, bounds)
+        for number in range(math.floor(begin * per_angle) - 1, math.ceil(end * per_angle) + 1)
+    }
+    return [(*point(number), *point(number + 1)) for number in sorted(seen)]
 
 
-def _outline(sheet: Sheet, figure: AnyFigure, flatness: float) -> list[Segment]:
+def _arcs(xc: float, yc: float, rx: float, ry: float, bounds: Box) -> list[tuple[float, float]]:
+    """The stretches of angle, radians from 0 to 2 pi, in which an ellipse lies in ``bounds``."""
+    xmin, ymin, xmax, ymax = bounds
+    full = 2 * math.pi
+    cuts = {0.0, full}
+    for edge in (xmin, xmax):
+        if abs(edge - xc) < rx:
+            angle = math.acos((edge - xc) / rx)
+            cuts |= {angle, full - angle}
+    for edge in (ymin, ymax):
+        if abs(edge - yc) < ry:
+            angle = math.asin((edge - yc) / ry)
+            cuts |= {angle % full, math.pi - angle}
+    arcs = []
+    for begin, end in itertools.pairwise(sorted(cuts)):
+        x, y = xc + rx * math.cos((begin + end) / 2), yc + ry * math.sin((begin + end) / 2)
+        if xmin <= x <= xmax and ymin <= y <= ymax:
+            arcs.append((begin, end))
+    return arcs
+
+
+def _outline(sheet: Sheet, figure: AnyFigure, flatness: float, bounds: Box) -> list[Segment]:
     if isinstance(figure, Polygon):
         return [stroke for ring in visible_rings(sheet, [figure])[0] for stroke in ring_strokes(ring)]
     scale = device_map(sheet)
     if isinstance(figure, Circle | Ellipse) and figure.points_world:
         centre = scale.point(figure.points_world[0].x, figure.points_world[0].y)
-        return _ellipse_chords(*centre, *device_radii(sheet, figure), flatness)
+        return _ellipse_chords(*centre, *device_radii(sheet, figure), flatness, bounds)
     return []
 
 
-def _segments(sheet: Sheet, flatness: float) -> Segments:
+def _segments(sheet: Sheet, flatness: float, bounds: Box) -> Segments:
     """What the visible figures of a sheet are made of, and the index of the figure each segment is of."""
     lines: list[tuple[int, Lines]] = []
     rows: list[Segment] = []
@@ -74,7 +105,7 @@ def _segments(sheet: Sheet, flatness: float) -> Segments:
         if figure.visible and isinstance(figure, Line | Polyline | Curve):
             lines.append((index, figure))
         elif figure.visible:
-            rows += _outline(sheet, figure, flatness)
+            rows += _outline(sheet, figure, flatness, bounds)
             of += [index] * (len(rows) - len(of))
     straight = visible_segments(sheet, [figure for _index, figure in lines])
     indexes = np.array([index for index, _figure in lines], np.int64)
@@ -85,16 +116,18 @@ def _segments(sheet: Sheet, flatness: float) -> Segments:
 
 
 def _bounds(sheet: Sheet) -> Box:
-    """What of the viewport the clip window leaves; lines and polygons have been clipped to it already."""
-    view, clip = box(sheet.viewport_device), clip_box(sheet)
-    if clip is None:
-        return view
-    return max(view[0], clip[0]), max(view[1], clip[1]), min(view[2], clip[2]), min(view[3], clip[3])
+    """What of the viewport, within reach of the picture, the clip window leaves."""
+    view, near = box(sheet.viewport_device), reach(sheet.width_px, sheet.height_px)
+    boxes = [view, near, clip_box(sheet) or view]
+    xmin, ymin = (max(each[side] for each in boxes) for side in (0, 1))
+    xmax, ymax = (min(each[side] for each in boxes) for side in (2, 3))
+    return xmin, ymin, xmax, ymax
 
 
 def display_list(sheet: Sheet, flatness_px: float = FLATNESS_PX) -> list[Stroke]:
     """The strokes of every visible figure from back to front; a seed fill has none (see ``unshown``)."""
-    seen = cut(_segments(sheet, flatness_px), _bounds(sheet))
+    bounds = _bounds(sheet)
+    seen = cut(_segments(sheet, flatness_px, bounds), bounds)
     colours = np.array([colour_of(sheet, figure) for figure in sheet.figures], np.int64)[seen.of]
     columns = *seen.table.T.tolist(), colours.tolist(), seen.of.tolist()
     return list(map(Stroke._make, zip(*columns, strict=True)))

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal, SignalInstance
 from workbench.document.storage.content import Stopped
 from workbench.engine import background
 from workbench.exchange.reading import Job, Reading, read_at_once
-from workbench.language import _
+from workbench.language import _, reason_of
 
 Prepare = Callable[[Any], object]  # given a Result
 
@@ -62,7 +62,7 @@ class Incoming(QObject):
             result = read_at_once(job)
             prepared = None if result is None else prepare(result)
         except ValueError as error:
-            refuse(str(error))
+            refuse(reason_of(error))
             return True
         if result is not None:
             take(prepared)
@@ -86,7 +86,7 @@ class Incoming(QObject):
         except Stopped:
             return
         except (ValueError, OSError) as error:
-            sentence = str(error)
+            sentence = reason_of(error)
         except Exception:
             failed = _("Something in the program failed while this was read; try another file.")
             _emit(self._done, wish, None, failed)

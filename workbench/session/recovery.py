@@ -8,6 +8,7 @@ No Qt here.
 import os
 import re
 import secrets
+import stat
 import sys
 import threading
 import time
@@ -23,11 +24,12 @@ from msgspec.structs import replace
 from workbench.document.errors import DocumentError
 from workbench.document.storage.blobs import MAX_BLOB_BYTES
 from workbench.document.storage.content import read_content
-from workbench.document.storage.files import Stored, read, sound_blobs, write
+from workbench.document.storage.files import MAX_BYTES, Stored, read, sound_blobs, write
 from workbench.document.storage.saving import replace_file, sweep
 from workbench.engine.turns import short_turns
-from workbench.language import _
+from workbench.language import _, legible
 from workbench.paths import recovery_folder, try_writing
+from workbench.session.origins import path_of
 from workbench.session.stamps import Stamp, stamp
 
 # A write starts this long after the first change that is not yet written, so that with the time of the write
@@ -267,7 +269,7 @@ def recoverable(folder: Path | None = None) -> list[Recoverable]:
     with suppress(OSError):
         sweep(folder)
     for stem in sorted({match.group() for match in map(_STEM.match, os.listdir(folder)) if match}):
-        with suppress(OSError):  # its process lives, or it cannot be read now
+        with suppress(OSError, DocumentError):  # its process lives, or it cannot be read now, or is no file
             work = _left(folder / (stem + _DOCUMENT))
             if work is not None:
                 found.append(work)
@@ -275,8 +277,10 @@ def recoverable(folder: Path | None = None) -> list[Recoverable]:
 
 
 def _left(path: Path) -> Recoverable | None:
-    """The work in a recovery file whose process is dead; raises OSError."""
+    """The work in a recovery file whose process is dead; raises OSError or DocumentError."""
     lock = path.with_suffix(_LOCK)
+    if os.path.lexists(lock) and not stat.S_ISREG(os.lstat(lock).st_mode):
+        return _described(path)  # no process can hold this
     descriptor = _locked(lock)
     end = partial(os.close, descriptor)
     try:
@@ -312,12 +316,13 @@ _description_decoder = msgspec.json.Decoder(_Description)
 def _described(path: Path) -> Recoverable:
     kept_at = path.stat().st_mtime
     try:
-        told = _description_decoder.decode(path.read_bytes())
+        told = _description_decoder.decode(read_content(path, MAX_BYTES))
         name = told.document.sheets[0].name
     except (msgspec.DecodeError, UnicodeDecodeError, IndexError):
         return Recoverable(path, None, _("Damaged"), kept_at)
-    origin = Path(told.origin) if told.origin else None
-    return Recoverable(path, origin, origin.name if origin else name, kept_at, told.origin_stamp)
+    origin = path_of(told.origin)
+    called = legible(origin.name if origin else name)
+    return Recoverable(path, origin, called, kept_at, told.origin_stamp)
 
 
 def _blob_path(path: Path, digest: str) -> Path:

@@ -39,20 +39,25 @@ class Saver(QObject):
     @property
     def busy(self) -> bool:
         """Whether a write is under way, or its end not yet told."""
-        return self._thread is not None
+        return self._thread is not None or self._outcome is not None
 
     def start(self, stored: Stored, path: Path) -> None:
         """Write ``stored``; what was begun before is waited for."""
         self.wait()
         # No daemon: the process does not end in the middle of it.
-        self._thread = threading.Thread(target=self._write, args=(stored, path), name="save")
-        self._thread.start()
+        thread = threading.Thread(target=self._write, args=(stored, path), name="save")
+        try:
+            thread.start()
+        except RuntimeError:  # the system gives no more threads; this one will do
+            self._write(stored, path)
+        else:
+            self._thread = thread
 
     def wait(self) -> None:
         """Come back when nothing is being written, and its end was told."""
         if self._thread is not None:
             self._thread.join()
-            self._deliver()
+        self._deliver()
 
     def _write(self, stored: Stored, path: Path) -> None:
         problem = _("Something in the program failed; save under another name.")
@@ -69,7 +74,8 @@ class Saver(QObject):
 
     def _deliver(self) -> None:
         outcome, self._outcome = self._outcome, None
-        if outcome is not None and self._thread is not None:
-            self._thread.join()
-            self._thread = None
+        if outcome is not None:
+            if self._thread is not None:
+                self._thread.join()
+                self._thread = None
             self.saved.emit(outcome)

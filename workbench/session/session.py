@@ -22,6 +22,7 @@ from workbench.document.storage.files import Stored, read, write
 from workbench.language import _
 from workbench.session.following import Following
 from workbench.session.incoming import Incoming
+from workbench.session.origins import text_of
 from workbench.session.recovery import Recoverable, RecoveryFile
 from workbench.session.run import Run
 from workbench.session.saver import Saved, Saver
@@ -257,6 +258,15 @@ class Session(QObject):
         if self._recovery is not None:
             self._keep_safe(work.discard)
 
+    def abandon(self) -> None:
+        """End at once: unsaved work stays in its recovery file, which is offered at the next start."""
+        self.finish_saving()
+        if self.dirty and self._recovery is not None:
+            self.flush()
+            self._recovery.flush()
+        else:
+            self.close()
+
     def close(self) -> None:
         """End the session: nothing unsaved is kept any longer."""
         self.incoming.cancel()
@@ -286,7 +296,7 @@ class Session(QObject):
 
     def _keep_safe(self, then: Callable[[], object] | None = None) -> None:
         if self._recovery is not None:
-            origin = "" if self.path is None else str(self.path.absolute())
+            origin = "" if self.path is None else text_of(self.path)
             kept = replace(self.stored, origin=origin, origin_stamp=self._on_disk)
             self._recovery.keep(kept if self.dirty else None, then)
 

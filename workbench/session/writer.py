@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Qt, Signal, SignalInstance
 from workbench.engine import background
 from workbench.engine.turns import interface, short_turns
 from workbench.exchange.writing import Cancelled, Row, write
-from workbench.language import _
+from workbench.language import _, reason_of
 
 T = TypeVar("T")
 _LOOK_S = 0.05
@@ -70,7 +70,12 @@ class Writer(QObject):
         assert self._thread is None
         self._cancelled.clear()
         self._thread = background.thread(partial(self._work, row, make, path), "write", self.cancel)
-        self._thread.start()
+        try:
+            self._thread.start()
+        except RuntimeError:  # the system gives no more threads
+            self._thread = None
+            sentence = _("{name} was not written: too much is going on; close other programs and try again.")
+            self.ended.emit(Outcome(problem=sentence.format(name=path.name)))
 
     def cancel(self) -> None:
         """End the writing; nothing is written. From any thread."""
@@ -113,7 +118,7 @@ class Writer(QObject):
         except Cancelled:
             outcome = Outcome(cancelled=True)
         except (ValueError, OSError) as error:
-            outcome = Outcome(problem=str(error))
+            outcome = Outcome(problem=reason_of(error))
         finally:  # whatever it was, its end is told
             self._emit(self._over, outcome)
 

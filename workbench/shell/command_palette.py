@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
-from workbench.language import _
+from workbench.language import _, legible
 from workbench.shell.actions import commands, key_text
 from workbench.widgets.look.tokens import colour, tokens
 
@@ -109,10 +109,10 @@ def offers(window: "MainWindow") -> list[Offer]:
             made.append(Offer(text, "", partial(window.open_example, example.slug)))
         sheets = window.session.document.sheets
         for sheet in sheets if len(sheets) > 1 else ():
-            text = _("Sheet: {name}").format(name=sheet.name)
+            text = _("Sheet: {name}").format(name=legible(sheet.name))
             made.append(Offer(text, "", partial(window.files.show_sheet, sheet.id)))
         for path in window.settings.recent():
-            text = _("Open {name}").format(name=path.name)
+            text = _("Open {name}").format(name=legible(path.name))
             made.append(Offer(text, "", partial(window.files.open_path, path)))
     return made
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from functools import cached_property, partial
 from pathlib import Path
@@ -231,7 +232,7 @@ class Exports(QObject):
 
     def _write_unless_there(self, row: Row, make: Callable[[], Any], path: Path, paths: list[Path]) -> None:
         """Write; several files ask before any is replaced, since the dialog knows but one name."""
-        there = [each for each in paths if each.exists()] if row.numbered else []
+        there = [each for each in paths if os.path.exists(each)] if row.numbered else []
         if not there:
             self._write(row, make, path)
             return

@@ -10,7 +10,7 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog
 
 from workbench.exchange.readable import READABLE, SUFFIXES, kind_of
-from workbench.language import _
+from workbench.language import _, legible
 from workbench.paths import home_folder
 from workbench.shell.exports import Exports
 from workbench.shell.workspaces import panel_of
@@ -50,7 +50,7 @@ class Files(QObject):
 
     def refresh_title(self, *_what: object) -> None:
         """Name the picture in the title, with a mark while it is not saved."""
-        self._window.setWindowTitle(f"{self.name}[*] - {PROGRAM}")
+        self._window.setWindowTitle(f"{legible(self.name).replace('[*]', '[*][*]')}[*] - {PROGRAM}")
         self._window.setWindowModified(self._session.dirty)
 
     def follow(self, session: "Session") -> None:
@@ -60,7 +60,7 @@ class Files(QObject):
 
         def began(what: str) -> None:
             nonlocal name
-            name = what
+            name = legible(what)
             progressed(0.0)
 
         def progressed(share: float) -> None:
@@ -139,7 +139,7 @@ class Files(QObject):
         self.show_sheet(next(sheet.id for sheet in session.document.sheets if sheet.id not in known))
 
     def _not_imported(self, path: Path, error: str) -> None:
-        sentence = _("{name} was not imported: {error}").format(name=path.name, error=error)
+        sentence = _("{name} was not imported: {error}").format(name=legible(path.name), error=error)
         self._window.messages.say(sentence, "error")
 
     def open_path(self, path: Path) -> None:
@@ -154,7 +154,7 @@ class Files(QObject):
         if beside:
             self._window.messages.say(
                 _("{name} stays open beside this example: View, Sheets shows it again.").format(
-                    name=before.name
+                    name=legible(before.name)
                 )
             )
         if then:
@@ -167,13 +167,23 @@ class Files(QObject):
             self._window.enter("draw")
 
     def save(self, then: Callable[[], object] | None = None) -> None:
-        """Save, the first time under a name that is asked for; ``then`` follows when it was saved."""
+        """Save, the first time under a name that is asked for; ``then`` follows when it was saved.
+
+        Where a save is under way this one follows it, since the file is changing by our own hand.
+        """
+        if self._session.saving:
+            self._session.saved.connect(
+                lambda _saved: self.save(then), Qt.ConnectionType.SingleShotConnection
+            )
+            return
         path = self._session.path
         if path is None:
             self.save_as(then)
         elif self._session.changed_on_disk:
             self._window.messages.ask(
-                _("Another program has changed {name} since it was opened here.").format(name=path.name),
+                _("Another program has changed {name} since it was opened here.").format(
+                    name=legible(path.name)
+                ),
                 [
                     (_("Save under another name"), lambda: self.save_as(then)),
                     (_("Save over it"), lambda: self._save(path, then)),
@@ -197,10 +207,18 @@ class Files(QObject):
             lambda path, _row: self._save(path, then),
         ).open()
 
-    def is_unsaved(self) -> bool:
-        """Whether there is unsaved work, once a save that is under way has ended."""
+    def finish_saving(self) -> bool:
+        """Wait for a save that is under way; False where that has just been told to have failed."""
+        failed = False
+
+        def look(saved: "Saved") -> None:
+            nonlocal failed
+            failed = bool(saved.problem)
+
+        ended = self._session.saved.connect(look)
         self._session.finish_saving()
-        return bool(self._session.dirty)
+        self._session.saved.disconnect(ended)
+        return not failed
 
     def unless_unsaved(self, then: Callable[[], object]) -> None:
         """Do ``then`` at once, or after a person has saved or given up the unsaved changes."""
@@ -208,7 +226,7 @@ class Files(QObject):
             then()
             return
         self._window.messages.ask(
-            _("{name} has changes that are not saved.").format(name=self.name),
+            _("{name} has changes that are not saved.").format(name=legible(self.name)),
             [
                 (_("Save"), lambda: self.save(partial(self.unless_unsaved, then))),
                 (_("Discard changes"), then),
@@ -226,7 +244,7 @@ class Files(QObject):
                     name=lost.name
                 ),
                 [
-                    (_("Recover"), partial(self._recover, lost)),
+                    (_("Recover"), partial(self.unless_unsaved, partial(self._recover, lost))),
                     (_("Discard"), lost.discard),
                 ],
             )
@@ -265,7 +283,7 @@ class Files(QObject):
 
     def _unread(self, path: Path, error: str) -> None:
         self._window.messages.say(
-            _("{name} was not opened: {error}").format(name=path.name, error=error), "error"
+            _("{name} was not opened: {error}").format(name=legible(path.name), error=error), "error"
         )
 
     def _read(self, path: Path, on_disk: "Stamp | None", revision: int, stored: "Stored") -> None:
@@ -286,11 +304,11 @@ class Files(QObject):
         session = self._session
         session.finish_saving()
         session.saved.connect(partial(self._saved, then), Qt.ConnectionType.SingleShotConnection)
-        self._window.say_status(_("Saving {name} ...").format(name=path.name))
+        self._window.say_status(_("Saving {name} ...").format(name=legible(path.name)))
         session.save_behind(path)
 
     def _saved(self, then: Callable[[], object] | None, saved: "Saved") -> None:
-        name = saved.path.name
+        name = legible(saved.path.name)
         if saved.problem:
             self._window.say_status("")
             self._window.messages.say(

@@ -9,9 +9,10 @@ from PySide6.QtCore import QSize, Signal, SignalInstance
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout
 
-from workbench.language import _, ngettext
+from workbench.language import _, legible, ngettext
 from workbench.paths import resource
 from workbench.shell.pages import Page, heading, paragraph
+from workbench.widgets.look.tips import plain_tip
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -125,11 +126,9 @@ class HomePage(Page):
             button = QPushButton()
             button.setProperty("card", True)
             button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-            button.setText(
-                path.stem if len(path.stem) <= _NAME_LENGTH else path.stem[: _NAME_LENGTH - 1] + "\u2026"
-            )
-            button.setToolTip(str(path))
-            button.setAccessibleName(_("Open {name}").format(name=path.name))
+            button.setText(legible(path.stem, _NAME_LENGTH).replace("&", "&&"))
+            button.setToolTip(plain_tip(str(path)))
+            button.setAccessibleName(_("Open {name}").format(name=legible(path.name)))
             button.clicked.connect(partial(self._choose, self.file_chosen, path))
             self._recent.addWidget(button, 0, place)
         for place in range(4):

@@ -8,9 +8,10 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu
 
-from workbench.language import _
+from workbench.language import _, legible
 from workbench.shell.actions import commands, key_text, menu_titles, submenu_titles
 from workbench.shell.workspace_bar import WorkspaceBar
+from workbench.widgets.look.tips import plain_tip
 
 if TYPE_CHECKING:
     from workbench.document.state import SessionState
@@ -116,8 +117,8 @@ class Menus(QObject):
         window, menu = self._window, self._recent
         menu.clear()
         for path in window.settings.recent():
-            entry = menu.addAction(path.name)
-            entry.setToolTip(str(path))
+            entry = menu.addAction(legible(path.name).replace("&", "&&"))
+            entry.setToolTip(plain_tip(str(path)))
             entry.triggered.connect(partial(window.when_ready, partial(window.files.open_path, path)))
         self._if_empty(menu, _("None yet"))
 
@@ -131,7 +132,7 @@ class Menus(QObject):
         self._sheets.clear()
         session = self._window.session
         for sheet in session.document.sheets if session is not None else ():
-            entry = self._sheets.addAction(sheet.name)
+            entry = self._sheets.addAction(legible(sheet.name).replace("&", "&&"))
             entry.setCheckable(True)
             entry.setChecked(sheet is session.sheet)
             entry.triggered.connect(partial(self._window.files.show_sheet, sheet.id))

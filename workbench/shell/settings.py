@@ -1,16 +1,20 @@
 """What the program remembers between runs, as an INI file in the settings folder."""
 
 import os
+import stat
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QByteArray, QSettings
+from PySide6.QtCore import QByteArray, QLockFile, QSettings
 
 from workbench.language import _
 from workbench.paths import settings_folder, try_writing
 
 RECENT_LIMIT = 8
 _KEY = "recent_files"
+_MOST_BYTES = 1_000_000
+_PATIENCE_MS = 100
 _ARRANGEMENTS = "docks"
 _OLDER_ARRANGEMENTS = "arrangement"
 # No folder can be made below this file: what is set there is only remembered.
@@ -34,8 +38,9 @@ class Settings:
 
     def __init__(self) -> None:
         self.path = settings_folder() / "settings.ini"
-        reason = _refusal(self.path)
-        kept = not reason or (os.access(self.path, os.R_OK) and self.path.is_file())
+        obstacle = _obstacle(self.path)
+        reason = obstacle or _refusal(self.path)
+        kept = not reason or (not obstacle and os.access(self.path, os.R_OK) and self.path.is_file())
         self._store = QSettings(str(self.path) if kept else _NOWHERE, QSettings.Format.IniFormat)
         sentence = _(
             "Your settings will be forgotten when you quit, as {path} cannot be written ({reason}): put that "
@@ -97,6 +102,22 @@ class Settings:
     def write(self) -> None:
         """Bring everything to the disk now."""
         self._store.sync()
+
+
+def _obstacle(path: Path) -> str:
+    """Why this file is better not touched, else "": QSettings reads it whole, and waits long for its lock."""
+    lock = Path(f"{path}.lock")
+    with suppress(OSError):  # that is for _refusal to say
+        if os.path.isfile(path) and path.stat().st_size > _MOST_BYTES:
+            return _("it has over {most:,} bytes").format(most=_MOST_BYTES)
+        if os.path.lexists(lock):
+            if not stat.S_ISREG(lock.lstat().st_mode):
+                return _("{lock} is in the way").format(lock=lock.name)
+            trial = QLockFile(str(lock))
+            if not trial.tryLock(_PATIENCE_MS):
+                return _("another program holds {lock}").format(lock=lock.name)
+            trial.unlock()
+    return ""
 
 
 def _refusal(path: Path) -> str:

@@ -101,7 +101,7 @@ class Building(QObject):
         session.autosave_mended.connect(window.files.reassure)
         if any(problems):
             window.files.warn(" ".join(filter(None, problems)))
-        window.files.offer_recovery()
+        QTimer.singleShot(0, window.files.offer_recovery)  # whatever fails there, this goes on
         window.status.preparing("")
         if self._warms:
             self._warming.prepare("draw")
@@ -150,12 +150,18 @@ def start(argv: Sequence[str]) -> int:
         window.show()
         return application.exec()
     from workbench.shell.failures import Failures
+    from workbench.shell.interrupts import STATUS, Interrupts
 
     Failures(window).install()
     building = Building(window, path)
     window.first_frame.connect(building.start)
+    interrupts = Interrupts(application)
+    interrupts.interrupted.connect(lambda: application.exit(STATUS))
     window.show()
     status = application.exec()
+    interrupts.end()
+    if status == STATUS and window.session is not None:
+        window.session.abandon()
     building.wait()
     if application.platformName() == "offscreen":  # its clipboard is the process's own
         application.clipboard().clear()  # and outlives the interpreter, which what Python made there does not

@@ -55,8 +55,13 @@ class Warming(QObject):
     def _next(self) -> None:
         if self._thread is None and self._waiting and not self._stopped:
             topics, self._waiting = self._waiting, []
-            self._thread = threading.Thread(target=self._work, args=(topics,), name="warming", daemon=True)
-            self._thread.start()
+            thread = threading.Thread(target=self._work, args=(topics,), name="warming", daemon=True)
+            try:
+                thread.start()
+            except RuntimeError:  # the system gives no more threads now
+                self._waiting = topics
+            else:
+                self._thread = thread
 
     def _work(self, topics: Sequence[str]) -> None:
         try:

@@ -380,7 +380,10 @@ class MainWindow(QMainWindow):
         self.files.take_drop(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self.session is not None and self.files.is_unsaved() and not self._closing:
+        if self.session is not None and not self.files.finish_saving():
+            event.ignore()  # else the failure would be said in a window that goes
+            return
+        if self.session is not None and self.session.dirty and not self._closing:
             event.ignore()
             self.files.unless_unsaved(self._close_now)
             return
@@ -394,5 +397,7 @@ class MainWindow(QMainWindow):
         super().closeEvent(event)
 
     def _close_now(self) -> None:
+        """Close; where something keeps the window open, what is changed from then on is asked about again."""
         self._closing = True
         self.close()
+        self._closing = False

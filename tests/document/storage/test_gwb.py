@@ -12,10 +12,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from tests.document.made_documents import documents
 from workbench.document import DocumentError, Stored, load, read, save, write
-from workbench.document.edits import set_algorithm, set_attribute
+from workbench.document.edits import add_sheet, set_algorithm, set_attribute
 from workbench.document.model import Document
 from workbench.document.places import joined, path_at
 from workbench.document.samples.examples import example, example_document, examples
@@ -372,3 +373,29 @@ def test_the_place_of_any_byte_is_found(value: Any, share: float, indent: int | 
     text = json.dumps(value, indent=indent)
     offset = round(share * len(text))
     assert path_at(text.encode(), offset) == joined(_path_sign_by_sign(text, offset))
+
+
+@pytest.mark.parametrize("spent", ["last_id", "figure", "point", "sheet"])
+def test_a_file_whose_ids_are_spent_can_be_worked_on(spent: str) -> None:
+    document = example_document()
+    (sheet,) = document.sheets
+    line = sheet.figures[0]
+    if spent == "last_id":
+        document = replace(document, last_id=999_999_999_999_999)
+    elif spent == "figure":
+        line = replace(line, id="f999999999999999")
+    elif spent == "point":
+        points = (replace(line.points_world[0], id="p999999999999999"), *line.points_world[1:])
+        line = replace(line, points_world=points)
+    else:
+        sheet = replace(sheet, id="s999999999999999")
+    document = replace(document, sheets=(replace(sheet, figures=(line,)),))
+    state = SessionState(sheet=sheet.id, selection=(line.id,), active=line.id)
+    stored = decode(encode(Stored(document, state)))
+    (again,) = stored.document.sheets
+    (figure,) = again.figures
+    assert stored.session.sheet == again.id
+    assert stored.session.selection == (figure.id,)
+    assert stored.session.active == figure.id
+    assert (frame_buffer(again) == frame_buffer(sheet)).all()
+    assert len(add_sheet(again)(stored.document).sheets) == 2

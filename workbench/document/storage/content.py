@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from workbench.document.errors import DocumentError
-from workbench.language import _
+from workbench.language import _, reason_of
 
 # Called with the share that is done, 0 to 1, at least every few milliseconds. What it raises ends the work.
 Progress = Callable[[float], None]
@@ -55,7 +55,7 @@ def read_content(path: Path | str, most: int, progress: Progress = silent) -> by
     except (OSError, ValueError) as error:
         if isinstance(error, DocumentError):
             raise
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        reason = reason_of(error)
         sentence = _("{path} cannot be read ({reason}); choose another file.")
         raise DocumentError("", sentence.format(path=where, reason=reason)) from error
 

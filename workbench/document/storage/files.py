@@ -16,13 +16,14 @@ import msgspec
 from workbench.document.check import check, refuse
 from workbench.document.errors import DocumentError
 from workbench.document.model import Document
-from workbench.document.places import legible, line_of, path_at
+from workbench.document.places import line_of, path_at
 from workbench.document.state import SessionState, check_state
 from workbench.document.storage.blobs import Blob
 from workbench.document.storage.content import Progress, read_content, silent
 from workbench.document.storage.encoding import pieces
+from workbench.document.storage.renumbering import with_room
 from workbench.document.storage.saving import replace_file
-from workbench.language import _
+from workbench.language import _, legible
 
 FORMAT = "graphics-workbench"
 VERSION = 3
@@ -137,7 +138,8 @@ def decode(data: bytes) -> Stored:
     check(file.document)
     check_state(file.session, file.document)
     blobs = sound_blobs(file.blobs)
-    return Stored(file.document, file.session, blobs, file.origin, file.origin_stamp, file.blobs_beside)
+    document, session = with_room(file.document, file.session)
+    return Stored(document, session, blobs, file.origin, file.origin_stamp, file.blobs_beside)
 
 
 def _refuse_too_much(data: bytes) -> None:

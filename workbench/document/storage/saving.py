@@ -14,11 +14,12 @@ from types import TracebackType
 from typing import NamedTuple
 
 from workbench.document.errors import DocumentError
-from workbench.language import _
+from workbench.language import _, legible, reason_of
 from workbench.paths import alive
 
 _ENDING = ".saving"
 _CHUNK = 2**18
+_LONGEST_FOLDER = 300
 _EXCLUSIVE = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 
 
@@ -75,7 +76,7 @@ class Replacement:
         except DocumentError:
             raise
         except (OSError, ValueError) as error:
-            raise _refusal(path, error) from error
+            raise refusal(path, error) from error
         if back != written:
             raise SavingError(
                 _("{path} reads back from the disk differently; save under another name.").format(path=path)
@@ -93,7 +94,7 @@ class Replacement:
                     done.append((staged, kept))
                     os.replace(staged.temporary, staged.target)
                 except OSError as error:
-                    raise _refusal(staged.path, error) from error
+                    raise refusal(staged.path, error) from error
         except BaseException:
             for staged, kept in reversed(done):
                 _give_back(staged, kept)
@@ -133,11 +134,11 @@ def _replaceable(path: Path, target: Path) -> os.stat_result | None:
     return old
 
 
-def _refusal(path: Path, error: OSError | ValueError) -> SavingError:
+def refusal(path: Path, error: OSError | ValueError) -> SavingError:
     """The sentence that says why ``path`` cannot be written."""
     number = error.errno if isinstance(error, OSError) else None
     match number:
-        case errno.ENOENT | errno.ENOTDIR if not path.parent.is_dir():
+        case errno.ENOENT | errno.ENOTDIR if not os.path.isdir(path.parent):
             sentence = _("There is no folder {folder} for {name}; choose another folder.")
         case errno.EACCES | errno.EPERM:
             sentence = _("You may not write {name} in the folder {folder}; choose another folder.")
@@ -148,14 +149,16 @@ def _refusal(path: Path, error: OSError | ValueError) -> SavingError:
         case errno.EFBIG:
             sentence = _("{path} would be larger than a file may be here; choose another disk.")
         case errno.ENAMETOOLONG:
-            sentence = _("The name {path} is too long; choose a shorter one.")
+            sentence = _("The name {longest} is too long; choose a shorter one.")
         case errno.ELOOP:
             sentence = _("{path} is a link that leads back to itself; choose another name.")
         case _:
             sentence = _("{path} cannot be written ({reason}); choose another folder.")
-    reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-    shown = str(path) if len(str(path)) <= 300 else f"{path.name[:40]}…"
-    return SavingError(sentence.format(path=shown, name=path.name, folder=path.parent, reason=reason))
+    reason = reason_of(error)
+    name, folder = legible(path.name), legible(str(path.parent), _LONGEST_FOLDER)
+    whole = legible(str(path), _LONGEST_FOLDER) if len(str(path)) <= _LONGEST_FOLDER else name
+    longest = legible(max(path.parts, key=len, default=""))
+    return SavingError(sentence.format(path=whole, name=name, folder=folder, reason=reason, longest=longest))
 
 
 def _prefix(target: Path) -> str:

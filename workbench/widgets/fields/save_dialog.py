@@ -1,13 +1,15 @@
 """Asks under which name something is written: the name is complete before the person is asked about it."""
 
+import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from workbench.document.storage.saving import refusal
 from workbench.exchange.writing import Row, SuffixError, completed
-from workbench.language import _
+from workbench.language import _, legible
 
 
 class SaveDialog(QFileDialog):
@@ -57,20 +59,27 @@ class SaveDialog(QFileDialog):
     def accept(self) -> None:
         """Take the name, completed. One that ends wrongly, or is not to be replaced, is asked for again."""
         typed = Path(self.selectedFiles()[0])
-        if typed.is_dir():
-            super().accept()
-            return
         try:
+            if _is_there(typed) and typed.is_dir():
+                super().accept()
+                return
             path, row = completed(self._rows, typed, self.row)
+            there = _is_there(path)
         except SuffixError as problem:
-            QMessageBox.warning(self, self.windowTitle(), str(problem))
-            self._ask_again(typed)
+            self._refuse(typed, str(problem))
             return
-        if path.exists() and not row.numbered and not self._may_replace(path):
+        except (OSError, ValueError) as error:  # too long, for example
+            self._refuse(typed, str(refusal(typed, error)))
+            return
+        if there and not row.numbered and not self._may_replace(path):
             self._ask_again(path)
             return
         super().accept()
         self._then(path, row)
+
+    def _refuse(self, typed: Path, sentence: str) -> None:
+        self._box(sentence, QMessageBox.Icon.Warning).exec()
+        self._ask_again(typed)
 
     def _ask_again(self, path: Path) -> None:
         """The system's own dialog, which has no parts here, is closed by now."""
@@ -79,9 +88,28 @@ class SaveDialog(QFileDialog):
             SaveDialog(self._owner, self.windowTitle(), path, self._rows, self._then).open()
 
     def _may_replace(self, path: Path) -> bool:
-        question = _("{name} is there already. Replace it?").format(name=path.name)
+        question = _("{name} is there already. Replace it?").format(name=legible(path.name))
         buttons = QMessageBox.StandardButton
-        answer = QMessageBox.question(
-            self, self.windowTitle(), question, buttons.Yes | buttons.No, buttons.No
-        )
-        return answer == buttons.Yes
+        box = self._box(question, QMessageBox.Icon.Question, buttons.Yes | buttons.No)
+        box.setDefaultButton(buttons.No)
+        return box.exec() == buttons.Yes
+
+    def _box(
+        self,
+        text: str,
+        icon: QMessageBox.Icon,
+        buttons: QMessageBox.StandardButton = QMessageBox.StandardButton.Ok,
+    ) -> QMessageBox:
+        box = QMessageBox(icon, self.windowTitle(), text, buttons, self)
+        box.setTextFormat(Qt.TextFormat.PlainText)
+        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        return box
+
+
+def _is_there(path: Path) -> bool:
+    """Raises OSError or ValueError for what no file can be called, or may not be looked at."""
+    try:
+        os.stat(path)
+    except (FileNotFoundError, NotADirectoryError):
+        return False
+    return True

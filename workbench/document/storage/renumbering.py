@@ -1,0 +1,30 @@
+"""Ids from 1 again, where those of a file are so high that there would soon be no higher ones."""
+
+from itertools import count
+
+from msgspec.structs import replace
+
+from workbench.document.addresses import highest
+from workbench.document.building import with_ids, without_ids
+from workbench.document.model import Document
+from workbench.document.state import SessionState
+
+_HIGHEST = 10**14
+"""An id has at most 15 digits last; from here on there is still room for all the edits of a life."""
+
+
+def with_room(document: Document, state: SessionState) -> tuple[Document, SessionState]:
+    """Both as they are, or, where ids are too high, with new ones throughout."""
+    if max(document.last_id, highest(document)) <= _HIGHEST:
+        return document, state
+    fresh = count(1)
+    renamed: dict[str, str] = {}
+    sheets = []
+    for sheet in document.sheets:
+        renamed[sheet.id] = f"s{next(fresh)}"
+        figures = tuple(with_ids(without_ids(figure), fresh, fresh) for figure in sheet.figures)
+        renamed |= {old.id: new.id for old, new in zip(sheet.figures, figures, strict=True)}
+        sheets.append(replace(sheet, id=renamed[sheet.id], figures=figures))
+    selection = tuple(renamed[figure] for figure in state.selection)
+    named = {"sheet": renamed.get(state.sheet, ""), "active": renamed.get(state.active, "")}
+    return Document(tuple(sheets)), replace(state, selection=selection, **named)
