@@ -244,7 +244,13 @@ def test_stopped_in_the_middle_it_goes_on(tmp_path: Path) -> None:
     house = make_house(tmp_path)
     command = [sys.executable, str(house / "run.py"), "list", "--wheels", str(tmp_path / "wheels")]
     process = subprocess.Popen(
-        command, env=environment(), stderr=subprocess.PIPE, text=True, start_new_session=True
+        command,
+        env=environment(),
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        # What is started in the background of a shell would not hear it
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     assert process.stderr is not None
     assert "Making an environment" in process.stderr.readline()

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
@@ -20,6 +20,11 @@ def spot(start: tuple[float, float], end: tuple[float, float], energy: float, si
     return {(x, y): share for x, y, share in beam_spot(*start, *end, energy, sigma)}
 
 
+def is_short(start: tuple[float, float], end: tuple[float, float], sigma: float) -> bool:
+    """Whether a stroke is so short that the text takes it for its first point."""
+    return math.dist(start, end) <= 1e-4 * max(sigma, 0.1)
+
+
 def same(one: Spot, other: Spot, most: float) -> bool:
     return all(abs(one.get(p, 0.0) - other.get(p, 0.0)) <= most for p in {*one, *other})
 
@@ -33,6 +38,7 @@ def test_the_pixels_together_get_the_energy_sent(start, end, energy, sigma) -> N
 
 @few
 @given(places, places, sigmas)
+@example((0.0, -1.0), (0.0, -0.99999), 1.0)
 def test_each_pixel_gets_the_gaussian_s_integral_along_the_stroke(start, end, sigma) -> None:
     found = spot(start, end, 1.0, sigma)
 
@@ -42,7 +48,7 @@ def test_each_pixel_gets_the_gaussian_s_integral_along_the_stroke(start, end, si
 
     for x, y in list(found)[:: max(len(found) // 7, 1)]:
         true, _error = quad(density, 0.0, 1.0, (x, y), epsabs=1e-11, limit=200)
-        assert found[x, y] == pytest.approx(true, abs=1e-8)
+        assert found[x, y] == pytest.approx(true, abs=1e-5 if is_short(start, end, sigma) else 1e-8)
 
 
 @few
@@ -57,8 +63,10 @@ def test_a_stroke_in_two_parts_leaves_the_same(start, end, share, sigma) -> None
 
 @few
 @given(places, places, sigmas)
+@example((0.0, 0.0), (0.0, 2.0**-24), 1.0)
 def test_a_stroke_backwards_leaves_the_same(start, end, sigma) -> None:
-    assert same(spot(start, end, 1.0, sigma), spot(end, start, 1.0, sigma), 1e-12)
+    most = 1e-5 if is_short(start, end, sigma) else 1e-12
+    assert same(spot(start, end, 1.0, sigma), spot(end, start, 1.0, sigma), most)
 
 
 @few

@@ -205,7 +205,7 @@ def test_a_view_alone_gives_every_dock_its_place_back(window: MainWindow, where:
 def test_arrangements_of_an_older_version_are_dropped_once_and_said(window: MainWindow) -> None:
     window.settings._store.setValue("arrangement/draw", b"as version 2 had it")
     window.go("draw")
-    assert "anew, once" in window.messages.text
+    assert "old layout was reset" in window.messages.text
     window.messages.dismiss()
     window.go("fill")
     assert window.messages.text == ""

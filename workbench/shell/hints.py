@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from shiboken6 import isValid
 
 from workbench.language import _
 
@@ -45,6 +46,8 @@ class Hints(QFrame):
         column.addWidget(self._text)
         column.addLayout(row)
         window.installEventFilter(self)
+        for target, _text in places:
+            target.destroyed.connect(self._lose_target)
         self._show()
 
     @property
@@ -69,6 +72,11 @@ class Hints(QFrame):
         self._window.removeEventFilter(self)
         self.hide()
         self.deleteLater()
+
+    def _lose_target(self) -> None:
+        """What it points at goes, as when a workspace is reset; when the window itself goes, so does this."""
+        if isValid(self._window):
+            self.end()
 
     def _show(self) -> None:
         last = self._at == len(self._places) - 1

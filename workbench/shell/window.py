@@ -360,10 +360,7 @@ class MainWindow(QMainWindow):
 
     def reset_workspace(self) -> None:
         """Put every dock back where it was at first."""
-        from workbench.shell.hints import end_hints
-
         self.views.together()
-        end_hints(self)  # what they point at goes
         self.arrangements.reset()
 
     def say_status(self, text: str) -> None:

@@ -165,7 +165,7 @@ class NumberField(QWidget):
     def _show(self) -> None:
         self.complain("")
         text = f"{self._value:.10g}".replace("-", "−")
-        if text != self.field.text():
+        if text != self.field.text() or self.field.isModified():
             chosen = self.field.selectedText() == self.field.text()
             self.field.setText(text)
             if chosen and self.field.hasFocus():
