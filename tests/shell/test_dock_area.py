@@ -275,7 +275,8 @@ def test_a_hint_does_not_outlive_the_docks_that_it_points_at(window: MainWindow)
     assert window.findChild(Hints) is not None
     window.reset_workspace()
     settle()
-    assert window.findChild(Hints) is None
     window.resize(1100, 640)
+    settle()
+    assert window.findChild(Hints) is None
     window.show_hints()
     assert window.findChild(Hints) is not None

@@ -12,7 +12,16 @@ from typing import Any
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDockWidget, QFileDialog, QLineEdit, QMenu, QTabBar, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QDockWidget,
+    QFileDialog,
+    QLineEdit,
+    QMenu,
+    QTabBar,
+    QTextBrowser,
+    QWidget,
+)
 from shiboken6 import isValid
 
 from workbench.shell.actions import commands, keys_elsewhere
@@ -145,8 +154,8 @@ def drag(hand: Hand) -> str:
     under = top.childAt(start) or top
     if isinstance(under, QTabBar):
         return "left to dock_tab"
-    if isinstance(top, QFileDialog):
-        return "not done: Qt would wait for the drop of a file"
+    if isinstance(top, QFileDialog) or isinstance(under.parentWidget(), QTextBrowser):
+        return "not done: Qt would wait for the drop of a file or a text"
     hand.tell(f"{_name(under)} in {_name(under.parentWidget() or top)}")
     button = hand.rng.choice((LEFT, LEFT, LEFT, LEFT, MIDDLE))
     modifiers = hand.modifiers()

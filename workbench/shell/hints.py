@@ -46,8 +46,6 @@ class Hints(QFrame):
         column.addWidget(self._text)
         column.addLayout(row)
         window.installEventFilter(self)
-        for target, _text in places:
-            target.destroyed.connect(self._lose_target)
         self._show()
 
     @property
@@ -73,11 +71,6 @@ class Hints(QFrame):
         self.hide()
         self.deleteLater()
 
-    def _lose_target(self) -> None:
-        """What it points at goes, as when a workspace is reset; when the window itself goes, so does this."""
-        if isValid(self._window):
-            self.end()
-
     def _show(self) -> None:
         last = self._at == len(self._places) - 1
         self._text.setText(self._places[self._at][1])
@@ -93,6 +86,9 @@ class Hints(QFrame):
     def _place(self) -> None:
         """Beside the middle of its target, inside the window."""
         window, (target, _text) = self._window, self._places[self._at]
+        if not isValid(target):  # the workspace was reset
+            self.end()
+            return
         corner = target.mapTo(window, QPoint(0, 0))
         middle = corner + QPoint(target.width() // 2, target.height() // 2)
         x, y = middle.x() - self.width() // 2, middle.y() - self.height() // 2

@@ -63,13 +63,11 @@ class HandModel(QAbstractTableModel):
             self.endRemoveRows()
         current = self._run.step_number
         if current != self._current:
-            low, high = sorted((current, self._current))
+            # A run that is told only so far, or is another, has fewer rows than it had
+            first, last = (min(max(step - 1, 0), self._rows - 1) for step in sorted((current, self._current)))
             self._current = current
             if self._rows:
-                last = len(self.columns) - 1
-                self.dataChanged.emit(
-                    self.index(max(low - 1, 0), 0), self.index(min(max(high - 1, 0), self._rows - 1), last)
-                )
+                self.dataChanged.emit(self.index(first, 0), self.index(last, len(self.columns) - 1))
 
     @property
     def columns(self) -> tuple[str, ...]:
