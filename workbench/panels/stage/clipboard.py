@@ -19,12 +19,10 @@ from workbench.session.session import Session
 _BESIDE = 1.0, -1.0
 
 
-def copy_figures(figures: list[AnyFigure], text: str = "") -> str:
-    """Put figures on the clipboard, with ``text`` for other programs; the sentence that says so."""
+def copy_figures(figures: list[AnyFigure]) -> str:
+    """Put figures on the clipboard; the sentence that says so."""
     data = QMimeData()
     data.setData(MIME, write_figures(figures))
-    if text:
-        data.setText(text)
     QGuiApplication.clipboard().setMimeData(data)
     return ngettext("{n} figure copied.", "{n} figures copied.", len(figures)).format(n=len(figures))
 
