@@ -274,3 +274,15 @@ def test_strokes_and_regions_reach_the_picture(canvas):
     column = [row[7] for row in around(canvas, 20, 14)]
     assert column[7] == LIGHT.error
     assert LIGHT.canvas in column
+
+
+@given(st.floats(0, 20), st.integers(0, 2), st.integers(0, 40), st.sampled_from(["dash", "dot"]))
+def test_a_corner_where_a_dash_ends_leaves_no_dash_without_a_direction(scene, left, periods, ulps, dash):
+    """What is left of the dash beyond the corner may round to one place."""
+    on, period, pattern = {"dash": (6.0, 9.0, Qt.PenStyle.DashLine), "dot": (1.5, 4.5, Qt.PenStyle.DotLine)}[
+        dash
+    ]
+    corner = left + (on + periods * period) / scene.view.cell
+    for _step in range(ulps):
+        corner = math.nextafter(corner, -math.inf)
+    assert np.isfinite(painted(scene, [(left, 9.0), (corner, 9.0), (corner + 3, 14.0)], 1.5, pattern)).all()
