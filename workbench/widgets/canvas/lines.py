@@ -142,8 +142,10 @@ def _dashed(sides: Array, way: Array, dashes: Array) -> Array:
     some = cuts[:, 1] > cuts[:, 0]
     side, cuts = side[some], cuts[some] / length[side[some], None]
     leg = sides[side, 1] - sides[side, 0]
-    parts: Array = sides[side, :1] + cuts[:, :, None] * leg[:, None]
-    return parts
+    parts = sides[side, :1] + cuts[:, :, None] * leg[:, None]
+    # A dash that begins where its side ends, to the last bit, has no direction
+    directed: Array = parts[(parts[:, 0] != parts[:, 1]).any(axis=1)]
+    return directed
 
 
 def _overlapping(sides: Array, wide: float) -> Array:
