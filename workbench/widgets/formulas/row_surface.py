@@ -1,6 +1,7 @@
 """The seen half of a row of matrices: its terms laid out in the room there is, highlights, and painting."""
 
 from collections.abc import Iterable, Mapping
+from functools import partial
 from typing import Literal, NamedTuple, cast
 
 import numpy as np
@@ -235,7 +236,7 @@ class RowSurface(QWidget):
         for highlight in self._highlights:
             self._paint_highlight(painter, highlight)
         metrics = cast(QtMetrics, typesetter_of(self.font()).metrics)
-        paint_primitives(painter, laid.primitives, metrics, now)
+        paint_primitives(painter, laid.primitives, metrics, partial(ink_of, now))
         if self.hasFocus():
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QPen(QColor(now.accent), 2))

@@ -1,14 +1,14 @@
 """Formulas in Qt's type: how wide their runs are, and how what was laid out is painted."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import lru_cache
 
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from workbench.exchange.formulas.layout import Area, Disc, Glyphs, Line, Primitive, Style, Typesetter
-from workbench.widgets.canvas.drawing import PATTERNS, ink_of
-from workbench.widgets.look.tokens import Tokens, colour
+from workbench.widgets.canvas.drawing import PATTERNS
+from workbench.widgets.look.tokens import colour
 from workbench.widgets.look.type_faces import code_font
 
 _KEPT = 4096
@@ -32,6 +32,7 @@ class QtMetrics:
             pixels = max(1, round(size))
             font = code_font(pixels) if style == "figures" else QFont(self._font)
             font.setPixelSize(pixels)
+            font.setHintingPreference(self._font.hintingPreference())
             font.setItalic("italic" in style)
             font.setWeight(QFont.Weight.DemiBold if "bold" in style else QFont.Weight.Normal)
             self._fonts[key] = font, QFontMetricsF(font)
@@ -69,16 +70,16 @@ def typesetter_of(font: QFont) -> Typesetter:
 
 
 def paint_primitives(
-    painter: QPainter, primitives: Iterable[Primitive], metrics: QtMetrics, tokens: Tokens
+    painter: QPainter, primitives: Iterable[Primitive], metrics: QtMetrics, colour_of: Callable[[str], str]
 ) -> None:
-    """Paint what was laid out with ``metrics``, in the order given."""
+    """Paint what was laid out with ``metrics``, in the order given; ``colour_of`` an ink is "#RRGGBB"."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
     inks: dict[str, QColor] = {}
     font: QFont | None = None
     for each in primitives:
         ink = inks.get(each.ink)
         if ink is None:
-            ink = inks[each.ink] = QColor(ink_of(tokens, each.ink))
+            ink = inks[each.ink] = QColor(colour_of(each.ink))
         match each:
             case Glyphs():
                 other = metrics.font(each.size, each.style)
@@ -99,6 +100,6 @@ def paint_primitives(
                 painter.setBrush(Qt.BrushStyle.NoBrush)
             case Disc():
                 painter.setPen(QPen(ink, 0.35 * each.radius))
-                painter.setBrush(QColor(tokens.canvas) if each.hollow else ink)
+                painter.setBrush(QColor(colour_of("canvas")) if each.hollow else ink)
                 painter.drawEllipse(QPointF(each.x, each.y), each.radius, each.radius)
                 painter.setBrush(Qt.BrushStyle.NoBrush)
