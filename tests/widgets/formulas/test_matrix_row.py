@@ -129,10 +129,37 @@ def test_what_is_no_number_is_said_and_not_sent(qtbot, row):
         qtbot.keyClick(row.editor, Key.Key_Return)
     assert row.editor.complaint.isVisible()
     assert "not a number" in row.editor.complaint.text()
-    assert row.rect().contains(row.editor.complaint.geometry(), True) or row.height() < 120
+    assert not row.editor.complaint.geometry().intersects(row.editor.geometry())
     qtbot.keyClick(row.editor, Key.Key_Escape)
     assert not row.editor.isVisible()
+    assert not row.editor.complaint.isVisible()
     assert value(row, X_P) == 3
+    assert row.hasFocus()
+
+
+@pytest.mark.parametrize("at_the_foot", [False, True])
+def test_what_is_wrong_is_said_in_full_also_beside_a_low_row(qtbot, at_the_foot):
+    dock = QWidget()
+    column = QVBoxLayout(dock)
+    row = MatrixRow()
+    row.set_terms((matrix([[1.0, 2.0]], editable=True),))
+    column.addStretch(1 if at_the_foot else 0)
+    column.addWidget(row)
+    column.addStretch(0 if at_the_foot else 1)
+    qtbot.addWidget(dock)
+    dock.resize(300, 260)
+    with qtbot.waitActive(dock):
+        dock.show()
+        dock.activateWindow()
+    row.edit((0, 0, 1))
+    qtbot.keyClicks(row.editor, "x")
+    qtbot.keyClick(row.editor, Key.Key_Return)
+    said = row.editor.complaint
+    assert said.isVisible()
+    assert dock.rect().contains(said.geometry())
+    assert said.height() >= said.heightForWidth(said.width())
+    field = QRect(row.editor.mapTo(dock, QPoint()), row.editor.size())
+    assert not said.geometry().intersects(field)
 
 
 def test_keys_walk_through_the_cells_and_type(qtbot, row):

@@ -1,13 +1,35 @@
 """A field over a cell in which its number is typed, with what is wrong with it said beside it."""
 
-from PySide6.QtCore import QPoint, QRectF, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QFont, QKeyEvent
+from PySide6.QtCore import QPoint, QRect, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFocusEvent, QFont, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QWidget
 
 from workbench.widgets.fields.arithmetic import evaluate
 from workbench.widgets.fields.number_field import EntryLine
+from workbench.widgets.look.tokens import RADIUS, tokens
 
-_LEAST_PX, _ROOM_PX = 76, 18
+_LEAST_PX, _ROOM_PX, _SENTENCE_PX = 76, 18, 260
+
+
+class _Complaint(QLabel):
+    """A sentence on a ground of its own, for it lies over other cells."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "error")
+        self.setWordWrap(True)
+        self.setContentsMargins(6, 4, 6, 4)
+        self.hide()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Ground, edge, and the sentence."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setPen(QPen(QColor(tokens().error), 1))
+        painter.setBrush(QColor(tokens().raised))
+        painter.drawRoundedRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), RADIUS, RADIUS)
+        painter.end()
+        super().paintEvent(event)
 
 
 class CellEditor(EntryLine):
@@ -20,12 +42,8 @@ class CellEditor(EntryLine):
         self._ground = parent
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setTextMargins(0, 0, 0, 0)
-        self.complaint = QLabel(parent)
-        self.complaint.setProperty("role", "error")
-        self.complaint.setAutoFillBackground(True)
-        self.complaint.setWordWrap(True)
-        self.complaint.setContentsMargins(4, 2, 4, 2)
-        self.complaint.hide()
+        self.complaint = _Complaint(parent)
+        self.destroyed.connect(self.complaint.deleteLater)  # it may belong to the window by then
         self.hide()
 
     def open_at(self, box: QRectF, text: str, name: str, font: QFont) -> None:
@@ -68,19 +86,22 @@ class CellEditor(EntryLine):
             self.hide()
 
     def _complain(self, sentence: str) -> None:
-        parent = self._ground
+        """Say beside the field what is wrong; over the whole window, for a row may be low."""
         self.setAccessibleDescription(sentence)
         self.setProperty("wrong", bool(sentence))
         self.style().polish(self)
         self.complaint.setText(sentence)
         if sentence:
-            self.complaint.setFixedWidth(min(260, parent.width()))
-            self.complaint.adjustSize()
-            below, over = self.geometry().bottom() + 2, self.y() - self.complaint.height() - 2
-            left = min(self.x(), max(0, parent.width() - self.complaint.width()))
-            fits = below + self.complaint.height() <= parent.height() or over < 0
-            self.complaint.move(QPoint(left, below if fits else over))
-            self.complaint.raise_()
+            window, complaint = self.window(), self.complaint
+            complaint.setParent(window)
+            complaint.setFixedWidth(min(_SENTENCE_PX, window.width()))
+            complaint.adjustSize()
+            field = QRect(self.mapTo(window, QPoint()), self.size())
+            left = min(field.x(), window.width() - complaint.width())
+            below, over = field.bottom() + 3, field.y() - complaint.height() - 2
+            fits = below + complaint.height() <= window.height() or over < 0
+            complaint.move(left, below if fits else over)
+            complaint.raise_()
         self.complaint.setVisible(bool(sentence))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
