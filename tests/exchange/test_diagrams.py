@@ -132,6 +132,18 @@ def test_nothing_sticks_out_of_the_page(text, x, y, right, up):
     assert texts(page).count("−1234.5678") == 64
 
 
+@pytest.mark.parametrize("window", [(0, 0, 4, 2), (10, -3000, 6000, 9), (1.5, 0.25, 2, 0.5)])
+def test_numbers_left_of_a_drawing_keep_to_its_room(window):
+    page = laid(Drawing(window, [Axes()]))
+    assert min(each.x for each in page.primitives if isinstance(each, Glyphs)) >= MARGIN_PT - 1e-6
+
+
+def test_a_word_wider_than_the_page_widens_it():
+    page = laid(Sentence("W" * 90))
+    (word,) = page.primitives
+    assert page.width == pytest.approx(word.width + 2 * MARGIN_PT)
+
+
 @pytest.mark.parametrize("window", [(0, 0, 0, 1), (0, 1, 1, 1), (2, 0, 1, 1), (0, 0, math.inf, 1)])
 def test_a_window_without_area_is_refused(window):
     with pytest.raises(ValueError, match="xmin < xmax"):

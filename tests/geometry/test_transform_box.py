@@ -163,3 +163,12 @@ def test_a_box_holds_what_lies_between_its_corners(box, across, up):
     assert Box(box.x, box.y, box.width * 1.001, box.height * 1.001, box.angle).holds(box.place(across, up))
     assert not box.holds(box.place(1.01, up))
     assert not box.holds(box.place(across, -1.01))
+
+
+@given(boxes, st.sampled_from(list(SIDES)), st.booleans())
+def test_a_handle_put_on_the_opposite_one_leaves_a_little(box, handle, constrained):
+    grip, fixed = box.place(*SIDES[handle]), opposite(box, handle)
+    numbers = motion(box, box.centre, handle, grip, fixed, Keys(constrained=constrained)).numbers
+    for factor in (numbers["sx"], numbers["sy"]):
+        assert abs(factor) == 1 or abs(factor) == pytest.approx(LEAST_FACTOR, rel=1e-6)
+    assert min(abs(numbers["sx"]), abs(numbers["sy"])) < 1

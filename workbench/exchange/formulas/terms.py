@@ -72,13 +72,6 @@ class Matrix:
         """Rows and columns."""
         return len(self.cells), len(self.cells[0])
 
-    def values(self) -> NDArray[np.float64]:
-        """(rows, columns); not a number where a cell is hidden or has none."""
-        return np.array(
-            [[np.nan if c.hidden or c.value is None else c.value for c in row] for row in self.cells],
-            np.float64,
-        )
-
     def with_values(self, values: NDArray[np.float64]) -> "Matrix":
         """The same with other values (rows, columns)."""
         rows = zip(self.cells, np.asarray(values, np.float64).tolist(), strict=True)
