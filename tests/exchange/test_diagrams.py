@@ -21,7 +21,6 @@ from workbench.exchange.diagrams import (
     Heading,
     Sentence,
     lay_out_derivation,
-    texts,
 )
 from workbench.exchange.formulas.layout import Area, Disc, Glyphs, Line, Typesetter
 from workbench.exchange.formulas.terms import Phrase, Sign, matrix
@@ -39,6 +38,10 @@ def laid(*blocks, width=480.0):
 
 def svg(*blocks, **named):
     return ElementTree.fromstring(write_diagram(Derivation("Test", blocks, **named)).encode())
+
+
+def texts(page):
+    return [each.text for each in page.primitives if isinstance(each, Glyphs)]
 
 
 def corners(primitive):

@@ -375,8 +375,3 @@ def _step(length: float) -> float:
     """1, 2 or 5 times a power of ten, for few numbers on an axis of this length."""
     power = 10.0 ** math.floor(math.log10(length / _MOST_TICKS))
     return next(factor * power for factor in (1, 2, 5, 10) if length / (factor * power) <= _MOST_TICKS)
-
-
-def texts(laid: Laid) -> list[str]:
-    """Every run of glyphs on a page, in the order painted."""
-    return [each.text for each in laid.primitives if isinstance(each, Glyphs)]
