@@ -276,13 +276,13 @@ def test_strokes_and_regions_reach_the_picture(canvas):
     assert LIGHT.canvas in column
 
 
-@given(st.floats(0, 20), st.integers(0, 2), st.integers(0, 40), st.sampled_from(["dash", "dot"]))
-def test_a_corner_where_a_dash_ends_leaves_no_dash_without_a_direction(scene, left, periods, ulps, dash):
-    """What is left of the dash beyond the corner may round to one place."""
-    on, period, pattern = {"dash": (6.0, 9.0, Qt.PenStyle.DashLine), "dot": (1.5, 4.5, Qt.PenStyle.DotLine)}[
-        dash
-    ]
-    corner = left + (on + periods * period) / scene.view.cell
-    for _step in range(ulps):
-        corner = math.nextafter(corner, -math.inf)
-    assert np.isfinite(painted(scene, [(left, 9.0), (corner, 9.0), (corner + 3, 14.0)], 1.5, pattern)).all()
+@pytest.mark.parametrize("pattern", [Qt.PenStyle.DashLine, Qt.PenStyle.DotLine])
+def test_a_line_that_ends_where_a_dash_would_begin_has_none_of_no_length(scene, pattern):
+    width, cell = 1.25, scene.view.cell
+    period = width * (6 if pattern == Qt.PenStyle.DashLine else 3)
+    for angle in np.linspace(0.1, 6.2, 80).tolist():
+        for length in (np.nextafter(k * period, np.inf) / cell for k in (2, 3, 5, 7)):
+            end = 20 + length * math.cos(angle), 14 + length * math.sin(angle)
+            shades = painted(scene, [(20.0, 14.0), end], width, pattern)
+            assert np.isfinite(shades).all()
+            assert shades.sum() > 0
