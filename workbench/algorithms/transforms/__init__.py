@@ -9,6 +9,7 @@ from workbench.algorithms.transforms.chain import (
     product,
     transform_points,
 )
+from workbench.algorithms.transforms.decomposition import Loss, Parts, decomposed, recomposed
 from workbench.algorithms.transforms.matrix_product import matrix_product
 from workbench.algorithms.transforms.plane import (
     reflection,
@@ -33,13 +34,17 @@ from workbench.algorithms.transforms.space import (
 from workbench.algorithms.transforms.transform_point import transform_point
 
 __all__ = [
+    "Loss",
     "Matrix",
+    "Parts",
     "axis_steps",
+    "decomposed",
     "inverse",
     "inverse_of_chain",
     "is_affine",
     "matrix_product",
     "product",
+    "recomposed",
     "reflection",
     "reflection_3d",
     "rotate_about_axis",
