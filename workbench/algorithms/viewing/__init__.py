@@ -1,5 +1,6 @@
 """From world coordinates to the device."""
 
+from workbench.algorithms.viewing.window_symbols import window_chain
 from workbench.algorithms.viewing.window_to_viewport import (
     Mode,
     normalised_to_viewport,
@@ -17,6 +18,7 @@ __all__ = [
     "normalised_to_viewport",
     "origin_to_viewport",
     "scale_factors",
+    "window_chain",
     "window_scaling",
     "window_to_normalised",
     "window_to_origin",
