@@ -49,9 +49,9 @@ def decomposed(matrix: Matrix) -> Parts:
     if matrix.shape != (3, 3) or not np.isfinite(matrix).all() or not is_affine(matrix):
         raise ValueError("Only a finite 3 x 3 matrix with the last row 0 0 1 can be taken apart.")
     (a, b, tx), (c, d, ty), _last = matrix.tolist()
-    sx, second = math.hypot(a, c), math.hypot(b, d)
     first_size, second_size = max(abs(a), abs(c)), max(abs(b), abs(d))
-    cos, sin = (a / sx, c / sx) if sx > 0.0 else (1.0, 0.0)
+    cos, sin, sx = _direction(a, c, first_size)
+    second = math.hypot(b, d)
     # The second column along and across the first
     along, across = _turned_back(b, d, cos, sin, second_size)
     sh = along / sx if sx > 0.0 else 0.0
@@ -71,6 +71,15 @@ def recomposed(parts: Parts) -> Matrix:
         scaling(parts.sx, parts.sy),
         shear(parts.sh, 0.0),
     )
+
+
+def _direction(x: float, y: float, size: float) -> tuple[float, float, float]:
+    """Cosine and sine of the direction of (x, y), and its length; none is lost where numbers end."""
+    if size == 0.0:
+        return 1.0, 0.0, 0.0
+    x, y = x / size, y / size
+    length = math.hypot(x, y)
+    return x / length, y / length, size * length
 
 
 def _turned_back(x: float, y: float, cos: float, sin: float, size: float) -> tuple[float, float]:
