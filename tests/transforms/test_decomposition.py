@@ -50,6 +50,7 @@ def assert_recomposed(matrix: np.ndarray) -> None:
 @example(first=(0.0, 1.0, 0.0), second=(0.0, 1.0, 0.0))
 @example(first=(1e-320, 1e308, 0.0), second=(1e-320, 1.0, 0.0))
 @example(first=(1e-320, 2.0, 0.0), second=(1e-320, -2.0, 0.0))
+@example(first=(1e-320, 0.0, 0.0), second=(1e-320, 3.1e-189, 0.0))
 @example(first=(5e-324, 1.0, 0.0), second=(0.0, 2.0, 0.0))
 def test_the_parts_make_the_matrix_again(first: tuple[float, ...], second: tuple[float, ...]) -> None:
     matrix = affine(first, second)

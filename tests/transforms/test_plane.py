@@ -65,6 +65,12 @@ def test_halfway_between_quarter_turns_cosine_and_sine_have_one_size() -> None:
         np.testing.assert_allclose(matrix[:2, 0], (math.cos(angle), math.sin(angle)), atol=1e-14)
 
 
+@pytest.mark.parametrize("theta", [1e-13, math.pi / 2 + 1e-13, -math.pi + 2e-15, 1e6 * math.pi / 2 + 1e-10])
+def test_an_angle_beside_a_quarter_turn_is_not_taken_for_it(theta: float) -> None:
+    matrix = rotation(theta)
+    assert (matrix[0, 0], matrix[1, 0]) == (math.cos(theta), math.sin(theta))
+
+
 @given(theta=st.floats(-1e9, 1e9))
 def test_no_angle_is_taken_for_a_quarter_turn_far_away(theta: float) -> None:
     matrix = rotation(theta)

@@ -65,12 +65,9 @@ def decomposed(matrix: Matrix) -> Parts:
 
 def recomposed(parts: Parts) -> Matrix:
     """The matrix that these are the parts of."""
-    return product(
-        translation(parts.tx, parts.ty),
-        rotation(parts.theta),
-        scaling(parts.sx, parts.sy),
-        shear(parts.sh, 0.0),
-    )
+    # First what is sheared and scaled: a tiny factor turned before would lose its last digits
+    stretched = scaling(parts.sx, parts.sy) @ shear(parts.sh, 0.0)
+    return product(translation(parts.tx, parts.ty), rotation(parts.theta), stretched)
 
 
 def _direction(x: float, y: float, size: float) -> tuple[float, float, float]:
