@@ -101,6 +101,7 @@ def test_two_links_of_one_kind_are_told_apart() -> None:
 
 def test_a_reflection_by_five_matrices_is_that_of_the_double_angle() -> None:
     products = multiplied_out(reflection_chain(0, 2, math.atan(0.5)))
+    assert products[2].texts[0][2] == "−x_p(cos² φ − sin² φ) − 2y_p cos φ sin φ"
     assert products[-1].texts == (
         ("cos² φ − sin² φ", "2 cos φ sin φ", "2x_p sin² φ − 2y_p cos φ sin φ"),
         ("2 cos φ sin φ", "−cos² φ + sin² φ", "−2x_p cos φ sin φ + 2y_p cos² φ"),
