@@ -11,6 +11,10 @@ NAMES = {
     "algorithms.seed_fill": "boundary_fill_4 boundary_fill_8 boundary_fill_recursive boundary_fill_spans "
     "flood_fill_4 flood_fill_8",
     "algorithms.clipping": "cohen_sutherland liang_barsky sutherland_hodgman",
+    "algorithms.transforms": "matrix_product transform_point rotate_about_axis translation rotation scaling "
+    "reflection shear rotation_about translation_3d scaling_3d rotation_x rotation_y rotation_z "
+    "reflection_3d shear_3d rotation_about_axis",
+    "algorithms.viewing": "window_to_viewport window_to_viewport_point",
     "algorithms.curves": "de_casteljau de_boor bernstein basis_functions nurbs_point hermite natural_cubic "
     "catmull_rom cardinal kochanek_bartels continuity",
     "algorithms.visibility": "depth_buffer",
