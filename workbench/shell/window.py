@@ -168,6 +168,7 @@ class MainWindow(QMainWindow):
         for signal in (session.run.changed, session.run.asked):
             signal.connect(self.menus.refresh)
         self.status.follow(session.run)
+        session.unfolding.progressed.connect(self.status.tell_unfolding)
         self.files.follow(session)
         self.files.refresh_title()
         self.menus.refresh()
