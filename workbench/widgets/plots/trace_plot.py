@@ -18,6 +18,7 @@ _LEAST = 1e-12
 _AXIS_PX = 34
 _WIDTH_PX = 1.5
 _HALF_LINE_PX = 6
+_PADDING = 0.02  # what lies at the very edge of the range has no label
 
 
 def short(value: float) -> str:
@@ -142,7 +143,7 @@ class TracePlot(Plot):
         if self._plot is None or len(self._xs) < 2:
             return
         low, high = self._heights(np.array(self._bounds)).tolist()
-        self._plot.setRange(xRange=(self._xs[0], self._xs[-1]), yRange=(low, high), padding=0)
+        self._plot.setRange(xRange=(self._xs[0], self._xs[-1]), yRange=(low, high), padding=_PADDING)
         levels = self._levels()
         ticks = zip(self._heights(np.array(levels)).tolist(), map(self._level_text, levels), strict=True)
         self._plot.getAxis("left").setTicks([list(ticks)])
