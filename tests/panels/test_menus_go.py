@@ -25,6 +25,7 @@ def opened_and_closed(asked: QWidget) -> None:
     QApplication.processEvents()
 
 
+@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
 @pytest.mark.parametrize("which", ["canvas", "plot"])
 def test_no_menu_is_left(qtbot: QtBot, which: str) -> None:
     session = Session(document=example_document())
