@@ -39,6 +39,7 @@ class TracePlot(Plot):
         self._logarithmic = False
         self._curve: Any = None
         self._scale: object = None
+        self._rules: list[Any] = []
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.setMinimumSize(120, 74)
         self._value = QLabel()
@@ -107,6 +108,7 @@ class TracePlot(Plot):
         self._plot.hideAxis("bottom")
         self._plot.getPlotItem().setContentsMargins(0, _HALF_LINE_PX, 0, _HALF_LINE_PX)
         self._plot.getAxis("left").setStyle(hideOverlappingLabels=False)  # those at the very ends
+        self._plot.showGrid(y=False)  # with which those would be left out again
         self._plot.getAxis("left").setWidth(_AXIS_PX)
 
     @staticmethod
@@ -145,8 +147,24 @@ class TracePlot(Plot):
         low, high = self._heights(np.array(self._bounds)).tolist()
         self._plot.setRange(xRange=(self._xs[0], self._xs[-1]), yRange=(low, high), padding=_PADDING)
         levels = self._levels()
+        self._rule(levels)
         ticks = zip(self._heights(np.array(levels)).tolist(), map(self._level_text, levels), strict=True)
         self._plot.getAxis("left").setTicks([list(ticks)])
+
+    def _rule(self, levels: Sequence[float]) -> None:
+        """A line across at each level."""
+        import pyqtgraph
+
+        for line in self._rules:
+            self._plot.removeItem(line)
+        pen = QPen(QColor(tokens().grid), 0)
+        self._rules = [
+            pyqtgraph.InfiniteLine(height, angle=0, pen=pen)
+            for height in self._heights(np.array(levels)).tolist()
+        ]
+        for line in self._rules:
+            line.setZValue(-1)
+            self._plot.addItem(line, ignoreBounds=True)
 
     def _heights(self, values: Any) -> Any:
         return np.log10(np.maximum(values, _LEAST)) if self._logarithmic else values
