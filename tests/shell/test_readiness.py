@@ -1,6 +1,7 @@
 """What the status bar says when the warming has ended."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
 from pytestqt.qtbot import QtBot
 
@@ -15,7 +16,7 @@ def test_a_cache_that_others_may_write_is_said_in_the_status_bar(
     (tmp_path / "cache").chmod(0o777)
     monkeypatch.setenv("GRAPHICS_WORKBENCH_CACHE", str(tmp_path / "cache"))
     window.complete()
-    monkeypatch.setattr(window, "topics", lambda _workspace: ["none of them"])
+    monkeypatch.setattr(window, "workspace", lambda _slug: SimpleNamespace(topics=["none of them"]))
     warming = Warming(window)
     with qtbot.waitSignal(warming._ended):
         warming.prepare("draw")

@@ -14,11 +14,13 @@ from pytestqt.qtbot import QtBot
 from workbench.session.recovery import recoverable
 from workbench.shell.files import Files
 from workbench.shell.start import Building, make_window, start
+from workbench.shell.workspaces import workspaces
 
 pytestmark = pytest.mark.xdist_group("processes")
 
 ROOT = Path(__file__).resolve().parents[2]
-SLOW = ("numpy", "numba", "pyqtgraph", "qtawesome", "msgspec", "PIL", "pygments", "PySide6.QtSvg")
+UNUSED = ("numba", "llvmlite", "pyqtgraph", "PIL", "svgelements", "scipy", "ssl", "PySide6.QtSvg")
+SLOW = (*UNUSED, "numpy", "qtawesome", "msgspec", "pygments")
 OURS = (
     "workbench.session",
     "workbench.panels",
@@ -42,6 +44,27 @@ sys.exit(application.exec())
 """
 
 
+ENTERED = """
+import json, sys
+from PySide6.QtWidgets import QApplication
+from workbench.shell.start import Building, make_window
+application = QApplication([])
+window = make_window()
+building = Building(window, warms=False)
+def entered(slug):
+    print(json.dumps([window.place, *sorted(sys.modules)]))
+    window.session.close()
+    application.quit()
+window.entered.connect(entered)
+window.first_frame.connect(building.start)
+building.built.connect(lambda: window.go(sys.argv[1]))
+window.show()
+status = application.exec()
+building.wait()
+sys.exit(status)
+"""
+
+
 def run(*words: str, **environment: str) -> "subprocess.CompletedProcess[str]":
     return subprocess.run(
         [sys.executable, "-W", "error", *words],
@@ -61,6 +84,46 @@ def test_the_first_frame_loads_nothing_slow() -> None:
     assert "workbench.shell.home" in loaded
     assert loaded.isdisjoint(SLOW)
     assert not [name for name in loaded if name.startswith(OURS)]
+
+
+@pytest.mark.parametrize("slug", ["draw", "clip"])
+def test_only_the_modules_of_the_workspaces_entered_are_loaded(slug: str) -> None:
+    done = run("-c", ENTERED, slug)
+    assert done.returncode == 0, done.stderr
+    place, *loaded = json.loads(done.stdout)
+    assert place == slug
+    own = {workspace.slug: set(workspace.modules) for workspace in workspaces()}
+    first = own["draw"]  # is made ready for whoever goes anywhere
+    assert own[slug] | first <= set(loaded)
+    for other in own.keys() - {slug, "draw"}:
+        assert not [name for name in loaded if name.startswith(f"workbench.panels.{other}")]
+    assert set(loaded).isdisjoint(UNUSED)
+
+
+def test_a_workspace_arrives_once_its_panels_are_made(qtbot: QtBot) -> None:
+    window = make_window()
+    building = Building(window, warms=False)
+    window.first_frame.connect(building.start)
+    with qtbot.waitSignal(building.built, timeout=60_000):
+        window.show()
+    done: list[str] = []
+    window.enter("fill", lambda: done.append("fill"))
+    window.enter("curves", lambda: done.append("curves"))
+    assert window.place == "home"
+    qtbot.waitUntil(lambda: bool(window.panels("fill") and window.panels("curves")), timeout=30_000)
+    qtbot.waitUntil(lambda: window.place == "curves")
+    assert done == ["curves"]
+    window.enter("clip", lambda: done.append("clip"))
+    window.go("draw")
+    qtbot.waitUntil(lambda: bool(window.panels("clip")), timeout=30_000)
+    QApplication.processEvents()
+    assert (window.place, done) == ("draw", ["curves"])
+    window.enter("fill", lambda: done.append("fill"))  # its panels are there, so at once
+    assert (window.place, done) == ("fill", ["curves", "fill"])
+    window.session.close()
+    building.wait()
+    window.deleteLater()
+    QApplication.processEvents()
 
 
 def test_quit_after_first_frame() -> None:

@@ -1,6 +1,7 @@
 """Preparing algorithms in the background: one failure does not end it for good."""
 
 import threading
+from types import SimpleNamespace
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -23,7 +24,7 @@ def test_after_a_failure_the_next_workspace_is_prepared(
         return False
 
     monkeypatch.setattr(compiled, "available", available)
-    monkeypatch.setattr(window, "topics", lambda slug: (slug,))
+    monkeypatch.setattr(window, "workspace", lambda slug: SimpleNamespace(topics=(slug,)))
     warming = Warming(window)
     warming.prepare("draw")
     warming.prepare("display")
@@ -36,7 +37,7 @@ def test_what_gets_no_thread_is_prepared_later(
     qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     compiled_topics: list[str] = []
-    monkeypatch.setattr(window, "topics", lambda slug: (slug,))
+    monkeypatch.setattr(window, "workspace", lambda slug: SimpleNamespace(topics=(slug,)))
     monkeypatch.setattr(Warming, "_compile", lambda _self, topics: compiled_topics.extend(topics))
     warming = Warming(window)
     with monkeypatch.context() as patch:

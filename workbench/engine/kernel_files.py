@@ -11,7 +11,6 @@ says it.
 import atexit
 import functools
 import hashlib
-import importlib.metadata
 import importlib.util
 import os
 import platform
@@ -99,6 +98,8 @@ def _surroundings() -> str:
 
 
 def _version(name: str) -> str:
+    import importlib.metadata
+
     try:
         return importlib.metadata.version(name)
     except importlib.metadata.PackageNotFoundError:

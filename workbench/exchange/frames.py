@@ -2,14 +2,16 @@
 
 import io
 from collections.abc import Callable, Iterator
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from workbench.exchange.writing import Progress, Put
 from workbench.language import _
+
+if TYPE_CHECKING:
+    from PIL import Image
 
 Picture = NDArray[np.uint8]
 
@@ -48,7 +50,7 @@ def animation(frames: Frames, put: Put, told: Progress) -> None:
     long. A GIF counts hundredths of a second.
     """
 
-    def told_of_each() -> Iterator[Image.Image]:
+    def told_of_each() -> "Iterator[Image.Image]":
         for number in range(frames.parts):
             told(number, frames.parts)
             yield indexed(frames.image(number))
@@ -72,8 +74,10 @@ def animation(frames: Frames, put: Put, told: Progress) -> None:
     put(file.getvalue())
 
 
-def indexed(picture: Picture) -> Image.Image:
+def indexed(picture: Picture) -> "Image.Image":
     """``picture`` in at most 256 colours: the most frequent exactly, any other as the nearest of them."""
+    from PIL import Image
+
     red, green, blue = (picture[..., channel].astype(np.uint32) for channel in range(3))
     pixels = (red << 16 | green << 8 | blue).ravel()
     starts = np.flatnonzero(np.diff(pixels, prepend=~pixels[:1]))  # of runs of one colour, which are few
@@ -104,6 +108,8 @@ class _Telling(io.BytesIO):
 
 
 def _png(picture: Picture) -> bytes:
+    from PIL import Image
+
     file = io.BytesIO()
     Image.fromarray(picture).save(file, "PNG")
     return file.getvalue()

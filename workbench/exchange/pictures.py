@@ -4,7 +4,6 @@ import io
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from workbench.geometry.conventions import top_row_first
 
@@ -27,6 +26,8 @@ def png(image: NDArray[np.uint32], cell: int = 1) -> bytes:
         )
     packed = top_row_first(image)
     channels = np.stack([packed >> 16 & 255, packed >> 8 & 255, packed & 255], axis=-1).astype(np.uint8)
+    from PIL import Image
+
     picture = Image.fromarray(channels)
     if cell > 1:
         picture = picture.resize((width * cell, height * cell), Image.Resampling.NEAREST)

@@ -2,8 +2,6 @@
 
 from functools import lru_cache
 
-import svgelements
-
 from workbench.document.model import Sheet
 
 _LONGEST = 60
@@ -17,6 +15,8 @@ def colour_of(text: str) -> int | None:
         return None
     if len(word) > _LONGEST:
         return 0
+    import svgelements
+
     try:
         found = svgelements.Color(word).rgb
     except (ValueError, TypeError, AttributeError, IndexError):

@@ -10,7 +10,6 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
-import svgelements
 from numpy.typing import NDArray
 
 from workbench.exchange.path_data import LARGEST, MOST_POINTS, Run, TooManyPointsError, runs
@@ -112,6 +111,8 @@ def transform_of(element: Element) -> Array | None:
         words.append(f"{match[1]}({' '.join(numbers)})")
         at = match.end()
     if at == len(text):
+        import svgelements
+
         with suppress(ValueError, TypeError, IndexError, ZeroDivisionError, OverflowError, AttributeError):
             m = svgelements.Matrix(" ".join(words))
             placed = np.array([[m.a, m.c, m.e], [m.b, m.d, m.f]], float)
@@ -135,6 +136,8 @@ def length_of(element: Element, name: str, default: float = 0.0) -> float:
             math.hypot(width, height) / math.sqrt(2.0) if name == "r" else height if "y" in name else width
         )
         whole = height if name == "height" else whole
+        import svgelements
+
         with suppress(ValueError, TypeError, AttributeError):
             length = svgelements.Length(text)
             value = float(length.value(ppi=96.0, relative_length=whole or math.nan, font_size=16.0))

@@ -6,7 +6,6 @@ cubics within a stated tolerance. Each element keeps its figure in an attribute 
 
 import re
 from typing import NamedTuple
-from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,6 +59,8 @@ def write_svg(sheet: Sheet, tolerance: float | None = None) -> Exported:
     """
     scale = device_map(sheet)
     within = tolerance or _TOLERANCE_PX / max(abs(scale.sx), abs(scale.sy))
+    from xml.sax.saxutils import escape  # brings the network's modules with it
+
     body: list[str] = []
     approximated: list[tuple[str, float]] = []
     notes: list[str] = []
@@ -167,4 +168,6 @@ def _pairs(points: NDArray[np.float64]) -> str:
 
 
 def _joined(attributes: dict[str, str]) -> str:
+    from xml.sax.saxutils import quoteattr
+
     return " ".join(f"{name}={quoteattr(value)}" for name, value in attributes.items())

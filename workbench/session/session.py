@@ -28,6 +28,7 @@ from workbench.session.run import Run
 from workbench.session.saver import Saved, Saver
 from workbench.session.stamps import Stamp, stamp
 from workbench.session.undo import Step, UndoStack
+from workbench.session.unfolding import Unfolding
 
 
 class Session(QObject):
@@ -68,6 +69,7 @@ class Session(QObject):
         self.incoming = Incoming(self)
         self.run, self.follower = Run(self), Run(self)
         self._following = Following(self, self.run, self.follower)
+        self.unfolding = Unfolding(self)
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
         self.undo_stack.cleanChanged.connect(self._clean_changed)
         self.undo_stack.indexChanged.connect(self._index_changed)
@@ -81,6 +83,11 @@ class Session(QObject):
     def sheet(self) -> Sheet:
         """The current sheet."""
         return next((s for s in self.document.sheets if s.id == self.state.sheet), self.document.sheets[0])
+
+    @property
+    def shown(self) -> Sheet:
+        """What can be shown of the current sheet now: all of it, or what a large one has unfolded to."""
+        return self.unfolding.shown
 
     @property
     def active_figure(self) -> AnyFigure | None:

@@ -85,7 +85,8 @@ def offers(window: "MainWindow") -> list[Offer]:
         for command in commands()
         if window.menus.actions[command.id].isEnabled() and command.id != "palette"
     ]
-    for slug, title in window.workspace_titles():
+    for slug in window.workspace_slugs:
+        title = window.workspace(slug).title
         made.append(Offer(_("Workspace: {title}").format(title=title), "", partial(window.go, slug)))
     for dock in window.arrangements.docks(window.place):
         made.append(Offer(_("Show {dock}").format(dock=dock.windowTitle()), "", partial(_bring, dock)))

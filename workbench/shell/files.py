@@ -106,16 +106,18 @@ class Files(QObject):
 
     def _bring_in(self, path: Path) -> None:
         if kind_of(path) in _IMPORTED:
-            from workbench.panels.curves.panel import CurvesPanel
-
-            self._window.enter("curves")
-            panel_of(self._window.panels("curves"), CurvesPanel).exchange.take_file(path)
+            self._window.enter("curves", partial(self._into_curves, path))
         else:
             from workbench.exchange.reading import Job
 
             take, refuse = partial(self._add_sheets, path), partial(self._not_imported, path)
             job = Job("picture", str(path))
             self._session.incoming.read(job, path.name, take, refuse, self._with_sheets)
+
+    def _into_curves(self, path: Path) -> None:
+        from workbench.panels.curves.panel import CurvesPanel
+
+        panel_of(self._window.panels("curves"), CurvesPanel).exchange.take_file(path)
 
     def _with_sheets(self, stored: Any) -> "Edit":
         """The edit by which the sheets of another picture come beside those of the open one."""

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication
 
 from workbench.language import _
 from workbench.shell.settings import Settings
+from workbench.shell.slices import Slices
 from workbench.shell.theme import ThemeSwitch
 from workbench.shell.warming import Warming
 from workbench.shell.window import PROGRAM, MainWindow
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 # for a second thread costs three times what it saves, and keeps a core busy.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+FIRST = "draw"
 _SLOW_IMPORTS = ("numpy", "workbench.session.session", "workbench.shell.home_examples", "qtawesome")
 QUIT_AFTER_FIRST_FRAME = "--quit-after-first-frame"
 
@@ -43,11 +45,8 @@ class Building(QObject):
         self._window = window
         self._path = path
         self._warms = warms
-        self._slices: Iterator[None] = iter(())
-        self._timer = QTimer(self)
-        self._timer.setInterval(0)
-        self._timer.timeout.connect(self._slice)
-        self._imported.connect(self._begin)
+        self._slices = Slices(self)
+        self._imported.connect(lambda: self._slices.add(self._build()))
         self._warming = Warming(window)
         self._importing = threading.Thread(target=self._import, name="imports", daemon=True)
 
@@ -63,24 +62,16 @@ class Building(QObject):
         self._warming.stop()
 
     def _import(self) -> None:
-        for module in (*_SLOW_IMPORTS, *self._window.panel_modules(), "pyqtgraph"):
+        for module in (*_SLOW_IMPORTS, *self._window.workspace(FIRST).modules):
             with suppress(Exception):  # the same failure is said where the module is needed
                 import_module(module)
         with suppress(Exception):
             import_module("workbench.display.setup").TubeSetup().check()  # reads the tables of phosphors
         self._imported.emit()
 
-    def _begin(self) -> None:
-        self._slices = self._build()
-        self._timer.start()
-
-    def _slice(self) -> None:
-        if next(self._slices, self) is self:
-            self._timer.stop()
-            self.built.emit()
-
     def _build(self) -> Iterator[None]:
         from workbench.session.session import Session
+        from workbench.shell.arriving import Arriving
 
         window = self._window
         session = Session(window)
@@ -88,6 +79,7 @@ class Building(QObject):
         if window.settings.get("ask_first"):
             session.update_state(ask_first=True)
         yield
+        window.arriving = Arriving(window, self._slices)
         window.attach(session)
         yield
         if self._path is not None:
@@ -104,13 +96,14 @@ class Building(QObject):
         QTimer.singleShot(0, window.files.offer_recovery)  # whatever fails there, this goes on
         window.status.preparing("")
         if self._warms:
-            self._warming.prepare("draw")
+            self._warming.prepare(FIRST)
             window.entered.connect(self._warming.prepare)
         window.entered.connect(window.show_hints)
-        if window.place == "draw":
+        if window.place == FIRST:
             window.show_hints()
-        yield from window.prepare("draw")
+        yield from window.prepare(FIRST)
         yield from window.build()
+        self.built.emit()
 
 
 def make_window(settings: Settings | None = None, offered: Sequence[Workspace] | None = None) -> MainWindow:

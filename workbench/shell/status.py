@@ -81,6 +81,13 @@ class Status(QObject):
             signal.connect(tell)
         tell()
 
+    def tell_unfolding(self, ready: int, total: int) -> None:
+        """Say how much of a large picture is drawn."""
+        if ready < total:
+            self.say(_("Drawing figure {n:,} of {total:,}").format(n=ready, total=total))
+        else:
+            self.say("")
+
     @staticmethod
     def _run_text(run: "Run", entry: "Entry") -> str:
         text = _("{title}, line {n} of {total}") if run.detail else _("{title}, step {n} of {total}")

@@ -37,7 +37,7 @@ class Warming(QObject):
 
     def prepare(self, workspace: str) -> None:
         """Prepare the algorithms of a workspace, once."""
-        topics = self._window.topics(workspace)
+        topics = self._window.workspace(workspace).topics
         if workspace in self._asked or not topics:
             return
         self._asked.add(workspace)

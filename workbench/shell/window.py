@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from workbench.session.session import Session
     from workbench.shell.actions import Command
     from workbench.shell.arrangement import Arrangements
+    from workbench.shell.arriving import Arriving
     from workbench.shell.files import Files
     from workbench.shell.menus import Menus
     from workbench.shell.message_bar import MessageBar
@@ -75,6 +76,7 @@ class MainWindow(QMainWindow):
         self._made: dict[str, Panel] = {}
         self._makers: dict[str, Iterator[None]] = {}
         self._pages: dict[str, QWidget] = {}
+        self.arriving: Arriving | None = None
         self._painted = False
         self._closing = False
         self._wanted: list[Callable[[], object]] = []
@@ -166,6 +168,7 @@ class MainWindow(QMainWindow):
         for signal in (session.run.changed, session.run.asked):
             signal.connect(self.menus.refresh)
         self.status.follow(session.run)
+        session.unfolding.progressed.connect(self.status.tell_unfolding)
         self.files.follow(session)
         self.files.refresh_title()
         self.menus.refresh()
@@ -199,18 +202,24 @@ class MainWindow(QMainWindow):
         """Show a page or a workspace."""
         (self.enter if slug in self._offered else self.show_page)(slug)
 
-    def enter(self, slug: str) -> None:
-        """Show a workspace; its panels are made the first time."""
+    def enter(self, slug: str, then: Callable[[], object] = lambda: None) -> None:
+        """Show a workspace, then do ``then``; ``arriving``, if any, makes its panels the first time."""
         if self.session is None:
             self.bar.set_waiting(slug, True)
             if self._complete:
                 self.status.preparing(_("Preparing {title}").format(title=self._offered[slug].title))
-            self._wanted.append(lambda: self.enter(slug))
+            self.when_ready(partial(self.enter, slug, then))
+            return
+        if self.arriving is not None and slug not in self._panels:
+            self.arriving.enter(self._offered[slug], then)
             return
         for _panel in self.prepare(slug):
             pass
-        if self.place == slug:
-            return
+        if self.place != slug:
+            self._show(slug)
+        then()
+
+    def _show(self, slug: str) -> None:
         self._leave()
         usable = self.arrangements.show(slug)
         self.steps.setVisible(self._offered[slug].steps)
@@ -223,17 +232,9 @@ class MainWindow(QMainWindow):
             self.messages.say(_("Docks are arranged differently in this version; your old layout was reset."))
         self.entered.emit(slug)
 
-    def topics(self, slug: str) -> tuple[str, ...]:
-        """What the algorithms of a workspace are about."""
-        return self._offered[slug].topics
-
-    def workspace_titles(self) -> list[tuple[str, str]]:
-        """Slug and title of each workspace."""
-        return [(each.slug, each.title) for each in self._offered.values()]
-
-    def panel_modules(self) -> list[str]:
-        """The modules that panels come from, in order."""
-        return list(dict.fromkeys(module for each in self._offered.values() for module in each.modules))
+    def workspace(self, slug: str) -> Workspace:
+        """The workspace of this slug, one of those offered."""
+        return self._offered[slug]
 
     def panels(self, slug: str) -> list[Panel]:
         """The panels of a workspace, empty before it was first shown."""
@@ -348,8 +349,7 @@ class MainWindow(QMainWindow):
     def show_hints_again(self) -> None:
         """Point at canvas, step bar and source once more."""
         self.settings.set("hints", True)
-        self.enter("draw")
-        self.show_hints()
+        self.enter("draw", self.show_hints)
 
     def show_hints(self, workspace: str = "draw") -> None:
         """Point at canvas, step bar and source, unless this was dismissed for good."""

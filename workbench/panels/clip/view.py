@@ -6,6 +6,7 @@ import numpy as np
 
 from workbench.algorithms.clipping.cutting import bits
 from workbench.algorithms.clipping.edges import region_code
+from workbench.document.model import Sheet
 from workbench.engine.calls import OwnCall
 from workbench.language import _
 from workbench.panels.clip.card import ClipCard
@@ -37,7 +38,7 @@ class ClipView(FigureView):
         session = self.session
         sheet = session.sheet
         busy = tool.busy or drag.busy
-        made = self._composed(None if busy else self._own_call(), None, tokens())
+        made = self._composed(session.shown, None if busy else self._own_call(), None, tokens())
         held = drag.held or (tool.side.held if isinstance(tool, ClipSelectTool) else "")
         chosen = set(session.state.selection)
         selected = [figure for figure in sheet.figures if figure.id in chosen]
@@ -58,8 +59,8 @@ class ClipView(FigureView):
             return None
         return run.own_call(number)
 
-    def _composed(self, call: OwnCall | None, number: int | None, now: Tokens) -> Composition:
-        sheet, active = self.session.sheet, self.session.active_figure
+    def _composed(self, sheet: Sheet, call: OwnCall | None, number: int | None, now: Tokens) -> Composition:
+        active = self.session.active_figure
         shown = picture(sheet, now)
         if call is not None and active is not None and not call.ended:
             nothing = np.empty((0, 2), np.int64)
@@ -71,7 +72,8 @@ class ClipView(FigureView):
 
     def on_paper(self, number: int | None = None) -> Composition:
         """What is shown, or one step of the run, in the light theme and without handles."""
-        return self._composed(self._own_call(number) if number != 0 else None, number, LIGHT)
+        call = self._own_call(number) if number != 0 else None
+        return self._composed(self.session.sheet, call, number, LIGHT)
 
     def describe(self, x: int, y: int) -> str:
         """A cell with its region code, and what painted it."""

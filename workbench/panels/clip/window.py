@@ -125,7 +125,7 @@ class ClipSelectTool(SelectTool):
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """A figure, else a side of the window, else a band."""
         side = self._side_at(x, y, reach)
-        if side and figure_at(self.session.sheet, x, y, reach) is None:
+        if side and figure_at(self.session.shown, x, y, reach) is None:
             self.side.press(PREFIX + side)
         else:
             super().press(x, y, modifiers, reach)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
@@ -68,8 +69,12 @@ def groups() -> list[tuple[str, tuple[str, ...]]]:
 
 
 def canvas_menu(actions: Mapping[str, QAction], parent: QWidget, more: Sequence[QAction] = ()) -> QMenu:
-    """The menu, ``more`` at its end, made anew each time since actions are switched off and on."""
+    """The menu, ``more`` at its end, made anew each time since actions are switched off and on.
+
+    It goes when it is closed, and its submenus with it.
+    """
     menu = QMenu(parent)
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     for title, names in groups():
         into = menu.addMenu(title) if title else menu
         for name in names:

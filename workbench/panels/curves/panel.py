@@ -21,6 +21,7 @@ from workbench.panels.curves.insight import switches
 from workbench.panels.curves.menu import canvas_menu
 from workbench.panels.curves.operations import CurveOperations
 from workbench.panels.curves.pen import PenTool
+from workbench.panels.curves.shape import prepare
 from workbench.panels.curves.tools import CurveSelectTool
 from workbench.panels.curves.view import CurveView
 from workbench.panels.panel import DockPart
@@ -68,6 +69,7 @@ class CurvesPanel(SteppedPanel):
         self.beside.smoothing_wanted.connect(self._smooth)
         self.beside.knot_released.connect(self._let_go_of_plot)
         self.beside.weight_released.connect(self._let_go_of_plot)
+        session.unfolding.prepare_by(prepare)
         self.view = CurveView(self.focus, self.canvas, self.second, self.card, self.beside)
         self.exchange = CurveExchange(self.focus, self._model, self)
         self.exchange.said.connect(self.hover_text)

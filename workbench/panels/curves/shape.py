@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.curves import Pieces, piece_points
 from workbench.document.curves.pieces import points_of
-from workbench.document.model import TANGENT_SPLINES, Curve, Sheet
+from workbench.document.model import TANGENT_SPLINES, AnyFigure, Curve, Sheet
 from workbench.rendering import curves, device_map
 
 Array = NDArray[np.float64]
@@ -33,6 +33,12 @@ def device_points(sheet: Sheet, curve: Curve) -> Array:
 def smooth_line(sheet: Sheet, curve: Curve, spline: str = "") -> Array:
     """The curve (n, 2), device coordinates, so close to it that nobody sees a corner; empty without one."""
     return curves.polyline_of(sheet, curve, spline, SMOOTH_PX)
+
+
+def prepare(sheet: Sheet, figure: AnyFigure) -> None:
+    """Have the smooth line of a curve at hand."""
+    if isinstance(figure, Curve):
+        smooth_line(sheet, figure)
 
 
 def has_tangent(curve: Curve, index: int) -> bool:

@@ -4,7 +4,7 @@ import time
 
 import numpy as np
 
-from workbench.document.model import Curve, CurvePoint
+from workbench.document.model import Curve, CurvePoint, Sheet
 from workbench.geometry.conventions import round_half_up
 from workbench.panels.curves.card import CurveCard
 from workbench.panels.curves.docks import CurveDocks
@@ -69,7 +69,7 @@ class CurveView(FigureView):
 
     def refresh(self, tool: Tool, drag: HandleDrag) -> None:
         """Everything anew, from the session alone."""
-        session, sheet = self.session, self.session.sheet
+        session, sheet = self.session, self.session.shown
         self.focus.cell_px = self.canvas.view.cell / self.canvas.devicePixelRatioF()
         busy = tool.busy
         parting = self._parting(tool) if busy else None
@@ -82,7 +82,7 @@ class CurveView(FigureView):
             self.canvas.set_picture(shown(sheet, now), packed(now.canvas))
             self._pixels_ms = (time.perf_counter() - before) * 1e3
         chosen = set(session.state.selection)
-        selected = [figure for figure in sheet.figures if figure.id in chosen]
+        selected = [figure for figure in session.sheet.figures if figure.id in chosen]
         overlay = Overlay(
             ideal=tuple(
                 line
@@ -112,7 +112,7 @@ class CurveView(FigureView):
         if curve is None or not moving or not isinstance(tool, CurveSelectTool):
             return None
         if self._parted is None or self._parted[0] != (curve.id, moving, self.canvas.view):
-            sheet = self.session.sheet
+            sheet = self.session.shown
             numbers = tuple(k for k, point in enumerate(curve.points_world) if point.id in set(moving))
             self._region(curve, [])
             below = [*others(sheet, curve), *beside(sheet, curve)]
@@ -141,9 +141,10 @@ class CurveView(FigureView):
             drawn += self._construction(curve)
         return drawn
 
-    def drawn(self, number: int | None = None) -> list[Drawn]:
+    def drawn(self, number: int | None = None, whole: Sheet | None = None) -> list[Drawn]:
         """The curves and what is shown of the one that is worked on, from back to front, now or at a step."""
-        sheet, curve, shown = self.session.sheet, self.focus.curve, self.focus.shown
+        curve, shown = self.focus.curve, self.focus.shown
+        sheet = whole or self.session.shown
         drawn = others(sheet, curve)
         if curve is None or not curve.visible:
             return drawn
@@ -264,7 +265,7 @@ class CurveView(FigureView):
         """What is shown, or one step of the run, in the light theme, with plain spots for the points."""
         sheet, curve = self.session.sheet, self.focus.curve
         shown = picture if "pixels" in self.focus.shown else pale_picture
-        drawn = self.drawn(number)
+        drawn = self.drawn(number, sheet)
         if curve is not None and "polygon" in self.focus.shown and len(curve.points_world) < MANY:
             drawn += [Spot(x, y, CURVE_INK, "ring", 7) for x, y in device_points(sheet, curve).tolist()]
         return Composition(shown(sheet, LIGHT), packed(LIGHT.canvas), Overlay(drawn=tuple(drawn)))

@@ -43,7 +43,7 @@ class TubeFeed(QObject):
         self._resting.setInterval(_SETTLE_MS)
         self._resting.timeout.connect(self.feed)
         session.changed.connect(self._changed)
-        for told in (session.state_changed, session.run.asked):
+        for told in (session.state_changed, session.run.asked, session.unfolding.grown):
             told.connect(self.feed)
         session.storing.connect(self._keep_time)
         for view in views:
@@ -72,7 +72,7 @@ class TubeFeed(QObject):
 
     def feed(self) -> None:
         """Bring every visible view up to date."""
-        sheet, settings, asked = self._session.sheet, self._session.state.tube, self._asked
+        sheet, settings, asked = self._session.shown, self._session.state.tube, self._asked
         setup = setup_of(settings)
         for view in self._views:
             if not view.isVisible():

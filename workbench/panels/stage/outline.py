@@ -23,6 +23,11 @@ def outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
     return _outlines.get(key, lambda: _outline(replace(sheet, figures=(figure,), clip_world=None)))
 
 
+def prepare(sheet: Sheet, figure: AnyFigure) -> None:
+    """Have the outline of a figure at hand."""
+    outline(sheet, figure)
+
+
 _outlines: Memory[tuple[Curve, ...]] = Memory(32 << 20)
 
 

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QFont, QImage, QPageSize, QPainter, QPdfWriter
-from PySide6.QtSvg import QSvgGenerator
 
 from workbench.exchange.frames import Picture as Frame
 from workbench.exchange.writing import Progress, Put, Row, of_kind, whole
@@ -118,6 +117,8 @@ def _pdf(pages: Pages, put: Put, told: Progress) -> None:
 
 def _svg(pages: Pages, put: Put, _told: Progress) -> None:
     """The first page as shapes."""
+    from PySide6.QtSvg import QSvgGenerator
+
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     writer = QSvgGenerator()

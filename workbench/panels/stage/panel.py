@@ -15,6 +15,7 @@ from workbench.panels.panel import PlainPanel, Said
 from workbench.panels.stage.actions import FigureActions, Row, tool_cursor
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.gesture import HandleDrag, Modifiers, Tool
+from workbench.panels.stage.outline import prepare
 from workbench.panels.stage.tools import FigureTool, SelectTool
 from workbench.rendering import device_map
 from workbench.session.session import Session
@@ -142,7 +143,8 @@ class FigurePanel(PlainPanel, QWidget):
         session, canvas = self.session, self.canvas
         session.run.moved.connect(lambda: canvas.point_at(None))
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
-        for told in (session.changed, session.state_changed, theme_changed):
+        session.unfolding.prepare_by(prepare)
+        for told in (session.changed, session.state_changed, session.unfolding.grown, theme_changed):
             told.connect(self.refresh_soon)
         for run in (session.run, session.follower):
             for signal in (run.changed, run.moved, run.grown, run.asked):

@@ -30,7 +30,7 @@ class SelectTool(Tool):
 
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """Select what is under the pointer; Shift adds to the selection or takes from it."""
-        figure = figure_at(self.session.sheet, x, y, reach)
+        figure = figure_at(self.session.shown, x, y, reach)
         selection = self.session.state.selection
         adding = bool(modifiers & Modifiers.ShiftModifier)
         self._start = (x, y)
@@ -65,7 +65,7 @@ class SelectTool(Tool):
     def _select_inside(self) -> None:
         assert self.band is not None
         low, high = self.band.min(axis=0), self.band.max(axis=0)
-        figures = self.session.sheet.figures
+        figures = self.session.shown.figures
         there = {figure.id for figure in figures}
         self._kept = tuple(kept for kept in self._kept if kept in there)
         inside = []

@@ -47,14 +47,14 @@ class FigureView:
     def refresh(self, tool: Tool, drag: HandleDrag) -> None:
         """Everything anew, from the session alone."""
         session = self.session
-        sheet, active = session.sheet, session.active_figure
+        sheet, active = session.shown, session.active_figure
         progress = None if tool.busy or drag.busy else self.progress()
         compared = self.compared()
         made = compose(sheet, active, progress, compared, tokens(), self.card.side_by_side.isChecked())
         made = self.completed(made, progress)
         self.comparison = made.comparison
         chosen = set(session.state.selection)
-        selected = [figure for figure in sheet.figures if figure.id in chosen]
+        selected = [figure for figure in session.sheet.figures if figure.id in chosen]
         overlay = with_band(with_selection(made.overlay, sheet, selected, drag.held), tool.band)
         overlay = with_answer(with_asked(overlay, session.state.pixel), session.run.answered)
         snap = tool.snap if isinstance(tool, FigureTool) else None
@@ -154,7 +154,7 @@ class FigureView:
 
     def describe(self, x: int, y: int) -> str:
         """A cell's name and what painted it."""
-        sheet = self.session.sheet
+        sheet = self.session.shown
         inside = 0 <= x < sheet.width_px and 0 <= y < sheet.height_px
         index = int(painter_of(sheet)[y, x]) if inside else -1
         if index < 0:

@@ -8,14 +8,15 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QPen
 from PySide6.QtWidgets import QWidget
 
+from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.widgets.look.tokens import tokens
-from workbench.widgets.plots.late_plot import LatePlot
+from workbench.widgets.plots.plot import Plot
 
 MOST_POINTS = 4000
 
 
-class DepthPlot(LatePlot):
+class DepthPlot(Plot):
     """Depth over the number of the step; a line marks the present step.
 
     ``step_wanted`` sends a step that was clicked.
@@ -26,7 +27,6 @@ class DepthPlot(LatePlot):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(_("Depth of the stack"), parent)
         self._curve: Any = None
-        self._line: Any = None
         self._limit_line: Any = None
         self._depths: NDArray[np.int64] = np.zeros(0, np.int64)
         self._cursor = 0
@@ -50,13 +50,13 @@ class DepthPlot(LatePlot):
         """Mark this step."""
         if step != self._cursor:
             self._cursor = step
-            self._place_cursor()
+            self.place_cursor(step)
             self._say()
 
     def _say(self) -> None:
         count = len(self._depths)
         if not count:
-            self.caption.setText(_("Choose a seed fill: how deep its stack is at each step is plotted here."))
+            self.say(_("Choose a seed fill: how deep its stack is at each step is plotted here."))
             return
         deepest = int(self._depths.max())
         first = int(np.argmax(self._depths))
@@ -66,22 +66,19 @@ class DepthPlot(LatePlot):
             if self._calls
             else _("{now} on the stack; at most {deepest}, first after step {first}.")
         )
-        self.caption.setText(text.format(now=f"{now:,}", deepest=f"{deepest:,}", first=f"{first:,}"))
+        self.say(text.format(now=f"{now:,}", deepest=f"{deepest:,}", first=f"{first:,}"))
 
     def _begin(self) -> None:
         import pyqtgraph
 
         self._curve = self._plot.plot([], [], antialias=True)
-        self._line = pyqtgraph.InfiniteLine(angle=90)
         self._limit_line = pyqtgraph.InfiniteLine(angle=0)
-        self._plot.addItem(self._line)
         self._plot.addItem(self._limit_line, ignoreBounds=True)
 
     def _restyle(self) -> None:
         now = tokens()
         self._label_axes(_("depth"), _("step"))
         self._curve.setPen(QPen(QColor(now.data[0]), 0))
-        self._line.setPen(QPen(QColor(now.text), 0))
         self._limit_line.setPen(QPen(QColor(now.error), 0, Qt.PenStyle.DashLine))
         self._draw()
 
@@ -103,12 +100,17 @@ class DepthPlot(LatePlot):
             self._plot.setYRange(0, self._limit * 1.05)
         else:
             self._plot.enableAutoRange()
-        self._place_cursor()
+        self.place_cursor(self._cursor)
 
-    def _place_cursor(self) -> None:
-        if self._line is not None:
-            self._line.setValue(self._cursor)
+    @property
+    def reach(self) -> tuple[float, float] | None:
+        """The first and the last step."""
+        return (0.0, len(self._depths) - 1.0) if len(self._depths) else None
+
+    def numbers(self) -> Table | None:
+        """Step and depth."""
+        rows = [(str(step), str(depth)) for step, depth in enumerate(self._depths.tolist())]
+        return Table((_("step"), _("depth")), rows, formulas=False) if rows else None
 
     def _chosen(self, x: float) -> None:
-        if len(self._depths):
-            self.step_wanted.emit(min(len(self._depths) - 1, max(0, round(x))))
+        self.step_wanted.emit(round(x))

@@ -1,6 +1,8 @@
 """Plots how far each painted pixel lies from the ideal curve."""
 
 from collections.abc import Sequence
+from html import escape
+from itertools import zip_longest
 from typing import Any
 
 import numpy as np
@@ -9,15 +11,16 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QColor, QPen
 from PySide6.QtWidgets import QWidget
 
+from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.widgets.look.tokens import tokens
-from workbench.widgets.plots.late_plot import LatePlot
+from workbench.widgets.plots.plot import Plot
 
 Curves = Sequence[tuple[str, NDArray[np.float64]]]
 _SYMBOLS, _SIZES = ("o", "s"), (9, 5)
 
 
-class DistancePlot(LatePlot):
+class DistancePlot(Plot):
     """Distance over the number of the pixel, for one or two algorithms; a line marks the pixel painted last.
 
     ``pixel_wanted`` sends the number of a pixel that was clicked.
@@ -28,9 +31,8 @@ class DistancePlot(LatePlot):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(_("Distance from the ideal curve"), parent)
         self._curves: list[tuple[str, NDArray[np.float64]]] = []
-        self._cursor: int | None = None
-        self._line: Any = None
-        self.caption.setText(_("Select a figure to see how far its pixels lie from the ideal curve."))
+        self._lines: list[Any] = []
+        self.say(_("Select a figure to see how far its pixels lie from the ideal curve."))
 
     def show_distances(self, curves: Curves) -> None:
         """Plot these (title, distances in pixels, in the order of painting)."""
@@ -44,9 +46,13 @@ class DistancePlot(LatePlot):
 
     def show_cursor(self, pixel: int | None) -> None:
         """Mark the pixel with this number, from 0; None marks none."""
-        if pixel != self._cursor:
-            self._cursor = pixel
-            self._place_cursor()
+        self.place_cursor(pixel)
+
+    def _begin(self) -> None:
+        import pyqtgraph
+
+        self._zero = pyqtgraph.InfiniteLine(0, angle=0)
+        self._plot.addItem(self._zero)
 
     def _restyle(self) -> None:
         self._label_axes(_("px"), _("pixel k"))
@@ -55,46 +61,42 @@ class DistancePlot(LatePlot):
     def _draw(self) -> None:
         if self._plot is None:
             return
-        import pyqtgraph
-
         now = tokens()
         plot = self._plot
-        plot.clear()
-        self._line = None
+        for line in self._lines:
+            plot.removeItem(line)
+        self._lines = []
         plot.setVisible(bool(self._curves))
-        plot.addItem(pyqtgraph.InfiniteLine(0, angle=0, pen=QPen(QColor(now.grid_strong), 0)))
-        said = []
+        self._zero.setPen(QPen(QColor(now.grid_strong), 0))
+        said, plain = [], []
         for k, (title, values) in enumerate(self._curves):
             ink = QColor(now.data[k])
             pen = QPen(ink, 0)
-            plot.plot(
+            line = plot.plot(
                 np.arange(len(values)), values, pen=pen, symbol=_SYMBOLS[k], symbolSize=_SIZES[k],
                 symbolBrush=ink, symbolPen=None, antialias=True,
             )  # fmt: skip
+            self._lines.append(line)
             largest = float(np.abs(values).max())
             mean = float(np.abs(values).mean())
             text = _("{title}: at most {largest:.3f} px, on average {mean:.3f} px")
             mark = "●" if k == 0 else "■"
-            said.append(
-                f'<span style="color:{now.data[k]}">{mark}</span> '
-                + text.format(title=title, largest=largest, mean=mean)
-            )
-        self.caption.setText("<br>".join(said) or _("This figure has no pixels yet."))
-        self._place_cursor()
+            plain.append(text.format(title=title, largest=largest, mean=mean))
+            said.append(f'<span style="color:{now.data[k]}">{mark}</span> {escape(plain[-1])}')
+        self.say("<br>".join(said) or _("This figure has no pixels yet."), "; ".join(plain))
 
-    def _place_cursor(self) -> None:
-        if self._plot is None:
-            return
-        import pyqtgraph
+    @property
+    def reach(self) -> tuple[float, float] | None:
+        """The first and the last pixel of the first algorithm."""
+        return (0.0, len(self._curves[0][1]) - 1.0) if self._curves else None
 
-        if self._line is None:
-            self._line = pyqtgraph.InfiniteLine(angle=90, pen=QPen(QColor(tokens().text), 0))
-            self._plot.addItem(self._line)
-        self._line.setVisible(self._cursor is not None)
-        if self._cursor is not None:
-            self._line.setValue(self._cursor)
+    def numbers(self) -> Table | None:
+        """The number of the pixel and each distance."""
+        if not self._curves:
+            return None
+        columns = [[f"{value:.6g}" for value in values] for _title, values in self._curves]
+        rows = [(str(k), *row) for k, row in enumerate(zip_longest(*columns, fillvalue=""))]
+        return Table((_("pixel k"), *(title for title, _values in self._curves)), rows, formulas=False)
 
     def _chosen(self, x: float) -> None:
-        if self._curves:
-            last = len(self._curves[0][1]) - 1
-            self.pixel_wanted.emit(min(last, max(0, round(x))))
+        self.pixel_wanted.emit(round(x))

@@ -2,12 +2,23 @@
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QPainter, QPaintEvent, QPen, QPolygonF
-from PySide6.QtWidgets import QSizePolicy, QWidget
+import numpy as np
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
-from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tokens
+from workbench.exchange.tables import Table
+from workbench.language import _
+from workbench.widgets.look.tokens import RADIUS, colour, tokens
+from workbench.widgets.plots.plot import Plot
+
+_LEAST = 1e-12
+_AXIS_PX = 34
+_WIDTH_PX = 1.5
+_HALF_LINE_PX = 6
+_PADDING = 0.02  # what lies at the very edge of the range has no label
 
 
 def short(value: float) -> str:
@@ -15,23 +26,41 @@ def short(value: float) -> str:
     return f"{value:.3g}" if value else "0"
 
 
-class TracePlot(QWidget):
-    """Title and unit above, the curve between two bounds, time below; ``number`` picks the data colour."""
+class TracePlot(Plot):
+    """Title and value above, the curve between two bounds, time below; ``number`` picks the data colour."""
 
     def __init__(self, title: str, unit: str, number: int = 0, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._title, self._unit, self._number = title, unit, number
+        super().__init__(title, parent)
+        self._unit, self._number = unit, number
         self._xs: Sequence[float] = ()
         self._ys: Sequence[float] = ()
         self._bounds = (0.0, 1.0)
         self._time_text = ""
-        self._cursor: float | None = None
         self._logarithmic = False
-        self._empty = ""
+        self._curve: Any = None
+        self._scale: object = None
+        self._rules: list[Any] = []
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.setMinimumSize(120, 74)
-        self.setAccessibleName(title)
-        theme.changed.connect(self.update)
+        self._value = QLabel()
+        self._value.setProperty("role", "caption")
+        self._value.setFont(self._font())
+        title_label = QLabel(title)
+        title_label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        title_label.setFont(self._font())
+        row = QHBoxLayout()
+        row.addWidget(title_label, 1)
+        row.addWidget(self._value)
+        self._column.insertLayout(0, row)
+        self._time = QLabel()
+        self._time.setProperty("role", "caption")
+        self._time.setFont(self._font())
+        self._time.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self._time.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._column.addWidget(self._time)
+        self._column.setSpacing(0)
+        self.caption.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.caption.hide()
 
     def sizeHint(self) -> QSize:
         """One of four beside each other."""
@@ -48,101 +77,115 @@ class TracePlot(QWidget):
     ) -> None:
         """Draw ``ys`` over ``xs``; ``cursor`` marks now, in the unit of ``xs``; ``time_text`` is the span."""
         self._xs, self._ys, self._bounds = xs, ys, bounds
-        self._time_text, self._cursor, self._logarithmic = time_text, cursor, logarithmic
-        self._empty = ""
-        self.setAccessibleDescription(self._reading())
-        self.update()
+        self._time_text, self._logarithmic = time_text, logarithmic
+        self.place_cursor(cursor)
+        value = self._at_cursor()
+        self._value.setText(self._unit if value is None else f"{short(value)} {self._unit}")
+        self.setAccessibleDescription(time_text if value is None else f"{self._value.text()}, {time_text}")
+        self._draw()
 
     def show_words(self, words: str) -> None:
         """Say why there is no curve."""
-        self._xs, self._ys, self._empty = (), (), words
+        self._xs, self._ys = (), ()
+        self._value.setText(self._unit)
+        self.say(words)
         self.setAccessibleDescription(words)
-        self.update()
+        self._draw()
 
-    def _reading(self) -> str:
-        value = self._at_cursor()
-        return self._time_text if value is None else f"{short(value)} {self._unit}, {self._time_text}"
+    def numbers(self) -> Table | None:
+        """Seconds and the value."""
+        rows = [(f"{x:.6g}", f"{y:.6g}") for x, y in zip(self._xs, self._ys, strict=True)]
+        return Table((_("seconds"), self._unit), rows, formulas=False) if rows else None
 
     def _at_cursor(self) -> float | None:
-        if self._cursor is None or len(self._xs) < 2:
+        if self._cursor_x is None or len(self._xs) < 2:
             return None
-        nearest = min(range(len(self._xs)), key=lambda i: abs(self._xs[i] - (self._cursor or 0.0)))
+        nearest = int(np.abs(np.asarray(self._xs) - self._cursor_x).argmin())
         return float(self._ys[nearest])
 
-    def _height(self, value: float, area: QRectF) -> float:
+    def _begin(self) -> None:
+        self._curve = self._plot.plot([], [], antialias=True)
+        self._plot.hideAxis("bottom")
+        self._plot.getPlotItem().setContentsMargins(0, _HALF_LINE_PX, 0, _HALF_LINE_PX)
+        self._plot.getAxis("left").setStyle(hideOverlappingLabels=False)  # those at the very ends
+        self._plot.showGrid(y=False)  # with which those would be left out again
+        self._plot.getAxis("left").setWidth(_AXIS_PX)
+
+    @staticmethod
+    def _pen(ink: str) -> QPen:
+        pen = QPen(QColor(ink), _WIDTH_PX)
+        pen.setCosmetic(True)
+        return pen
+
+    def _restyle(self) -> None:
+        self._curve.setPen(self._pen(tokens().data[self._number % len(tokens().data)]))
+        self._scale = None
+        self._draw()
+
+    def _draw(self) -> None:
+        there = len(self._xs) > 1
+        self.caption.setVisible(not there)
+        self._time.setVisible(there)
+        self._time.setText(self._time_text)
+        if self._plot is None:
+            return
+        self._plot.setVisible(there)
+        if not there:
+            return
+        low, high = self._bounds
+        ys = np.clip(np.asarray(self._ys), low, high)
+        self._curve.setData(np.asarray(self._xs), self._heights(ys))
+        scale = self._bounds, self._logarithmic, self._xs[0], self._xs[-1]
+        if scale != self._scale:
+            self._scale = scale
+            self.show_all()
+
+    def show_all(self) -> None:
+        """The whole time between the bounds."""
+        if self._plot is None or len(self._xs) < 2:
+            return
+        low, high = self._heights(np.array(self._bounds)).tolist()
+        self._plot.setRange(xRange=(self._xs[0], self._xs[-1]), yRange=(low, high), padding=_PADDING)
+        levels = self._levels()
+        self._rule(levels)
+        ticks = zip(self._heights(np.array(levels)).tolist(), map(self._level_text, levels), strict=True)
+        self._plot.getAxis("left").setTicks([list(ticks)])
+
+    def _rule(self, levels: Sequence[float]) -> None:
+        """A line across at each level."""
+        import pyqtgraph
+
+        for line in self._rules:
+            self._plot.removeItem(line)
+        pen = QPen(QColor(tokens().grid), 0)
+        self._rules = [
+            pyqtgraph.InfiniteLine(height, angle=0, pen=pen)
+            for height in self._heights(np.array(levels)).tolist()
+        ]
+        for line in self._rules:
+            line.setZValue(-1)
+            self._plot.addItem(line, ignoreBounds=True)
+
+    def _heights(self, values: Any) -> Any:
+        return np.log10(np.maximum(values, _LEAST)) if self._logarithmic else values
+
+    def _levels(self) -> list[float]:
         low, high = self._bounds
         if self._logarithmic:
-            value, low, high = (math.log10(max(v, 1e-12)) for v in (value, low, high))
-        share = (min(max(value, low), high) - low) / (high - low)
-        return area.bottom() - share * area.height()
+            return [10.0**k for k in range(math.ceil(math.log10(low)), math.floor(math.log10(high)) + 1)]
+        return [low, 0.0, high] if low < 0.0 < high else [low, high]
+
+    def _level_text(self, level: float) -> str:
+        """Of many powers of ten the first, 1 and the last are written."""
+        ends = self._levels()[0], self._levels()[-1]
+        return short(level) if not self._logarithmic or level in (*ends, 1.0) else ""
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Caption, grid, curve, cursor."""
-        now = tokens()
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        frame = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
-        painter.setPen(QPen(colour(now.line), 1))
-        painter.setBrush(colour(now.surface))
-        painter.drawRoundedRect(frame, RADIUS, RADIUS)
-        font = QFont(self.font())
-        font.setPixelSize(CAPTION_PX)
-        painter.setFont(font)
-        row = CAPTION_PX + 5
-        caption = frame.adjusted(8, 4, -8, 0)
-        caption.setHeight(row)
-        painter.setPen(colour(now.text))
-        title = painter.fontMetrics().elidedText(
-            self._title, Qt.TextElideMode.ElideRight, int(caption.width()) - 60
-        )
-        painter.drawText(caption, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, title)
-        painter.setPen(colour(now.muted))
-        value = self._at_cursor()
-        reading = self._unit if value is None else f"{short(value)} {self._unit}"
-        painter.drawText(caption, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, reading)
-        area = frame.adjusted(34, row + 9, -10, -row - 2)
-        if self._empty or len(self._xs) < 2:
-            words = frame.adjusted(12, row, -12, -4)
-            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(words, flags, self._empty)
-            return
-        self._paint_axes(painter, area, frame, row)
-        self._paint_curve(painter, area)
-
-    def _paint_axes(self, painter: QPainter, area: QRectF, frame: QRectF, row: int) -> None:
-        now = tokens()
-        low, high = self._bounds
-        levels = [low, high]
-        if self._logarithmic:
-            levels = [10.0**k for k in range(math.ceil(math.log10(low)), math.floor(math.log10(high)) + 1)]
-        elif low < 0.0 < high:
-            levels = [low, 0.0, high]
-        for level in levels:
-            y = round(self._height(level, area)) + 0.5
-            painter.setPen(QPen(colour(now.grid), 1))
-            painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
-            painter.setPen(colour(now.muted))
-            box = QRectF(frame.left() + 2, y - row / 2, 28, row)
-            if not self._logarithmic or level in (levels[0], levels[-1], 1.0):
-                painter.drawText(
-                    box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, short(level)
-                )
-        below = QRectF(area.left(), area.bottom() + 3, area.width(), row)
-        painter.drawText(below, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, self._time_text)
-
-    def _paint_curve(self, painter: QPainter, area: QRectF) -> None:
-        now = tokens()
-        first, last = self._xs[0], self._xs[-1]
-        scale = area.width() / (last - first) if last > first else 0.0
-        curve = QPolygonF(
-            [
-                QPointF(area.left() + (x - first) * scale, self._height(y, area))
-                for x, y in zip(self._xs, self._ys, strict=True)
-            ]
-        )
-        painter.setPen(QPen(colour(now.data[self._number % len(now.data)]), 1.6))
-        painter.drawPolyline(curve)
-        if self._cursor is not None and first <= self._cursor <= last:
-            x = area.left() + (self._cursor - first) * scale
-            painter.setPen(QPen(colour(now.text), 1.2))
-            painter.drawLine(QPointF(x, area.top() - 3), QPointF(x, area.bottom() + 3))
+        """A frame of its own, since four stand beside each other."""
+        super().paintEvent(event)
+        if not self.hasFocus():
+            painter = QPainter(self)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(QPen(colour(tokens().line), 1))
+            painter.drawRoundedRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), RADIUS, RADIUS)
+            painter.end()
