@@ -105,8 +105,10 @@ class Entry:
     ``ended`` true. ``stack`` names the local whose length is plotted, or CALLS for a text that calls itself.
     ``counted`` maps what is counted beside the arithmetic to the beginnings of the titles of its blocks.
 
-    ``draws`` are the kinds of figure that it can draw, as documents name them. Where the ranges of parameters
-    are not enough, ``arguments`` makes some that fit each other, from a source of chance and nothing else;
+    ``draws`` are the kinds of figure that it can draw, ``clips`` those that it can clip to a window, as
+    documents name them; ``constructs`` are the kinds of spline of whose points, as they are, it makes the
+    curve. Where the ranges of parameters are not enough, ``arguments`` makes some that fit each other, from a
+    source of chance and nothing else;
     what is all but degenerate (ties, coincident points, repeated knots) has to come up often.
     """
 
@@ -121,6 +123,8 @@ class Entry:
     views: tuple[View, ...] = ()
     view_functions: tuple[Callable[..., Any], ...] = ()
     draws: tuple[str, ...] = ()
+    clips: tuple[str, ...] = ()
+    constructs: tuple[str, ...] = ()
     arguments: Callable[[Random], tuple[Any, ...]] | None = None
     laws: tuple[Law, ...] = ()
     not_laws: tuple[str, ...] = ()

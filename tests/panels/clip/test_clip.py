@@ -11,7 +11,7 @@ from shapely import box as shapely_box
 
 from workbench.algorithms import marks
 from workbench.algorithms.clipping.window_marks import edge_mark
-from workbench.document.edits import add_figure, set_clip, set_clippers
+from workbench.document.edits import add_figure, set_clip, set_clipper
 from workbench.document.model import Circle, Line, Polygon, Rectangle, WorldPoint
 from workbench.document.samples.examples import blank_sheet, example
 from workbench.exchange.run_tables import hand
@@ -171,7 +171,7 @@ def test_accepted_clipped_and_rejected_are_told_apart(x0, y0, x1, y1, clipper):
     ends = (WorldPoint("", float(x0), float(y0)), WorldPoint("", float(x1), float(y1)))
     document = add_figure("s1", Line("", ends, "bresenham_line"))(document)
     document = set_clip("s1", Rectangle(8.0, 10.0, 38.0, 30.0))(document)
-    document = set_clippers("s1", line=clipper)(document)
+    document = set_clipper("s1", clipper)(document)
     sheet = document.sheets[0]
     (outcome,) = outcomes(sheet, sheet.figures[0])
     inside = shapely_box(8, 10, 38, 30)

@@ -53,7 +53,7 @@ def outcomes(sheet: Sheet, figure: AnyFigure) -> list[Outcome]:
 
 
 def _line_outcome(sheet: Sheet, segment: Segment, window: Box) -> Outcome:
-    kept = clipped_segment(sheet.line_clipper, segment, window)
+    kept = clipped_segment(sheet.lines_clipped_with, segment, window)
     if not kept:
         return Outcome(segment, "rejected")
     return Outcome(segment, "accepted" if kept[0] == segment else "clipped", kept)
