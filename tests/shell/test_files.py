@@ -84,6 +84,19 @@ def test_draw_undo_redo_save_and_reopen(qtbot: QtBot, window: MainWindow, chosen
     assert window.session.document == drawn
 
 
+def test_what_serves_for_an_algorithm_of_tomorrow_is_said(
+    qtbot: QtBot, window: MainWindow, chosen: Path
+) -> None:
+    save(example_document(), chosen)
+    chosen.write_text(chosen.read_text().replace('"bresenham_line"', '"line_of_tomorrow"'))
+    window.files.open_path(chosen)
+    said = "1 figure asks for line_of_tomorrow, which this version lacks; Bresenham's line draws it, and the "
+    qtbot.waitUntil(lambda: window.messages.text.startswith(said))
+    window.files.save()
+    saved(window)
+    assert [figure.algorithm for figure in load(chosen).sheets[0].figures] == ["line_of_tomorrow"]
+
+
 def test_a_name_without_ending_gets_one(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
     window.files.save_as()
     type_name(qtbot, window, tmp_path / "plain")
