@@ -61,7 +61,7 @@ def trigger(window: MainWindow, name: str) -> None:
 
 def written(qtbot: QtBot, window: MainWindow) -> str:
     """Wait until it is written; what is said then."""
-    qtbot.waitUntil(lambda: not window.files.exports.writer.busy, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.files.exports.writing.writer.busy, timeout=20_000)
     return window.messages.text
 
 
@@ -72,8 +72,8 @@ def names(folder: Path) -> list[str]:
 def choose_run(window: MainWindow, suffix: str, width: int = 480, seconds: float = 0.5) -> None:
     """Export this run: choose on the card and go on to the dialog."""
     trigger(window, "export_run")
-    card = window.files.exports.card
-    card.kind.setCurrentIndex([row.suffix for row in card._rows].index(suffix))
+    card = window.files.exports.writing.card
+    card.kind.setCurrentIndex([row.suffix for row in card._formats].index(suffix))
     card.width_px.setCurrentIndex(card.width_px.findData(width))
     card.speed.setCurrentIndex(card.speed.findData(seconds))
     card.go.click()
@@ -160,7 +160,7 @@ def test_without_a_home_dialogs_begin_here(window: MainWindow, monkeypatch: pyte
 
     monkeypatch.setattr(Path, "home", none)
     window.session.new()
-    assert window.files.exports.proposed("run", ".gif") == Path("Untitled-run.gif")
+    assert window.files.exports.writing.proposed("run", ".gif") == Path("Untitled-run.gif")
 
 
 def test_the_ending_follows_the_kind_that_is_chosen(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
@@ -326,7 +326,7 @@ def test_cancelled_nothing_is_left(
     choose_run(window, ".png")
     type_name(qtbot, window, "walk")
     next(each for each in window.messages.buttons() if each.text() == "Replace it").click()
-    card = window.files.exports.card
+    card = window.files.exports.writing.card
     qtbot.waitUntil(lambda: card.isVisible() and card.bar.value() >= 2, timeout=10_000)
     qtbot.mouseClick(card.cancel, Qt.MouseButton.LeftButton)
     written(qtbot, window)
@@ -352,7 +352,7 @@ def test_a_picture_that_is_changed_meanwhile_is_not_half_of_each(
     slow(monkeypatch)
     choose_run(window, ".gif")
     type_name(qtbot, window, "walk")
-    qtbot.waitUntil(lambda: window.files.exports.card.bar.value() >= 2, timeout=10_000)
+    qtbot.waitUntil(lambda: window.files.exports.writing.card.bar.value() >= 2, timeout=10_000)
     window.session.apply(move_figures([window.session.sheet.figures[0].id], 1, 1), "Move")
     assert written(qtbot, window).startswith("The picture was changed before all its steps were written")
     assert names(tmp_path) == ["work.gwb"]
@@ -388,7 +388,7 @@ def test_a_failed_export_does_not_close_the_window(
     window.session.apply(move_figures([window.session.sheet.figures[0].id], 1, 1), "Move")
     wish = next(each for each in window.messages.buttons() if each.text() == "Close when it is written")
     if when == "after":
-        qtbot.waitUntil(lambda: not window.files.exports.writer.busy, timeout=10_000)
+        qtbot.waitUntil(lambda: not window.files.exports.writing.writer.busy, timeout=10_000)
     wish.click()
     assert written(qtbot, window).startswith("The picture was changed before all its steps were written")
     assert window.isVisible()
@@ -421,9 +421,9 @@ def test_what_is_no_file_is_left_alone(
     before = names(tmp_path)
     exports = window.files.exports
     from workbench.exchange.svg_writing import write_svg
-    from workbench.exchange.written import rows
+    from workbench.exchange.written import formats
 
-    exports._write(rows("drawing")[0], lambda: write_svg(window.session.sheet), target)
+    exports.writing._write(formats("drawing")[0], lambda: write_svg(window.session.sheet), target)
     assert written(qtbot, window).endswith(said)
     assert names(tmp_path) == before
 

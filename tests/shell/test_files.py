@@ -42,7 +42,7 @@ def chosen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The file that a person names whenever they are asked for one."""
     path = tmp_path / "my lines.gwb"
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_args: (str(path), ""))
-    monkeypatch.setattr(SaveDialog, "open", lambda dialog: dialog._then(path, dialog.row))
+    monkeypatch.setattr(SaveDialog, "open", lambda dialog: dialog._then(path, dialog.file_format))
     return path
 
 
@@ -117,7 +117,7 @@ def test_a_folder_that_cannot_be_written_is_said(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        SaveDialog, "open", lambda dialog: dialog._then(tmp_path / "no" / "x.gwb", dialog.row)
+        SaveDialog, "open", lambda dialog: dialog._then(tmp_path / "no" / "x.gwb", dialog.file_format)
     )
     window.files.save_as()
     saved(window)

@@ -159,7 +159,7 @@ def _draw(options: argparse.Namespace) -> str:
     from workbench.document.stand_ins import stand_ins
     from workbench.rendering import frame_buffer
 
-    row = outputs.row("picture", path=options.output)
+    file_format = outputs.format_for("picture", path=options.output)
     try:
         sheets = load(options.document).sheets
     except DocumentError as error:
@@ -172,5 +172,5 @@ def _draw(options: argparse.Namespace) -> str:
                 file=options.document, count=len(sheets), number=options.sheet
             )
         )
-    outputs.write(row, (frame_buffer(sheets[options.sheet - 1]), options.cell), options.output)
+    outputs.write(file_format, (frame_buffer(sheets[options.sheet - 1]), options.cell), options.output)
     return "\n".join(stand_ins(sheets[options.sheet - 1 : options.sheet]))

@@ -198,15 +198,15 @@ class Files(QObject):
 
     def save_as(self, then: Callable[[], object] | None = None) -> None:
         """Ask for a name and save there; ``then`` follows when it was saved."""
-        from workbench.exchange.written import rows
+        from workbench.exchange.written import formats
         from workbench.widgets.fields.save_dialog import SaveDialog
 
-        start = self._session.path or self.exports.proposed("", SUFFIX)
+        start = self._session.path or self.exports.writing.proposed("", SUFFIX)
         SaveDialog(
             self._window,
             _("Save the picture"),
             start,
-            rows("document"),
+            formats("document"),
             lambda path, _row: self._save(path, then),
         ).open()
 

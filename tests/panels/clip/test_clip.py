@@ -15,15 +15,14 @@ from workbench.document.edits import add_figure, set_clip, set_clipper
 from workbench.document.model import Circle, Line, Polygon, Rectangle, WorldPoint
 from workbench.document.samples.examples import blank_sheet, example
 from workbench.exchange.run_tables import hand
-from workbench.exchange.writing import row_for, write
-from workbench.exchange.written import rows
+from workbench.exchange.writing import format_for, write
+from workbench.exchange.written import formats
 from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.clip.scene import outcomes, tally
 from workbench.rendering import frame_buffer
 from workbench.rendering.clipping import segments_of
 from workbench.session.session import Session
 from workbench.shell.style_sheet import style_sheet
-from workbench.widgets.canvas.drawing import Word
 from workbench.widgets.fields.option_buttons import OptionButtons
 from workbench.widgets.look.tokens import LIGHT
 from workbench.widgets.stepping.sentence_view import SentenceView
@@ -190,7 +189,7 @@ def test_the_example_says_how_many_lines_are_inside_cut_and_outside(session, pan
 
 
 def words(panel):
-    return [each.text for each in panel.canvas.overlay.drawn if isinstance(each, Word | marks.Word)]
+    return [each.text for each in panel.canvas.overlay.drawn if isinstance(each, marks.Word)]
 
 
 def test_nine_regions_have_their_codes_and_can_be_without(qtbot, session, panel):
@@ -205,7 +204,7 @@ def test_the_code_of_an_end_keeps_clear_of_its_label(session, panel):
     below, above = [
         each.up
         for each in panel.canvas.overlay.drawn
-        if isinstance(each, Word) and (each.x, each.y) in {(48, 10), (18, 40)}
+        if isinstance(each, marks.Word) and (each.x, each.y) in {(48, 10), (18, 40)}
     ]
     assert below != above
 
@@ -348,7 +347,7 @@ def test_the_hand_table_is_saved_with_every_digit(qtbot, session, panel, tmp_pat
     session.update_state(active="f6")
     recorded(qtbot, session)
     target = tmp_path / "table.csv"
-    write(row_for(rows("table"), target), hand(session.run.steps), target)
+    write(format_for(formats("table"), target), hand(session.run.steps), target)
     lines = target.read_text(encoding="utf-8").splitlines()
     assert len(lines) == 1 + len(session.run.steps)
     assert len(lines[0].split(",")) >= len(session.run.entry.columns)

@@ -19,7 +19,7 @@ from tests.panels.curves.by_hand import (
     settle,
     the_curve,
 )
-from workbench.widgets.canvas.drawing import Stroke
+from workbench.widgets.canvas.drawing import PenStroke
 from workbench.widgets.stepping.step_bar import Steps
 
 
@@ -397,7 +397,7 @@ def test_a_closed_b_spline_is_counted_as_it_goes_round(qtbot, rule):
 def test_pieces_are_counted_and_legs_drawn_as_the_curve_goes(qtbot, spline, pieces):
     panel = opened(qtbot, curve_through(*ZIGZAG, spline=spline, closed=spline == "natural_cubic"))
     assert f"{pieces} cubic pieces" in panel.card.count.text()
-    (legs,) = [each for each in panel.view.drawn() if isinstance(each, Stroke) and each.pattern == "dash"]
+    (legs,) = [each for each in panel.view.drawn() if isinstance(each, PenStroke) and each.pattern == "dash"]
     assert len(legs.points) == pieces + 1
 
 

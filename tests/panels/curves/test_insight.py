@@ -28,7 +28,7 @@ from workbench.panels.curves.compare import MEASURED_DEGREE
 from workbench.panels.curves.insight import switches
 from workbench.panels.curves.marks import ALONG, MOST_CROSSED, crossings
 from workbench.panels.curves.scene import point_at
-from workbench.widgets.canvas.drawing import Spot, Stroke
+from workbench.widgets.canvas.drawing import Marker, PenStroke
 
 PLACES = ((26.0, 10.0), (32.0, 34.0), (40.0, 40.0), (46.0, 12.0), (58.0, 30.0), (60.0, 8.0), (50.0, 4.0))
 
@@ -226,7 +226,7 @@ def test_pointing_at_a_function_rings_its_point_and_the_other_way_round(qtbot):
     panel = with_docks(qtbot, curve_through(*ZIGZAG))
     panel.beside.basis.hovered.emit(3)
     settle()
-    assert any(isinstance(e, Spot) and (e.x, e.y) == ZIGZAG[3] and e.size > 15 for e in panel.view.drawn())
+    assert any(isinstance(e, Marker) and (e.x, e.y) == ZIGZAG[3] and e.size > 15 for e in panel.view.drawn())
     hover(panel, *ZIGZAG[1])
     assert panel.beside.basis.curves.lit == 1
     hover(panel, 30, 2)
@@ -290,7 +290,7 @@ def test_the_comb_has_teeth_on_every_piece():
     from workbench.panels.curves.marks import COMB_TEETH, comb
 
     pieces = pieces_of(curve_through(*PLACES, spline="catmull_rom"))
-    strokes = [each for each in comb(pieces, 80.0) if isinstance(each, Stroke)]
+    strokes = [each for each in comb(pieces, 80.0) if isinstance(each, PenStroke)]
     assert len(strokes) == 2 * (len(PLACES) - 1)
     assert len(strokes[0].points) >= 3 * COMB_TEETH
 
@@ -367,7 +367,7 @@ def test_kinds_with_two_ends_have_no_joint_between_these(qtbot):
 
 def test_kinds_in_the_table_have_the_lines_of_the_canvas(qtbot):
     panel = with_docks(qtbot, curve_through(*PLACES, beside=("nurbs", "cardinal")))
-    drawn = {(stroke.ink, stroke.pattern) for stroke in panel.view.drawn() if isinstance(stroke, Stroke)}
+    drawn = {(stroke.ink, stroke.pattern) for stroke in panel.view.drawn() if isinstance(stroke, PenStroke)}
     shown = [(kind.ink, kind.pattern) for kind in panel.beside.measured.model.kinds]
     assert len(shown) == 3
     assert set(shown) <= drawn
@@ -409,7 +409,7 @@ def test_crossings_of_very_many_pieces_are_not_looked_for(qtbot, monkeypatch):
 def test_a_path_that_runs_back_over_itself_is_said_once(qtbot):
     there = [(10.0, 8.0), (31.0, 29.0), (52.0, 11.0)]
     drawn = crossings(pieces_of(curve_through(*there, *there[-2::-1], spline="catmull_rom")))
-    assert [type(each).__name__ for each in drawn].count("Spot") == 0
+    assert [type(each).__name__ for each in drawn].count("Marker") == 0
     assert [each.text for each in drawn if type(each).__name__ == "Word"] == ["runs along itself"]
-    (line,) = (each for each in drawn if type(each).__name__ == "Stroke")
+    (line,) = (each for each in drawn if type(each).__name__ == "PenStroke")
     assert len(line.points) == ALONG

@@ -5,12 +5,12 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QToolButton
 
+from workbench.algorithms.marks import Word
 from workbench.document.model import Circle, Ellipse, Line, Polyline
 from workbench.document.samples.examples import blank_sheet, example_document
 from workbench.panels.draw.panel import DrawPanel
 from workbench.rendering import frame_buffer
 from workbench.session.session import Session
-from workbench.widgets.canvas.drawing import Word
 from workbench.widgets.canvas.overlay import BOTH, ONLY_FIRST, TIE_FIRST
 from workbench.widgets.look.tokens import LIGHT
 from workbench.widgets.stepping.step_bar import Steps

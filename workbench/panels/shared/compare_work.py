@@ -217,14 +217,14 @@ def _ties(job: Job) -> Cells | None:
     return np.concatenate(tied) if tied else None
 
 
-Row = tuple[str, Any, Any]
+ComparedCount = tuple[str, Any, Any]
 
 
 def _counted(label: str, work: Work) -> int | None:
     return work.counted.get(label)
 
 
-def table_rows(outcome: Outcome) -> list[Row]:
+def table_rows(outcome: Outcome) -> list[ComparedCount]:
     """Label and the number of each side; rows in which neither did anything are left out."""
     first, second = outcome.first, outcome.second
     emits = catalogue.get(outcome.job.first).emits
@@ -245,7 +245,7 @@ def table_rows(outcome: Outcome) -> list[Row]:
     ]
     kept = {_("Tests"), _("Additions"), _("Multiplications"), _("Divisions")}
     kept |= {_(label) for label in labels}
-    rows: list[Row] = []
+    rows: list[ComparedCount] = []
     for label, read in readers:
         values = read(first), read(second) if second is not None else None
         if any(values) or label in kept:

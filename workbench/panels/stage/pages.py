@@ -9,8 +9,8 @@ from PySide6.QtGui import QFont, QImage, QPageSize, QPainter, QPdfWriter
 from PySide6.QtSvg import QSvgGenerator
 
 from workbench.exchange.frames import Picture as Frame
-from workbench.exchange.writing import Progress, Put, Row, of_kind
-from workbench.exchange.written import ROWS as WINDOWLESS
+from workbench.exchange.writing import FileFormat, Progress, Put, of_kind
+from workbench.exchange.written import FORMATS as WINDOWLESS
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.painter import Picture, Scene, paint_rulers, paint_scene, ruler_sizes
 from workbench.widgets.canvas.view import Area, fitted
@@ -127,14 +127,14 @@ def _svg(pages: Pages, put: Put, _told: Progress) -> None:
     put(bytes(buffer.data().data()))
 
 
-ROWS: tuple[Row, ...] = (
+FORMATS: tuple[FileFormat, ...] = (
     *WINDOWLESS,
-    Row("step", ".svg", "SVG", _svg),
-    Row("step", ".pdf", "PDF", _pdf),
-    Row("run", ".pdf", "PDF", _pdf),
+    FileFormat("step", ".svg", "SVG", _svg),
+    FileFormat("step", ".pdf", "PDF", _pdf),
+    FileFormat("run", ".pdf", "PDF", _pdf),
 )
 
 
-def rows_of(kind: str) -> tuple[Row, ...]:
+def formats_of(kind: str) -> tuple[FileFormat, ...]:
     """Every way in which one kind of content is written."""
-    return of_kind(ROWS, kind)
+    return of_kind(FORMATS, kind)
