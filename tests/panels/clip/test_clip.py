@@ -5,10 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionButton
+from PySide6.QtWidgets import QStyle, QStyleOptionButton
 from shapely import LineString
 from shapely import box as shapely_box
 
+from tests.panels.by_hand import at, drag, recorded, settle
 from workbench.algorithms import marks
 from workbench.algorithms.clipping.window_marks import edge_mark
 from workbench.document.edits import add_figure, set_clip, set_clipper
@@ -46,31 +47,6 @@ def panel(qtbot, session):
     made.canvas.setFocus()
     settle()
     return made
-
-
-def settle():
-    for _turn in range(4):
-        QApplication.processEvents()
-
-
-def at(panel, x, y):
-    return panel.canvas.widget_position(x, y).toPoint()
-
-
-def drag(qtbot, panel, *places):
-    canvas = panel.canvas
-    qtbot.mousePress(canvas, LEFT, pos=at(panel, *places[0]))
-    for place in places[1:]:
-        qtbot.mouseMove(canvas, at(panel, *place))
-        settle()
-    qtbot.mouseRelease(canvas, LEFT, pos=at(panel, *places[-1]))
-    settle()
-
-
-def recorded(qtbot, session):
-    settle()
-    qtbot.waitUntil(lambda: session.run.entry is not None and session.run.done, timeout=5000)
-    settle()
 
 
 def window(session):

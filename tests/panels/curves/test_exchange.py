@@ -9,15 +9,14 @@ from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 
+from tests.panels.by_hand import settle
 from tests.panels.curves.by_hand import (
     ZIGZAG,
     click,
-    curve_through,
     drag,
     opened,
     places,
     send,
-    settle,
     the_curve,
 )
 from workbench.algorithms import marks
@@ -29,11 +28,6 @@ from workbench.widgets.canvas.drawing import Marker
 from workbench.widgets.look.tokens import LIGHT
 
 CIRCLE = [(40 + 12 * np.cos(a), 24 + 12 * np.sin(a)) for a in np.linspace(0, 2 * np.pi, 90)]
-
-
-@pytest.fixture
-def zigzag(qtbot):
-    return opened(qtbot, curve_through(*ZIGZAG))
 
 
 def told(panel):
