@@ -9,7 +9,7 @@ from tests.bench.drags import MOVES, measure_drag, mouse
 from workbench.document.samples.examples import blank_sheet
 from workbench.panels.draw.panel import DrawPanel
 from workbench.session.session import Session
-from workbench.widgets.canvas.drawing import Stroke
+from workbench.widgets.canvas.drawing import PenStroke
 from workbench.widgets.canvas.overlay import Handle, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.view import centred
@@ -94,5 +94,5 @@ def test_paint_a_thousand_grips_and_a_long_curve(qtbot, benchmark, pattern):
 
     shapes = ("round", "square", "diamond")
     handles = tuple(Handle(str(k), "", x, y, k == 3, shapes[k % 3]) for k, (x, y) in enumerate(curve(1000)))
-    overlay = Overlay(drawn=(Stroke(curve(5000), "accent", pattern=pattern),), handles=handles)
+    overlay = Overlay(drawn=(PenStroke(curve(5000), "accent", pattern=pattern),), handles=handles)
     benchmark(lambda: (canvas.set_overlay(overlay), canvas.repaint()))

@@ -226,7 +226,8 @@ def test_draw_says_what_another_algorithm_drew(capsys: pytest.CaptureFixture[str
     output = file.with_suffix(".png")
     said = printed(capsys, "draw", str(file), "-o", str(output))
     assert said.strip() == (
-        "f1 asks for line_of_tomorrow, which this version lacks; Bresenham's line drew it."
+        "1 figure asks for line_of_tomorrow, which this version lacks; "
+        "Bresenham's line draws it, and the file keeps the name."
     )
     assert output.exists()
 

@@ -118,7 +118,7 @@ def sound_edits(draw: st.DrawFn, document: Document) -> edits.Edit:
         lambda: st.builds(edits.set_viewport, here, rectangles()),
         lambda: st.builds(edits.set_palette, here, palettes),
         lambda: st.builds(edits.set_clip, here, st.none() | rectangles()),
-        lambda: st.builds(edits.set_clippers, here, st.sampled_from(LINE_CLIPPERS)),
+        lambda: st.builds(edits.set_clipper, here, st.sampled_from((*LINE_CLIPPERS, *POLYGON_CLIPPERS))),
     ]
     return draw(draw(st.sampled_from(choices))())
 

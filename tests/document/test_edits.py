@@ -213,7 +213,7 @@ def test_a_clip_window_without_area_is_refused() -> None:
         edits.set_clip("s1", Rectangle(4, 0, 4, 20))(document)
     assert edits.set_clip("s1", None)(document) == blank_sheet()
     with pytest.raises(DocumentError, match="line_clipper"):
-        edits.set_clippers("s1", line="bresenham_line")(document)
+        edits.set_clipper("s1", "bresenham_line")(document)
 
 
 @given(documents(), documents())

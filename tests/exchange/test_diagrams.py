@@ -25,7 +25,7 @@ from workbench.exchange.diagrams import (
 from workbench.exchange.formulas.layout import Area, Disc, Glyphs, Line, Typesetter
 from workbench.exchange.formulas.terms import Phrase, Sign, matrix
 from workbench.exchange.writing import of_kind, write
-from workbench.exchange.written import ROWS
+from workbench.exchange.written import FORMATS
 
 SVG = "{http://www.w3.org/2000/svg}"
 WINDOW = (-2.0, -1.0, 8.0, 4.0)
@@ -194,7 +194,7 @@ def test_every_run_keeps_its_width_whatever_face_it_is_shown_in():
 
 
 def test_a_derivation_is_written_under_its_suffix(tmp_path: Path):
-    (row,) = of_kind(ROWS, "derivation")
+    (row,) = of_kind(FORMATS, "derivation")
     derivation = Derivation("Turn", (Heading("Turn"),))
     (path,) = write(row, derivation, tmp_path / "turn.svg")
     assert path.read_text(encoding="utf-8") == write_diagram(derivation)

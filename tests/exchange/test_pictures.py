@@ -11,7 +11,7 @@ from hypothesis.extra import numpy as arrays
 
 from workbench.exchange.pictures import png
 from workbench.exchange.writing import write
-from workbench.exchange.written import rows
+from workbench.exchange.written import formats
 
 pictures = arrays.arrays(
     np.uint32, st.tuples(st.integers(1, 9), st.integers(1, 9)), elements=st.integers(0, 0xFFFFFF)
@@ -36,7 +36,7 @@ def test_every_cell_has_its_colour_and_the_top_row_comes_first(image: np.ndarray
 
 def test_saved_is_what_was_made(tmp_path: Path) -> None:
     image = np.array([[0xFF0000, 0x00FF00]], dtype=np.uint32)
-    (row,) = rows("picture")
+    (row,) = formats("picture")
     assert write(row, (image, 3), tmp_path / "a.png") == [tmp_path / "a.png"]
     assert (tmp_path / "a.png").read_bytes() == png(image, 3)
 

@@ -1,4 +1,4 @@
-"""Every row of the table writes what its own reader reads, whole or not at all."""
+"""Every format writes what its own reader reads, whole or not at all."""
 
 import os
 import resource
@@ -22,8 +22,8 @@ from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
 from workbench.exchange.frames import indexed
 from workbench.exchange.run_tables import hand
-from workbench.exchange.writing import Cancelled, SuffixError, completed, of_kind, row_for, write
-from workbench.exchange.written import ROWS, rows
+from workbench.exchange.writing import Cancelled, SuffixError, completed, format_for, of_kind, write
+from workbench.exchange.written import FORMATS, formats
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -46,7 +46,7 @@ def reds(image: Image.Image) -> int:
 
 def test_a_document_is_written_in_the_pieces_that_saving_writes() -> None:
     stored = Stored(example_document())
-    (row,) = rows("document")
+    (row,) = formats("document")
     given: list[list[bytes]] = []
     row.encode(stored, lambda data: given.append(list(data)), lambda *_told: None)
     assert given == [list(pieces_of(stored))]
@@ -54,13 +54,13 @@ def test_a_document_is_written_in_the_pieces_that_saving_writes() -> None:
 
 
 def test_every_suffix_of_a_kind_is_there_once() -> None:
-    assert len({(row.kind, row.suffix) for row in ROWS}) == len(ROWS)
-    for row in ROWS:
-        assert row_for(of_kind(ROWS, row.kind), Path("a" + row.suffix.upper())) is row
+    assert len({(row.kind, row.suffix) for row in FORMATS}) == len(FORMATS)
+    for row in FORMATS:
+        assert format_for(of_kind(FORMATS, row.kind), Path("a" + row.suffix.upper())) is row
 
 
 def test_a_gif_has_every_frame_and_its_time(tmp_path: Path) -> None:
-    write(row_for(rows("run"), tmp_path / "a.gif"), Made(6), tmp_path / "a.gif")
+    write(format_for(formats("run"), tmp_path / "a.gif"), Made(6), tmp_path / "a.gif")
     with Image.open(tmp_path / "a.gif") as image:
         frames = [(reds(frame), frame.info["duration"]) for frame in ImageSequence.Iterator(image)]
     assert frames == [(k, 250) for k in range(5)] + [(5, 750)]
@@ -73,7 +73,7 @@ def test_a_gif_that_would_fill_the_memory_is_refused_at_its_first_picture(tmp_pa
             return np.zeros((933, 1200, 3), np.uint8)
 
     with pytest.raises(ValueError, match="A GIF of 500 pictures 1200 pixels wide is too large"):
-        write(row_for(rows("run"), tmp_path / "a.gif"), Many(500), tmp_path / "a.gif")
+        write(format_for(formats("run"), tmp_path / "a.gif"), Many(500), tmp_path / "a.gif")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -94,7 +94,7 @@ def test_the_frequent_colours_of_a_gif_are_exact_and_the_others_near(count: int,
 
 
 def test_frames_are_numbered_from_nothing(tmp_path: Path) -> None:
-    row = row_for(rows("run"), tmp_path / "a.png")
+    row = format_for(formats("run"), tmp_path / "a.png")
     paths = write(row, Made(4), tmp_path / "a.png")
     assert [path.name for path in paths] == ["a-000.png", "a-001.png", "a-002.png", "a-003.png"]
     for number, path in enumerate(paths):
@@ -115,7 +115,7 @@ def test_cancelled_everything_is_as_before(suffix: str, last: int, tmp_path: Pat
 
     path = tmp_path / f"a{suffix}"
     with pytest.raises(Cancelled):
-        write(row_for(rows("run"), path), Made(5), path, told)
+        write(format_for(formats("run"), path), Made(5), path, told)
     assert sorted(each.name for each in tmp_path.iterdir()) == ["a-001.png", "a.gif"]
     assert {each.read_bytes() for each in tmp_path.iterdir()} == {b"mine"}
 
@@ -132,10 +132,10 @@ def test_a_long_table_is_told_row_by_row_and_can_be_cancelled(suffix: str, tmp_p
             raise Cancelled
 
     with pytest.raises(Cancelled):
-        write(row_for(rows("table"), path), hand(steps), path, told)
+        write(format_for(formats("table"), path), hand(steps), path, told)
     assert done == [(0, 500), (64, 500), (128, 500), (192, 500), (256, 500)]
     assert list(tmp_path.iterdir()) == []
-    write(row_for(rows("table"), path), hand(steps), path)
+    write(format_for(formats("table"), path), hand(steps), path)
     assert path.read_text(encoding="utf-8").count("(500, 200)" if suffix != ".json" else "[500, 200]") == 1
 
 
@@ -153,7 +153,7 @@ def test_when_the_last_of_many_cannot_take_its_place_the_others_have_theirs_back
 
     monkeypatch.setattr(os, "replace", refuse)
     with pytest.raises(SavingError, match="make room"):
-        write(row_for(rows("run"), tmp_path / "a.png"), Made(5), tmp_path / "a.png")
+        write(format_for(formats("run"), tmp_path / "a.png"), Made(5), tmp_path / "a.png")
     assert sorted(each.name for each in tmp_path.iterdir()) == ["a-001.png", "a-004.png"]
     assert {each.read_bytes() for each in tmp_path.iterdir()} == {b"mine"}
 
@@ -163,7 +163,7 @@ def test_when_the_last_of_many_cannot_take_its_place_the_others_have_theirs_back
     [("a", "a.csv"), ("a.", "a.csv"), ("1.5", "1.5.csv"), ("a.JSON", "a.JSON"), ("a b. c", "a b. c.csv")],
 )
 def test_names_are_completed(typed: str, name: str) -> None:
-    table = rows("table")
+    table = formats("table")
     path, row = completed(table, Path("folder") / typed, table[0])
     assert path == Path("folder") / name
     assert row.suffix == path.suffix.lower()
@@ -171,7 +171,7 @@ def test_names_are_completed(typed: str, name: str) -> None:
 
 def test_a_wrong_ending_names_the_right_ones() -> None:
     with pytest.raises(SuffixError, match=r"^a\.doc: choose a name that ends in \.csv, \.json or \.html\."):
-        completed(rows("table"), Path("a.doc"), rows("table")[0])
+        completed(formats("table"), Path("a.doc"), formats("table")[0])
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="limits of POSIX")

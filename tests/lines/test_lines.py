@@ -6,7 +6,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from skimage.draw import line as skimage_line
 
@@ -209,6 +209,16 @@ def test_32_bits_take_other_pixels_than_the_true_line_on_a_long_one() -> None:
     ]
     assert len(wrong) > 100
     assert list(dda_line_single(*ends))[-1] != (30000, 12345)
+
+
+@settings(max_examples=300)
+@given(ends=st.tuples(*[st.integers(0, 255)] * 4))
+@example(ends=(0, 0, 255, 254))
+@example(ends=(255, 255, 0, 2))
+def test_32_bits_take_the_pixels_of_64_near_the_origin_but_for_ties(ends: Ends) -> None:
+    assume(not any(map(is_tie, true_points(ends))))
+    pixels = list(dda_line_single(*ends))
+    assert pixels == list(dda_line(*ends)) == [half_up(point) for point in true_points(ends)]
 
 
 @given(ends=ends)

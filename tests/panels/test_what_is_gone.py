@@ -4,9 +4,10 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import settle
 from tests.panels.curves.by_hand import click, curve_through, hover, opened
 from workbench.document.edits import add_figure, remove_figures, set_algorithm, set_sheet_size
 from workbench.document.model import Circle, Line, WorldPoint
@@ -19,11 +20,6 @@ from workbench.session.session import Session
 from workbench.widgets.tube.glass import nearest_pixel
 
 LEFT = Qt.MouseButton.LeftButton
-
-
-def settle() -> None:
-    for _turn in range(4):
-        QApplication.processEvents()
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from tests.document.curves.made_curves import curves
 from workbench.algorithms.curves import piece_points
 from workbench.algorithms.marks import Spot, Stroke
 from workbench.document.curves import edits as curve_edits
-from workbench.document.curves.pieces import fault_of, parameter_at, share_at
+from workbench.document.curves.pieces import fault_of, parameter_at, pieces_of, share_at
 from workbench.document.model import Curve, CurvePoint, Rectangle, Sheet
 from workbench.document.samples.figures import document_of, line
 from workbench.rendering import frame_buffer, why
@@ -23,6 +23,7 @@ from workbench.rendering.curve_runs import (
     curve_calls,
 )
 from workbench.rendering.curves import device_pieces
+from workbench.rendering.mapping import device_points
 from workbench.rendering.raster import emitted, figure_calls
 from workbench.rendering.why_steps import why_steps
 
@@ -51,7 +52,27 @@ def test_the_last_point_of_a_construction_is_on_the_curve(curve: Curve, share: f
 @given(curves(), st.floats(0, 1))
 def test_a_share_of_the_range_is_found_again(curve: Curve, share: float) -> None:
     if not fault_of(curve):
-        assert share_at(curve, parameter_at(curve, share)) == pytest.approx(share, abs=1e-9)
+        knots = pieces_of(curve).knots
+        expected = share if knots[0] < knots[-1] else 0.0
+        assert share_at(curve, parameter_at(curve, share)) == pytest.approx(expected, abs=1e-9)
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_where_all_points_are_in_one_place_the_range_has_no_length_and_every_share_is_its_begin(
+    closed: bool,
+) -> None:
+    points = tuple(CurvePoint("", 4.0, -2.0) for _ in range(4))
+    curve = Curve("", points, "bresenham_line", spline="catmull_rom", closed=closed)
+    assert not fault_of(curve)
+    for share in (0.0, 0.3, 1.0):
+        assert parameter_at(curve, share) == 0.0
+        assert share_at(curve, 0.0) == 0.0
+    sheet = sheet_with(curve)
+    (drawn,) = sheet.figures
+    assert isinstance(drawn, Curve)
+    for call in curve_calls(sheet, drawn, "", 0.7):
+        *_, last = call.entry.function(*call.arguments)
+        assert last == pytest.approx(device_points(sheet, [points])[0])
 
 
 def a_curve(spline: str = "natural_cubic", **more: object) -> Curve:

@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from workbench.document import Stored, read
 from workbench.document.samples.examples import example_document
-from workbench.exchange.written import rows
+from workbench.exchange.written import formats
 from workbench.session import saver
 from workbench.session.saver import Saved, Saver
 from workbench.session.writer import Outcome, Writer
@@ -59,7 +59,7 @@ def test_where_the_system_gives_no_thread_the_file_is_written_all_the_same(
 def test_an_export_that_gets_no_thread_is_told_and_the_next_one_works(
     qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    row = next(row for row in rows("picture") if row.suffix == ".png")
+    row = next(row for row in formats("picture") if row.suffix == ".png")
     image = np.zeros((4, 5), np.uint32), 1
     outcomes: list[Outcome] = []
     writer = Writer()
@@ -75,7 +75,7 @@ def test_an_export_that_gets_no_thread_is_told_and_the_next_one_works(
 
 
 def test_what_the_system_says_is_told_without_its_number(qtbot: QtBot, tmp_path: Path) -> None:
-    row = next(row for row in rows("picture") if row.suffix == ".png")
+    row = next(row for row in formats("picture") if row.suffix == ".png")
     outcomes: list[Outcome] = []
     writer = Writer()
     writer.ended.connect(outcomes.append)

@@ -7,10 +7,10 @@ from typing import Any
 import pytest
 from pytestqt.qtbot import QtBot
 
-from workbench.exchange.writing import Cancelled, Row, whole
+from workbench.exchange.writing import Cancelled, FileFormat, whole
 from workbench.session.writer import Outcome, Writer
 
-ROW = Row("text", ".txt", "Text", whole(bytes))
+TEXT = FileFormat("text", ".txt", "Text", whole(bytes))
 
 
 def outcome(qtbot: QtBot, path: Path, error: BaseException | None) -> Outcome:
@@ -24,7 +24,7 @@ def outcome(qtbot: QtBot, path: Path, error: BaseException | None) -> Outcome:
             raise error
         return b"a"
 
-    writer.start(ROW, make, path)
+    writer.start(TEXT, make, path)
     qtbot.waitUntil(lambda: not writer.busy)
     (end,) = ends
     return end

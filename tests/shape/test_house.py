@@ -11,6 +11,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "workbench"
 FILES = sorted(PACKAGE.rglob("*.py"))
+TESTS = sorted((ROOT / "tests").rglob("*.py"))
 
 LINES_OF_AN_ALGORITHM = 200
 LINES_OF_A_FILE = 400
@@ -43,6 +44,11 @@ def test_file_is_small(path: Path) -> None:
     algorithm = path.is_relative_to(PACKAGE / "algorithms")
     count = len(path.read_text(encoding="utf-8").splitlines())
     assert count <= (LINES_OF_AN_ALGORITHM if algorithm else LINES_OF_A_FILE)
+
+
+@pytest.mark.parametrize("path", TESTS, ids=name_of)
+def test_file_of_tests_is_small(path: Path) -> None:
+    assert len(path.read_text(encoding="utf-8").splitlines()) <= LINES_OF_A_FILE
 
 
 def test_no_name_says_nothing() -> None:

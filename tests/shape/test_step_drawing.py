@@ -1,8 +1,8 @@
-"""What is drawn of a step is declared beside its algorithm: what shows and maps it knows no algorithm.
+"""What an algorithm can do and what is drawn of its steps is declared beside it: nothing else knows it.
 
-A slug may stand here only where something is *chosen*: what a new figure begins with, which text answers a
-question or takes another's place. Each such place is listed. Nowhere may a slug be compared or matched, or a
-variable of a text be read by its name.
+Outside the catalogue a slug may stand only where one is *chosen*: what new figures begin with, what an
+example or a tour shows, which text answers a question. Each such place is listed. Nowhere may slugs be
+listed, compared or matched, and what shows a step reads no variable of a text by its name.
 """
 
 import ast
@@ -15,19 +15,48 @@ from workbench.algorithms import catalogue
 
 PACKAGE = Path(__file__).resolve().parents[2] / "workbench"
 LAYERS = ("panels", "widgets", "rendering", "session")
-FILES = sorted(path for layer in LAYERS for path in (PACKAGE / layer).rglob("*.py"))
+FILES = sorted(path for path in PACKAGE.rglob("*.py") if PACKAGE / "algorithms" not in path.parents)
+DRAWING = [path for path in FILES if path.relative_to(PACKAGE).parts[0] in LAYERS]
 SLUGS = {entry.slug for entry in catalogue.entries()}
 
 CHOSEN = {
-    # What a new figure begins with
-    "panels/clip/window.py": {"midpoint_circle"},
-    "panels/fill/tools.py": {"circle_fill", "ellipse_fill"},
-    # Which text belongs to a kind of figure
-    "rendering/clipping.py": {"clip_point"},
-    "rendering/curve_runs.py": {"de_casteljau", "de_boor", "de_boor_rational"},
-    # Which text answers a question, or prepares what another is compared on
+    # What new figures and sheets begin with
+    "document/model.py": {
+        "boundary_fill_4",
+        "bresenham_line",
+        "cohen_sutherland",
+        "midpoint_circle",
+        "midpoint_ellipse",
+        "scan_line_fill",
+        "sutherland_hodgman",
+    },
+    # What an example, and the tour through all of them, shows
+    "document/samples/clip.py": {"midpoint_circle"},
+    "document/samples/curves.py": {"bresenham_line"},
+    "document/samples/examples.py": {
+        "bresenham_line",
+        "dda_line",
+        "midpoint_circle",
+        "midpoint_ellipse",
+        "midpoint_line",
+    },
+    "document/samples/figures.py": {"boundary_fill_4", "bresenham_line", "scan_line_fill"},
+    "document/samples/fill.py": {
+        "boundary_fill_4",
+        "boundary_fill_8",
+        "boundary_fill_recursive",
+        "midpoint_circle",
+        "midpoint_ellipse",
+    },
+    "shell/tour.py": {
+        "boundary_fill_4",
+        "bresenham_line",
+        "dda_line",
+        "dda_line_fixed",
+        "liang_barsky",
+    },
+    # Which text answers a question
     "rendering/inside.py": {"inside_outside"},
-    "rendering/outline_fill.py": {"bresenham_line", "scan_line_fill"},
 }
 
 
@@ -39,6 +68,15 @@ def slugs_in(node: ast.AST) -> Iterator[str]:
     for each in ast.walk(node):
         if isinstance(each, ast.Constant) and each.value in SLUGS:
             yield each.value
+
+
+def lists(tree: ast.AST) -> Iterator[ast.AST]:
+    """What holds several slugs of its own: which these are is for their entries to say."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Tuple | ast.List | ast.Set | ast.Dict):
+            items = [*node.keys, *node.values] if isinstance(node, ast.Dict) else node.elts
+            if sum(isinstance(item, ast.Constant) and item.value in SLUGS for item in items) > 1:
+                yield node
 
 
 def decisions(tree: ast.AST) -> Iterator[ast.AST]:
@@ -70,11 +108,17 @@ def variables_read(tree: ast.AST) -> Iterator[str]:
 
 
 @pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_no_algorithm_is_known_where_steps_are_drawn(path: Path) -> None:
+def test_an_algorithm_is_named_only_where_one_is_chosen(path: Path) -> None:
     tree = ast.parse(path.read_text(encoding="utf-8"))
     assert set(slugs_in(tree)) <= CHOSEN.get(name_of(path), set())
     assert [slug for node in decisions(tree) for slug in slugs_in(node)] == []
-    assert list(variables_read(tree)) == []
+    if "samples" not in path.parts:  # an example may show several beside one another
+        assert [slug for node in lists(tree) for slug in slugs_in(node)] == []
+
+
+@pytest.mark.parametrize("path", DRAWING, ids=name_of)
+def test_no_variable_of_a_text_is_known_where_steps_are_drawn(path: Path) -> None:
+    assert list(variables_read(ast.parse(path.read_text(encoding="utf-8")))) == []
 
 
 def test_every_place_that_is_excepted_is_there() -> None:
@@ -94,6 +138,17 @@ def test_every_place_that_is_excepted_is_there() -> None:
 )
 def test_the_rule_finds_a_decision(text: str) -> None:
     assert "liang_barsky" in [slug for node in decisions(ast.parse(text)) for slug in slugs_in(node)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        'CLIPPERS = ("liang_barsky", "cohen_sutherland")',
+        'CLIPPERS = {"liang_barsky": 1, "cohen_sutherland": 2}',
+    ],
+)
+def test_the_rule_finds_a_list(text: str) -> None:
+    assert ["liang_barsky" in slugs_in(node) for node in lists(ast.parse(text))] == [True]
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,7 @@ from workbench.algorithms.surfaces import (
 )
 from workbench.exchange import writing
 from workbench.exchange.meshes import obj, ply, stl
-from workbench.exchange.written import rows
+from workbench.exchange.written import formats
 
 Array = NDArray[np.float64]
 
@@ -113,7 +113,7 @@ def test_a_tolerance_that_asks_too_much_is_said() -> None:
 def test_a_mesh_reads_back(write: object, kind: str, tmp_path: Path) -> None:
     vertices, faces = tessellate(sphere(3.0), 0.1)
     path = tmp_path / f"sphere.{kind}"
-    writing.write(writing.row_for(rows("mesh"), path), (vertices, faces), path)
+    writing.write(writing.format_for(formats("mesh"), path), (vertices, faces), path)
     assert path.read_bytes() == write(vertices, faces)  # type: ignore[operator]
     back = trimesh.load_mesh(str(path), process=kind == "stl")
     assert back.is_watertight
@@ -125,7 +125,7 @@ def test_a_mesh_reads_back(write: object, kind: str, tmp_path: Path) -> None:
 
 def test_what_cannot_be_written_is_said(tmp_path: Path) -> None:
     with pytest.raises(writing.SuffixError, match=r"mesh.fbx: choose a name that ends in .obj, .ply or .stl"):
-        writing.row_for(rows("mesh"), tmp_path / "mesh.fbx")
+        writing.format_for(formats("mesh"), tmp_path / "mesh.fbx")
     with pytest.raises(ValueError, match="vertex that is not there"):
         obj([[0, 0, 0]], [[0, 0, 1]])
     with pytest.raises(ValueError, match="three finite numbers"):

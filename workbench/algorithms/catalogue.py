@@ -1,6 +1,7 @@
 """Every algorithm there is, in teaching order. A new one is its file and one line here."""
 
 import difflib
+from collections.abc import Iterable
 from importlib import import_module
 
 from workbench.algorithms.entry import Entry
@@ -65,8 +66,26 @@ def topic(name: str) -> tuple[Entry, ...]:
 
 def drawing(kind: str, first: str) -> tuple[str, ...]:
     """The slugs that can draw this kind of figure, in teaching order, but ``first`` before all others."""
-    others = [entry.slug for entry in _ENTRIES if kind in entry.draws and entry.slug != first]
-    return (first, *others)
+    return _with_first(first, [entry.slug for entry in _ENTRIES if kind in entry.draws])
+
+
+def filling(slugs: Iterable[str]) -> tuple[str, ...]:
+    """Those of ``slugs`` that paint areas, in their order."""
+    return tuple(slug for slug in slugs if get(slug).emits == "spans")
+
+
+def clipping(kind: str, first: str = "") -> tuple[str, ...]:
+    """The slugs that can clip this kind of figure, in teaching order, but ``first`` before all others."""
+    return _with_first(first, [entry.slug for entry in _ENTRIES if kind in entry.clips])
+
+
+def constructing(*splines: str) -> tuple[str, ...]:
+    """The slugs that make the curve of one of these kinds of spline, in teaching order."""
+    return tuple(entry.slug for entry in _ENTRIES if not set(splines).isdisjoint(entry.constructs))
+
+
+def _with_first(first: str, slugs: list[str]) -> tuple[str, ...]:
+    return tuple(sorted(slugs, key=lambda slug: slug != first))
 
 
 def serving(question: int) -> tuple[Entry, ...]:

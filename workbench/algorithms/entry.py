@@ -34,6 +34,22 @@ class Law(NamedTuple):
     proof: str
 
 
+def _everywhere(*_arguments: Any) -> bool:
+    return True
+
+
+class DrawnBy(NamedTuple):
+    """The slug of an entry that draws for another one with the same parameters, since it is faster.
+
+    ``law``, one of the other's, says and proves where both paint the same pixels. ``holds`` tells it of the
+    arguments of a call; where all of them are numbers, also of arrays (n,) of those of many, and gives (n,).
+    """
+
+    slug: str
+    law: Law
+    holds: Callable[..., Any] = _everywhere
+
+
 @dataclass(frozen=True, slots=True)
 class Parameter:
     """One argument of the function: its name there, how the course writes it, its range and an example.
@@ -106,8 +122,11 @@ class Entry:
     ``ended`` true. ``stack`` names the local whose length is plotted, or CALLS for a text that calls itself.
     ``counted`` maps what is counted beside the arithmetic to the beginnings of the titles of its blocks.
 
-    ``draws`` are the kinds of figure that it can draw, as documents name them. Where the ranges of parameters
-    are not enough, ``arguments`` makes some that fit each other, from a source of chance and nothing else;
+    ``draws`` are the kinds of figure that it can draw, ``clips`` those that it can clip to a window, as
+    documents name them; ``constructs`` are the kinds of spline of whose points, as they are, it makes the
+    curve. ``drawn_by`` names what paints it faster: its steps, tables and counts are its own nevertheless.
+    Where the ranges of parameters are not enough, ``arguments`` makes some that fit each other, from a
+    source of chance and nothing else;
     what is all but degenerate (ties, coincident points, repeated knots) has to come up often.
     """
 
@@ -123,6 +142,9 @@ class Entry:
     views: tuple[View, ...] = ()
     view_functions: tuple[Callable[..., Any], ...] = ()
     draws: tuple[str, ...] = ()
+    clips: tuple[str, ...] = ()
+    constructs: tuple[str, ...] = ()
+    drawn_by: DrawnBy | None = None
     arguments: Callable[[Random], tuple[Any, ...]] | None = None
     laws: tuple[Law, ...] = ()
     not_laws: tuple[str, ...] = ()

@@ -3,17 +3,14 @@
 import argparse
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, NoReturn
+from typing import NoReturn
 
 from workbench import __version__
 from workbench.cli.failure import BadInputError, WorkError
 from workbench.language import _, legible
-
-if TYPE_CHECKING:
-    from workbench.document.model import Sheet
 
 PROGRAM = "graphics-workbench"
 _LONGEST_SENTENCE = 500  # whatever was typed and is quoted in it
@@ -159,9 +156,10 @@ def _writes_subscripts() -> bool:
 def _draw(options: argparse.Namespace) -> str:
     from workbench.cli import outputs
     from workbench.document import DocumentError, load
+    from workbench.document.stand_ins import stand_ins
     from workbench.rendering import frame_buffer
 
-    row = outputs.row("picture", path=options.output)
+    file_format = outputs.format_for("picture", path=options.output)
     try:
         sheets = load(options.document).sheets
     except DocumentError as error:
@@ -174,16 +172,5 @@ def _draw(options: argparse.Namespace) -> str:
                 file=options.document, count=len(sheets), number=options.sheet
             )
         )
-    outputs.write(row, (frame_buffer(sheets[options.sheet - 1]), options.cell), options.output)
-    return "\n".join(_stand_ins(sheets[options.sheet - 1]))
-
-
-def _stand_ins(sheet: "Sheet") -> Iterator[str]:
-    """A sentence for each figure that another algorithm draws than the file asks for."""
-    from workbench.algorithms import catalogue
-
-    for figure in sheet.figures:
-        if figure.drawn_with != figure.algorithm:
-            sentence = _("{figure} asks for {slug}, which this version lacks; {title} drew it.")
-            title = _(catalogue.get(figure.drawn_with).title)
-            yield sentence.format(figure=figure.name or figure.id, slug=figure.algorithm, title=title)
+    outputs.write(file_format, (frame_buffer(sheets[options.sheet - 1]), options.cell), options.output)
+    return "\n".join(stand_ins(sheets[options.sheet - 1 : options.sheet]))

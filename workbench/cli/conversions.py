@@ -43,15 +43,15 @@ def convert(options: argparse.Namespace) -> str:
         raise BadInputError(
             _("The tolerance is {value:g}; give a finite number above 0.").format(value=options.tolerance)
         )
-    row = outputs.row("document", "drawing", path=target)
+    file_format = outputs.format_for("document", "drawing", path=target)
     document, said = _read(source, options.sheet, options.tolerance, options.size)
-    if row.kind == "document":
-        outputs.write(row, Stored(document), target)
+    if file_format.kind == "document":
+        outputs.write(file_format, Stored(document), target)
     else:
         from workbench.exchange.svg_paths import write_svg
 
         out = write_svg(document.sheets[0], options.tolerance)
-        outputs.write(row, out, target)
+        outputs.write(file_format, out, target)
         said += _approximated(out.approximated) + list(out.notes)
     return "".join(f"{line}\n" for line in said)
 
@@ -60,14 +60,14 @@ def surface(options: argparse.Namespace) -> str:
     """Write the triangles of an example or of a control net in a JSON file as a mesh."""
     from workbench.algorithms.surfaces import EXAMPLES, tessellate
 
-    row = outputs.row("mesh", path=options.output)
+    file_format = outputs.format_for("mesh", path=options.output)
     try:
         made = EXAMPLES.get(options.surface)
         patches = made() if made else _patches(Path(options.surface))
         vertices, faces = tessellate(patches, options.tolerance)
     except ValueError as error:
         raise BadInputError(str(error)) from None
-    outputs.write(row, (vertices, faces), options.output)
+    outputs.write(file_format, (vertices, faces), options.output)
     sentence = _("{vertices:,} vertices, {faces:,} triangles, within {tolerance:g}.\n")
     return sentence.format(vertices=len(vertices), faces=len(faces), tolerance=options.tolerance)
 

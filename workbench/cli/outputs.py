@@ -8,15 +8,15 @@ from workbench.document.storage.saving import SavingError
 from workbench.exchange import writing, written
 
 
-def row(*kinds: str, path: Path) -> writing.Row:
+def format_for(*kinds: str, path: Path) -> writing.FileFormat:
     """How ``path`` asks for one of ``kinds`` to be written. Raises BadInputError, naming all endings."""
     try:
-        return writing.row_for([each for kind in kinds for each in written.rows(kind)], path)
+        return writing.format_for([each for kind in kinds for each in written.formats(kind)], path)
     except writing.SuffixError as error:
         raise BadInputError(str(error)) from None
 
 
-def write(chosen: writing.Row, content: Any, path: Path) -> None:
+def write(chosen: writing.FileFormat, content: Any, path: Path) -> None:
     """Write ``content``. Raises WorkError where the disk refuses, BadInputError for wrong content."""
     try:
         writing.write(chosen, content, path)

@@ -29,7 +29,9 @@ from workbench.document.fields import (
 )
 from workbench.document.identities import are_ids, ids_sound, new_ids_sound
 from workbench.document.model import (
+    LINE_CLIPPERS,
     MAX_PALETTE,
+    POLYGON_CLIPPERS,
     AnyFigure,
     Curve,
     Document,
@@ -262,13 +264,25 @@ def _count(values: Any, least: int, most: float, what: str) -> str:
 
 
 def _drawable(figure: AnyFigure, before: AnyFigure | None) -> Fault | None:
-    """A slug that the catalogue lacks may stay, but is never chosen."""
-    chosen = before is not None and before.algorithm != figure.algorithm
-    if figure.algorithm in figure.algorithms or not (chosen or catalogue.known(figure.algorithm)):
-        return None
     problem = _("is {value}, which cannot draw this figure; choose one of {choices}")
-    choices = ", ".join(figure.algorithms)
-    return "algorithm", problem.format(value=shown(figure.algorithm), choices=choices)
+    return _not_among(figure.algorithms, "algorithm", figure, before, problem)
+
+
+def _clippable(sheet: Sheet, before: Sheet | None) -> Fault | None:
+    lines = _("is {value}, which cannot clip lines; choose one of {choices}")
+    polygons = _("is {value}, which cannot clip polygons; choose one of {choices}")
+    return _not_among(LINE_CLIPPERS, "line_clipper", sheet, before, lines) or _not_among(
+        POLYGON_CLIPPERS, "polygon_clipper", sheet, before, polygons
+    )
+
+
+def _not_among(slugs: tuple[str, ...], name: str, struct: Any, before: Any, problem: str) -> Fault | None:
+    """A slug that the catalogue lacks may stay, but is never chosen."""
+    slug = getattr(struct, name)
+    chosen = before is not None and getattr(before, name) != slug
+    if slug in slugs or not (chosen or catalogue.known(slug)):
+        return None
+    return name, problem.format(value=shown(slug), choices=", ".join(slugs))
 
 
 def _misplaced(holder: Any, sheet: Sheet) -> Fault | None:
@@ -342,7 +356,7 @@ def _extent(rectangle: Rectangle, _before: Any) -> Fault | None:
 
 
 _LAWS: dict[type, tuple[Callable[[Any, Any], Fault | None], ...]] = {
-    Sheet: (_held_colours,),
+    Sheet: (_held_colours, _clippable),
     Figure: (_drawable,),
     Polygon: (_rings,),
     Curve: (_knots,),

@@ -11,7 +11,7 @@ from typing import Annotated, ClassVar
 
 import msgspec
 
-from workbench.algorithms.catalogue import drawing
+from workbench.algorithms.catalogue import clipping, drawing
 from workbench.document.fields import Choice, Number, parts_of
 from workbench.language import _
 
@@ -235,7 +235,6 @@ THROUGH = (*TANGENT_SPLINES, "natural_cubic", "periodic_cubic", *NEIGHBOUR_SPLIN
 JOINTS = ("corner", "smooth", "symmetric")
 KNOT_RULES = ("open_uniform", "uniform", "free")
 ENDS = ("through", "inner")
-CONSTRUCTIONS = ("de_casteljau", "de_boor", "b_spline_curve", "flatten_bezier")
 
 
 class CurvePoint(WorldPoint, frozen=True, omit_defaults=True):
@@ -298,8 +297,8 @@ class Curve(Figure, frozen=True, tag="curve", omit_defaults=True):
 
 AnyFigure = Line | Polyline | Polygon | Circle | Ellipse | SeedFill | Curve
 
-LINE_CLIPPERS = ("cohen_sutherland", "liang_barsky")
-POLYGON_CLIPPERS = ("sutherland_hodgman",)
+LINE_CLIPPERS = clipping("line", first="cohen_sutherland")
+POLYGON_CLIPPERS = clipping("polygon", first="sutherland_hodgman")
 
 
 class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
@@ -307,7 +306,8 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
 
     ``background`` is the palette index of the paper: the canvas shows it as the theme's canvas colour, the
     tube as an unlit screen. ``clip_world`` is the window that figures are clipped to before they are scan
-    converted, by the clippers named; None clips nothing.
+    converted, by the clippers named; None clips nothing. Of these too a slug that the catalogue does not have
+    is kept.
     """
 
     letter: ClassVar[str] = "s"
@@ -324,8 +324,18 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
     figures: tuple[AnyFigure, ...] = ()
     background: Annotated[int, _palette_index(_("background"))] = 0
     clip_world: Rectangle | None = None
-    line_clipper: Annotated[str, Choice(LINE_CLIPPERS)] = LINE_CLIPPERS[0]
-    polygon_clipper: Annotated[str, Choice(POLYGON_CLIPPERS)] = POLYGON_CLIPPERS[0]
+    line_clipper: str = LINE_CLIPPERS[0]
+    polygon_clipper: str = POLYGON_CLIPPERS[0]
+
+    @property
+    def lines_clipped_with(self) -> str:
+        """The slug that clips lines: the one named, or where the catalogue has no such, the first."""
+        return self.line_clipper if self.line_clipper in LINE_CLIPPERS else LINE_CLIPPERS[0]
+
+    @property
+    def polygons_clipped_with(self) -> str:
+        """The slug that clips polygons, likewise."""
+        return self.polygon_clipper if self.polygon_clipper in POLYGON_CLIPPERS else POLYGON_CLIPPERS[0]
 
 
 class Document(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

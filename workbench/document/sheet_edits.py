@@ -19,7 +19,15 @@ from workbench.document.building import (
     with_sheet,
     without_ids,
 )
-from workbench.document.model import MAX_SIDE_PX, AnyFigure, Document, Rectangle, Sheet, whole_sheet
+from workbench.document.model import (
+    MAX_SIDE_PX,
+    POLYGON_CLIPPERS,
+    AnyFigure,
+    Document,
+    Rectangle,
+    Sheet,
+    whole_sheet,
+)
 
 
 @checked
@@ -117,17 +125,16 @@ def set_clip(sheet: str, clip_world: Rectangle | None) -> Edit:
 
 
 @checked
-def set_clippers(sheet: str, line: str | None = None, polygon: str | None = None) -> Edit:
-    """Choose the algorithms that clip lines and polygons; None keeps the one that is chosen."""
+def set_clipper(sheet: str, slug: str) -> Edit:
+    """Choose the algorithm that clips lines, or that which clips polygons: whichever this one is."""
+    return lambda document: with_sheet(document, with_clipper(sheet_with(document, sheet), slug))
 
-    def edit(document: Document) -> Document:
-        old = sheet_with(document, sheet)
-        changed = replace(
-            old, line_clipper=line or old.line_clipper, polygon_clipper=polygon or old.polygon_clipper
-        )
-        return with_sheet(document, changed)
 
-    return edit
+def with_clipper(sheet: Sheet, slug: str) -> Sheet:
+    """``sheet`` with this algorithm in the place of the one that clips the same figures."""
+    if slug in POLYGON_CLIPPERS:
+        return replace(sheet, polygon_clipper=slug)
+    return replace(sheet, line_clipper=slug)
 
 
 @checked

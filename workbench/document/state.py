@@ -1,20 +1,13 @@
 """What a session keeps in the file beside the picture: it is saved, but never a step of undo."""
 
-from typing import Annotated, Literal, get_args
+from typing import Annotated, Literal
 
 import msgspec
 
 from workbench.algorithms import catalogue
 from workbench.document.check import number_problem, refuse, shown
 from workbench.document.fields import Number, numbers_of
-from workbench.document.model import (
-    CONSTRUCTIONS,
-    LINE_CLIPPERS,
-    MAX_SIDE_PX,
-    POLYGON_CLIPPERS,
-    AnyFigure,
-    Document,
-)
+from workbench.document.model import MAX_SIDE_PX, Document
 from workbench.language import _
 
 LONGEST_TIME_S = 1e9
@@ -74,11 +67,11 @@ def check_state(state: SessionState, document: Document) -> SessionState:
             raise refuse(f"session.selection[{index}]", _missing(figure))
     if state.active and state.active not in figures:
         raise refuse("session.active", _missing(state.active))
-    slugs = {slug for kind in get_args(AnyFigure) for slug in kind.algorithms}
-    slugs.update(LINE_CLIPPERS, POLYGON_CLIPPERS)
-    if catalogue.known(state.compare) and state.compare not in slugs:
-        raise refuse("session.compare", _missing(state.compare))
-    if state.construction and state.construction not in CONSTRUCTIONS:
+    if catalogue.known(state.compare):  # one that is not known stays: a newer program may have written it
+        entry = catalogue.get(state.compare)
+        if not (entry.draws or entry.clips):
+            raise refuse("session.compare", _missing(state.compare))
+    if catalogue.known(state.construction) and not catalogue.get(state.construction).constructs:
         raise refuse("session.construction", _missing(state.construction))
     if not 0.0 <= state.curve_u <= 1.0:
         problem = _("is {value}; give a number between {low:g} and {high:g}")

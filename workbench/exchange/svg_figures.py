@@ -235,8 +235,7 @@ def _round_figure(element: Element, matrix: Array, colour: int, filled: bool) ->
 
 def _slug(kind: type[Circle | Ellipse], filled: bool) -> str:
     """What new figures of this kind are drawn by, or the first text that fills them."""
-    areas = (slug for slug in kind.algorithms if catalogue.get(slug).emits == "spans")
-    return next(areas) if filled else kind.algorithms[0]
+    return (catalogue.filling(kind.algorithms) if filled else kind.algorithms)[0]
 
 
 def _curves(run: Outline, colour: int) -> list[AnyFigure]:

@@ -1,7 +1,7 @@
-"""How everything that leaves the program is written: a row of a table says how, and one writer does it.
+"""How everything that leaves the program is written: a format says how, and one writer does it.
 
-A row encodes what it is given; the writer puts the result beside its place, and there only when it is whole.
-Whoever cancels, or whatever fails, leaves the disk as it was.
+A format encodes what it is given; the writer puts the result beside its place, and there only when it is
+whole. Whoever cancels, or whatever fails, leaves the disk as it was.
 """
 
 import re
@@ -30,11 +30,11 @@ class Cancelled(Exception):  # noqa: N818 (nothing is wrong)
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class FileFormat:
     """How one kind of content is written under one suffix.
 
     ``encode(content, put, told)`` gives every whole file to ``put`` and tells how many of its parts are done,
-    which may raise Cancelled. ``numbered`` rows put a file for each part.
+    which may raise Cancelled. ``numbered`` formats put a file for each part.
     """
 
     kind: str
@@ -52,7 +52,7 @@ class Row:
 
 
 def whole(make: Callable[[Any], bytes | Iterable[bytes]]) -> Encode:
-    """The ``encode`` of a row whose content becomes one file in one go."""
+    """The ``encode`` of a format whose content becomes one file in one go."""
 
     def encode(content: Any, put: Put, _told: Progress) -> None:
         put(make(content))
@@ -60,41 +60,43 @@ def whole(make: Callable[[Any], bytes | Iterable[bytes]]) -> Encode:
     return encode
 
 
-def of_kind(rows: Sequence[Row], kind: str) -> tuple[Row, ...]:
+def of_kind(formats: Sequence[FileFormat], kind: str) -> tuple[FileFormat, ...]:
     """The ways in which one kind of content is written, the proposed one first."""
-    return tuple(row for row in rows if row.kind == kind)
+    return tuple(file_format for file_format in formats if file_format.kind == kind)
 
 
-def row_for(rows: Sequence[Row], path: Path) -> Row:
-    """The row that the name ``path`` asks for. Raises SuffixError, naming all there are."""
-    for row in rows:
-        if path.suffix.lower() == row.suffix:
-            return row
-    endings = [row.suffix for row in rows]
+def format_for(formats: Sequence[FileFormat], path: Path) -> FileFormat:
+    """The format that the name ``path`` asks for. Raises SuffixError, naming all there are."""
+    for file_format in formats:
+        if path.suffix.lower() == file_format.suffix:
+            return file_format
+    endings = [file_format.suffix for file_format in formats]
     listed = _(" or ").join(filter(None, (", ".join(endings[:-1]), endings[-1])))
     sentence = _("{name}: choose a name that ends in {endings}.")
     raise SuffixError(sentence.format(name=path.name or path, endings=listed))
 
 
-def completed(rows: Sequence[Row], path: Path, chosen: Row) -> tuple[Path, Row]:
-    """``path`` with the suffix of ``chosen`` where it has none, and its row. Raises SuffixError."""
-    known = path.suffix.lower() in {row.suffix for row in rows}
+def completed(formats: Sequence[FileFormat], path: Path, chosen: FileFormat) -> tuple[Path, FileFormat]:
+    """``path`` with the suffix of ``chosen`` where it has none, and its format. Raises SuffixError."""
+    known = path.suffix.lower() in {file_format.suffix for file_format in formats}
     if not known and not _ENDING.fullmatch(path.suffix):
         path = path.with_name(path.name.rstrip(".") + chosen.suffix)
-    return path, row_for(rows, path)
+    return path, format_for(formats, path)
 
 
-def write(row: Row, content: Any, path: Path, told: Progress = lambda _done, _parts: None) -> list[Path]:
+def write(
+    file_format: FileFormat, content: Any, path: Path, told: Progress = lambda _done, _parts: None
+) -> list[Path]:
     """Write ``content`` under the name ``path``; the files that were written.
 
     ``told`` is called with how many parts are done, of how many, and may raise Cancelled. Raises SavingError
     when the file system refuses, and what the encoding raises; then every file is as it was before.
     """
     parts = getattr(content, "parts", 1)
-    paths = row.paths(path, parts)
+    paths = file_format.paths(path, parts)
     waiting = iter(paths)
     with Replacement() as replacement:
-        row.encode(content, lambda data: replacement.put(next(waiting), data), told)
+        file_format.encode(content, lambda data: replacement.put(next(waiting), data), told)
         told(parts, parts)
         replacement.commit()
     return paths

@@ -1,6 +1,6 @@
 """The table of everything that can be written without a window: kind, suffix, title, encoder.
 
-What is drawn by Qt adds its rows to these in ``panels``; a new kind of file is one more row.
+What is drawn by Qt adds its formats to these in ``panels``; a new kind of file is one more format.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from workbench.exchange.pictures import png
 from workbench.exchange.point_lists import write_points
 from workbench.exchange.svg_writing import Exported
 from workbench.exchange.tables import Table
-from workbench.exchange.writing import Encode, Progress, Put, Row, of_kind, whole
+from workbench.exchange.writing import Encode, FileFormat, Progress, Put, of_kind, whole
 
 if TYPE_CHECKING:
     from workbench.exchange.diagrams import Derivation
@@ -81,25 +81,25 @@ def _mesh(make: Callable[..., bytes]) -> Encode:
 # mesh         (vertices, faces)
 # step, run    frames.Frames
 # derivation   diagrams.Derivation
-ROWS: tuple[Row, ...] = (
-    Row("document", ".gwb", "Graphics Workbench", whole(pieces_of)),
-    Row("picture", ".png", "PNG", whole(_picture)),
-    Row("drawing", ".svg", "SVG", whole(_drawing)),
-    Row("table", ".csv", "CSV", _table(tables.to_csv)),
-    Row("table", ".json", "JSON", _table(tables.to_json)),
-    Row("table", ".html", "HTML", _table(tables.to_html)),
-    Row("points", ".csv", "CSV", _text(write_points)),
-    Row("points", ".txt", "TXT", _text(lambda points: write_points(points, "\t"))),
-    Row("mesh", ".obj", "OBJ", _mesh(meshes.obj)),
-    Row("mesh", ".ply", "PLY", _mesh(meshes.ply)),
-    Row("mesh", ".stl", "STL", _mesh(meshes.stl)),
-    Row("step", ".png", "PNG", one_png),
-    Row("run", ".png", "PNG", each_png, numbered=True),
-    Row("run", ".gif", "GIF", animation),
-    Row("derivation", ".svg", "SVG", whole(_derivation)),
+FORMATS: tuple[FileFormat, ...] = (
+    FileFormat("document", ".gwb", "Graphics Workbench", whole(pieces_of)),
+    FileFormat("picture", ".png", "PNG", whole(_picture)),
+    FileFormat("drawing", ".svg", "SVG", whole(_drawing)),
+    FileFormat("table", ".csv", "CSV", _table(tables.to_csv)),
+    FileFormat("table", ".json", "JSON", _table(tables.to_json)),
+    FileFormat("table", ".html", "HTML", _table(tables.to_html)),
+    FileFormat("points", ".csv", "CSV", _text(write_points)),
+    FileFormat("points", ".txt", "TXT", _text(lambda points: write_points(points, "\t"))),
+    FileFormat("mesh", ".obj", "OBJ", _mesh(meshes.obj)),
+    FileFormat("mesh", ".ply", "PLY", _mesh(meshes.ply)),
+    FileFormat("mesh", ".stl", "STL", _mesh(meshes.stl)),
+    FileFormat("step", ".png", "PNG", one_png),
+    FileFormat("run", ".png", "PNG", each_png, numbered=True),
+    FileFormat("run", ".gif", "GIF", animation),
+    FileFormat("derivation", ".svg", "SVG", whole(_derivation)),
 )
 
 
-def rows(kind: str) -> tuple[Row, ...]:
+def formats(kind: str) -> tuple[FileFormat, ...]:
     """The ways in which one kind of content is written without a window."""
-    return of_kind(ROWS, kind)
+    return of_kind(FORMATS, kind)

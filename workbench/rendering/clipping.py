@@ -11,7 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.document.model import AnyFigure, Circle, Curve, Line, Polygon, Polyline, Sheet
+from workbench.document.model import (
+    LINE_CLIPPERS,
+    POLYGON_CLIPPERS,
+    AnyFigure,
+    Circle,
+    Curve,
+    Line,
+    Polygon,
+    Polyline,
+    Sheet,
+)
 from workbench.rendering.emissions import emitted
 from workbench.rendering.limits import clip_ring, polygon_reach, reach
 from workbench.rendering.mapping import Box, Call, device_map, device_rings
@@ -33,6 +43,7 @@ __all__ = [
     "clipped_segment",
     "clipper_calls",
     "clipper_of",
+    "clippers_of",
     "drawn_rings",
     "line_ends",
     "ring_strokes",
@@ -57,10 +68,19 @@ def clip_box(sheet: Sheet) -> Box | None:
 def clipper_of(sheet: Sheet, figure: AnyFigure) -> str:
     """The slug of the algorithm that clips this figure, a circle of radius 0 as a point; empty for none."""
     if isinstance(figure, Line | Polyline | Curve):
-        return sheet.line_clipper
+        return sheet.lines_clipped_with
+    if isinstance(figure, Polygon):
+        return sheet.polygons_clipped_with
+    return next(iter(clippers_of(figure)), "")
+
+
+def clippers_of(figure: AnyFigure) -> tuple[str, ...]:
+    """The slugs that can clip this figure, a circle of radius 0 as a point; empty for none."""
+    if isinstance(figure, Line | Polyline | Curve):
+        return LINE_CLIPPERS
     if isinstance(figure, Circle) and figure.radius_world == 0:
-        return "clip_point"
-    return sheet.polygon_clipper if isinstance(figure, Polygon) else ""
+        return catalogue.clipping("point")
+    return POLYGON_CLIPPERS if isinstance(figure, Polygon) else ()
 
 
 def clipper_calls(sheet: Sheet, figure: AnyFigure, clipper: str | None = None) -> list[Call]:
@@ -89,7 +109,7 @@ def segments_of(sheet: Sheet, figure: Lines) -> list[Segment]:
 def visible_segments(sheet: Sheet, figures: Sequence[Lines]) -> Segments:
     """What of each segment of some figures is left to be drawn, device coordinates."""
     window, whole = clip_box(sheet), segments(sheet, figures)
-    return whole if window is None else clipped(sheet.line_clipper, whole, window)
+    return whole if window is None else clipped(sheet.lines_clipped_with, whole, window)
 
 
 def line_ends(sheet: Sheet, figures: Sequence[Lines]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -104,7 +124,7 @@ def visible_rings(sheet: Sheet, figures: Sequence[Polygon]) -> tuple[list[Ring],
     window = clip_box(sheet)
     if window is None:
         return rings, of
-    entry = catalogue.get(sheet.polygon_clipper)
+    entry = catalogue.get(sheet.polygons_clipped_with)
     return _replaced(rings, of, window, lambda ring: emitted(Call(entry, (ring, *window))).astype(float))
 
 

@@ -26,11 +26,20 @@ def construction_of(curve: Curve, chosen: str = "") -> str:
     """Slug of the text that is stepped: ``chosen`` where it can be run on the curve, else the construction
     that belongs to the curve's kind.
     """
-    if chosen and not construction_fault(curve, chosen):
-        return chosen
-    if curve.spline == "nurbs":
-        return "de_boor_rational"
-    return "de_boor" if curve.spline in B_SPLINES else "de_casteljau"
+    slugs = _constructing(curve)
+    return chosen if chosen in slugs and not construction_fault(curve, chosen) else slugs[0]
+
+
+def constructions_of(curve: Curve) -> list[str]:
+    """The slugs of the texts that can be run on a curve, the construction of its kind first."""
+    return [slug for slug in _constructing(curve) if not construction_fault(curve, slug)]
+
+
+def _constructing(curve: Curve) -> tuple[str, ...]:
+    """The texts of the curve's own kind, then those of what it is made into: Bézier pieces, or, where the
+    weights are equal, a B-spline without any."""
+    own = catalogue.constructing(curve.spline)
+    return (*own, *(slug for slug in catalogue.constructing("b_spline", "bezier") if slug not in own))
 
 
 def construction_fault(curve: Curve, slug: str) -> str:

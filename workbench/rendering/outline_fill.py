@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import CALLS
-from workbench.document.model import Polygon, Sheet
+from workbench.document.model import Line, Polygon, Sheet
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering.clipping import visible_rings
 from workbench.rendering.mapping import Call
@@ -15,7 +15,6 @@ from workbench.rendering.pipeline import colour_of
 from workbench.rendering.raster import emitted, figure_calls, pixels
 
 Cells = NDArray[np.int64]
-OUTLINE = "bresenham_line"
 _DEEPEST = 1000
 
 
@@ -29,7 +28,8 @@ class OutlineFill(NamedTuple):
 def outline_fill(sheet: Sheet, polygon: Polygon, slug: str) -> OutlineFill:
     """Draw the sides of ``polygon`` on an empty picture and fill them from a pixel far from their ends.
 
-    The seed is the pixel of the scan-line fill, off the outline, that is nearest to the middle of all such.
+    Sides and area are drawn by what lines and polygons begin with. The seed is the pixel of the area, off the
+    outline, that is nearest to the middle of all such.
     """
     cells = _outline(sheet, polygon)
     paper = sheet.palette[sheet.background % len(sheet.palette)]
@@ -39,7 +39,8 @@ def outline_fill(sheet: Sheet, polygon: Polygon, slug: str) -> OutlineFill:
         return OutlineFill(None, cells)
     image = np.full((sheet.height_px, sheet.width_px), paper, np.uint32)
     image[cells[:, 1], cells[:, 0]] = boundary
-    inside = [pixels(call.entry, emitted(call)) for call in figure_calls(sheet, polygon, "scan_line_fill")]
+    fills = figure_calls(sheet, polygon, Polygon.algorithms[0])
+    inside = [pixels(call.entry, emitted(call)) for call in fills]
     area = _seen(np.concatenate(inside), sheet) if inside else cells[:0]
     free = area[image[area[:, 1], area[:, 0]] == paper]
     if not len(free):
@@ -53,7 +54,7 @@ def outline_fill(sheet: Sheet, polygon: Polygon, slug: str) -> OutlineFill:
 
 
 def _outline(sheet: Sheet, polygon: Polygon) -> Cells:
-    function = catalogue.get(OUTLINE).function
+    function = catalogue.get(Line.algorithms[0]).function
     found: list[tuple[int, int]] = []
     for ring in visible_rings(sheet, [polygon])[0]:
         corners = [(round_half_up(x), round_half_up(y)) for x, y in ring.tolist()]

@@ -116,6 +116,24 @@ def _of_polygons(sheet: Sheet, figures: Sequence[Polygon]) -> Named:
     }, of
 
 
+def faster(call: Call) -> Call:
+    """The call that paints for this one: of the entry that draws for its own, where their law holds."""
+    by = call.entry.drawn_by
+    if by is None or not by.holds(*call.arguments):
+        return call
+    return call._replace(entry=catalogue.get(by.slug))
+
+
+def law_holds(batch: Batch) -> NDArray[np.bool_]:
+    """For which calls (n,) of a batch the law holds by which another entry draws for its own."""
+    by = batch.entry.drawn_by
+    if by is None:
+        return np.zeros(len(batch.of), np.bool_)
+    if any(isinstance(value, Lists) for value in batch.values):
+        return np.array([by.holds(*call.arguments) for call in batch.calls()], np.bool_)
+    return np.broadcast_to(by.holds(*batch.values), len(batch.of))
+
+
 def _starts(lengths: Index) -> Index:
     """Where each of some lists begins that stand one after the other, and where the last ends."""
     return np.append(0, np.cumsum(lengths))

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.document.model import AnyFigure, Circle, Sheet
 from workbench.engine.at_hand import at_hand
@@ -18,7 +19,7 @@ from workbench.geometry.conventions import round_half_up
 from workbench.rendering.clipping import clip_box, clipper_of
 from workbench.rendering.emissions import Emitted, emitted
 from workbench.rendering.mapping import Call
-from workbench.rendering.pipeline import Batch, batches, calls, colour_of, fills
+from workbench.rendering.pipeline import Batch, batches, calls, colour_of, faster, fills, law_holds
 
 __all__ = [
     "Bounds",
@@ -111,9 +112,13 @@ def _blend(image: NDArray[np.uint32], x: Index, y: Index, share: NDArray[Any], c
 
 
 class _Stretch(NamedTuple):
-    """Calls of a batch, from ``first`` to before ``last``, of figures that nothing else lies between."""
+    """Calls of a batch, from ``first`` to before ``last``, of figures that nothing else lies between.
+
+    ``entry`` paints them: that of the batch, or a faster one whose law holds for all of these calls.
+    """
 
     batch: Batch
+    entry: Entry
     colours: Index
     numbers: Index
     bounds: Bounds
@@ -128,6 +133,7 @@ def _stretches(sheet: Sheet, numbers: Sequence[int]) -> Iterator[_Stretch | int]
     # Number of a figure, of its batch, of its first call and one past its last.
     order = [(k, -1, 0, 0) for k, figure in zip(numbers, figures, strict=True) if fills(figure)]
     whole: list[_Stretch] = []
+    lawful: list[NDArray[np.bool_]] = []
     for batch in laid_out:
         number_of = np.array(numbers)[batch.of]
         starts = np.flatnonzero(np.diff(number_of, prepend=-1))
@@ -135,7 +141,9 @@ def _stretches(sheet: Sheet, numbers: Sequence[int]) -> Iterator[_Stretch | int]
         colours = np.array([colour_of(sheet, sheet.figures[k]) for k in owners], np.int64)
         counts = np.diff(starts, append=len(number_of))
         bounds = seen_bounds(sheet, sheet.figures[owners[0]]) if owners else (0, 0, 0, 0)
-        whole.append(_Stretch(batch, np.repeat(colours, counts), number_of, bounds, 0, len(number_of)))
+        each = np.repeat(colours, counts)
+        whole.append(_Stretch(batch, batch.entry, each, number_of, bounds, 0, len(number_of)))
+        lawful.append(law_holds(batch))
         ends = (starts + counts).tolist()
         order += zip(owners, repeat(len(whole) - 1), starts.tolist(), ends, strict=False)
     order.sort()
@@ -144,32 +152,36 @@ def _stretches(sheet: Sheet, numbers: Sequence[int]) -> Iterator[_Stretch | int]
         if number < 0:
             yield from (figure for figure, *_calls in (first, *rest))
         else:
-            yield whole[number]._replace(first=first[2], last=(rest or [first])[-1][3])
+            start, end = first[2], (rest or [first])[-1][3]
+            entry = whole[number].entry
+            if entry.drawn_by is not None and lawful[number][start:end].all():
+                entry = catalogue.get(entry.drawn_by.slug)
+            yield whole[number]._replace(entry=entry, first=start, last=end)
 
 
 def _paint(sheet: Sheet, numbers: Sequence[int], onto: Composite) -> None:
     """Paint the figures of these numbers, from back to front."""
-    painters: dict[int, Callable[[int, int], None]] = {}
+    painters: dict[tuple[int, str], Callable[[int, int], None]] = {}
     for stretch in _stretches(sheet, numbers):
         if isinstance(stretch, int):
             _fill(sheet, stretch, onto)
             continue
-        batch, colours, figures, bounds, first, last = stretch
-        function = batch.entry.function
-        if at_hand(function, USE):
-            if id(batch) not in painters:
-                compiled = Calls.of(function, colours, figures, batch.values)
-                painters[id(batch)] = compiled.painter(*onto, bounds)
-            painters[id(batch)](first, last)
+        batch, entry, colours, figures, bounds, first, last = stretch
+        if at_hand(entry.function, USE):
+            painter = id(batch), entry.slug
+            if painter not in painters:
+                compiled = Calls.of(entry.function, colours, figures, batch.values)
+                painters[painter] = compiled.painter(*onto, bounds)
+            painters[painter](first, last)
         else:
-            rows = [emitted(call) for call in batch.calls(first, last)]
-            _put(batch.entry, rows, colours[first:last], figures[first:last], bounds, onto)
+            rows = [emitted(call._replace(entry=entry)) for call in batch.calls(first, last)]
+            _put(entry, rows, colours[first:last], figures[first:last], bounds, onto)
 
 
 def _fill(sheet: Sheet, number: int, onto: Composite) -> None:
     """Paint a figure that reads what lies below it."""
     figure = sheet.figures[number]
-    for call in calls(sheet, figure, below=onto.image):
+    for call in map(faster, calls(sheet, figure, below=onto.image)):
         colour, bounds = np.array([colour_of(sheet, figure)]), seen_bounds(sheet, figure)
         _put(call.entry, [emitted(call)], colour, np.array([number]), bounds, onto)
 

@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer
 
-from workbench.document.model import LINE_CLIPPERS, AnyFigure, Curve, Polygon, SeedFill
-from workbench.rendering.clipping import clipper_calls, clipper_of
+from workbench.document.model import AnyFigure, Curve, Polygon, SeedFill
+from workbench.rendering.clipping import clipper_calls, clippers_of
 from workbench.rendering.curve_runs import construction_of, curve_calls
 from workbench.rendering.mapping import Call
 from workbench.rendering.outline_fill import outline_fill
@@ -84,7 +84,7 @@ class Following(QObject):
         if figure is None:
             return []
         if state.stepped == "clipper":
-            if state.compare in LINE_CLIPPERS and clipper_of(session.sheet, figure) in LINE_CLIPPERS:
+            if state.compare in clippers_of(figure):
                 return clipper_calls(session.sheet, figure, state.compare)
         elif state.compare in figure.algorithms and state.compare != figure.drawn_with:
             return figure_calls(session.sheet, figure, state.compare)

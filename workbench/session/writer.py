@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Qt, Signal, SignalInstance
 
 from workbench.engine import background
 from workbench.engine.turns import interface, short_turns
-from workbench.exchange.writing import Cancelled, Row, write
+from workbench.exchange.writing import Cancelled, FileFormat, write
 from workbench.language import _, reason_of
 
 T = TypeVar("T")
@@ -65,11 +65,11 @@ class Writer(QObject):
         """Whether something is being written, or its end not yet told."""
         return self._thread is not None
 
-    def start(self, row: Row, make: Callable[[], Any], path: Path) -> None:
+    def start(self, file_format: FileFormat, make: Callable[[], Any], path: Path) -> None:
         """Write what ``make`` gives, called on the writing thread; only while nothing else is written."""
         assert self._thread is None
         self._cancelled.clear()
-        self._thread = background.thread(partial(self._work, row, make, path), "write", self.cancel)
+        self._thread = background.thread(partial(self._work, file_format, make, path), "write", self.cancel)
         try:
             self._thread.start()
         except RuntimeError:  # the system gives no more threads
@@ -108,13 +108,13 @@ class Writer(QObject):
         interface.wait()
         self._emit(self.told, done, parts)
 
-    def _work(self, row: Row, make: Callable[[], Any], path: Path) -> None:
+    def _work(self, file_format: FileFormat, make: Callable[[], Any], path: Path) -> None:
         failed = _("Something in the program failed, so {name} was not written.").format(name=path.name)
         outcome = Outcome(problem=failed)
         try:
             with short_turns:
                 content = make()
-                outcome = Outcome(tuple(write(row, content, path, self._told)), content)
+                outcome = Outcome(tuple(write(file_format, content, path, self._told)), content)
         except Cancelled:
             outcome = Outcome(cancelled=True)
         except (ValueError, OSError) as error:

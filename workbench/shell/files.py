@@ -1,6 +1,6 @@
 """Opening and saving: names, the question about unsaved changes, recent files, recovery after a crash."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +17,7 @@ from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
     from workbench.document.building import Edit
+    from workbench.document.model import Sheet
     from workbench.document.storage.files import Stored
     from workbench.session.recovery import Recoverable
     from workbench.session.saver import Saved
@@ -138,7 +139,9 @@ class Files(QObject):
         except DocumentError as error:
             self._not_imported(path, str(error))
             return
-        self.show_sheet(next(sheet.id for sheet in session.document.sheets if sheet.id not in known))
+        added = [sheet for sheet in session.document.sheets if sheet.id not in known]
+        self.show_sheet(added[0].id)
+        self._say_stand_ins(added)
 
     def _not_imported(self, path: Path, error: str) -> None:
         sentence = _("{name} was not imported: {error}").format(name=legible(path.name), error=error)
@@ -197,15 +200,15 @@ class Files(QObject):
 
     def save_as(self, then: Callable[[], object] | None = None) -> None:
         """Ask for a name and save there; ``then`` follows when it was saved."""
-        from workbench.exchange.written import rows
+        from workbench.exchange.written import formats
         from workbench.widgets.fields.save_dialog import SaveDialog
 
-        start = self._session.path or self.exports.proposed("", SUFFIX)
+        start = self._session.path or self.exports.writing.proposed("", SUFFIX)
         SaveDialog(
             self._window,
             _("Save the picture"),
             start,
-            rows("document"),
+            formats("document"),
             lambda path, _row: self._save(path, then),
         ).open()
 
@@ -264,6 +267,7 @@ class Files(QObject):
     def _recovered(self, lost: "Recoverable", stored: "Stored") -> None:
         self._session.take_recovered(lost, stored)
         self._window.enter("draw")
+        self._say_stand_ins(stored.document.sheets)
         if self._session.changed_on_disk:
             self._window.messages.say(
                 _(
@@ -301,6 +305,14 @@ class Files(QObject):
         self._remember(path)
         if self._window.place not in self._window.workspace_slugs:
             self._window.enter("draw")
+        self._say_stand_ins(stored.document.sheets)
+
+    def _say_stand_ins(self, sheets: "Iterable[Sheet]") -> None:
+        """What serves for algorithms that a file asks for and this version lacks."""
+        from workbench.document.stand_ins import stand_ins
+
+        if sentences := stand_ins(sheets):
+            self._window.messages.say(" ".join(sentences), "warn")
 
     def _save(self, path: Path, then: Callable[[], object] | None) -> None:
         session = self._session

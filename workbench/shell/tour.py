@@ -237,7 +237,7 @@ def _ellipse(window: MainWindow) -> None:
     """The step at which an ellipse goes over from one region to the other."""
     window.open_example("circles")
     session = window.session
-    ellipse = next(figure.id for figure in session.sheet.figures if figure.algorithm == "midpoint_ellipse")
+    ellipse = session.sheet.figures[-1].id
     session.update_state(active=ellipse, selection=(ellipse,), step=_REGION_2)
     window.arrangements.bring_forward("hand_table")
 
@@ -351,12 +351,12 @@ def _fill_compared(window: MainWindow) -> None:
 
 
 def _clip(window: MainWindow, slug: str, step: int, number: int = -1, clipper: str = "") -> None:
-    from workbench.document.edits import set_clippers
+    from workbench.document.edits import set_clipper
 
     window.open_example(slug)
     session = window.session
     if clipper:
-        session.apply(set_clippers(session.sheet.id, line=clipper), _("Choose the line clipper"))
+        session.apply(set_clipper(session.sheet.id, clipper), _("Choose the clipper"))
         session.undo_stack.setClean()
     session.update_state(active=session.sheet.figures[number].id, step=step, stepped="clipper")
 

@@ -5,25 +5,25 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionButton
+from PySide6.QtWidgets import QStyle, QStyleOptionButton
 from shapely import LineString
 from shapely import box as shapely_box
 
+from tests.panels.by_hand import at, drag, recorded, settle
 from workbench.algorithms import marks
 from workbench.algorithms.clipping.window_marks import edge_mark
-from workbench.document.edits import add_figure, set_clip, set_clippers
+from workbench.document.edits import add_figure, set_clip, set_clipper
 from workbench.document.model import Circle, Line, Polygon, Rectangle, WorldPoint
 from workbench.document.samples.examples import blank_sheet, example
 from workbench.exchange.run_tables import hand
-from workbench.exchange.writing import row_for, write
-from workbench.exchange.written import rows
+from workbench.exchange.writing import format_for, write
+from workbench.exchange.written import formats
 from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.clip.scene import outcomes, tally
 from workbench.rendering import frame_buffer
 from workbench.rendering.clipping import segments_of
 from workbench.session.session import Session
 from workbench.shell.style_sheet import style_sheet
-from workbench.widgets.canvas.drawing import Word
 from workbench.widgets.fields.option_buttons import OptionButtons
 from workbench.widgets.look.tokens import LIGHT
 from workbench.widgets.stepping.sentence_view import SentenceView
@@ -47,31 +47,6 @@ def panel(qtbot, session):
     made.canvas.setFocus()
     settle()
     return made
-
-
-def settle():
-    for _turn in range(4):
-        QApplication.processEvents()
-
-
-def at(panel, x, y):
-    return panel.canvas.widget_position(x, y).toPoint()
-
-
-def drag(qtbot, panel, *places):
-    canvas = panel.canvas
-    qtbot.mousePress(canvas, LEFT, pos=at(panel, *places[0]))
-    for place in places[1:]:
-        qtbot.mouseMove(canvas, at(panel, *place))
-        settle()
-    qtbot.mouseRelease(canvas, LEFT, pos=at(panel, *places[-1]))
-    settle()
-
-
-def recorded(qtbot, session):
-    settle()
-    qtbot.waitUntil(lambda: session.run.entry is not None and session.run.done, timeout=5000)
-    settle()
 
 
 def window(session):
@@ -171,7 +146,7 @@ def test_accepted_clipped_and_rejected_are_told_apart(x0, y0, x1, y1, clipper):
     ends = (WorldPoint("", float(x0), float(y0)), WorldPoint("", float(x1), float(y1)))
     document = add_figure("s1", Line("", ends, "bresenham_line"))(document)
     document = set_clip("s1", Rectangle(8.0, 10.0, 38.0, 30.0))(document)
-    document = set_clippers("s1", line=clipper)(document)
+    document = set_clipper("s1", clipper)(document)
     sheet = document.sheets[0]
     (outcome,) = outcomes(sheet, sheet.figures[0])
     inside = shapely_box(8, 10, 38, 30)
@@ -190,7 +165,7 @@ def test_the_example_says_how_many_lines_are_inside_cut_and_outside(session, pan
 
 
 def words(panel):
-    return [each.text for each in panel.canvas.overlay.drawn if isinstance(each, Word | marks.Word)]
+    return [each.text for each in panel.canvas.overlay.drawn if isinstance(each, marks.Word)]
 
 
 def test_nine_regions_have_their_codes_and_can_be_without(qtbot, session, panel):
@@ -205,7 +180,7 @@ def test_the_code_of_an_end_keeps_clear_of_its_label(session, panel):
     below, above = [
         each.up
         for each in panel.canvas.overlay.drawn
-        if isinstance(each, Word) and (each.x, each.y) in {(48, 10), (18, 40)}
+        if isinstance(each, marks.Word) and (each.x, each.y) in {(48, 10), (18, 40)}
     ]
     assert below != above
 
@@ -348,7 +323,7 @@ def test_the_hand_table_is_saved_with_every_digit(qtbot, session, panel, tmp_pat
     session.update_state(active="f6")
     recorded(qtbot, session)
     target = tmp_path / "table.csv"
-    write(row_for(rows("table"), target), hand(session.run.steps), target)
+    write(format_for(formats("table"), target), hand(session.run.steps), target)
     lines = target.read_text(encoding="utf-8").splitlines()
     assert len(lines) == 1 + len(session.run.steps)
     assert len(lines[0].split(",")) >= len(session.run.entry.columns)

@@ -4,6 +4,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
+from tests.panels.by_hand import settle
 from workbench.document.edits import add_figure
 from workbench.document.model import Curve, CurvePoint
 from workbench.document.samples.examples import blank_sheet
@@ -14,11 +15,6 @@ LEFT, NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
 PLAIN = Qt.KeyboardModifier.NoModifier
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
 ZIGZAG = ((26.0, 10.0), (32.0, 34.0), (40.0, 40.0), (46.0, 12.0), (58.0, 30.0))
-
-
-def settle():
-    for _turn in range(4):
-        QApplication.processEvents()
 
 
 def opened(qtbot, *curves):

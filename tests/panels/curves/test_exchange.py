@@ -9,31 +9,25 @@ from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 
+from tests.panels.by_hand import settle
 from tests.panels.curves.by_hand import (
     ZIGZAG,
     click,
-    curve_through,
     drag,
     opened,
     places,
     send,
-    settle,
     the_curve,
 )
 from workbench.algorithms import marks
 from workbench.exchange.svg_paths import write_svg
-from workbench.exchange.writing import row_for, write
-from workbench.panels.stage.pages import rows_of
+from workbench.exchange.writing import format_for, write
+from workbench.panels.stage.pages import formats_of
 from workbench.rendering.curves import polyline_of
-from workbench.widgets.canvas.drawing import Spot
+from workbench.widgets.canvas.drawing import Marker
 from workbench.widgets.look.tokens import LIGHT
 
 CIRCLE = [(40 + 12 * np.cos(a), 24 + 12 * np.sin(a)) for a in np.linspace(0, 2 * np.pi, 90)]
-
-
-@pytest.fixture
-def zigzag(qtbot):
-    return opened(qtbot, curve_through(*ZIGZAG))
 
 
 def told(panel):
@@ -133,7 +127,7 @@ def test_points_fitted_from_the_clipboard_tell_their_error(qtbot):
 
 def test_curves_are_written_as_svg_and_come_back(qtbot, zigzag, tmp_path):
     path = tmp_path / "curves.svg"
-    write(row_for(rows_of("drawing"), path), write_svg(zigzag.session.sheet), path)
+    write(format_for(formats_of("drawing"), path), write_svg(zigzag.session.sheet), path)
     other = opened(qtbot)
     other.exchange.take_file(path)
     assert the_curve(other).spline == "b_spline"
@@ -143,7 +137,7 @@ def test_curves_are_written_as_svg_and_come_back(qtbot, zigzag, tmp_path):
 @pytest.mark.parametrize("ending", ["csv", "txt"])
 def test_points_are_saved_and_come_back(qtbot, zigzag, tmp_path, ending):
     path = tmp_path / f"points.{ending}"
-    write(row_for(rows_of("points"), path), zigzag.points(), path)
+    write(format_for(formats_of("points"), path), zigzag.points(), path)
     other = opened(qtbot)
     other.exchange.take_file(path)
     assert places(other) == list(ZIGZAG)
@@ -158,7 +152,7 @@ def test_only_the_chosen_points_are_saved(zigzag):
 def test_the_construction_is_saved_as_a_picture(zigzag, tmp_path, ending):
     zigzag.focus.switch("construction", True)
     path = tmp_path / f"construction.{ending}"
-    write(row_for(rows_of("step"), path), zigzag.exporter.this_step(), path)
+    write(format_for(formats_of("step"), path), zigzag.exporter.this_step(), path)
     begin = path.read_bytes()[:5]
     assert {"svg": b"<?xml", "png": b"\x89PNG\r", "pdf": b"%PDF-"}[ending] == begin
     if ending == "png":
@@ -196,7 +190,7 @@ def test_the_nearest_point_is_shown_and_a_click_goes_to_its_u(zigzag):
     away = at[0] + 3, at[1]
     send(zigzag, QEvent.Type.MouseMove, *away)
     zigzag.refresh()
-    *_others, spot = [each for each in zigzag.view.drawn() if isinstance(each, Spot)]
+    *_others, spot = [each for each in zigzag.view.drawn() if isinstance(each, Marker)]
     assert (spot.ink, spot.shape) == ("data2", "dot")
     line = polyline_of(zigzag.session.sheet, the_curve(zigzag))
     nearest = np.hypot(*(line - away).T).min()

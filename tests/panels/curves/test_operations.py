@@ -6,6 +6,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QKeySequence
 
+from tests.panels.by_hand import settle
 from tests.panels.curves.by_hand import (
     SHIFT,
     ZIGZAG,
@@ -15,7 +16,6 @@ from tests.panels.curves.by_hand import (
     opened,
     places,
     send,
-    settle,
     the_curve,
 )
 from workbench.algorithms.curves import joints, piece_points

@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QApplication
 from workbench.document.samples.examples import example_document
 from workbench.document.storage.saving import SavingError
 from workbench.exchange.tables import Table
-from workbench.exchange.writing import row_for, write
+from workbench.exchange.writing import format_for, write
 from workbench.panels.draw.panel import DrawPanel
-from workbench.panels.stage.pages import rows_of
+from workbench.panels.stage.pages import formats_of
 from workbench.panels.stage.picture import pixel_rows
 from workbench.session.session import Session
 
@@ -34,13 +34,13 @@ def panel(qtbot):
 
 def put(panel, kind, path):
     pages = panel.exporter.this_step() if kind == "step" else panel.exporter.this_run()
-    write(row_for(rows_of(kind), path), pages, path)
+    write(format_for(formats_of(kind), path), pages, path)
 
 
 def test_the_pixels_are_a_table_in_the_order_of_painting(panel, tmp_path):
     target = tmp_path / "pixels.csv"
     rows = pixel_rows(panel.session.sheet, panel.session.active_figure)
-    write(row_for(rows_of("table"), target), Table(("k", "x", "y"), rows), target)
+    write(format_for(formats_of("table"), target), Table(("k", "x", "y"), rows), target)
     rows = list(csv.reader(target.read_text(encoding="utf-8").splitlines()))
     assert rows[0] == ["k", "x", "y"]
     assert rows[1] == ["0", "20", "10"]

@@ -5,8 +5,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
 
+from tests.panels.by_hand import at, settle
 from workbench.algorithms.marks import Spot, Stroke, Word
 from workbench.document.model import Circle, Polygon, Polyline, SeedFill
 from workbench.document.samples.examples import blank_sheet, example
@@ -30,15 +30,6 @@ def opened(qtbot, document):
         qtbot.waitUntil(lambda: session.run.entry is not None and session.run.done, timeout=15000)
     settle()
     return panel
-
-
-def settle():
-    for _turn in range(4):
-        QApplication.processEvents()
-
-
-def at(panel, x, y):
-    return panel.canvas.widget_position(x, y).toPoint()
 
 
 def click(qtbot, panel, x, y, modifiers=Qt.KeyboardModifier.NoModifier):

@@ -59,6 +59,9 @@ def test_a_page_tells_all_that_an_entry_declares(entry: Entry, qapp: QApplicatio
     document.setHtml(page_of(entry, linked=True))
     told = document.toPlainText()
     sentences = [law.sentence for law in entry.laws]
+    if by := entry.drawn_by:
+        title, law = catalogue.get(by.slug).title, by.law.sentence
+        sentences.append(f"drawn by “{title}”, which is faster, wherever this law holds: {law}")
     for text in (
         entry.title,
         entry.summary,

@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
+from workbench.algorithms.marks import Word
 from workbench.document.edits import remove_figures
 from workbench.document.samples.examples import example
 from workbench.panels.fill.panel import FillPanel
@@ -11,7 +12,6 @@ from workbench.panels.shared.tube_dock import TubeDock
 from workbench.panels.shared.why import WhyPanel
 from workbench.rendering import painter_of
 from workbench.session.session import Session
-from workbench.widgets.canvas.drawing import Word
 
 
 @pytest.fixture

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import settle
 from workbench.document.edits import add_figure, set_attribute, set_window
 from workbench.document.fields import Number, numbers_of, structs_in
 from workbench.document.model import (
@@ -35,11 +35,6 @@ FIGURES = (
     Ellipse("f1", PLACE, "midpoint_ellipse", 1, radius_x_world=5.0, radius_y_world=4.0),
     SeedFill("f1", PLACE, "boundary_fill_4", 1),
 )
-
-
-def settle() -> None:
-    for _turn in range(4):
-        QApplication.processEvents()
 
 
 @pytest.fixture

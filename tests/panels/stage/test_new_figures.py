@@ -3,8 +3,8 @@
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
 
+from tests.panels.by_hand import settle
 from workbench.document.edits import add_figure
 from workbench.document.model import Line, WorldPoint
 from workbench.document.samples.examples import blank_sheet
@@ -34,11 +34,6 @@ BY_CARD = [
     *((FillPanel, name, "drag") for name in ("circle", "ellipse", "line", "brush")),
     (FillPanel, "seed", "click"),
 ]
-
-
-def settle():
-    for _turn in range(4):
-        QApplication.processEvents()
 
 
 @pytest.fixture

@@ -3,8 +3,8 @@
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
 
+from tests.panels.by_hand import settle
 from workbench.document.edits import add_figure
 from workbench.document.model import Curve, CurvePoint, Line, Rectangle, WorldPoint
 from workbench.document.samples.examples import blank_sheet
@@ -30,11 +30,6 @@ NUDGES = [
     (Qt.Key.Key_Right, SHIFT, (10, 0)),
     (Qt.Key.Key_Down, SHIFT, (0, -10)),
 ]
-
-
-def settle():
-    for _turn in range(4):
-        QApplication.processEvents()
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from workbench.algorithms.curves import bernstein
-from workbench.widgets.canvas.drawing import Region, Spot, Stroke, paint_drawn
+from workbench.widgets.canvas.drawing import Marker, PenStroke, Tint, paint_drawn
 from workbench.widgets.canvas.lines import paint_lines
 from workbench.widgets.canvas.marks import GRAB
 from workbench.widgets.canvas.overlay import Handle, Overlay
@@ -236,7 +236,7 @@ def test_a_stroke_lies_over_what_was_drawn_before_it(canvas):
     across, up = np.array([(0, 14), (39, 14)], float), np.array([(20, 0), (20, 27)], float)
     for first, second in (("data1", "data2"), ("data2", "data1")):
         higher = across + np.array([0, 5])
-        strokes = (Stroke(across, first, 5.0), Stroke(higher, first, 5.0), Stroke(up, second, 5.0))
+        strokes = (PenStroke(across, first, 5.0), PenStroke(higher, first, 5.0), PenStroke(up, second, 5.0))
         canvas.set_overlay(Overlay(drawn=strokes))
         wanted = LIGHT.data[int(second[-1]) - 1]
         assert around(canvas, 20, 14)[7][7] == around(canvas, 20, 19)[7][7] == wanted
@@ -250,7 +250,7 @@ def test_a_spot_is_where_the_painter_would_put_it(scene, shape, x, y, size):
         image = QImage(*SIZE, QImage.Format.Format_RGB32)
         image.fill(QColor("white"))
         painter = QPainter(image)
-        paint_drawn(painter, replace(scene, vector=vector), (Spot(x, y, "text", shape, size),))
+        paint_drawn(painter, replace(scene, vector=vector), (Marker(x, y, "text", shape, size),))
         painter.end()
         shades = np.frombuffer(image.constBits(), np.uint8).reshape(SIZE[1], -1, 4)[:, :, 0]
         return shades.astype(float)
@@ -265,8 +265,8 @@ def test_strokes_and_regions_reach_the_picture(canvas):
     canvas.set_overlay(
         Overlay(
             drawn=(
-                Region(np.array([(10, 5), (30, 5), (30, 20), (10, 20)], float), "data1", 255),
-                Stroke(np.array([(0, 14), (39, 14)], float), "error", 6.0, haloed=True),
+                Tint(np.array([(10, 5), (30, 5), (30, 20), (10, 20)], float), "data1", 255),
+                PenStroke(np.array([(0, 14), (39, 14)], float), "error", 6.0, haloed=True),
             )
         )
     )

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from workbench.algorithms import marks
-from workbench.widgets.canvas.drawing import Region, Spot, Stroke, Word, ink_of
+from workbench.widgets.canvas.drawing import Marker, PenStroke, Tint, ink_of
 from workbench.widgets.canvas.mark_styles import sized
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
@@ -47,10 +47,10 @@ def test_nothing_else_of_a_mark_is_changed():
     assert sized(marks.Region(SIDE, "warn"), 8).ink == "warn"
     spot = sized(marks.Spot(1, 2, "error", "cross"), 8)
     assert (spot.x, spot.y, spot.ink, spot.shape) == (1, 2, "error", "cross")
-    assert sized(marks.Word("a", 1, 2, "muted", 1, -1, True, True), 8) == Word(
+    assert sized(marks.Word("a", 1, 2, "muted", 1, -1, True, True), 8) == marks.Word(
         "a", 1, 2, "muted", 1, -1, True, True
     )
-    for each in (Stroke(SIDE), Region(SIDE), Spot(0, 0), Word("a", 0, 0)):
+    for each in (PenStroke(SIDE), Tint(SIDE), Marker(0, 0), marks.Word("a", 0, 0)):
         assert sized(each, 8) is each
 
 

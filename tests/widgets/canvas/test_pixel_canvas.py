@@ -8,8 +8,8 @@ from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
+from workbench.algorithms.marks import Word
 from workbench.geometry.conventions import round_half_up
-from workbench.widgets.canvas.drawing import Word
 from workbench.widgets.canvas.overlay import (
     BOTH,
     ONLY_FIRST,

@@ -9,8 +9,9 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QAccessible, QColor, QMouseEvent
 from PySide6.QtWidgets import QApplication
 
+from workbench.algorithms.marks import Word
 from workbench.geometry.transform_box import MOVE, PIVOT, SIDES, TURN, Box, Keys, motion
-from workbench.widgets.canvas.drawing import Stroke, Word
+from workbench.widgets.canvas.drawing import PenStroke
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.transform_box import TransformBox
@@ -162,7 +163,7 @@ def test_escape_takes_a_drag_back(qtbot, owner):
     owner.send(QEvent.Type.MouseMove, owner.canvas.widget_position(20, 20))
     owner.send(QEvent.Type.MouseButtonRelease, owner.canvas.widget_position(20, 20))
     assert len(owner.told) == count
-    corners = next(each for each in owner.canvas.overlay.drawn if isinstance(each, Stroke)).points
+    corners = next(each for each in owner.canvas.overlay.drawn if isinstance(each, PenStroke)).points
     np.testing.assert_allclose(corners[:4], BOX.corners())
     owner.drag(PIVOT, (20, 20), release=False)
     qtbot.keyClick(owner.canvas, Key.Key_Escape)

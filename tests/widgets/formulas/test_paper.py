@@ -12,7 +12,7 @@ from workbench.exchange.diagrams import Axes, Derivation, Drawing, Formulas, Hea
 from workbench.exchange.formulas.layout import Glyphs, Typesetter
 from workbench.exchange.formulas.terms import matrix
 from workbench.exchange.writing import of_kind, write
-from workbench.panels.stage.pages import ROWS
+from workbench.panels.stage.pages import FORMATS
 from workbench.widgets.formulas.paper import paper_inks, write_pdf
 from workbench.widgets.formulas.typesetting import QtMetrics, paint_primitives
 
@@ -78,7 +78,7 @@ def test_paper_has_a_colour_for_every_ink():
 
 @pytest.mark.usefixtures("qapp")
 def test_a_derivation_is_written_as_either(tmp_path):
-    assert [row.suffix for row in of_kind(ROWS, "derivation")] == [".svg", ".pdf"]
-    for row in of_kind(ROWS, "derivation"):
+    assert [row.suffix for row in of_kind(FORMATS, "derivation")] == [".svg", ".pdf"]
+    for row in of_kind(FORMATS, "derivation"):
         (path,) = write(row, DERIVATION, tmp_path / f"turn{row.suffix}")
         assert path.stat().st_size > 1000

@@ -53,6 +53,7 @@ ENTRY = Entry(
     summary="Four comparisons tell whether a point lies in the window.",
     parameters=(*POINT, *WINDOW),
     arguments=point_and_window,
+    clips=("point",),
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-6",
     columns=("x_{min} ≤ x", "x ≤ x_{max}", "y_{min} ≤ y", "y ≤ y_{max}", "point"),

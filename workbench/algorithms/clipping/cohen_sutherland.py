@@ -20,7 +20,7 @@ from workbench.algorithms.clipping.cutting import (
     pixels,
 )
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP, between, intersection, region_code
-from workbench.algorithms.clipping.window import LINE, NO_LINE_LAW, WINDOW, line_and_window
+from workbench.algorithms.clipping.window import LINE, LINES, NO_LINE_LAW, WINDOW, line_and_window
 from workbench.algorithms.entry import Entry, Law, View
 
 
@@ -97,6 +97,7 @@ ENTRY = Entry(
     summary="Codes of four bits accept or reject a line at a glance; otherwise an end is cut off at an edge.",
     parameters=(*LINE, *WINDOW),
     arguments=line_and_window,
+    clips=LINES,
     emits="segments",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-7",
     columns=("k", "codes", "or", "and", "decision", "end", "intersection"),

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from workbench.algorithms.clipping.cutting import INTERSECTIONS, edge_symbol, pixels
 from workbench.algorithms.clipping.edges import between
 from workbench.algorithms.clipping.liang_barsky_marks import marks
-from workbench.algorithms.clipping.window import LINE, NO_LINE_LAW, WINDOW, line_and_window
+from workbench.algorithms.clipping.window import LINE, LINES, NO_LINE_LAW, WINDOW, line_and_window
 from workbench.algorithms.entry import Entry, Law, View
 
 
@@ -85,6 +85,7 @@ ENTRY = Entry(
     summary="Four divisions at most narrow the parameter from u1 to u2; only then are points computed.",
     parameters=(*LINE, *WINDOW),
     arguments=line_and_window,
+    clips=LINES,
     emits="segments",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-7",
     columns=("k", "p_k", "q_k", "r_k", "u_1", "u_2"),

@@ -98,6 +98,7 @@ ENTRY = Entry(
     summary="Clips the whole polygon at one edge, hands the list of vertices on, and clips it at the next.",
     parameters=(Parameter("vertices", "P_i", "points", _FORK, meaning="the polygon"), *WINDOW),
     arguments=polygon_and_window,
+    clips=("polygon",),
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-8",
     columns=("edge", "from", "to", "case", "output"),

@@ -17,6 +17,9 @@ from workbench.algorithms.entry import Parameter
 
 _LOW, _HIGH = -1e12, 1e12
 
+# Polylines and curves are clipped as the segments that they are made of.
+LINES = ("line", "polyline", "curve")
+
 WINDOW = (
     Parameter("xmin", "x_{min}", "float", 0.0, _LOW, _HIGH, "px", "left edge of the window"),
     Parameter("ymin", "y_{min}", "float", 0.0, _LOW, _HIGH, "px", "bottom edge of the window"),

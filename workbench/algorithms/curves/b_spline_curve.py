@@ -73,6 +73,7 @@ ENTRY = Entry(
     summary="Makes the polynomial of each knot span once, and evaluates it at equal steps of u.",
     parameters=(*B_SPLINE, Parameter("samples", "samples", "int", 13, low=2, high=1_000_000)),
     arguments=b_spline_and_samples,
+    constructs=("b_spline",),
     emits="points",
     source="de Boor, A Practical Guide to Splines, chapter X",
     columns=("k", "u_k", "span", "v", "x", "y"),

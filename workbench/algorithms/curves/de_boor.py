@@ -80,6 +80,7 @@ ENTRY = Entry(
     summary="Finds the knot span of u and divides the legs of degree + 1 control points down to one point.",
     parameters=(*B_SPLINE, B_SPLINE_U),
     arguments=b_spline_and_u,
+    constructs=("b_spline",),
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 10-9",
     columns=("r", "i", "α", "d_{i-1}^{r-1}", "d_i^{r-1}", "d_i^r"),

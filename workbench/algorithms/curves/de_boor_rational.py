@@ -91,6 +91,7 @@ ENTRY = Entry(
     summary="Divides the legs of degree + 1 control points down to one point, as the weights pull.",
     parameters=(B_SPLINE[0], WEIGHTS, *B_SPLINE[1:], B_SPLINE_U),
     arguments=nurbs_and_u,
+    constructs=("nurbs",),
     emits="points",
     source="Piegl and Tiller, The NURBS Book, section 4.2",
     columns=("r", "i", "α", "w_{i-1}^{r-1}", "w_i^{r-1}", "w_i^r", "share", "d_i^r"),

@@ -58,6 +58,7 @@ ENTRY = Entry(
     summary="Divides the legs of the control polygon, and the legs between, until one point is left.",
     parameters=(BEZIER_POINTS, U),
     arguments=bezier_and_u,
+    constructs=("bezier",),
     emits="points",
     source="Hearn and Baker, Computer Graphics, C Version, section 10-8",
     columns=("r", "i", "P_i^{r-1}", "P_{i+1}^{r-1}", "P_i^r"),

@@ -109,6 +109,7 @@ ENTRY = Entry(
     summary="Divides the curve in the middle until each piece is nearer to its chord than the tolerance.",
     parameters=(BEZIER_POINTS, TOLERANCE),
     arguments=bezier_and_tolerance,
+    constructs=("bezier",),
     emits="points",
     source="Lane and Riesenfeld, 1980; Hearn and Baker, Computer Graphics, C Version, section 10-15",
     columns=("piece", "divided", "from", "to", "distance", "flat"),

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.entry import DrawnBy, Entry, Law
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
 from workbench.algorithms.seed_fill.stack_views import BOUNDARY_VIEWS, COLUMNS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
@@ -58,6 +58,11 @@ def boundary_fill_4(
                 yield next_x, next_y
 
 
+_BY_SPANS = Law(
+    "The pixels are those of the boundary fill by spans.",
+    "seed_fill/test_regions.py::test_boundary_fills_colour_the_region_of_the_seed",
+)
+
 ENTRY = Entry(
     function=boundary_fill_4,
     topic="seed_fill",
@@ -66,6 +71,7 @@ ENTRY = Entry(
     parameters=BOUNDED,
     arguments=picture_seed_and_boundary,
     draws=("seed_fill",),
+    drawn_by=DrawnBy("boundary_fill_spans", _BY_SPANS),
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
@@ -84,6 +90,7 @@ ENTRY = Entry(
             "Nothing is read or written outside the picture.",
             "seed_fill/test_regions.py::test_nothing_is_read_or_written_outside_the_picture",
         ),
+        _BY_SPANS,
     ),
     not_laws=(
         "It finds its way through a boundary of pixels that touch only at corners: 8-connected it would.",

@@ -226,4 +226,7 @@ def parameter_at(curve: Curve, share: float) -> float:
 def share_at(curve: Curve, u: float) -> float:
     """How far u is in the range of u, 0 to 1. Raises: ValueError where there is no curve."""
     knots = pieces_of(curve).knots
-    return float(min(max((u - knots[0]) / (knots[-1] - knots[0]), 0.0), 1.0))
+    length = knots[-1] - knots[0]
+    if length == 0.0:  # all points in one place, and alpha above 0
+        return 0.0
+    return float(min(max((u - knots[0]) / length, 0.0), 1.0))

@@ -7,7 +7,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QPushButton, QWidget
 
 from workbench.algorithms import catalogue
-from workbench.document.edits import set_clip, set_clippers
+from workbench.document.edits import set_clip, set_clipper
 from workbench.document.fields import numbers_of
 from workbench.document.model import LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure, Polygon, Rectangle
 from workbench.language import _, ngettext
@@ -117,10 +117,11 @@ class ClipCard(ParameterCard):
         """The clippers of lines, or of polygons; points have but one."""
         sheet = self._session.sheet
         polygons = issubclass(kind, Polygon)
-        known = {entry.slug: entry for entry in catalogue.topic("clipping")}
         slugs = POLYGON_CLIPPERS if polygons else LINE_CLIPPERS
-        choices = [(slug, _(known[slug].title)) for slug in slugs]
-        self._fill(self.clipper, choices, sheet.polygon_clipper if polygons else sheet.line_clipper)
+        choices = [(slug, _(catalogue.get(slug).title)) for slug in slugs]
+        self._fill(
+            self.clipper, choices, sheet.polygons_clipped_with if polygons else sheet.lines_clipped_with
+        )
         tip = _("The algorithm that clips polygons") if polygons else _("The algorithm that clips lines")
         self.clipper.setToolTip(tip)
 
@@ -167,10 +168,7 @@ class ClipCard(ParameterCard):
     def _choose_clipper(self, index: int) -> None:
         slug = self.clipper.itemData(index)
         session = self._session
-        if slug in LINE_CLIPPERS:
-            self.apply(set_clippers(session.sheet.id, line=slug), _("Choose the line clipper"))
-            if session.state.compare == slug:
-                others = [other for other in LINE_CLIPPERS if other != slug]
-                session.update_state(compare=others[0])
-        else:
-            self.apply(set_clippers(session.sheet.id, polygon=slug), _("Choose the polygon clipper"))
+        slugs = [self.clipper.itemData(k) for k in range(self.clipper.count())]
+        self.apply(set_clipper(session.sheet.id, slug), _("Choose the clipper"))
+        if session.state.compare == slug:
+            session.update_state(compare=next(other for other in slugs if other != slug))

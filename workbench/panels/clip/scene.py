@@ -13,12 +13,12 @@ from workbench.algorithms.clipping.cutting import bits
 from workbench.algorithms.clipping.degenerate_edges import degenerate_edges
 from workbench.algorithms.clipping.edges import region_code
 from workbench.algorithms.clipping.window_marks import corners, degenerate_marks
-from workbench.algorithms.marks import closed
+from workbench.algorithms.marks import Word, closed
 from workbench.document.model import AnyFigure, Circle, Curve, Line, Polygon, Polyline, Sheet
 from workbench.rendering.clipping import Segment, clip_box, clipped_segment, clipper_calls, segments_of
 from workbench.rendering.mapping import Box
 from workbench.rendering.raster import emitted
-from workbench.widgets.canvas.drawing import Drawn, Pattern, Region, Spot, Stroke, Word
+from workbench.widgets.canvas.drawing import Drawn, Marker, Pattern, PenStroke, Tint
 
 Fate = Literal["accepted", "clipped", "rejected"]
 
@@ -53,7 +53,7 @@ def outcomes(sheet: Sheet, figure: AnyFigure) -> list[Outcome]:
 
 
 def _line_outcome(sheet: Sheet, segment: Segment, window: Box) -> Outcome:
-    kept = clipped_segment(sheet.line_clipper, segment, window)
+    kept = clipped_segment(sheet.lines_clipped_with, segment, window)
     if not kept:
         return Outcome(segment, "rejected")
     return Outcome(segment, "accepted" if kept[0] == segment else "clipped", kept)
@@ -78,10 +78,10 @@ def scene(sheet: Sheet, active: AnyFigure | None, stepping: bool, codes: bool) -
     window = clip_box(sheet)
     if window is None:
         return
-    yield Region(corners(window)[:4], "accent", 22)
+    yield Tint(corners(window)[:4], "accent", 22)
     if codes:
         yield from _regions(sheet, window)
-    yield Stroke(corners(window), "text", 2.0, haloed=True)
+    yield PenStroke(corners(window), "text", 2.0, haloed=True)
     coded = 0
     for figure in sheet.figures:
         if not figure.visible:
@@ -100,10 +100,10 @@ def _regions(sheet: Sheet, window: Box) -> Iterator[Drawn]:
     x0, y0, x1, y1 = window
     for x in (x0, x1):
         if left < x < right:
-            yield Stroke(np.array([(x, bottom), (x, top)]), "muted", 1.0, "dash")
+            yield PenStroke(np.array([(x, bottom), (x, top)]), "muted", 1.0, "dash")
     for y in (y0, y1):
         if bottom < y < top:
-            yield Stroke(np.array([(left, y), (right, y)]), "muted", 1.0, "dash")
+            yield PenStroke(np.array([(left, y), (right, y)]), "muted", 1.0, "dash")
     columns = ((left, x0), (max(x0, left), min(x1, right)), (x1, right))
     rows = ((bottom, y0), (max(y0, bottom), min(y1, top)), (y1, top))
     for (low_x, high_x), (low_y, high_y) in product(columns, rows):
@@ -132,7 +132,7 @@ def _figure(sheet: Sheet, figure: AnyFigure, window: Box) -> Iterator[Drawn]:
         elif isinstance(figure, Circle):
             x, y = outcome.given[:2]
             shape: Literal["dot", "cross"] = "cross" if outcome.fate == "rejected" else "dot"
-            yield Spot(x, y, INKS[outcome.fate], shape)
+            yield Marker(x, y, INKS[outcome.fate], shape)
 
 
 def line_marks(outcome: Outcome) -> Iterator[Drawn]:
@@ -140,26 +140,26 @@ def line_marks(outcome: Outcome) -> Iterator[Drawn]:
     x0, y0, x1, y1 = outcome.given[:4]
     ink = INKS[outcome.fate]
     if not outcome.kept:
-        yield Stroke(np.array([(x0, y0), (x1, y1)]), ink, 2.0, "dot")
+        yield PenStroke(np.array([(x0, y0), (x1, y1)]), ink, 2.0, "dot")
         return
     ax, ay, bx, by = outcome.kept[0]
     a, b = (ax, ay), (bx, by)
     for end, cut in (((x0, y0), a), ((x1, y1), b)):
         if end != cut:
-            yield Stroke(np.array([end, cut]), ink, 1.5, "dash")
-    yield Stroke(np.array([a, b]), ink, 2.5, haloed=True)
+            yield PenStroke(np.array([end, cut]), ink, 1.5, "dash")
+    yield PenStroke(np.array([a, b]), ink, 2.5, haloed=True)
     for end, cut in (((x0, y0), a), ((x1, y1), b)):
         if end != cut:
-            yield Spot(*cut, "data2", "ring", 7)
+            yield Marker(*cut, "data2", "ring", 7)
 
 
 def _ring_marks(outcome: Outcome, window: Box) -> Iterator[Drawn]:
     """A polygon: its outline broken, what is kept solid, edges without area between them in a warning."""
     ring = np.asarray(outcome.given[0], np.float64)
     ink = INKS[outcome.fate]
-    yield Stroke(closed(ring), ink, 1.5, PATTERNS[outcome.fate])
+    yield PenStroke(closed(ring), ink, 1.5, PATTERNS[outcome.fate])
     if len(outcome.kept) > 1 and outcome.fate == "clipped":
-        yield Stroke(closed(np.array(outcome.kept, np.float64)), ink, 2.5, haloed=True)
+        yield PenStroke(closed(np.array(outcome.kept, np.float64)), ink, 2.5, haloed=True)
         yield from degenerate_marks(outcome.kept, window)
 
 

@@ -234,4 +234,4 @@ class PointTool(FigureTool):
 
     def figure(self, cells: list[Cell]) -> AnyFigure | None:
         """A point on the last cell."""
-        return Circle("", self.points(cells[-1:]), "midpoint_circle", self.next_colour(), radius_world=0.0)
+        return Circle("", self.points(cells[-1:]), Circle.algorithms[0], self.next_colour(), radius_world=0.0)

@@ -23,7 +23,6 @@ from workbench.document.edits import Edit, both, set_attributes
 from workbench.document.fields import Number, numbers_of
 from workbench.document.model import (
     B_SPLINES,
-    CONSTRUCTIONS,
     ENDS,
     JOINTS,
     KNOT_RULES,
@@ -48,7 +47,7 @@ from workbench.panels.curves.pen import PenTool
 from workbench.panels.curves.shape import has_tangent
 from workbench.panels.stage.card import ParameterCard, number_field
 from workbench.panels.stage.tools import FigureTool
-from workbench.rendering.curve_runs import construction_fault, construction_of
+from workbench.rendering.curve_runs import construction_fault, construction_of, constructions_of
 from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
@@ -274,7 +273,7 @@ class CurveCard(ParameterCard):
         self.legend.setVisible(bool(lines))
         self.count.setText(countings(curve))
         self.count.setVisible(True)
-        texts = [(slug, _(catalogue.get(slug).title)) for slug in texts_of(curve)]
+        texts = [(slug, _(catalogue.get(slug).title)) for slug in constructions_of(curve)]
         self._fill(self.steps, texts, construction_of(curve, self._session.state.construction))
         fault = fault_of(curve) or ("" if texts else construction_fault(curve, construction_of(curve)))
         self.fault.setText(f"\N{WARNING SIGN} {escape(fault)}")
@@ -313,13 +312,6 @@ class CurveCard(ParameterCard):
         if refusal := self.apply(edit, _("Change curve"), merge and f"{merge} {attribute}"):
             self.fault.setText(f"\N{WARNING SIGN} {escape(refusal)}")
             self.fault.setVisible(True)
-
-
-def texts_of(curve: Curve) -> list[str]:
-    """The slugs of the texts of curves that can be stepped on this one, its construction first."""
-    first = construction_of(curve)
-    listed = (first, *(slug for slug in CONSTRUCTIONS if slug != first))
-    return [slug for slug in listed if not construction_fault(curve, slug)]
 
 
 def edit_of(sheet: Sheet, curves: Sequence[Curve], attribute: str, value: Value) -> Edit:

@@ -22,7 +22,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import B_SPLINES, Curve, Document
 from workbench.language import _, ngettext
 from workbench.panels.curves.focus import CurveFocus
-from workbench.panels.stage.actions import Row
+from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.gesture import Gesture
 from workbench.rendering import device_map
 
@@ -41,7 +41,7 @@ class CurveCommands(QObject):
         self._pull = Gesture(self.session)
         self._pull.failed.connect(self.said)
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[PanelCommand]:
         """Name, text, icon, key and what it does, for the menu of the canvas and the list of commands."""
         return [
             ("corner", _("Make the joint a corner"), "caret-up", "Shift+C", partial(self.joint, "corner")),

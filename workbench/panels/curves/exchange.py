@@ -23,7 +23,7 @@ from workbench.exchange.svg_paths import Imported
 from workbench.language import _, ngettext
 from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.curves.freehand import FIT_PX, fit_words
-from workbench.panels.stage.actions import Row
+from workbench.panels.stage.actions import PanelCommand
 from workbench.session.incoming import Prepare
 
 
@@ -40,7 +40,7 @@ class CurveExchange(QObject):
         self.focus, self._model = focus, model
         self.session = focus.session
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[PanelCommand]:
         """Name, text, icon, key and what it does."""
         return [
             ("copy_points", _("Copy points"), "copy-simple", "", self.copy),

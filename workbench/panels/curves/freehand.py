@@ -4,6 +4,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 
 from workbench.algorithms.curves import closest_point, in_rows
+from workbench.algorithms.marks import Word
 from workbench.document.curves.pieces import share_at
 from workbench.document.edits import add_figure
 from workbench.document.model import Curve
@@ -13,7 +14,7 @@ from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.curves.shape import device_pieces
 from workbench.panels.stage.gesture import Modifiers, Tool
 from workbench.panels.stage.tools import FigureTool
-from workbench.widgets.canvas.drawing import Drawn, Spot, Stroke, Word
+from workbench.widgets.canvas.drawing import Drawn, Marker, PenStroke
 
 FIT_PX = 0.6
 _CLOSE_PX = 12
@@ -123,7 +124,7 @@ class ProbeTool(Tool):
         u, x, y, away = found
         words = _("{away:.3g} px, u = {u:.4g}").format(away=away, u=u)
         return [
-            Stroke(np.array([at, (x, y)]), "data2", 1.75, "dash", haloed=True),
-            Spot(x, y, "data2", "dot", 9),
+            PenStroke(np.array([at, (x, y)]), "data2", 1.75, "dash", haloed=True),
+            Marker(x, y, "data2", "dot", 9),
             Word(words, x, y, "text", 1, -1, carded=True),
         ]

@@ -7,11 +7,12 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces, piece_points
+from workbench.algorithms.marks import Word
 from workbench.document.curves.pieces import parameter_at
 from workbench.document.model import Curve, Sheet
 from workbench.language import _
 from workbench.panels.curves.shape import device_pieces, device_points
-from workbench.widgets.canvas.drawing import Drawn, Region, Spot, Stroke, Word
+from workbench.widgets.canvas.drawing import Drawn, Marker, PenStroke, Tint
 
 Array = NDArray[np.float64]
 
@@ -62,7 +63,7 @@ def hull(points: Array) -> list[Drawn]:
     if len(corners) < 3:
         return []
     around = np.vstack([corners, corners[:1]])
-    return [Region(corners, "data3", 28), Stroke(around, "data3", 1.25, "dash")]
+    return [Tint(corners, "data3", 28), PenStroke(around, "data3", 1.25, "dash")]
 
 
 def box(pieces: Pieces) -> list[Drawn]:
@@ -70,7 +71,7 @@ def box(pieces: Pieces) -> list[Drawn]:
     (x0, y0), (x1, y1) = (side.tolist() for side in curves.bounding_box(pieces))
     around = np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)])
     said = Word(f"{x1 - x0:.4g} \N{MULTIPLICATION SIGN} {y1 - y0:.4g}", x1, y0, "muted", -1, -1)
-    return [Stroke(around, "muted", 1.25, "dot"), said]
+    return [PenStroke(around, "muted", 1.25, "dot"), said]
 
 
 def comb(pieces: Pieces, size: float) -> list[Drawn]:
@@ -87,8 +88,8 @@ def comb(pieces: Pieces, size: float) -> list[Drawn]:
     ends = begins + scale[..., None] * way
     # One line there and back again for all the teeth of a piece; lines of one style are painted at once.
     teeth = np.stack([begins, ends, begins], axis=2).reshape(len(begins), -1, 2)
-    drawn: list[Drawn] = [Stroke(line, "muted", 0.75) for line in teeth]
-    return [*drawn, *(Stroke(line, "text", 1.5) for line in ends)]
+    drawn: list[Drawn] = [PenStroke(line, "muted", 0.75) for line in teeth]
+    return [*drawn, *(PenStroke(line, "text", 1.5) for line in ends)]
 
 
 def circle(pieces: Pieces, u: float) -> list[Drawn]:
@@ -101,11 +102,11 @@ def circle(pieces: Pieces, u: float) -> list[Drawn]:
     around = centre + radius * np.column_stack([np.cos(angle), np.sin(angle)])
     cx, cy = centre.tolist()
     return [
-        Stroke(around, "data5", 1.5, "dash"),
-        Stroke(np.array([(cx, cy), (x, y)]), "data5", 1.0),
-        Spot(cx, cy, "data5", "cross", 8),
+        PenStroke(around, "data5", 1.5, "dash"),
+        PenStroke(np.array([(cx, cy), (x, y)]), "data5", 1.0),
+        Marker(cx, cy, "data5", "cross", 8),
         Word(f"r = {radius:.4g}", cx, cy, "text", 0, -1, carded=True),
-        Spot(x, y, "data5", "dot", 7),
+        Marker(x, y, "data5", "dot", 7),
     ]
 
 
@@ -116,16 +117,16 @@ def tangent(pieces: Pieces, u: float) -> list[Drawn]:
     # Of a part without meaning beside the other 0 is shown.
     said_x, said_y = (part if abs(part) > 1e-9 * length else 0.0 for part in (dx, dy))
     if length <= 0.0:
-        return [Spot(x, y, "data2", "cross", 9)]
+        return [Marker(x, y, "data2", "cross", 9)]
     shown = min(length / 3, _FAR) / length
     tip = np.array([x + dx * shown, y + dy * shown])
     along, across = np.array([dx, dy]) / length, np.array([-dy, dx]) / length
     barb = np.array([tip - 1.1 * along + 0.45 * across, tip, tip - 1.1 * along - 0.45 * across])
     angle = math.degrees(math.atan2(dy, dx))
     return [
-        Stroke(np.array([(x, y), tip]), "data2", 2.0, haloed=True),
-        Stroke(barb, "data2", 2.0),
-        Spot(x, y, "data2", "dot", 7),
+        PenStroke(np.array([(x, y), tip]), "data2", 2.0, haloed=True),
+        PenStroke(barb, "data2", 2.0),
+        Marker(x, y, "data2", "dot", 7),
         Word(f"C′ = ({said_x:.4g}, {said_y:.4g}), {angle:.0f}°", tip[0], tip[1], "text", 1, 1, carded=True),
     ]
 
@@ -136,15 +137,17 @@ def extrema(pieces: Pieces) -> list[Drawn]:
     for _u, axis, point in curves.extrema(pieces)[:MOST_MARKS]:
         x, y = point.tolist()
         half = (0.0, 1.2) if axis == 0 else (1.2, 0.0)
-        drawn.append(Stroke(np.array([(x - half[0], y - half[1]), (x + half[0], y + half[1])]), "data1", 2.0))
-        drawn.append(Spot(x, y, "data1", "square", 6))
+        drawn.append(
+            PenStroke(np.array([(x - half[0], y - half[1]), (x + half[0], y + half[1])]), "data1", 2.0)
+        )
+        drawn.append(Marker(x, y, "data1", "square", 6))
     return drawn
 
 
 def inflections(pieces: Pieces) -> list[Drawn]:
     """Where the curve changes the side it bends to."""
     at = piece_points(pieces, curves.inflections(pieces)[:MOST_MARKS]).reshape(-1, 2)
-    return [Spot(x, y, "data4", "ring", 11) for x, y in at.tolist()]
+    return [Marker(x, y, "data4", "ring", 11) for x, y in at.tolist()]
 
 
 def crossings(pieces: Pieces) -> list[Drawn]:
@@ -160,18 +163,18 @@ def crossings(pieces: Pieces) -> list[Drawn]:
     for begin, end in sorted({stretch.u for stretch in stretches}):
         line = piece_points(pieces, np.linspace(begin, end, ALONG))
         x, y = line[ALONG // 2].tolist()
-        drawn.append(Stroke(line, "data2", 3.0, "dash"))
+        drawn.append(PenStroke(line, "data2", 3.0, "dash"))
         drawn.append(Word(_("runs along itself"), x, y, "text", 1, 1, carded=True))
-    return [*drawn, *(Spot(x, y, "data2", "cross", 11) for x, y in (at.tolist() for _u, _v, at in places))]
+    return [*drawn, *(Marker(x, y, "data2", "cross", 11) for x, y in (at.tolist() for _u, _v, at in places))]
 
 
 def steps_of_u(pieces: Pieces) -> list[Drawn]:
     """Points at equal steps of the parameter."""
     at = piece_points(pieces, np.linspace(pieces.knots[0], pieces.knots[-1], STEPS + 1))
-    return [Spot(x, y, "data2", "ring", 9) for x, y in at.tolist()]
+    return [Marker(x, y, "data2", "ring", 9) for x, y in at.tolist()]
 
 
 def steps_of_length(pieces: Pieces) -> list[Drawn]:
     """As many points at equal steps of the length."""
     at = piece_points(pieces, curves.equal_lengths(pieces, STEPS + 1))
-    return [Spot(x, y, "data3", "square", 7) for x, y in at.tolist()]
+    return [Marker(x, y, "data3", "square", 7) for x, y in at.tolist()]

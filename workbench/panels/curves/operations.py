@@ -16,7 +16,7 @@ from workbench.document.model import Curve, Polyline, WorldPoint
 from workbench.language import _
 from workbench.panels.curves.commands import CurveCommands
 from workbench.panels.curves.names import point_name, spline_title
-from workbench.panels.stage.actions import Row
+from workbench.panels.stage.actions import PanelCommand
 from workbench.rendering import device_map
 from workbench.rendering.curves import polyline_of
 
@@ -33,7 +33,7 @@ _ALIGN_ICONS = {
 class CurveOperations(CurveCommands):
     """Adds the commands that change a curve as a whole, or make it of another kind."""
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[PanelCommand]:
         """Name, text, icon, key and what it does, for the menu of the canvas and the list of commands."""
         aligning = {
             "left": _("Align to the left"),

@@ -25,7 +25,7 @@ from workbench.panels.curves.shape import prepare
 from workbench.panels.curves.tools import CurveSelectTool
 from workbench.panels.curves.view import CurveView
 from workbench.panels.panel import DockPart
-from workbench.panels.stage.actions import Row
+from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.clipboard import figures_held
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.stepped import SteppedPanel
@@ -188,7 +188,7 @@ class CurvesPanel(SteppedPanel):
         super()._end_nudging()
         self.session.end_merge(NUDGE)
 
-    def _show_rows(self) -> list[Row]:
+    def _show_rows(self) -> list[PanelCommand]:
         keys = {"construction": ("triangle", "U"), "comb": ("chart-line", "K")}
         named = _("Show or hide: {what}")
         return [

@@ -19,7 +19,7 @@ from workbench.panels.curves.shape import (
     smooth_line,
     tangent_ends,
 )
-from workbench.widgets.canvas.drawing import Drawn, Stroke, Word
+from workbench.widgets.canvas.drawing import Drawn, PenStroke
 
 Array = NDArray[np.float64]
 
@@ -37,7 +37,7 @@ def others(sheet: Sheet, active: Curve | None) -> list[Drawn]:
         for figure in sheet.figures
         if isinstance(figure, Curve) and figure.visible and figure is not active
     ]
-    return [Stroke(line, "muted", 1.25) for line in lines if len(line)]
+    return [PenStroke(line, "muted", 1.25) for line in lines if len(line)]
 
 
 def beside(sheet: Sheet, curve: Curve) -> list[Drawn]:
@@ -47,14 +47,14 @@ def beside(sheet: Sheet, curve: Curve) -> list[Drawn]:
         line = smooth_line(sheet, curve, spline) if spline != curve.spline else ()
         if len(line):
             ink, pattern = look_of(spline)
-            drawn.append(Stroke(np.asarray(line), ink, 1.75, pattern))
+            drawn.append(PenStroke(np.asarray(line), ink, 1.75, pattern))
     return drawn
 
 
 def curve_line(sheet: Sheet, curve: Curve) -> list[Drawn]:
     """The curve itself."""
     line = smooth_line(sheet, curve)
-    return [Stroke(line, CURVE_INK, 2.25, haloed=len(line) < MANY)] if len(line) else []
+    return [PenStroke(line, CURVE_INK, 2.25, haloed=len(line) < MANY)] if len(line) else []
 
 
 def control_polygon(sheet: Sheet, curve: Curve, numbers: Sequence[int] = ()) -> list[Drawn]:
@@ -69,13 +69,13 @@ def control_polygon(sheet: Sheet, curve: Curve, numbers: Sequence[int] = ()) -> 
         for k in np.flatnonzero(shown).tolist():
             anchor = anchor_of(curve, k)
             if k % 3 and anchor is not None:
-                drawn.append(Stroke(points[[anchor, k]], "muted", 1.0))
+                drawn.append(PenStroke(points[[anchor, k]], "muted", 1.0))
         return drawn
     if len(points) > 1:
         legs = np.vstack([points, points[:1]]) if goes_round(curve) else points
-        drawn.append(Stroke(legs, "muted", 1.0, "dash" if len(legs) < MANY else "solid"))
+        drawn.append(PenStroke(legs, "muted", 1.0, "dash" if len(legs) < MANY else "solid"))
     for k, end in tangent_ends(sheet, curve).items():
-        drawn.append(Stroke(np.array([points[k], end]), "data5", 1.25))
+        drawn.append(PenStroke(np.array([points[k], end]), "data5", 1.25))
     return drawn
 
 
@@ -110,7 +110,7 @@ def names(sheet: Sheet, curve: Curve) -> list[Drawn]:
     for k, (x, y) in enumerate(points.tolist()):
         right, up = (1 if x >= middle[0] else -1), (1 if y >= middle[1] else -1)
         if k % 3 == 0 or curve.spline != "bezier_path":
-            drawn.append(Word(point_name(curve, k), x, y, "muted", right, up))
+            drawn.append(marks.Word(point_name(curve, k), x, y, "muted", right, up))
     return drawn
 
 
@@ -125,7 +125,7 @@ def place_at(sheet: Sheet, curve: Curve, share: float) -> list[Drawn]:
     name = f"C({parameter_at(curve, share):.4g})"
     return [
         marks.Spot(*place, "text", "ring", "large"),
-        Word(name, *place, "text", 1, 1, carded=True, strong=True),
+        marks.Word(name, *place, "text", 1, 1, carded=True, strong=True),
     ]
 
 
@@ -159,7 +159,7 @@ def influence(curve: Curve, numbers: tuple[int, ...]) -> Array:
     return np.where(way < 1e-6, 0.0, np.minimum(way, 1.0))
 
 
-def region(sheet: Sheet, curve: Curve, strength: Array) -> list[Stroke]:
+def region(sheet: Sheet, curve: Curve, strength: Array) -> list[PenStroke]:
     """The pieces that follow what is moved, the wider the more they follow."""
     pieces = device_pieces(sheet, curve)
     if pieces is None or len(strength) != len(pieces.controls):
@@ -168,10 +168,10 @@ def region(sheet: Sheet, curve: Curve, strength: Array) -> list[Stroke]:
     widths = np.where(strength > 0.002, 7.0 + 2.0 * np.ceil(4.0 * strength), 0.0)
     widths[np.diff(pieces.knots) <= 0] = 0.0
     edges = np.flatnonzero(np.diff(widths, prepend=-1.0, append=-1.0))
-    drawn: list[Stroke] = []
+    drawn: list[PenStroke] = []
     for first, end in pairwise(edges.tolist()):
         if widths[first] > 0:
             weights = None if pieces.weights is None else pieces.weights[first:end]
             run = Pieces(pieces.knots[first : end + 1], pieces.controls[first:end], weights)
-            drawn.append(Stroke(polyline(run, SMOOTH_PX), "data5", float(widths[first])))
+            drawn.append(PenStroke(polyline(run, SMOOTH_PX), "data5", float(widths[first])))
     return sorted(drawn, key=lambda stroke: stroke.width)

@@ -11,7 +11,7 @@ from workbench.document.curves.pieces import goes_round
 from workbench.document.model import Curve, Sheet
 from workbench.panels.curves.scene import CURVE_INK, MANY
 from workbench.panels.curves.shape import SMOOTH_PX, Array, device_pieces, device_points
-from workbench.widgets.canvas.drawing import Drawn, Stroke
+from workbench.widgets.canvas.drawing import Drawn, PenStroke
 from workbench.widgets.canvas.overlay import Handle, Still
 
 # A piece that follows less than this share of the way stays where it is until the points are let go.
@@ -78,7 +78,7 @@ def _legs(sheet: Sheet, curve: Curve, chosen: NDArray[np.bool_]) -> list[Drawn]:
     points = device_points(sheet, curve)
     around = np.vstack([points, points[:1]]) if goes_round(curve) else points
     chosen = chosen[: len(around) - 1]
-    return [Stroke(around[a : b + 1], "muted", 1.0) for a, b in _spans(chosen)]
+    return [PenStroke(around[a : b + 1], "muted", 1.0) for a, b in _spans(chosen)]
 
 
 def _runs(pieces: Pieces, chosen: NDArray[np.bool_]) -> list[Drawn]:
@@ -87,7 +87,7 @@ def _runs(pieces: Pieces, chosen: NDArray[np.bool_]) -> list[Drawn]:
     for a, b in _spans(chosen & (np.diff(pieces.knots) > 0)):
         weights = None if pieces.weights is None else pieces.weights[a:b]
         run = Pieces(pieces.knots[a : b + 1], pieces.controls[a:b], weights)
-        drawn.append(Stroke(polyline(run, SMOOTH_PX), CURVE_INK, 2.25))
+        drawn.append(PenStroke(polyline(run, SMOOTH_PX), CURVE_INK, 2.25))
     return drawn
 
 

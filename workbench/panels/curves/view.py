@@ -36,7 +36,7 @@ from workbench.rendering import device_map, emitted
 from workbench.rendering.curve_runs import construction_of, curve_calls
 from workbench.rendering.marks import on_device
 from workbench.session.variables import same_value
-from workbench.widgets.canvas.drawing import Drawn, Spot, Stroke, data_ink
+from workbench.widgets.canvas.drawing import Drawn, Marker, PenStroke, data_ink
 from workbench.widgets.canvas.overlay import Cell, GripShape, Handle, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.look.tokens import LIGHT, tokens
@@ -162,7 +162,7 @@ class CurveView(FigureView):
         drawn += self._probe
         if 0 <= self.focus.hovered < len(curve.points_world):
             x, y = device_points(sheet, curve)[self.focus.hovered].tolist()
-            drawn.append(Spot(x, y, data_ink(self.focus.hovered), "ring", 17))
+            drawn.append(Marker(x, y, data_ink(self.focus.hovered), "ring", 17))
         return drawn
 
     def _construction(self, curve: Curve, number: int | None = None) -> list[Drawn]:
@@ -203,7 +203,7 @@ class CurveView(FigureView):
         x, y = device_map(self.session.sheet).point(held.x, held.y)
         return round_half_up(x), round_half_up(y)
 
-    def _region(self, curve: Curve, chosen: list[int]) -> list[Stroke]:
+    def _region(self, curve: Curve, chosen: list[int]) -> list[PenStroke]:
         """What follows the points that are dragged, or, where that is switched on, those that are chosen."""
         numbers = tuple(chosen) if "influence" in self.focus.shown else ()
         if self.focus.moving:
@@ -267,5 +267,5 @@ class CurveView(FigureView):
         shown = picture if "pixels" in self.focus.shown else pale_picture
         drawn = self.drawn(number, sheet)
         if curve is not None and "polygon" in self.focus.shown and len(curve.points_world) < MANY:
-            drawn += [Spot(x, y, CURVE_INK, "ring", 7) for x, y in device_points(sheet, curve).tolist()]
+            drawn += [Marker(x, y, CURVE_INK, "ring", 7) for x, y in device_points(sheet, curve).tolist()]
         return Composition(shown(sheet, LIGHT), packed(LIGHT.canvas), Overlay(drawn=tuple(drawn)))

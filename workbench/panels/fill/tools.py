@@ -66,7 +66,7 @@ class AreaCircleTool(CircleTool):
 
     def __init__(self, session: Session) -> None:
         super().__init__(session)
-        self.algorithm = "circle_fill"
+        self.algorithm = catalogue.filling(self.kind.algorithms)[0]
 
     def next_colour(self) -> int:
         """The colour chosen in the card."""
@@ -80,7 +80,7 @@ class AreaEllipseTool(EllipseTool):
 
     def __init__(self, session: Session) -> None:
         super().__init__(session)
-        self.algorithm = "ellipse_fill"
+        self.algorithm = catalogue.filling(self.kind.algorithms)[0]
 
     def next_colour(self) -> int:
         """The colour chosen in the card."""

@@ -1,10 +1,10 @@
 """About this algorithm: what the run's entry declares, and the step up to the next rung of its ladder."""
 
-from workbench.document.edits import set_algorithm, set_clippers
-from workbench.document.model import CONSTRUCTIONS, LINE_CLIPPERS, AnyFigure, Curve
+from workbench.document.edits import set_algorithm, set_clipper
+from workbench.document.model import AnyFigure, Curve
 from workbench.language import _
-from workbench.rendering.clipping import clipper_of
-from workbench.rendering.curve_runs import construction_fault, construction_of
+from workbench.rendering.clipping import clippers_of
+from workbench.rendering.curve_runs import construction_of, constructions_of
 from workbench.session.session import Session
 
 
@@ -15,9 +15,9 @@ def may_choose(session: Session, slug: str) -> bool:
         return False
     match session.state.stepped:
         case "clipper":
-            return slug in LINE_CLIPPERS and clipper_of(session.sheet, figure) in LINE_CLIPPERS
+            return slug in clippers_of(figure)
         case "curve":
-            return isinstance(figure, Curve) and _constructs(figure, slug)
+            return isinstance(figure, Curve) and slug in (construction_of(figure), *constructions_of(figure))
     return slug in figure.algorithms
 
 
@@ -28,18 +28,13 @@ def choose(session: Session, slug: str) -> None:
         return
     match session.state.stepped:
         case "clipper":
-            session.apply(set_clippers(session.sheet.id, line=slug), _("Change algorithm"))
+            session.apply(set_clipper(session.sheet.id, slug), _("Change algorithm"))
         case "curve":
             _construct(session, figure, slug)
         case _:
             session.apply(set_algorithm(figure.id, slug), _("Change algorithm"))
     if session.state.compare == slug:
         session.update_state(compare="")
-
-
-def _constructs(curve: Curve, slug: str) -> bool:
-    own = construction_of(curve)
-    return slug == own or (slug in CONSTRUCTIONS and not construction_fault(curve, slug))
 
 
 def _construct(session: Session, curve: AnyFigure, slug: str) -> None:

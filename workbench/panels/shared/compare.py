@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from workbench.algorithms import catalogue
-from workbench.document.edits import set_algorithm, set_clippers
+from workbench.document.edits import set_algorithm, set_clipper
 from workbench.document.errors import DocumentError
 from workbench.engine.recording import Recording
 from workbench.exchange.tables import Table
@@ -212,7 +212,7 @@ class CompareView(QWidget):
             return
         try:
             if self._clipping:
-                session.apply(set_clippers(session.sheet.id, line=slug), _("Choose the line clipper"))
+                session.apply(set_clipper(session.sheet.id, slug), _("Choose the clipper"))
             else:
                 session.apply(set_algorithm(figure.id, slug), _("Change algorithm"))
         except DocumentError as problem:  # another figure is active since the list was opened

@@ -4,7 +4,7 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelInd
 from PySide6.QtWidgets import QWidget
 
 from workbench.language import _
-from workbench.panels.shared.compare_work import Row
+from workbench.panels.shared.compare_work import ComparedCount
 from workbench.widgets.look.tokens import colour, tokens
 from workbench.widgets.look.type_faces import code_font
 
@@ -17,10 +17,10 @@ class CompareModel(QAbstractTableModel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.titles: tuple[str, str] = ("", "")
-        self.rows: list[Row] = []
+        self.rows: list[ComparedCount] = []
         self.stale = False
 
-    def take(self, titles: tuple[str, str], rows: list[Row]) -> None:
+    def take(self, titles: tuple[str, str], rows: list[ComparedCount]) -> None:
         """Show other rows."""
         self.beginResetModel()
         self.titles, self.rows, self.stale = titles, rows, False

@@ -6,12 +6,10 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
 from workbench.document.model import (
-    LINE_CLIPPERS,
     AnyFigure,
     Curve,
     Line,
@@ -20,12 +18,13 @@ from workbench.document.model import (
     SeedFill,
     Sheet,
 )
+from workbench.document.sheet_edits import with_clipper
 from workbench.engine.compiled import Stop
 from workbench.engine.counts import counts
 from workbench.engine.pending import largest
 from workbench.engine.recording import Recording
 from workbench.language import _
-from workbench.rendering.clipping import clipper_calls, clipper_of
+from workbench.rendering.clipping import clipper_calls, clipper_of, clippers_of
 from workbench.rendering.compare import compare, figure_pixels
 from workbench.rendering.mapping import Call
 from workbench.rendering.outline_fill import outline_fill
@@ -105,7 +104,7 @@ def choices(sheet: Sheet, figure: AnyFigure | None, clipping: bool) -> tuple[str
         return "", ()
     if clipping:
         now = clipper_of(sheet, figure)
-        return now, tuple(slug for slug in LINE_CLIPPERS if now in LINE_CLIPPERS and slug != now)
+        return now, tuple(slug for slug in clippers_of(figure) if slug != now)
     known = {entry.slug for entry in catalogue.entries()}
     others = list(figure.algorithms)
     if isinstance(figure, Polygon):
@@ -196,7 +195,7 @@ def outcome_of(job: Job, stop: Stop) -> Outcome:
 def _painted(job: Job, slug: str) -> Cells:
     """The pixels of the figures under one side."""
     found: list[Cells] = []
-    sheet = replace(job.sheet, line_clipper=slug) if job.clipping else job.sheet
+    sheet = with_clipper(job.sheet, slug) if job.clipping else job.sheet
     for figure in job.figures:
         if job.clipping:
             found.append(figure_pixels(sheet, figure))
@@ -218,14 +217,14 @@ def _ties(job: Job) -> Cells | None:
     return np.concatenate(tied) if tied else None
 
 
-Row = tuple[str, Any, Any]
+ComparedCount = tuple[str, Any, Any]
 
 
 def _counted(label: str, work: Work) -> int | None:
     return work.counted.get(label)
 
 
-def table_rows(outcome: Outcome) -> list[Row]:
+def table_rows(outcome: Outcome) -> list[ComparedCount]:
     """Label and the number of each side; rows in which neither did anything are left out."""
     first, second = outcome.first, outcome.second
     emits = catalogue.get(outcome.job.first).emits
@@ -246,7 +245,7 @@ def table_rows(outcome: Outcome) -> list[Row]:
     ]
     kept = {_("Tests"), _("Additions"), _("Multiplications"), _("Divisions")}
     kept |= {_(label) for label in labels}
-    rows: list[Row] = []
+    rows: list[ComparedCount] = []
     for label, read in readers:
         values = read(first), read(second) if second is not None else None
         if any(values) or label in kept:

@@ -14,13 +14,13 @@ from workbench.widgets.look.tokens import colour, theme_changed, tokens
 if TYPE_CHECKING:
     from workbench.panels.stage.panel import FigurePanel
 
-Row = tuple[str, str, str, str, Callable[[], object]]
+PanelCommand = tuple[str, str, str, str, Callable[[], object]]
 
 
 class FigureActions(QObject):
     """Makes the actions of a panel: ``made`` has them by name. Commands are in the canvas's menu too."""
 
-    def __init__(self, panel: "FigurePanel", commands: Sequence[Row]) -> None:
+    def __init__(self, panel: "FigurePanel", commands: Sequence[PanelCommand]) -> None:
         super().__init__(panel)
         self._panel = panel
         self.made: dict[str, QAction] = {}
@@ -32,11 +32,11 @@ class FigureActions(QObject):
         for row in (*self._commands(), *commands):
             panel.canvas.addAction(self._add(row))
 
-    def _tools(self) -> list[Row]:
+    def _tools(self) -> list[PanelCommand]:
         panel = self._panel
         return [(t.name, t.title, t.icon, t.key, partial(panel.choose_tool, t.name)) for t in panel.tools]
 
-    def _zooms(self) -> list[Row]:
+    def _zooms(self) -> list[PanelCommand]:
         canvas = self._panel.canvas
         return [
             ("zoom_in", _("Zoom in"), "magnifying-glass-plus", "Ctrl++", lambda: canvas.zoom(1)),
@@ -45,7 +45,7 @@ class FigureActions(QObject):
             ("actual", _("Cells of one pixel"), "number-square-one", "Ctrl+1", canvas.actual_size),
         ]
 
-    def _commands(self) -> list[Row]:
+    def _commands(self) -> list[PanelCommand]:
         panel = self._panel
         return [
             ("why", _("Why this pixel?"), "question", "Y", panel.ask_why),
@@ -56,7 +56,7 @@ class FigureActions(QObject):
             ("backwards", _("Send backwards"), "arrow-line-down", "Ctrl+[", lambda: panel.shift_order(-1)),
         ]
 
-    def _add(self, row: Row) -> QAction:
+    def _add(self, row: PanelCommand) -> QAction:
         name, text, icon, key, do = row
         action = QAction(text, self._panel)
         action.setObjectName(f"{self._panel.slug}.{name}")

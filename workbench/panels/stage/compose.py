@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.marks import Ink, Word
 from workbench.document.model import AnyFigure, Sheet
 from workbench.language import _
 from workbench.panels.stage.outline import handles, outline
@@ -23,7 +24,7 @@ from workbench.rendering.compare import Comparison
 from workbench.rendering.raster import pixels
 from workbench.session.asking import Answer
 from workbench.session.run import Run
-from workbench.widgets.canvas.drawing import Stroke, Word
+from workbench.widgets.canvas.drawing import PenStroke
 from workbench.widgets.canvas.overlay import Cell, Overlay
 from workbench.widgets.look.tokens import Tokens
 
@@ -111,7 +112,7 @@ def compose(
     )
 
 
-def _name(sheet: Sheet, slug: str, ink: str) -> Word:
+def _name(sheet: Sheet, slug: str, ink: Ink) -> Word:
     """Which algorithm one of two pictures is by, along its upper edge."""
     title = _(catalogue.get(slug).title)
     return Word(title, sheet.width_px / 2 - 0.5, sheet.height_px - 0.5, ink, 0, -1, carded=True, strong=True)
@@ -154,6 +155,6 @@ def with_asked(overlay: Overlay, cell: Cell | None) -> Overlay:
         (x - 0.5, y + 0.5),
         (x - 0.5, y - 0.5),
     ]
-    frame = Stroke(np.array(corners, np.float64), "accent", 2.0, haloed=True)
+    frame = PenStroke(np.array(corners, np.float64), "accent", 2.0, haloed=True)
     question = Word("?", x + 0.5, y + 0.5, "accent", 1, 1, carded=True, strong=True)
     return replace(overlay, drawn=(*overlay.drawn, frame, question))

@@ -11,8 +11,8 @@ from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QRectF, QSize, 
 from PySide6.QtGui import QFont, QImage, QPageSize, QPainter, QPdfWriter
 
 from workbench.exchange.frames import Picture as Frame
-from workbench.exchange.writing import Progress, Put, Row, of_kind, whole
-from workbench.exchange.written import ROWS as WINDOWLESS
+from workbench.exchange.writing import FileFormat, Progress, Put, of_kind, whole
+from workbench.exchange.written import FORMATS as WINDOWLESS
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.painter import Picture, Scene, paint_rulers, paint_scene, ruler_sizes
 from workbench.widgets.canvas.view import Area, fitted
@@ -140,15 +140,15 @@ def _derivation_pdf(content: Derivation) -> bytes:
     return write_pdf(content)
 
 
-ROWS: tuple[Row, ...] = (
+FORMATS: tuple[FileFormat, ...] = (
     *WINDOWLESS,
-    Row("step", ".svg", "SVG", _svg),
-    Row("step", ".pdf", "PDF", _pdf),
-    Row("run", ".pdf", "PDF", _pdf),
-    Row("derivation", ".pdf", "PDF", whole(_derivation_pdf)),
+    FileFormat("step", ".svg", "SVG", _svg),
+    FileFormat("step", ".pdf", "PDF", _pdf),
+    FileFormat("run", ".pdf", "PDF", _pdf),
+    FileFormat("derivation", ".pdf", "PDF", whole(_derivation_pdf)),
 )
 
 
-def rows_of(kind: str) -> tuple[Row, ...]:
+def formats_of(kind: str) -> tuple[FileFormat, ...]:
     """Every way in which one kind of content is written."""
-    return of_kind(ROWS, kind)
+    return of_kind(FORMATS, kind)

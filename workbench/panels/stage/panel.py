@@ -12,7 +12,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure
 from workbench.language import _
 from workbench.panels.panel import PlainPanel, Said
-from workbench.panels.stage.actions import FigureActions, Row, tool_cursor
+from workbench.panels.stage.actions import FigureActions, PanelCommand, tool_cursor
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.gesture import HandleDrag, Modifiers, Tool
 from workbench.panels.stage.outline import prepare
@@ -60,7 +60,9 @@ class FigurePanel(PlainPanel, QWidget):
         self.canvas = PixelCanvas()
         self._actions: dict[str, QAction] = {}
 
-    def begin(self, middle: QWidget, card: QWidget, invitation: str, commands: Sequence[Row]) -> None:
+    def begin(
+        self, middle: QWidget, card: QWidget, invitation: str, commands: Sequence[PanelCommand]
+    ) -> None:
         """Put ``card`` over the canvas and ``middle``, which holds the canvas, beside the tools; connect.
 
         ``invitation`` is what an empty sheet says, ``commands`` are listed after those that all panels have.

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu, QSplitter, QWidget
 
 from workbench.language import _
-from workbench.panels.stage.actions import Row
+from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.clipboard import copy_figures, paste_figures
 from workbench.panels.stage.export import Exporter
@@ -36,7 +36,7 @@ class SteppedPanel(FigurePanel):
         self.second = PixelCanvas()
         self.second.hide()
 
-    def start(self, invitation: str, commands: Sequence[Row] = ()) -> None:
+    def start(self, invitation: str, commands: Sequence[PanelCommand] = ()) -> None:
         """Lay out and connect what the panel has made."""
         self.exporter = exporter = Exporter(self.view, self)
         split = QSplitter(Qt.Orientation.Horizontal)

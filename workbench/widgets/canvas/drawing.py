@@ -1,4 +1,4 @@
-"""What is drawn on a canvas over its cells: strokes, areas, spots and words with their sizes, as values.
+"""What is drawn on a canvas over its cells: pen strokes, tints and markers with their sizes, and words.
 
 Everything is in device coordinates; ``ink`` names a colour of the theme: "text", "accent", "muted", "error",
 or "data1" to "data6". A pattern or a shape stands beside every colour.
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 
-from workbench.algorithms.marks import Mark
+from workbench.algorithms.marks import Mark, Word
 from workbench.widgets.canvas.lines import on_screen, paint_lines
 from workbench.widgets.canvas.polygons import polygon
 from workbench.widgets.look.tokens import Tokens, colour
@@ -41,7 +41,7 @@ _PHASES = 4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Stroke:
+class PenStroke:
     """A polyline (n, 2), ``width`` logical pixels wide; ``haloed`` keeps it clear of what it crosses."""
 
     points: Points
@@ -52,7 +52,7 @@ class Stroke:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Region:
+class Tint:
     """The inside of a polygon (n, 2), filled by a share of its colour, 0 to 255."""
 
     points: Points
@@ -61,7 +61,7 @@ class Region:
 
 
 @dataclass(frozen=True, slots=True)
-class Spot:
+class Marker:
     """One place, marked by a shape of ``size`` logical pixels."""
 
     x: float
@@ -71,21 +71,7 @@ class Spot:
     size: float = _SPOT
 
 
-@dataclass(frozen=True, slots=True)
-class Word:
-    """A text beside a place (``right``, ``up``: 1, -1, or 0 for the middle), on a card when ``carded``."""
-
-    text: str
-    x: float
-    y: float
-    ink: str = "text"
-    right: int = 0
-    up: int = 0
-    carded: bool = False
-    strong: bool = False
-
-
-Sized = Stroke | Region | Spot | Word
+Sized = PenStroke | Tint | Marker | Word
 Drawn = Sized | Mark
 """What a canvas is given: these, or marks of a step, whose sizes it chooses."""
 
@@ -108,16 +94,16 @@ def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Sized, ...]) -> No
     for _style, alike in groupby(drawn, _style_of):
         each = next(alike)
         match each:
-            case Stroke():
-                more = [stroke.points for stroke in alike if isinstance(stroke, Stroke)]
+            case PenStroke():
+                more = [stroke.points for stroke in alike if isinstance(stroke, PenStroke)]
                 _strokes(painter, scene, each, [each.points, *more])
-            case Region():
+            case Tint():
                 painter.setPen(Qt.PenStyle.NoPen)
                 painter.setBrush(colour(ink_of(scene.tokens, each.ink), each.alpha))
                 painter.drawPolygon(polygon(*on_screen(scene, each.points, _FAR)))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
-            case Spot():
-                _spot(painter, scene, each)
+            case Marker():
+                _marker(painter, scene, each)
             case Word():
                 _word(painter, scene, each)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
@@ -125,12 +111,12 @@ def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Sized, ...]) -> No
 
 def _style_of(drawn: Sized) -> object:
     """Strokes of one style that follow one another are painted at once; a halo is for one alone."""
-    if isinstance(drawn, Stroke) and not drawn.haloed:
+    if isinstance(drawn, PenStroke) and not drawn.haloed:
         return drawn.ink, drawn.width, drawn.pattern
     return id(drawn)
 
 
-def _strokes(painter: QPainter, scene: Scene, style: Stroke, lines: list[Points]) -> None:
+def _strokes(painter: QPainter, scene: Scene, style: PenStroke, lines: list[Points]) -> None:
     if style.haloed:
         around = QPen(QColor(scene.tokens.canvas), (style.width + 2.5) * scene.unit)
         paint_lines(painter, scene, lines, around)
@@ -139,7 +125,7 @@ def _strokes(painter: QPainter, scene: Scene, style: Stroke, lines: list[Points]
     paint_lines(painter, scene, lines, pen)
 
 
-def _spot(painter: QPainter, scene: Scene, spot: Spot) -> None:
+def _marker(painter: QPainter, scene: Scene, spot: Marker) -> None:
     x, y = scene.view.to_screen(spot.x, spot.y)
     inks = ink_of(scene.tokens, spot.ink), scene.tokens.canvas
     if scene.vector or not (abs(x) < _FAR and abs(y) < _FAR):

@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen
 
-from workbench.widgets.canvas.drawing import Word, paint_drawn
+from workbench.algorithms.marks import Word
+from workbench.widgets.canvas.drawing import paint_drawn
 from workbench.widgets.canvas.lines import paint_lines
 from workbench.widgets.canvas.mark_styles import sized
 from workbench.widgets.canvas.marks import paint_handles, paint_marks

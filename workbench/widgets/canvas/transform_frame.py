@@ -7,8 +7,9 @@ import numpy as np
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QCursor
 
+from workbench.algorithms.marks import Word
 from workbench.geometry.transform_box import MOVE, PIVOT, SIDES, TURN, Box, Motion, Point
-from workbench.widgets.canvas.drawing import Drawn, Spot, Stroke, Word
+from workbench.widgets.canvas.drawing import Drawn, Marker, PenStroke
 from workbench.widgets.canvas.overlay import GripShape, Handle, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.transform_words import described, pivot_at
@@ -117,19 +118,19 @@ class TransformFrame(QObject):
     def _drawn(self, box: Box) -> list[Drawn]:
         unit, places = self._unit, self.places()
         corners = np.array([self._after((x, y)) for x, y in box.corners().tolist()], np.float64)
-        drawn: list[Drawn] = [Stroke(np.concatenate([corners, corners[:1]]), "accent", 1.25, "dash")]
+        drawn: list[Drawn] = [PenStroke(np.concatenate([corners, corners[:1]]), "accent", 1.25, "dash")]
         top = box.place(0.0, 1.0)
-        drawn.append(Stroke(np.array([self._after(top), self._after(places[TURN])]), "accent", 1.25))
+        drawn.append(PenStroke(np.array([self._after(top), self._after(places[TURN])]), "accent", 1.25))
         if self._held == TURN:
             spoke = np.array([self._now, self._pivot, self._start], np.float64)
-            drawn.append(Stroke(spoke, "muted", 1.0, "dash"))
+            drawn.append(PenStroke(spoke, "muted", 1.0, "dash"))
         if PIVOT in places:
             x, y = self._pivot
             arm = _CROSS_PX * unit
-            drawn.append(Spot(x, y, "accent", "ring", _RING_PX))
+            drawn.append(Marker(x, y, "accent", "ring", _RING_PX))
             for ends in ([(x - arm, y), (x + arm, y)], [(x, y - arm), (x, y + arm)]):
                 strong = PIVOT in (self._chosen, self._held)
-                drawn.append(Stroke(np.array(ends), "accent", 2.5 if strong else 1.5))
+                drawn.append(PenStroke(np.array(ends), "accent", 2.5 if strong else 1.5))
         if self._held and self._moved:
             text = pivot_at(*self._pivot) if self._held == PIVOT else ""
             text = described(self._motion) if self._motion is not None else text

@@ -8,14 +8,14 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from workbench.document.storage.saving import refusal
-from workbench.exchange.writing import Row, SuffixError, completed
+from workbench.exchange.writing import FileFormat, SuffixError, completed
 from workbench.language import _, legible
 
 
 class SaveDialog(QFileDialog):
-    """``then(path, row)`` follows when a name was given; it ends in the suffix of one of ``rows``.
+    """``then(path, file_format)`` follows when a name was given; it ends in the suffix of one of ``formats``.
 
-    The dialog begins at ``start``, and asks before a file is replaced; of ``numbered`` rows the files have
+    The dialog begins at ``start``, and asks before a file is replaced; of ``numbered`` formats the files have
     other names, so that who writes them asks.
     """
 
@@ -24,37 +24,39 @@ class SaveDialog(QFileDialog):
         owner: QWidget,
         title: str,
         start: Path,
-        rows: Sequence[Row],
-        then: Callable[[Path, Row], object],
+        formats: Sequence[FileFormat],
+        then: Callable[[Path, FileFormat], object],
     ) -> None:
         super().__init__(owner, title, str(start.parent))
-        self._owner, self._rows, self._then = owner, list(rows), then
-        self._filters = [f"{row.title} (*{row.suffix})" for row in rows]
+        self._owner, self._formats, self._then = owner, list(formats), then
+        self._filters = [f"{file_format.title} (*{file_format.suffix})" for file_format in formats]
         self.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         self.setFileMode(QFileDialog.FileMode.AnyFile)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setNameFilters(self._filters)
         self.setOption(QFileDialog.Option.DontConfirmOverwrite)  # asked here, about the completed name
-        first = next((row for row in rows if row.suffix == start.suffix.lower()), rows[0])
-        self.selectNameFilter(self._filters[self._rows.index(first)])
+        first = next(
+            (file_format for file_format in formats if file_format.suffix == start.suffix.lower()), formats[0]
+        )
+        self.selectNameFilter(self._filters[self._formats.index(first)])
         self._follow(self.selectedNameFilter())
         self.selectFile(start.name)
         self.filterSelected.connect(self._rename)
 
     @property
-    def row(self) -> Row:
+    def file_format(self) -> FileFormat:
         """The way of writing that is chosen in the list of kinds."""
-        return self._rows[self._filters.index(self.selectedNameFilter())]
+        return self._formats[self._filters.index(self.selectedNameFilter())]
 
     def _follow(self, name_filter: str) -> None:
-        self.setDefaultSuffix(self._rows[self._filters.index(name_filter)].suffix)
+        self.setDefaultSuffix(self._formats[self._filters.index(name_filter)].suffix)
 
     def _rename(self, name_filter: str) -> None:
         """Another kind is chosen: the name ends accordingly."""
         self._follow(name_filter)
         path = Path(self.selectedFiles()[0])
-        if path.suffix.lower() in {row.suffix for row in self._rows}:
-            self.selectFile(path.with_suffix(self.row.suffix).name)
+        if path.suffix.lower() in {file_format.suffix for file_format in self._formats}:
+            self.selectFile(path.with_suffix(self.file_format.suffix).name)
 
     def accept(self) -> None:
         """Take the name, completed. One that ends wrongly, or is not to be replaced, is asked for again."""
@@ -63,7 +65,7 @@ class SaveDialog(QFileDialog):
             if _is_there(typed) and typed.is_dir():
                 super().accept()
                 return
-            path, row = completed(self._rows, typed, self.row)
+            path, file_format = completed(self._formats, typed, self.file_format)
             there = _is_there(path)
         except SuffixError as problem:
             self._refuse(typed, str(problem))
@@ -71,11 +73,11 @@ class SaveDialog(QFileDialog):
         except (OSError, ValueError) as error:  # too long, for example
             self._refuse(typed, str(refusal(typed, error)))
             return
-        if there and not row.numbered and not self._may_replace(path):
+        if there and not file_format.numbered and not self._may_replace(path):
             self._ask_again(path)
             return
         super().accept()
-        self._then(path, row)
+        self._then(path, file_format)
 
     def _refuse(self, typed: Path, sentence: str) -> None:
         self._box(sentence, QMessageBox.Icon.Warning).exec()
@@ -85,7 +87,7 @@ class SaveDialog(QFileDialog):
         """The system's own dialog, which has no parts here, is closed by now."""
         if self.layout() is None:
             self.reject()
-            SaveDialog(self._owner, self.windowTitle(), path, self._rows, self._then).open()
+            SaveDialog(self._owner, self.windowTitle(), path, self._formats, self._then).open()
 
     def _may_replace(self, path: Path) -> bool:
         question = _("{name} is there already. Replace it?").format(name=legible(path.name))

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from workbench.exchange.writing import Row
+from workbench.exchange.writing import FileFormat
 from workbench.language import _, ngettext
 
 WIDTH_PX, GAP_PX = 296, 12
@@ -27,7 +27,7 @@ SECONDS = (2.0, 1.0, 0.5, 0.2, 0.1, 0.04)
 class WritingCard(QFrame):
     """Floats in ``owner`` at the lower right of ``beside``.
 
-    ``chosen(row, width, seconds)``: it is to be written so; ``cancelled``: it is not, or no longer.
+    ``chosen(file_format, width, seconds)``: it is to be written so; ``cancelled``: it is not, or no longer.
     """
 
     chosen = Signal(object, int, float)
@@ -36,10 +36,10 @@ class WritingCard(QFrame):
     def __init__(self, owner: QWidget, beside: QWidget) -> None:
         super().__init__(owner)
         self._owner, self._beside = owner, beside
-        self._note: Callable[[Row], str] = lambda _row: ""
+        self._note: Callable[[FileFormat], str] = lambda _row: ""
         self.setObjectName("card")
         self.setFixedWidth(WIDTH_PX)
-        self._rows: Sequence[Row] = ()
+        self._formats: Sequence[FileFormat] = ()
         self._title, self.note = QLabel(), QLabel()
         self._title.setProperty("role", "title")
         self._title.setWordWrap(True)
@@ -85,16 +85,16 @@ class WritingCard(QFrame):
         self.hide()
 
     @property
-    def row(self) -> Row:
+    def file_format(self) -> FileFormat:
         """The way of writing that is chosen."""
-        return self._rows[self.kind.currentIndex()]
+        return self._formats[self.kind.currentIndex()]
 
-    def offer(self, title: str, rows: Sequence[Row], note: Callable[[Row], str]) -> None:
-        """Let the person choose one of ``rows``, its size and speed; ``note`` says what each will write."""
-        self._rows, self._note = rows, note
+    def offer(self, title: str, formats: Sequence[FileFormat], note: Callable[[FileFormat], str]) -> None:
+        """Let the person choose a format, size and speed; ``note`` says what each will write."""
+        self._formats, self._note = formats, note
         self.kind.blockSignals(True)
         self.kind.clear()
-        self.kind.addItems([_kind_text(row) for row in rows])
+        self.kind.addItems([_kind_text(file_format) for file_format in formats])
         self.kind.blockSignals(False)
         self._dress(title, "", choosing=True)
         self._follow()
@@ -132,14 +132,14 @@ class WritingCard(QFrame):
 
     def _follow(self, *_index: int) -> None:
         """A PDF has no size in pixels, and only a GIF moves."""
-        suffix = self.row.suffix
+        suffix = self.file_format.suffix
         self._form.setRowVisible(self.width_px, suffix != ".pdf")
         self._form.setRowVisible(self.speed, suffix == ".gif")
-        self.note.setText(self._note(self.row))
+        self.note.setText(self._note(self.file_format))
         self._place()
 
     def _go(self) -> None:
-        self.chosen.emit(self.row, self.width_px.currentData(), self.speed.currentData())
+        self.chosen.emit(self.file_format, self.width_px.currentData(), self.speed.currentData())
 
     def _place(self) -> None:
         self.adjustSize()
@@ -160,13 +160,13 @@ class WritingCard(QFrame):
         return super().eventFilter(watched, event)
 
 
-def _kind_text(row: Row) -> str:
+def _kind_text(file_format: FileFormat) -> str:
     texts = {
         ".png": _("PNG, a file for each step"),
         ".pdf": _("PDF, a page for each step"),
         ".gif": _("GIF that moves"),
     }
-    return texts.get(row.suffix, row.title)
+    return texts.get(file_format.suffix, file_format.title)
 
 
 def _speed_text(seconds: float) -> str:

@@ -8,7 +8,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QTextBrowser, QVBoxLayout, QWidget
 
 from workbench.algorithms import catalogue
-from workbench.algorithms.entry import Entry, Parameter
+from workbench.algorithms.entry import DrawnBy, Entry, Parameter
 from workbench.engine.sentences import number_text
 from workbench.language import _, ngettext
 from workbench.session.run import Run
@@ -82,6 +82,8 @@ def page_of(entry: Entry, linked: bool) -> str:
     ]
     if entry.next_rung:
         parts.append(_next_rung(catalogue.get(entry.next_rung), linked))
+    if entry.drawn_by is not None:
+        parts.append(_section(_("In pictures"), _paragraph(_stand_in(entry.drawn_by))))
     if entry.laws:
         parts.append(_section(_("Always true"), _list(_(law.sentence) for law in entry.laws)))
     if entry.not_laws:
@@ -124,6 +126,16 @@ def _next_rung(entry: Entry, linked: bool) -> str:
         title = f'<a href="{entry.slug}" style="color:{tokens().accent}">{title}</a>'
     label = escape(_("Next on the ladder:"))
     return f'<p style="margin:8px 0 0 0"><span style="color:{tokens().muted}">{label}</span> {title}</p>'
+
+
+def _stand_in(by: DrawnBy) -> str:
+    """Which entry paints for this one, and where."""
+    title, law = _(catalogue.get(by.slug).title), _(by.law.sentence)
+    text = _(
+        "Pictures are drawn by “{title}”, which is faster, wherever this law holds: {law} Steps, tables and "
+        "counts are always this algorithm's own."
+    )
+    return text.format(title=title, law=law)
 
 
 def _arguments(parameters: tuple[Parameter, ...]) -> str:

@@ -1,0 +1,88 @@
+"""The structure of an SVG: transforms, uses, style sheets, frames, entities."""
+
+import numpy as np
+import pytest
+
+from tests.exchange.svg_texts import SHEET, cubics, svg
+from workbench.document.model import Circle, Curve, Polygon, Polyline
+from workbench.exchange.svg_paths import SvgError, read_svg
+
+
+def test_transforms_follow_one_another() -> None:
+    inner = '<g transform="translate(10,0)"><path transform="rotate(90) scale(2)" d="M 1 0 L 3 1"/></g>'
+    (figure,) = read_svg(svg(inner), SHEET).figures
+    assert np.allclose(cubics(figure)[0, [0, -1]], [[10, 2], [8, 6]])
+    (skewed,) = read_svg(svg('<path transform="matrix(1 0 1 1 0 5)" d="M 1 2 L 3 4"/>'), SHEET).figures
+    assert np.allclose(cubics(skewed)[0, [0, -1]], [[3, 7], [7, 9]])
+
+
+def test_a_drawing_is_put_into_the_middle_of_the_window() -> None:
+    text = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="10 20 4 2"><path d="M 10 20 L 14 22"/></svg>'
+    (figure,) = read_svg(text, SHEET).figures
+    ends = [(p.x, p.y) for p in (figure.points_world[0], figure.points_world[-1])]
+    assert ends == [(0, 75), (100, 25)]
+    bare = read_svg(text.replace(' viewBox="10 20 4 2"', ""), SHEET).figures
+    assert [(p.x, p.y) for p in bare[0].points_world] == [(p.x, p.y) for p in figure.points_world]
+
+
+def test_used_shapes_come_as_often_as_they_are_used_and_hidden_ones_stay_hidden() -> None:
+    body = (
+        '<defs><circle id="c" cx="1" cy="-1" r="1"/></defs><use href="#c" x="5"/><use href="#c" y="-5"/>'
+        '<g display="none"><line x2="1" stroke="red"/></g><text>word</text><image/><image/>'
+    )
+    found = read_svg(svg(body), SHEET)
+    places = [(f.points_world[0].x, f.points_world[0].y, f.visible) for f in found.figures]
+    assert places == [(6, 1, True), (1, 6, True), (0, 0, False)]
+    assert found.notes == ("Left out: 1 <text>.", "Left out: 2 × <image>.")
+
+
+def test_elements_copied_without_their_svg_are_read() -> None:
+    first, second = read_svg('<path d="M 0 0 L 4 2"/>\n<circle r="1" inkscape:label="c"/>', SHEET).figures
+    assert isinstance(first, Curve)
+    assert isinstance(second, Circle)
+    with pytest.raises(SvgError, match="Line 2, column 3, <path>: command 1"):
+        read_svg('<g>\n  <path d="5"/></g>', SHEET)
+    with pytest.raises(SvgError, match=r"Line 1, column 16: the XML is broken"):
+        read_svg('<path d="M 0 0"', SHEET)
+
+
+def test_style_sheets_say_what_is_painted() -> None:
+    sheet = (
+        "<style>/* from a drawing program */ .a, .b { fill: none; stroke: #f00 }\n"
+        "@media print { } line { stroke: black } #x.a { stroke: #000 } g > line { stroke: red }</style>"
+    )
+    body = (
+        '<line class="a" x2="1"/><line id="x" class="c a" x2="1"/><line x2="1"/>'
+        '<polygon class="b" points="0,0 1,0 1,1"/><polygon class="c" points="0,0 1,0 1,1"/>'
+        '<line class="a" style="stroke:black" x2="1"/>'
+    )
+    figures = read_svg(svg(f"<defs>{sheet}</defs>{body}"), SHEET).figures
+    assert [figure.colour for figure in figures] == [2, 1, 1, 2, 1, 1]
+    assert [type(figure) for figure in figures[3:5]] == [Polyline, Polygon]
+
+
+def test_of_rules_said_twice_each_keeps_its_own_turn() -> None:
+    sheet = (
+        "<style>.a { stroke: #f00; fill: none } .b { stroke: #000 } .a { fill: #000 }"
+        " .c.d { stroke: #f00 } .d.c { opacity: 1 } .e { stroke: #000 } line { stroke: #f00 }</style>"
+    )
+    body = (
+        '<line class="a b" x2="1"/><line class="b" x2="1"/><line class="d c e" x2="1"/><line x2="1"/>'
+        '<polygon class="a b" points="0,0 1,0 1,1"/>'
+    )
+    figures = read_svg(svg(f"{sheet}{body}"), SHEET).figures
+    assert [figure.colour for figure in figures] == [1, 1, 2, 2, 1]
+    assert isinstance(figures[-1], Polygon)
+
+
+def test_a_drawing_inside_a_drawing_has_a_frame_of_its_own() -> None:
+    inner = '<svg x="10" y="-20" width="40" height="20" viewBox="0 0 2 2"{}><path d="M 0 0 L 2 2"/></svg>'
+    (fitted,) = read_svg(svg(inner.format("")), SHEET).figures
+    (stretched,) = read_svg(svg(inner.format(' preserveAspectRatio="none"')), SHEET).figures
+    assert np.allclose(cubics(fitted)[0, [0, -1]], [[20, -20], [40, 0]])
+    assert np.allclose(cubics(stretched)[0, [0, -1]], [[10, -20], [50, 0]])
+
+
+def test_entities_that_only_abbreviate_are_read() -> None:
+    text = '<!DOCTYPE svg [<!ENTITY ns "http://www.w3.org/2000/svg">]><svg xmlns="&ns;"><line x2="1"/></svg>'
+    assert len(read_svg(text, SHEET).figures) == 1
