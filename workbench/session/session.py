@@ -17,9 +17,11 @@ from workbench.document.edits import Edit, add_sheet
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.document.samples.examples import blank_sheet, example
-from workbench.document.state import SessionState, check_state, cleaned
+from workbench.document.state import SessionState, at_the_start, check_state, cleaned, with_changes
 from workbench.document.storage.files import Stored, read, write
+from workbench.document.subjects import Position, Subject
 from workbench.language import _
+from workbench.rendering.subjects.registry import checked, kind_of
 from workbench.session.following import Following
 from workbench.session.incoming import Incoming
 from workbench.session.origins import text_of
@@ -37,6 +39,8 @@ class Session(QObject):
     this order, with everything that happened since the last time. ``revision`` counts every change at once:
     a worker answers with the revision it was given, and stale answers are dropped. ``saved(Saved)``: a save
     in the background has ended, well or not. ``storing``: the session's state is about to be saved.
+    ``left_out(sentence)``: what a file held that was opened without it. ``run`` leads, ``followers`` do the
+    same under other entries.
     """
 
     changed = Signal(object, object, object)
@@ -47,6 +51,7 @@ class Session(QObject):
     storing = Signal()
     autosave_failed = Signal(str)
     autosave_mended = Signal(str)
+    left_out = Signal(str)
     _due = Signal()
 
     def __init__(self, parent: QObject | None = None, document: Document | None = None) -> None:
@@ -66,8 +71,8 @@ class Session(QObject):
         self._saver = Saver(self)
         self._saver.saved.connect(self._take_saved)
         self.incoming = Incoming(self)
-        self.run, self.follower = Run(self), Run(self)
-        self._following = Following(self, self.run, self.follower)
+        self.run, self.followers = Run(self), (Run(self),)
+        self._following = Following(self, self.run, self.followers)
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
         self.undo_stack.cleanChanged.connect(self._clean_changed)
         self.undo_stack.indexChanged.connect(self._index_changed)
@@ -87,6 +92,17 @@ class Session(QObject):
         """The figure whose run is stepped: the active one, or else the front one of the current sheet."""
         figures = self.sheet.figures
         return next((f for f in figures if f.id == self.state.active), figures[-1] if figures else None)
+
+    @property
+    def shown(self) -> Sheet:
+        """The current sheet as it is seen: what is painted and run. Edits are of ``sheet``."""
+        return self.sheet
+
+    @property
+    def subject(self) -> Subject:
+        """What is stepped in the present workspace; of a subject without ids, the active figure's."""
+        subject, figure = self.state.subject, self.active_figure
+        return subject if subject.ids or figure is None else replace(subject, ids=(figure.id,))
 
     @property
     def stored(self) -> Stored:
@@ -128,15 +144,43 @@ class Session(QObject):
     def update_state(self, **changes: Any) -> None:
         """Change fields of the session's state; raises DocumentError when they refer to nothing.
 
-        Where another figure becomes the active one, its run begins at step 0 unless ``step`` is given too.
+        ``subject`` and ``step`` are those of the workspace that is stepped in. Where another figure becomes
+        the active one, its runs begin at step 0, here unless ``step`` is given too.
         """
-        state = check_state(replace(self.state, **changes), self.document)
+        if "subject" in changes:
+            checked(changes["subject"])
+        state = check_state(with_changes(self.state, **changes), self.document)
         if state != self.state:
             figure = self.active_figure
             self.state = state
-            self._another_figure(figure, "step" in changes)
+            self._another_figure(figure, changes.get("step"))
             self._following.switch(stays="step" not in changes and self.active_figure == figure)
             self._tell_later()
+
+    def visit(self, workspace: str, usual: Subject) -> None:
+        """Step in this workspace from now on, where it was left, or the first time its ``usual`` subject."""
+        positions = {workspace: Position(usual), **self.state.positions}
+        self.update_state(workspace=workspace, positions=positions)
+
+    def choices_of(self, subject: Subject | None = None) -> tuple[str, ...]:
+        """The slugs that the subject, or another one, can be run under, its own first."""
+        subject = subject or self.subject
+        return kind_of(subject).choices(self.sheet, subject)
+
+    def choose(self, slug: str, subject: Subject | None = None) -> None:
+        """Run the subject, or another one, under this entry, where it has that choice.
+
+        The document says so where it can, else the subject. Raises DocumentError.
+        """
+        subject = subject or self.subject
+        choices = self.choices_of(subject)
+        if slug not in choices:
+            return
+        if edit := kind_of(subject).choose(self.sheet, subject, slug):
+            self.apply(edit, _("Change algorithm"))
+        else:
+            entry = "" if slug == choices[0] else slug
+            self.update_state(subject=replace(self.state.subject, entry=entry), step=0)
 
     def flush(self) -> None:
         """Tell now what changed since the last time, rather than in the next turn of the event loop.
@@ -271,8 +315,8 @@ class Session(QObject):
         """End the session: nothing unsaved is kept any longer."""
         self.incoming.cancel()
         self.finish_saving()
-        self.run.clear()
-        self.follower.clear()
+        for run in (self.run, *self.followers):
+            run.clear()
         if self._recovery is not None:
             self._recovery.close()
             self._recovery = None
@@ -286,9 +330,12 @@ class Session(QObject):
         self.path = path
         self._on_disk = on_disk
         self._show(stored.document)
-        self.state = cleaned(stored.session, stored.document)
+        state, sentences = _without_unknown(stored.session)
+        self.state = cleaned(state, stored.document)
         self._following.begin_anew()
         self.path_changed.emit(path)
+        for sentence in sentences:
+            self.left_out.emit(sentence)
 
     def _clean_changed(self, clean: bool) -> None:
         self._keep_safe()
@@ -304,14 +351,16 @@ class Session(QObject):
         figure = self.active_figure
         self.document = document
         self.state = cleaned(self.state, document)
-        self._another_figure(figure, False)
+        self._another_figure(figure)
         self.revision += 1
         self._tell_later()
 
-    def _another_figure(self, before: AnyFigure | None, told_step: bool) -> None:
+    def _another_figure(self, before: AnyFigure | None, step: int | None = None) -> None:
         now = self.active_figure
-        if not told_step and (now and now.id) != (before and before.id):
-            self.state = replace(self.state, step=0)
+        if (now and now.id) != (before and before.id):
+            self.state = at_the_start(self.state)
+            if step is not None:
+                self.state = with_changes(self.state, step=step)
 
     def _tell_later(self) -> None:
         if not self._waiting:
@@ -321,3 +370,16 @@ class Session(QObject):
     def _index_changed(self) -> None:
         if not self._pushing:
             self._merging = None
+
+
+def _without_unknown(state: SessionState) -> tuple[SessionState, list[str]]:
+    """``state`` without the positions that cannot be run here, and a sentence for each of these."""
+    positions, sentences = {}, []
+    for workspace, position in state.positions.items():
+        try:
+            checked(position.subject)
+            positions[workspace] = position
+        except DocumentError as problem:
+            sentence = _("A step that the file remembers was left out: {problem}")
+            sentences.append(sentence.format(problem=problem))
+    return (replace(state, positions=positions), sentences) if sentences else (state, [])

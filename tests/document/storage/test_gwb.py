@@ -22,6 +22,7 @@ from workbench.document.places import joined, path_at
 from workbench.document.samples.examples import example, example_document, examples
 from workbench.document.state import SessionState, TubeSettings
 from workbench.document.storage.files import MAX_BYTES, VERSION, decode, encode, upgraded
+from workbench.document.subjects import Position, Subject
 from workbench.rendering import frame_buffer
 
 SAMPLES = Path(__file__).parents[1] / "samples"
@@ -41,10 +42,13 @@ def test_session_and_blobs_come_back(tmp_path: Path) -> None:
             selection=("f1",),
             active="f1",
             compare="dda_line",
-            step=4,
+            workspace="clip",
+            positions={
+                "clip": Position(Subject("clipper", ("f1",), "liang_barsky"), 4),
+                "curves": Position(Subject("curve", arguments={"u": 0.25, "name": "P", "at": (1.0, 2.5)})),
+            },
             detail=True,
             ask_first=True,
-            stepped="clipper",
             tube=TubeSettings("vector", "P7", time_s=1.25),
         ),
         {hashlib.sha256(content).hexdigest(): content},
@@ -63,6 +67,9 @@ def test_the_text_is_readable(tmp_path: Path) -> None:
     assert '    "name": "A line",\n    "width_px": 40,\n' in text
 
 
+STEPPED = {1: ("figure", 3), 2: ("clipper", 3), 3: ("curve", 3), 4: ("clipper", 7)}
+
+
 @pytest.mark.parametrize("version", range(1, VERSION + 1))
 def test_a_sample_of_every_version_opens(version: int) -> None:
     stored = read(SAMPLES / f"version-{version}.gwb")
@@ -70,6 +77,7 @@ def test_a_sample_of_every_version_opens(version: int) -> None:
     kinds += ["Polygon"] * (version > 1) + ["Curve"] * 3 * (version > 2)
     assert [type(figure).__name__ for figure in stored.document.sheets[0].figures] == kinds
     assert stored.session.compare == "dda_line"
+    assert (stored.session.subject.kind, stored.session.step) == STEPPED[version]
     assert list(stored.blobs.values()) == [b"blob"]
     assert decode(encode(stored)) == stored
 
@@ -134,7 +142,25 @@ FIGURE: list[str | int] = [*SHEET, "figures", 0]
         (["session", "active"], "f9", "session.active"),
         (["session", "selection"], ["f1", "f9"], "session.selection[1]"),
         (["session", "sheet"], "s9", "session.sheet"),
-        (["session", "step"], -1, "session.step"),
+        (["session", "positions"], {"draw": {"step": -1}}, "session.positions.draw.step"),
+        (["session", "positions"], {"draw": {"step": "1"}}, "session.positions.step"),
+        (
+            ["session", "positions"],
+            {"draw": {"subject": {"kind": ""}}},
+            "session.positions.draw.subject.kind",
+        ),
+        (
+            ["session", "positions"],
+            {"draw": {"subject": {"ids": ["f1", "f9"]}}},
+            "session.positions.draw.subject.ids[1]",
+        ),
+        (
+            ["session", "positions"],
+            {"draw": {"subject": {"arguments": {"u": 1e999}}}},
+            "session.positions.draw.subject.arguments.u",
+        ),
+        (["session", "positions"], {"a/b": {}}, "session.workspace"),
+        (["session", "workspace"], 3, "session.workspace"),
         (["session", "compare"], "de_casteljau", "session.compare"),
         (["session", "tube", "refresh_hz"], 0, "session.tube.refresh_hz"),
         (["session", "tube", "phosphor"], 31, "session.tube.phosphor"),

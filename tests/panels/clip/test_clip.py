@@ -14,6 +14,7 @@ from workbench.algorithms.clipping.window_marks import edge_mark
 from workbench.document.edits import add_figure, set_clip, set_clippers
 from workbench.document.model import Circle, Line, Polygon, Rectangle, WorldPoint
 from workbench.document.samples.examples import blank_sheet, example
+from workbench.document.subjects import Subject
 from workbench.exchange.run_tables import hand
 from workbench.exchange.writing import row_for, write
 from workbench.exchange.written import rows
@@ -330,10 +331,10 @@ def test_asked_first_a_person_accepts_rejects_or_says_which_side(qtbot, session,
 
 def test_what_is_stepped_follows_the_panel_that_is_seen(qtbot, session, panel):
     recorded(qtbot, session)
-    assert session.state.stepped == "clipper"
+    assert session.state.subject == Subject("clipper")
     session.new(example("clip-lab").document)
     settle()
-    assert session.state.stepped == "clipper"
+    assert session.state.subject == Subject("clipper")
 
 
 def test_one_step_on_paper_has_the_construction_and_no_grips(qtbot, session, panel):

@@ -7,11 +7,12 @@ from PySide6.QtWidgets import QApplication, QToolButton
 
 from workbench.document.model import Circle, Ellipse, Line, Polyline
 from workbench.document.samples.examples import blank_sheet, example_document
+from workbench.document.subjects import Subject
 from workbench.panels.draw.panel import DrawPanel
 from workbench.rendering import frame_buffer
+from workbench.rendering.comparing import BOTH, ONLY_FIRST, TIE_FIRST
 from workbench.session.session import Session
 from workbench.widgets.canvas.drawing import Word
-from workbench.widgets.canvas.overlay import BOTH, ONLY_FIRST, TIE_FIRST
 from workbench.widgets.look.tokens import LIGHT
 from workbench.widgets.stepping.step_bar import Steps
 
@@ -187,7 +188,7 @@ def test_the_run_follows_a_polyline_however_it_is_ended(qtbot, session, panel, e
     assert not session.run._held
     if end == "Enter":
         recorded(qtbot, session)
-        assert session.run.figure_id == session.sheet.figures[0].id
+        assert session.run.subject == Subject(ids=(session.sheet.figures[0].id,))
 
 
 def test_nudges_of_one_gesture_are_one_step_of_undo(qtbot, session, panel, line):

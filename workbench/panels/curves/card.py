@@ -23,7 +23,6 @@ from workbench.document.edits import Edit, both, set_attributes
 from workbench.document.fields import Number, numbers_of
 from workbench.document.model import (
     B_SPLINES,
-    CONSTRUCTIONS,
     ENDS,
     JOINTS,
     KNOT_RULES,
@@ -49,6 +48,7 @@ from workbench.panels.curves.shape import has_tangent
 from workbench.panels.stage.card import ParameterCard, number_field
 from workbench.panels.stage.tools import FigureTool
 from workbench.rendering.curve_runs import construction_fault, construction_of
+from workbench.rendering.subjects.curve import texts_of
 from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
@@ -212,7 +212,7 @@ class CurveCard(ParameterCard):
             widget.setVisible(model is not None)
         for widget in (*self.shape.values(), self.joint, self.legend, self.count, self.fault, self.steps):
             widget.setVisible(False)
-        flattened = curve is not None and "tolerance" in _stepped(curve, self._session.state.construction)
+        flattened = curve is not None and "tolerance" in _stepped(curve, self._session.state.subject.entry)
         self.tolerance.setVisible(flattened or self._freehand is not None)
         if self._freehand is not None:
             self.tolerance.set_value(self._freehand.tolerance)
@@ -275,7 +275,7 @@ class CurveCard(ParameterCard):
         self.count.setText(countings(curve))
         self.count.setVisible(True)
         texts = [(slug, _(catalogue.get(slug).title)) for slug in texts_of(curve)]
-        self._fill(self.steps, texts, construction_of(curve, self._session.state.construction))
+        self._fill(self.steps, texts, construction_of(curve, self._session.state.subject.entry))
         fault = fault_of(curve) or ("" if texts else construction_fault(curve, construction_of(curve)))
         self.fault.setText(f"\N{WARNING SIGN} {escape(fault)}")
         self.fault.setVisible(bool(fault))
@@ -288,10 +288,7 @@ class CurveCard(ParameterCard):
 
     def _choose_steps(self) -> None:
         """Step another text; that of the curve's own kind goes with its kind."""
-        curve, slug = self.focus.curve, self.steps.currentData()
-        if curve is not None:
-            own = slug == construction_of(curve)
-            self._session.update_state(construction="" if own else slug, step=0)
+        self._session.choose(self.steps.currentData())
 
     def _put_tolerance(self, value: float, merge: str = "") -> None:
         """How far the chords of a curve, or the fit of a freehand line, may be off."""
@@ -313,13 +310,6 @@ class CurveCard(ParameterCard):
         if refusal := self.apply(edit, _("Change curve"), merge and f"{merge} {attribute}"):
             self.fault.setText(f"\N{WARNING SIGN} {escape(refusal)}")
             self.fault.setVisible(True)
-
-
-def texts_of(curve: Curve) -> list[str]:
-    """The slugs of the texts of curves that can be stepped on this one, its construction first."""
-    first = construction_of(curve)
-    listed = (first, *(slug for slug in CONSTRUCTIONS if slug != first))
-    return [slug for slug in listed if not construction_fault(curve, slug)]
 
 
 def edit_of(sheet: Sheet, curves: Sequence[Curve], attribute: str, value: Value) -> Edit:

@@ -35,6 +35,7 @@ from workbench.panels.stage.view import FigureView
 from workbench.rendering import device_map, emitted
 from workbench.rendering.curve_runs import construction_of, curve_calls
 from workbench.rendering.marks import on_device
+from workbench.rendering.subjects.curve import texts_of
 from workbench.session.variables import same_value
 from workbench.widgets.canvas.drawing import Drawn, Spot, Stroke, data_ink
 from workbench.widgets.canvas.overlay import Cell, GripShape, Handle, Overlay
@@ -169,11 +170,13 @@ class CurveView(FigureView):
 
         While the run waits, as under a drag, its text is drawn as far as it had come, on the curve as it is.
         """
-        sheet, state, share = self.session.sheet, self.session.state, self.focus.u
-        run = self.stepped_run() if state.stepped == "curve" else None
+        sheet, share = self.session.shown, self.focus.u
+        run = self.stepped_run()
+        if run is not None and run.entry is not None and run.entry.slug not in texts_of(curve):
+            run = None
         before = run is not None and number is None and not (run.number or run.detail or run.ask_first)
         reached = None if run is None or before else run.own_call(number)
-        text = construction_of(curve, "" if reached is None else state.construction)
+        text = construction_of(curve, "" if reached is None else self.session.state.subject.entry)
         calls = curve_calls(sheet, curve, text, share)
         if not calls:
             return []

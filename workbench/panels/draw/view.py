@@ -6,7 +6,7 @@ from workbench.language import _
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.compose import Progress
 from workbench.panels.stage.view import FigureView
-from workbench.rendering.compare import distances
+from workbench.rendering.comparing import distances
 from workbench.session.session import Session
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.plots.distance_plot import DistancePlot

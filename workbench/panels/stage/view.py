@@ -22,8 +22,8 @@ from workbench.panels.stage.compose import (
 from workbench.panels.stage.gesture import HandleDrag, Tool
 from workbench.panels.stage.tools import FigureTool
 from workbench.rendering import painter_of
-from workbench.rendering.compare import Comparison, figure_pixels
-from workbench.rendering.marks import on_device
+from workbench.rendering.comparing import Comparison, figure_pixels
+from workbench.rendering.subjects.registry import marks_on_device
 from workbench.session.run import Run
 from workbench.session.session import Session
 from workbench.widgets.canvas.overlay import Cell
@@ -82,8 +82,9 @@ class FigureView:
 
     def stepped_run(self) -> Run | None:
         """The session's run when it is that of the active figure and something of it is recorded."""
-        run, active = self.session.run, self.session.active_figure
-        return run if active is not None and run.figure_id == active.id and run.step is not None else None
+        run, active, subject = self.session.run, self.session.active_figure, self.session.subject
+        here = active is not None and active.id in subject.ids and subject.is_of(run.subject)
+        return run if here and run.step is not None else None
 
     def progress(self) -> Progress | None:
         """How far the run has come; None before its first step, when the picture is shown whole."""
@@ -95,7 +96,7 @@ class FigureView:
             return None
         if run.detail and run.moment is not None:
             made = replace(made, reached=painted(run, len(run.moment.emitted)))
-        follower = self.session.follower
+        follower = self.session.followers[0]
         if self.compared() and follower.moment is not None:
             made = replace(made, second=painted(follower, len(follower.moment.emitted)))
         return replace(made, hidden=run.ask_first)
@@ -103,9 +104,9 @@ class FigureView:
     def step_marks(self, number: int | None = None) -> tuple[Mark, ...]:
         """What the run's algorithm draws at the cursor, or at the end of a step, device coordinates."""
         run = self.stepped_run()
-        if run is None or run.entry is None:
+        if run is None or run.entry is None or run.subject is None:
             return ()
-        return on_device(self.session.sheet, run.entry.frame, run.marks(number))
+        return marks_on_device(self.session.shown, run.subject, run.entry.frame, run.marks(number))
 
     def compared(self) -> str:
         """The slug of the second algorithm, when there is one that can draw the active figure."""

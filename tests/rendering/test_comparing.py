@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from workbench.algorithms.lines import bresenham_line, dda_line
 from workbench.document.model import Circle, Line, Polyline, WorldPoint
 from workbench.document.samples.examples import blank_sheet
-from workbench.rendering.compare import compare, distances, figure_pixels
+from workbench.rendering.comparing import compare, distances, figure_pixels
 
 SHEET = blank_sheet(64, 48).sheets[0]
 ends = st.tuples(st.integers(0, 63), st.integers(0, 47))

@@ -1,0 +1,67 @@
+"""A curve's construction at a share of the range of u, or another text of curves; of other figures theirs."""
+
+from msgspec.structs import replace
+
+from workbench.document.building import Edit
+from workbench.document.fields import Number
+from workbench.document.model import CONSTRUCTIONS, Curve, Sheet
+from workbench.document.subjects import Subject
+from workbench.language import _
+from workbench.rendering.curve_runs import construction_fault, construction_of, curve_calls
+from workbench.rendering.mapping import Call
+from workbench.rendering.subjects.figure import figure_of
+from workbench.rendering.subjects.registry import Given, SubjectKind, kind_of, register
+
+KIND = "curve"
+DRAWN_AS = "figure"
+USUAL_SHARE = 0.5
+
+
+def share_of(subject: Subject) -> float:
+    """Where in the range of u a curve is stepped, 0 to 1."""
+    share = subject.arguments.get("u", USUAL_SHARE)
+    assert isinstance(share, int | float)
+    return float(share)
+
+
+def at_share(subject: Subject, share: float) -> Subject:
+    """The construction of the curve of a subject at another share of the range of u."""
+    return replace(subject, kind=KIND, arguments={**subject.arguments, "u": share})
+
+
+def texts_of(curve: Curve) -> tuple[str, ...]:
+    """The slugs of the texts of curves that can be stepped on this one, its construction first."""
+    listed = dict.fromkeys((construction_of(curve), *CONSTRUCTIONS))
+    return tuple(slug for slug in listed if not construction_fault(curve, slug))
+
+
+def _choices(sheet: Sheet, subject: Subject) -> tuple[str, ...]:
+    figure, drawn = figure_of(sheet, subject), Subject(DRAWN_AS, subject.ids)
+    return texts_of(figure) if isinstance(figure, Curve) else kind_of(drawn).choices(sheet, drawn)
+
+
+def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
+    figure, drawn = figure_of(sheet, subject), Subject(DRAWN_AS, subject.ids)
+    if not isinstance(figure, Curve):
+        return kind_of(drawn).calls(sheet, drawn)
+    return curve_calls(sheet, figure, construction_of(figure, subject.entry), share_of(subject))
+
+
+def _choose(sheet: Sheet, subject: Subject, slug: str) -> Edit | None:
+    drawn = Subject(DRAWN_AS, subject.ids)
+    curve = isinstance(figure_of(sheet, subject), Curve)
+    return None if curve else kind_of(drawn).choose(sheet, drawn, slug)
+
+
+register(
+    KIND,
+    SubjectKind(
+        title=_("The construction of the curve"),
+        calls=_calls,
+        choices=_choices,
+        choose=_choose,
+        entries=CONSTRUCTIONS,
+        arguments={"u": Given(USUAL_SHARE, Number(label="u", low=0.0, high=1.0, keyed=True))},
+        compared_as=DRAWN_AS,
+    ),
+)
