@@ -46,9 +46,8 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Current sheet, selected and active figures (ids), the compared algorithm, the cursors, the tube.
 
     An empty ``sheet`` means the first one, an empty ``compare`` no comparison. ``workspace`` is the one that
-    is stepped in, ``positions`` has what each of them steps, and where it stands. Steps are rows of the hand
-    table, or lines in ``detail``; ``ask_first`` hides the next pixel until it was guessed. ``pixel`` (x, y)
-    is the one that is asked about: why is it as it is.
+    is stepped in, ``positions`` has what each of them steps, and where it stands. ``ask_first`` hides the
+    next pixel until it was guessed. ``pixel`` (x, y) is the one that is asked about: why is it as it is.
     """
 
     sheet: str = ""
@@ -57,7 +56,6 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     compare: str = ""
     workspace: str = ""
     positions: dict[str, Position] = {}
-    detail: bool = False
     ask_first: bool = False
     pixel: tuple[int, int] | None = None
     tube: TubeSettings = TubeSettings()
@@ -77,9 +75,14 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """The step in the present workspace."""
         return self.position.step
 
+    @property
+    def detail(self) -> bool:
+        """Whether lines are counted in the present workspace."""
+        return self.position.detail
+
 
 def with_changes(state: SessionState, **changes: Any) -> SessionState:
-    """``state`` with other values; ``subject`` and ``step`` are those of its workspace."""
+    """``state`` with other values; ``subject``, ``step`` and ``detail`` are those of its workspace."""
     here = {name: changes.pop(name) for name in Position.__struct_fields__ if name in changes}
     state = replace(state, **changes)
     position = replace(state.position, **here)

@@ -37,10 +37,11 @@ class Subject(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
 
 
 class Position(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
-    """What is stepped in a workspace, and how far: rows of the hand table, or lines where those count."""
+    """What is stepped in a workspace, and how far: in rows of the hand table, or lines in ``detail``."""
 
     subject: Subject = Subject()
     step: int = 0
+    detail: bool = False
 
 
 Fault = tuple[str, str]

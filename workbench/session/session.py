@@ -89,8 +89,16 @@ class Session(QObject):
 
     @property
     def active_figure(self) -> AnyFigure | None:
-        """The figure whose run is stepped: the active one, or else the front one of the current sheet."""
-        figures = self.sheet.figures
+        """The active figure of the current sheet, or else the front one: the one that is worked on."""
+        return self._active_of(self.sheet)
+
+    @property
+    def shown_figure(self) -> AnyFigure | None:
+        """The active figure as it is seen."""
+        return self._active_of(self.shown)
+
+    def _active_of(self, sheet: Sheet) -> AnyFigure | None:
+        figures = sheet.figures
         return next((f for f in figures if f.id == self.state.active), figures[-1] if figures else None)
 
     @property
@@ -144,17 +152,18 @@ class Session(QObject):
     def update_state(self, **changes: Any) -> None:
         """Change fields of the session's state; raises DocumentError when they refer to nothing.
 
-        ``subject`` and ``step`` are those of the workspace that is stepped in. Where another figure becomes
-        the active one, its runs begin at step 0, here unless ``step`` is given too.
+        ``subject``, ``step`` and ``detail`` are those of the workspace that is stepped in. Where another
+        figure becomes the active one, its runs begin at step 0, here unless ``step`` is given too.
         """
         if "subject" in changes:
             checked(changes["subject"])
         state = check_state(with_changes(self.state, **changes), self.document)
         if state != self.state:
-            figure = self.active_figure
+            figure, workspace = self.active_figure, self.state.workspace
             self.state = state
             self._another_figure(figure, changes.get("step"))
-            self._following.switch(stays="step" not in changes and self.active_figure == figure)
+            same = self.active_figure == figure and state.workspace == workspace
+            self._following.switch(stays="step" not in changes and same)
             self._tell_later()
 
     def visit(self, workspace: str, usual: Subject) -> None:
@@ -334,8 +343,8 @@ class Session(QObject):
         self.state = cleaned(state, stored.document)
         self._following.begin_anew()
         self.path_changed.emit(path)
-        for sentence in sentences:
-            self.left_out.emit(sentence)
+        if sentences:
+            self.left_out.emit(" ".join(sentences))
 
     def _clean_changed(self, clean: bool) -> None:
         self._keep_safe()
@@ -380,6 +389,6 @@ def _without_unknown(state: SessionState) -> tuple[SessionState, list[str]]:
             checked(position.subject)
             positions[workspace] = position
         except DocumentError as problem:
-            sentence = _("A step that the file remembers was left out: {problem}")
+            sentence = _("A place in a run was left out of what was opened: {problem}")
             sentences.append(sentence.format(problem=problem))
     return (replace(state, positions=positions), sentences) if sentences else (state, [])

@@ -44,10 +44,9 @@ def test_session_and_blobs_come_back(tmp_path: Path) -> None:
             compare="dda_line",
             workspace="clip",
             positions={
-                "clip": Position(Subject("clipper", ("f1",), "liang_barsky"), 4),
+                "clip": Position(Subject("clipper", ("f1",), "liang_barsky"), 4, detail=True),
                 "curves": Position(Subject("curve", arguments={"u": 0.25, "name": "P", "at": (1.0, 2.5)})),
             },
-            detail=True,
             ask_first=True,
             tube=TubeSettings("vector", "P7", time_s=1.25),
         ),

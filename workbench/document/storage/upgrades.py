@@ -12,10 +12,11 @@ _WORKSPACES = {"figure": ("draw", "fill"), "clipper": ("clip",), "curve": ("curv
 def _with_positions(raw: dict[str, Any]) -> dict[str, Any]:
     """Version 3 has one step for all workspaces, and what is stepped in fields of its own."""
     session = dict(raw.get("session", {}))
-    step, stepped = session.pop("step", 0), session.pop("stepped", "figure")
+    stepped = session.pop("stepped", "figure")
+    place = {"step": session.pop("step", 0), "detail": session.pop("detail", False)}
     u, construction = session.pop("curve_u", 0.5), session.pop("construction", "")
     positions: dict[str, Any] = {
-        workspace: {"subject": {"kind": kind}, "step": step if kind == stepped else 0}
+        workspace: {"subject": {"kind": kind}, **(place if kind == stepped else {})}
         for kind, workspaces in _WORKSPACES.items()
         for workspace in workspaces
     }

@@ -70,7 +70,7 @@ class CurveView(FigureView):
 
     def refresh(self, tool: Tool, drag: HandleDrag) -> None:
         """Everything anew, from the session alone."""
-        session, sheet = self.session, self.session.sheet
+        session, sheet = self.session, self.sheet
         self.focus.cell_px = self.canvas.view.cell / self.canvas.devicePixelRatioF()
         busy = tool.busy
         parting = self._parting(tool) if busy else None
@@ -113,7 +113,7 @@ class CurveView(FigureView):
         if curve is None or not moving or not isinstance(tool, CurveSelectTool):
             return None
         if self._parted is None or self._parted[0] != (curve.id, moving, self.canvas.view):
-            sheet = self.session.sheet
+            sheet = self.sheet
             numbers = tuple(k for k, point in enumerate(curve.points_world) if point.id in set(moving))
             self._region(curve, [])
             below = [*others(sheet, curve), *beside(sheet, curve)]
@@ -131,7 +131,7 @@ class CurveView(FigureView):
 
     def _moving(self, parting: Parting) -> list[Drawn]:
         """What is drawn anew at every step of a drag."""
-        sheet, curve, shown = self.session.sheet, self.focus.curve, self.focus.shown
+        sheet, curve, shown = self.sheet, self.focus.curve, self.focus.shown
         if curve is None:
             return []
         drawn: list[Drawn] = [*self._region(curve, [])]
@@ -144,7 +144,7 @@ class CurveView(FigureView):
 
     def drawn(self, number: int | None = None) -> list[Drawn]:
         """The curves and what is shown of the one that is worked on, from back to front, now or at a step."""
-        sheet, curve, shown = self.session.sheet, self.focus.curve, self.focus.shown
+        sheet, curve, shown = self.sheet, self.focus.curve, self.focus.shown
         drawn = others(sheet, curve)
         if curve is None or not curve.visible:
             return drawn
@@ -170,7 +170,7 @@ class CurveView(FigureView):
 
         While the run waits, as under a drag, its text is drawn as far as it had come, on the curve as it is.
         """
-        sheet, share = self.session.shown, self.focus.u
+        sheet, share = self.sheet, self.focus.u
         run = self.stepped_run()
         if run is not None and run.entry is not None and run.entry.slug not in texts_of(curve):
             run = None
@@ -202,7 +202,7 @@ class CurveView(FigureView):
         held = next((point for point in curve.points_world if point.id == moving[0]), None)
         if held is None:
             return None
-        x, y = device_map(self.session.sheet).point(held.x, held.y)
+        x, y = device_map(self.sheet).point(held.x, held.y)
         return round_half_up(x), round_half_up(y)
 
     def _region(self, curve: Curve, chosen: list[int]) -> list[Stroke]:
@@ -218,14 +218,14 @@ class CurveView(FigureView):
         key = (curve.id, curve.spline, len(curve.points_world), numbers)
         if self._influence[0] != key or not self.focus.moving:
             self._influence = key, influence(curve, numbers)
-        return region(self.session.sheet, curve, self._influence[1])
+        return region(self.sheet, curve, self._influence[1])
 
     def _grips(self, moving: bool) -> list[Handle]:
         """The points, handles and tangents of the selected curve, or only those that are being dragged."""
         curve = self.focus.selected
         if curve is None:
             return []
-        sheet, place = self.session.sheet, f"{self.session.sheet.id}/{curve.id}"
+        sheet, place = self.sheet, f"{self.sheet.id}/{curve.id}"
         shown = np.flatnonzero(handles_shown(curve, self.focus.numbers(curve))).tolist()
         if moving:
             held = frozenset(self.focus.moving)
@@ -265,7 +265,7 @@ class CurveView(FigureView):
 
     def on_paper(self, number: int | None = None) -> Composition:
         """What is shown, or one step of the run, in the light theme, with plain spots for the points."""
-        sheet, curve = self.session.sheet, self.focus.curve
+        sheet, curve = self.sheet, self.focus.curve
         shown = picture if "pixels" in self.focus.shown else pale_picture
         drawn = self.drawn(number)
         if curve is not None and "polygon" in self.focus.shown and len(curve.points_world) < MANY:

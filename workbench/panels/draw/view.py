@@ -34,7 +34,7 @@ class DrawView(FigureView):
             self.plot.show_distances([])
             return
         slugs = [active.drawn_with, *([compared] if compared else [])]
-        sheet = self.session.sheet
+        sheet = self.sheet
         self.plot.show_distances(
             [(_(catalogue.get(slug).title), distances(sheet, active, slug)) for slug in slugs]
         )

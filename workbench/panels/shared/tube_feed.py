@@ -68,11 +68,11 @@ class TubeFeed(QObject):
     def _asked(self) -> AnyFigure | None:
         """The figure whose next pixel is asked for: until its run is at its end the tube does not tell."""
         session = self._session
-        return session.active_figure if session.run.ask_first and not session.run.ended else None
+        return session.shown_figure if session.run.ask_first and not session.run.ended else None
 
     def feed(self) -> None:
         """Bring every visible view up to date."""
-        sheet, settings, asked = self._session.sheet, self._session.state.tube, self._asked
+        sheet, settings, asked = self._session.shown, self._session.state.tube, self._asked
         setup = setup_of(settings)
         for view in self._views:
             if not view.isVisible():
