@@ -161,9 +161,9 @@ class Session(QObject):
         if state != self.state:
             figure, workspace = self.active_figure, self.state.workspace
             self.state = state
-            self._another_figure(figure, changes.get("step"))
-            same = self.active_figure == figure and state.workspace == workspace
-            self._following.switch(stays="step" not in changes and same)
+            other = self._another_figure(figure, changes.get("step"))
+            stays = "step" not in changes and not other and state.workspace == workspace
+            self._following.switch(stays)
             self._tell_later()
 
     def visit(self, workspace: str, usual: Subject) -> None:
@@ -364,12 +364,15 @@ class Session(QObject):
         self.revision += 1
         self._tell_later()
 
-    def _another_figure(self, before: AnyFigure | None, step: int | None = None) -> None:
+    def _another_figure(self, before: AnyFigure | None, step: int | None = None) -> bool:
+        """Whether another figure is active than before: its runs begin at the start, here at ``step``."""
         now = self.active_figure
-        if (now and now.id) != (before and before.id):
-            self.state = at_the_start(self.state)
-            if step is not None:
-                self.state = with_changes(self.state, step=step)
+        if (now and now.id) == (before and before.id):
+            return False
+        self.state = at_the_start(self.state)
+        if step is not None:
+            self.state = with_changes(self.state, step=step)
+        return True
 
     def _tell_later(self) -> None:
         if not self._waiting:

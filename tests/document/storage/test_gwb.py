@@ -81,6 +81,31 @@ def test_a_sample_of_every_version_opens(version: int) -> None:
     assert decode(encode(stored)) == stored
 
 
+def test_what_version_3_stepped_stands_in_the_workspaces_that_step_it() -> None:
+    session = read(SAMPLES / "version-3.gwb").session
+    at_u = Subject("curve", entry="de_boor", arguments={"u": 0.25})
+    assert session.workspace == "curves"
+    assert session.positions == {
+        "draw": Position(),
+        "fill": Position(),
+        "clip": Position(Subject("clipper")),
+        "curves": Position(at_u, 3),
+    }
+    raw = json.loads((SAMPLES / "version-3.gwb").read_text("utf-8"))
+    raw["session"] |= {"stepped": "figure", "step": 12, "detail": True}
+    session = decode(json.dumps(raw).encode()).session
+    assert session.positions["draw"] == session.positions["fill"] == Position(step=12, detail=True)
+    assert session.positions["curves"] == Position(at_u)
+
+
+@pytest.mark.parametrize("damage", [{"stepped": "dance"}, {"stepped": []}, {"step": "3"}, {"curve_u": {}}])
+def test_a_damaged_version_3_is_refused(damage: dict[str, Any]) -> None:
+    raw = json.loads((SAMPLES / "version-3.gwb").read_text("utf-8"))
+    raw["session"] |= damage
+    with pytest.raises(DocumentError):
+        decode(json.dumps(raw).encode())
+
+
 def test_versions_are_upgraded_one_after_the_other() -> None:
     steps = {1: lambda raw: {**raw, "a": 1}, 2: lambda raw: {**raw, "b": raw["a"] + 1}}
     assert upgraded({"version": 1}, 1, steps, 3) == {"version": 3, "a": 1, "b": 2}

@@ -218,6 +218,7 @@ class FigurePanel(PlainPanel, QWidget):
     def _press(self, x: float, y: float, modifiers: Modifiers) -> None:
         if self._answering:
             return
+        self._take_run()  # which is another one after a pixel was asked about
         self._hold(True)
         reach = max(0.75, REACH_PX * self.devicePixelRatioF() / self.canvas.view.cell)
         self.tool.press(x, y, modifiers, reach)

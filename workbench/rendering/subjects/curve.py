@@ -10,7 +10,7 @@ from workbench.language import _
 from workbench.rendering.curve_runs import construction_fault, construction_of, curve_calls
 from workbench.rendering.mapping import Call
 from workbench.rendering.subjects.figure import figure_of
-from workbench.rendering.subjects.registry import Given, SubjectKind, kind_of, register
+from workbench.rendering.subjects.registry import Given, SubjectKind, calls_of, kind_of, register
 
 KIND = "curve"
 DRAWN_AS = "figure"
@@ -35,22 +35,31 @@ def texts_of(curve: Curve) -> tuple[str, ...]:
     return tuple(slug for slug in listed if not construction_fault(curve, slug))
 
 
+def _curve(sheet: Sheet, subject: Subject) -> Curve | None:
+    figure = figure_of(sheet, subject)
+    return figure if isinstance(figure, Curve) else None
+
+
+def _drawn(subject: Subject) -> Subject:
+    """The drawing of a figure: what is stepped of one that is no curve."""
+    return Subject(DRAWN_AS, subject.ids)
+
+
 def _choices(sheet: Sheet, subject: Subject) -> tuple[str, ...]:
-    figure, drawn = figure_of(sheet, subject), Subject(DRAWN_AS, subject.ids)
-    return texts_of(figure) if isinstance(figure, Curve) else kind_of(drawn).choices(sheet, drawn)
+    curve, drawn = _curve(sheet, subject), _drawn(subject)
+    return kind_of(drawn).choices(sheet, drawn) if curve is None else texts_of(curve)
 
 
 def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
-    figure, drawn = figure_of(sheet, subject), Subject(DRAWN_AS, subject.ids)
-    if not isinstance(figure, Curve):
-        return kind_of(drawn).calls(sheet, drawn)
-    return curve_calls(sheet, figure, construction_of(figure, subject.entry), share_of(subject))
+    curve = _curve(sheet, subject)
+    if curve is None:
+        return calls_of(sheet, _drawn(subject))
+    return curve_calls(sheet, curve, construction_of(curve, subject.entry), share_of(subject))
 
 
 def _choose(sheet: Sheet, subject: Subject, slug: str) -> Edit | None:
-    drawn = Subject(DRAWN_AS, subject.ids)
-    curve = isinstance(figure_of(sheet, subject), Curve)
-    return None if curve else kind_of(drawn).choose(sheet, drawn, slug)
+    drawn = _drawn(subject)
+    return kind_of(drawn).choose(sheet, drawn, slug) if _curve(sheet, subject) is None else None
 
 
 register(
