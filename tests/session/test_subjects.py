@@ -161,6 +161,18 @@ def test_lines_are_counted_where_they_were_switched_on(session: Session, qtbot: 
     assert session.run.position == 2
 
 
+def test_a_row_and_a_line_of_the_same_number_are_two_places(session: Session, qtbot: QtBot) -> None:
+    session.run.set_detail(True)
+    session.run.go(5)
+    session.visit("fill", Subject())
+    recorded(session, qtbot)
+    session.run.go(5)
+    for workspace, detail in (("draw", True), ("fill", False)):
+        session.visit(workspace, Subject())
+        recorded(session, qtbot)
+        assert (session.run.detail, session.run.position) == (detail, 5)
+
+
 def test_what_is_visited_for_the_first_time_is_what_it_usually_is(session: Session, qtbot: QtBot) -> None:
     session.new(example("curve-bezier").document)
     session.visit("curves", Subject("curve"))
