@@ -1,21 +1,14 @@
 """What a session keeps in the file beside the picture: it is saved, but never a step of undo."""
 
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal
 
 import msgspec
 from msgspec.structs import replace
 
-from workbench.algorithms import catalogue
 from workbench.document.check import number_problem, refuse, shown
 from workbench.document.fields import Number, numbers_of
 from workbench.document.identities import all_ids
-from workbench.document.model import (
-    LINE_CLIPPERS,
-    MAX_SIDE_PX,
-    POLYGON_CLIPPERS,
-    AnyFigure,
-    Document,
-)
+from workbench.document.model import MAX_SIDE_PX, Document
 from workbench.document.subjects import Position, Subject, fault_in, is_word, missing
 from workbench.language import _
 
@@ -110,10 +103,8 @@ def check_state(state: SessionState, document: Document) -> SessionState:
             raise refuse(f"session.selection[{index}]", missing(figure))
     if state.active and state.active not in figures:
         raise refuse("session.active", missing(state.active))
-    slugs = {slug for kind in get_args(AnyFigure) for slug in kind.algorithms}
-    slugs.update(LINE_CLIPPERS, POLYGON_CLIPPERS)
-    if catalogue.known(state.compare) and state.compare not in slugs:
-        raise refuse("session.compare", missing(state.compare))
+    if state.compare and not is_word(state.compare):
+        raise refuse("session.compare", _("is {value}, which is no name").format(value=shown(state.compare)))
     if state.pixel is not None and not all(0 <= side < MAX_SIDE_PX for side in state.pixel):
         problem = _("is {value}; give a column and a row from 0")
         raise refuse("session.pixel", problem.format(value=shown(state.pixel)))

@@ -65,7 +65,10 @@ class Following(QObject):
         finally:
             self._telling = False
         for follower, other in zip_longest(self._followers, self._compared(subject)):
-            follower.follow(subject, [] if other is None else calls_of(session.shown, other), self._size)
+            if other is None:
+                follower.clear()
+            else:
+                follower.follow(other, calls_of(session.shown, other), self._size)
         self._lock()
 
     @property

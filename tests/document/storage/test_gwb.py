@@ -185,7 +185,7 @@ FIGURE: list[str | int] = [*SHEET, "figures", 0]
         ),
         (["session", "positions"], {"a/b": {}}, "session.workspace"),
         (["session", "workspace"], 3, "session.workspace"),
-        (["session", "compare"], "de_casteljau", "session.compare"),
+        (["session", "compare"], "de casteljau", "session.compare"),
         (["session", "tube", "refresh_hz"], 0, "session.tube.refresh_hz"),
         (["session", "tube", "phosphor"], 31, "session.tube.phosphor"),
         (["version"], VERSION + 1, "version"),
@@ -440,12 +440,17 @@ def test_a_file_whose_ids_are_spent_can_be_worked_on(spent: str) -> None:
     else:
         sheet = replace(sheet, id="s999999999999999")
     document = replace(document, sheets=(replace(sheet, figures=(line,)),))
-    state = SessionState(sheet=sheet.id, selection=(line.id,), active=line.id)
+    named = Subject("figure", (line.id, line.points_world[0].id))
+    state = SessionState(
+        sheet=sheet.id, selection=(line.id,), active=line.id, positions={"draw": Position(named, 4)}
+    )
     stored = decode(encode(Stored(document, state)))
     (again,) = stored.document.sheets
     (figure,) = again.figures
     assert stored.session.sheet == again.id
     assert stored.session.selection == (figure.id,)
     assert stored.session.active == figure.id
+    point = figure.points_world[0].id
+    assert stored.session.positions == {"draw": Position(Subject("figure", (figure.id, point)), 4)}
     assert (frame_buffer(again) == frame_buffer(sheet)).all()
     assert len(add_sheet(again)(stored.document).sheets) == 2
