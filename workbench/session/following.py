@@ -95,13 +95,12 @@ class Following(QObject):
 
     def _lock(self) -> None:
         """Followers show as many steps as the lead, all of them when that is at its end."""
-        step = self._lead.step
+        followers = [follower for follower in self._followers if follower.entry is not None]
+        step = self._lead.step if followers else None
         if step is None:
             return
-        for follower in self._followers:
-            if follower.entry is None:
-                continue
+        number = self._lead.passed + step.number
+        for follower in followers:
             if follower.detail:
                 follower.set_detail(False)
-            number = self._lead.passed + step.number
             follower.go(number if not self._lead.ended else follower.last_position)
