@@ -26,6 +26,7 @@ from workbench.session.following import Following
 from workbench.session.incoming import Incoming
 from workbench.session.origins import text_of
 from workbench.session.recovery import Recoverable, RecoveryFile
+from workbench.session.remembered import runnable
 from workbench.session.run import Run
 from workbench.session.saver import Saved, Saver
 from workbench.session.stamps import Stamp, stamp
@@ -339,7 +340,7 @@ class Session(QObject):
         self.path = path
         self._on_disk = on_disk
         self._show(stored.document)
-        state, sentences = _without_unknown(stored.session)
+        state, sentences = runnable(stored.session)
         self.state = cleaned(state, stored.document)
         self._following.begin_anew()
         self.path_changed.emit(path)
@@ -382,16 +383,3 @@ class Session(QObject):
     def _index_changed(self) -> None:
         if not self._pushing:
             self._merging = None
-
-
-def _without_unknown(state: SessionState) -> tuple[SessionState, list[str]]:
-    """``state`` without the positions that cannot be run here, and a sentence for each of these."""
-    positions, sentences = {}, []
-    for workspace, position in state.positions.items():
-        try:
-            checked(position.subject)
-            positions[workspace] = position
-        except DocumentError as problem:
-            sentence = _("A place in a run was left out of what was opened: {problem}")
-            sentences.append(sentence.format(problem=problem))
-    return (replace(state, positions=positions), sentences) if sentences else (state, [])
