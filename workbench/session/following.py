@@ -54,7 +54,7 @@ class Following(QObject):
         before = lead.subject, lead.entry
         self._telling = True
         try:
-            lead.follow(subject, calls_of(session.shown, subject), self._size)
+            lead.follow(subject, calls_of(session.sheet, subject), self._size)
             self.switch(stays=False)
             if subject.is_of(before[0]) and self._here == self._reached:
                 if lead.entry is not before[1]:  # another text on the same figure begins at its start
@@ -68,7 +68,7 @@ class Following(QObject):
             if other is None:
                 follower.clear()
             else:
-                follower.follow(other, calls_of(session.shown, other), self._size)
+                follower.follow(other, calls_of(session.sheet, other), self._size)
         self._lock()
 
     @property
@@ -78,11 +78,11 @@ class Following(QObject):
 
     @property
     def _size(self) -> tuple[int, int]:
-        return self._session.shown.width_px, self._session.shown.height_px
+        return self._session.sheet.width_px, self._session.sheet.height_px
 
     def _compared(self, subject: Subject) -> list[Subject]:
         """What the followers run: what is compared of the subject, where the lead runs that itself."""
-        sheet, slug, entry = self._session.shown, self._session.state.compare, self._lead.entry
+        sheet, slug, entry = self._session.sheet, self._session.state.compare, self._lead.entry
         itself = bool(slug) and entry is not None and entry.slug == own_entry(sheet, subject)
         return [replace(compared(subject), entry=slug)] if itself and slug in rivals(sheet, subject) else []
 

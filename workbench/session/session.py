@@ -91,20 +91,20 @@ class Session(QObject):
     @property
     def active_figure(self) -> AnyFigure | None:
         """The active figure of the current sheet, or else the front one: the one that is worked on."""
-        return self._active_of(self.sheet)
-
-    @property
-    def shown_figure(self) -> AnyFigure | None:
-        """The active figure as it is seen."""
-        return self._active_of(self.shown)
-
-    def _active_of(self, sheet: Sheet) -> AnyFigure | None:
-        figures = sheet.figures
+        figures = self.sheet.figures
         return next((f for f in figures if f.id == self.state.active), figures[-1] if figures else None)
 
     @property
+    def shown_figure(self) -> AnyFigure | None:
+        """The active figure as it is painted; None where it is not."""
+        sheet, active = self.shown, self.active_figure
+        if sheet is self.sheet or active is None:
+            return active
+        return next((figure for figure in sheet.figures if figure.id == active.id), None)
+
+    @property
     def shown(self) -> Sheet:
-        """The current sheet as it is seen: what is painted and run. Edits are of ``sheet``."""
+        """The current sheet as it is painted. Edits, runs and what leaves the program are of ``sheet``."""
         return self.sheet
 
     @property

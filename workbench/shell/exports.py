@@ -61,7 +61,7 @@ class Exports(QObject):
         """Every pixel of the sheet."""
         from workbench.rendering import frame_buffer
 
-        sheet = self._window.session.shown
+        sheet = self._window.session.sheet
         cell = max(1, _PICTURE_PX // max(sheet.width_px, sheet.height_px))
         self._ask("picture", "", lambda: (frame_buffer(sheet), cell))
 
@@ -74,7 +74,7 @@ class Exports(QObject):
             error = [inexact.format(error=exported.error)] if exported.error > 0 else []
             return [*error, *exported.notes]
 
-        self._ask("drawing", "", partial(write_svg, self._window.session.shown), notes)
+        self._ask("drawing", "", partial(write_svg, self._window.session.sheet), notes)
 
     def step(self) -> None:
         """What the canvas shows."""
@@ -131,13 +131,13 @@ class Exports(QObject):
         offers: list[TableOffer] = []
         if session is None:
             return offers
-        run, figure = session.run, session.shown_figure
+        run, figure = session.run, session.active_figure
 
         def offer(title: str, make: Callable[[], Any]) -> None:
             offers.append(TableOffer(title, partial(self._ask, "table", title.lower(), make)))
 
         if figure is not None:
-            offer(_("Pixels in the order of painting"), partial(_pixels, session.shown, figure))
+            offer(_("Pixels in the order of painting"), partial(_pixels, session.sheet, figure))
         if run.recording is not None and not run.ask_first:
             from workbench.exchange.run_tables import lines
 

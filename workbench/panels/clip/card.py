@@ -126,7 +126,7 @@ class ClipCard(ParameterCard):
 
     def _tell(self, active: AnyFigure | None) -> None:
         now = tokens()
-        counted = tally(self._session.shown)
+        counted = tally(self._session.sheet)
         marks: dict[Fate, tuple[str, str, str]] = {
             "accepted": ("data3", "━━", _("{n} inside, accepted")),
             "clipped": ("data1", "━ ╌", _("{n} clipped")),
@@ -137,7 +137,7 @@ class ClipCard(ParameterCard):
             for fate, (ink, mark, text) in marks.items()
             if counted[fate]
         ]
-        if edges := degenerate_count(self._session.shown, active):
+        if edges := degenerate_count(self._session.sheet, active):
             said = ngettext(
                 "{n} degenerate edge: the polygon is concave, and its parts hang together along the window.",
                 "{n} degenerate edges: the polygon is concave, and its parts hang together along the window.",

@@ -121,7 +121,7 @@ class DisplayPanel(PlainPanel, QWidget):
                 ).format(rate=rate)
             )
         if not self.vector.isHidden():
-            said.extend(dict.fromkeys(sentence for _id, sentence in unshown(self.session.shown)))
+            said.extend(dict.fromkeys(sentence for _id, sentence in unshown(self.session.sheet)))
             if self.vector.refresh_hz < 0.999 * state.refresh_hz:
                 said.append(
                     _(

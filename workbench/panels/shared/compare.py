@@ -140,7 +140,7 @@ class CompareView(QWidget):
     def _entries(self) -> tuple[str, str, tuple[str, ...]]:
         """The first algorithm, the second if one is chosen that fits, and all that would fit."""
         session = self._session
-        now, others = own_entry(session.shown, session.subject), rivals(session.shown, session.subject)
+        now, others = own_entry(session.sheet, session.subject), rivals(session.sheet, session.subject)
         second = session.state.compare if session.state.compare in others else ""
         if self._of_sheet and not second and others:
             second = others[0]
@@ -173,7 +173,7 @@ class CompareView(QWidget):
         self._fill(self.second, list(others), second, "" if self._of_sheet and others else none)
         self.second.setEnabled(bool(others))
         done = tuple(run.recording if run.done else None for run in self._runs)
-        asked = (session.shown, self._subject, now, second, self.whole.isChecked(), *done)
+        asked = (session.sheet, self._subject, now, second, self.whole.isChecked(), *done)
         if asked != self._asked:
             self._asked = asked
             self.model.grey()
@@ -193,7 +193,7 @@ class CompareView(QWidget):
         now, second, _others = self._entries()
         if not now:
             return
-        sheet, subject = self._session.shown, self._subject
+        sheet, subject = self._session.sheet, self._subject
         if self.whole.isChecked():
             self.worker.ask(Job(sheet, comparing(subject).alike(sheet, subject), now, second))
             return

@@ -87,7 +87,7 @@ class WhyList(QWidget):
         if pixel is None:
             self._question += 1
             self._say_empty()
-        elif self.isVisible() and self._asked != (self._session.shown, pixel):
+        elif self.isVisible() and self._asked != (self._session.sheet, pixel):
             self.list.setEnabled(False)
             self._settle.start()
 
@@ -105,7 +105,7 @@ class WhyList(QWidget):
         if pixel is None or not self.isVisible():
             return
         self._question += 1
-        question, sheet = self._question, session.shown
+        question, sheet = self._question, session.sheet
         self._asked = (sheet, pixel)
         self.caption.setText(_("({x}, {y}): looking…").format(x=pixel[0], y=pixel[1]))
 
