@@ -14,6 +14,8 @@ from PySide6.QtCore import QEventLoop, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
 from workbench.algorithms import catalogue
+from workbench.document.subjects import Subject
+from workbench.rendering.mapping import Call
 from workbench.session.run import Run
 from workbench.widgets.stepping.source_view import SourceView
 from workbench.widgets.stepping.step_bar import Steps
@@ -49,7 +51,7 @@ def test_delays_of_a_timer(benchmark: Any, qapp: QApplication) -> None:
     window.resize(900, 900)
     window.show()
     entry = catalogue.get("bresenham_line")
-    run.follow(entry, (0, 0, 20, 12), "figure", (1000, 1000))
+    run.follow(Subject(ids=("figure",)), [Call(entry, (0, 0, 20, 12))], (1000, 1000))
     while not run.done:
         qapp.processEvents()
     late: list[float] = []
@@ -74,7 +76,7 @@ def test_delays_of_a_timer(benchmark: Any, qapp: QApplication) -> None:
         by_us.clear()
         last[:] = time.perf_counter(), waited()
         end = run.arguments[2] + 1
-        run.follow(entry, (0, 0, max(end, length), 700), "figure", (1000, 1000))
+        run.follow(Subject(ids=("figure",)), [Call(entry, (0, 0, max(end, length), 700))], (1000, 1000))
         loop.exec()
         assert run.recording is not None
         if benchmark.enabled:

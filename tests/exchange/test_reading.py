@@ -17,6 +17,7 @@ from workbench.document.samples.examples import example_document, examples
 from workbench.document.state import SessionState
 from workbench.document.storage.content import Stopped, read_text
 from workbench.document.storage.files import Stored, encode
+from workbench.document.subjects import Position, Subject
 from workbench.exchange import reading
 from workbench.exchange.figures import write_figures
 from workbench.exchange.reading import (
@@ -46,7 +47,7 @@ def large_picture() -> Stored:
     document = replace(example_document(), sheets=(replace(sheet, figures=figures), bare))
     blob = bytes(range(256)) * 10_000
     blobs = {hashlib.sha256(content).hexdigest(): content for content in (blob, b"")}
-    state = SessionState(sheet="other", step=3)
+    state = SessionState(sheet="other", positions={"draw": Position(Subject(ids=("long",)), 3)})
     return Stored(document, state, blobs, "/from/there.gwb", (3, 2, 1), ("beside",))
 
 

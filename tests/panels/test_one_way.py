@@ -12,6 +12,7 @@ from workbench.document.edits import move_figures, remove_figures, set_algorithm
 from workbench.document.samples.examples import example
 from workbench.document.state import SessionState
 from workbench.document.storage.files import Stored
+from workbench.document.subjects import Position, Subject
 from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.curves.panel import CurvesPanel
 from workbench.panels.display.panel import DisplayPanel
@@ -73,7 +74,7 @@ def session(qtbot: QtBot) -> Iterator[Watched]:
 def settle(session: Session, qtbot: QtBot) -> None:
     for _turn in range(3):
         QApplication.processEvents()
-    qtbot.waitUntil(lambda: session.run.done and session.follower.done, timeout=20_000)
+    qtbot.waitUntil(lambda: session.run.done and session.followers[0].done, timeout=20_000)
     QApplication.processEvents()
 
 
@@ -100,14 +101,18 @@ def test_nothing_is_written_while_it_is_told(
     session.frame(-1)
     panel.show()
     settle(session, qtbot)
-    session.take(Stored(example(slug).document, SessionState(stepped="figure")), Path("x.gwb"), None)
+    elsewhere = SessionState(workspace="elsewhere", positions={"elsewhere": Position(Subject("clipper"))})
+    session.take(Stored(example(slug).document, elsewhere), Path("x.gwb"), None)
     settle(session, qtbot)
-    assert session.state.stepped == getattr(panel, "stepped", "figure")
+    usual = getattr(panel, "usual", Subject("clipper"))
+    assert (session.state.workspace, session.state.subject) == (getattr(panel, "slug", "elsewhere"), usual)
     front = session.sheet.figures[-1]
-    session.update_state(active=front.id, selection=(front.id,), pixel=(3, 3), construction="de_boor")
+    session.update_state(active=front.id, selection=(front.id,), pixel=(3, 3))
     settle(session, qtbot)
-    session.update_state(ask_first=True, detail=True, curve_u=0.25, compare="dda_line")
+    session.update_state(subject=Subject("curve", entry="de_boor", arguments={"u": 0.25}))
+    session.update_state(ask_first=True, detail=True, compare="dda_line")
     settle(session, qtbot)
+    session.update_state(subject=usual)
     session.update_state(ask_first=False, detail=False, step=2)
     session.apply(move_figures([front.id], 1, 0), "Move")
     settle(session, qtbot)

@@ -16,7 +16,7 @@ from workbench.document.curves.pieces import fault_of, parameter_at, pieces_of, 
 from workbench.document.model import Curve, CurvePoint, Rectangle, Sheet
 from workbench.document.samples.figures import document_of, line
 from workbench.rendering import frame_buffer, why
-from workbench.rendering.compare import compare, distances
+from workbench.rendering.comparing import compare, distances
 from workbench.rendering.curve_runs import (
     construction_fault,
     construction_of,

@@ -11,6 +11,7 @@ from workbench.document.model import Line, WorldPoint
 from workbench.document.samples.examples import blank_sheet, example
 from workbench.document.state import SessionState
 from workbench.document.storage.files import Stored
+from workbench.document.subjects import Position
 from workbench.session.asking import Answer
 from workbench.session.session import Session
 
@@ -18,7 +19,7 @@ from workbench.session.session import Session
 def recorded(session: Session, qtbot: QtBot) -> None:
     """Wait until what is active now, and what it is compared with, is recorded."""
     session.flush()
-    qtbot.waitUntil(lambda: session.run.done and session.follower.done, timeout=20_000)
+    qtbot.waitUntil(lambda: session.run.done and session.followers[0].done, timeout=20_000)
 
 
 @pytest.fixture
@@ -33,11 +34,11 @@ def session(qtbot: QtBot) -> Iterator[Session]:
 
 def test_a_follower_leaves_detail_and_shows_the_step_of_the_run(session: Session, qtbot: QtBot) -> None:
     session.run.go(3)
-    session.follower.set_detail(True)
-    assert session.follower.position > 3
+    session.followers[0].set_detail(True)
+    assert session.followers[0].position > 3
     session.run.forward()
-    assert not session.follower.detail
-    assert session.follower.position == session.run.position == 4
+    assert not session.followers[0].detail
+    assert session.followers[0].position == session.run.position == 4
 
 
 def test_a_run_in_detail_is_followed_by_whole_steps(session: Session, qtbot: QtBot) -> None:
@@ -48,13 +49,13 @@ def test_a_run_in_detail_is_followed_by_whole_steps(session: Session, qtbot: QtB
     for _line in range(12):
         session.run.forward()
         assert session.run.step is not None
-        assert not session.follower.detail
-        assert session.follower.position == session.run.step.number
-        steps.add(session.follower.position)
+        assert not session.followers[0].detail
+        assert session.followers[0].position == session.run.step.number
+        steps.add(session.followers[0].position)
     assert len(steps) > 1
     session.run.set_detail(False)
     assert not session.state.detail
-    assert session.follower.position == session.run.position
+    assert session.followers[0].position == session.run.position
 
 
 def test_asking_begins_where_the_cursor_is_and_counts_from_nought(session: Session, qtbot: QtBot) -> None:
@@ -175,7 +176,7 @@ def test_another_algorithm_begins_at_its_start_and_the_state_says_so(session: Se
 def test_another_document_opens_at_its_own_step(session: Session, qtbot: QtBot) -> None:
     session.run.go(5)
     session.flush()
-    kept = Stored(example("slopes").document, SessionState(active="f1", step=5))
+    kept = Stored(example("slopes").document, SessionState(active="f1", positions={"": Position(step=5)}))
     session.take(kept, Path("slopes.gwb"), None)
     recorded(session, qtbot)
     assert session.run.position == session.state.step == 5

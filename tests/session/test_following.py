@@ -8,6 +8,7 @@ from pytestqt.qtbot import QtBot
 from workbench.document import DocumentError, edits
 from workbench.document.model import Curve, CurvePoint
 from workbench.document.samples.examples import example
+from workbench.document.subjects import Subject
 from workbench.session import Session
 
 
@@ -28,10 +29,10 @@ def recorded(session: Session, qtbot: QtBot) -> None:
 def test_the_front_figure_is_followed_until_another_is_made_active(session: Session, qtbot: QtBot) -> None:
     session.new(example("slopes").document)
     recorded(session, qtbot)
-    assert (session.run.figure_id, session.run.entry.slug) == ("f3", "midpoint_line")
+    assert (session.run.subject.ids, session.run.entry.slug) == (("f3",), "midpoint_line")
     session.update_state(active="f1")
     recorded(session, qtbot)
-    assert (session.run.figure_id, session.run.entry.slug) == ("f1", "dda_line")
+    assert (session.run.subject.ids, session.run.entry.slug) == (("f1",), "dda_line")
     assert session.run.arguments == (4, 12, 36, 18)
 
 
@@ -57,7 +58,7 @@ def test_another_figures_run_begins_at_its_start(session: Session, qtbot: QtBot)
     assert session.run.position == 2
     session.apply(edits.remove_figures(["f1"]), "Remove")
     recorded(session, qtbot)
-    assert (session.run.figure_id, session.run.position) == ("f3", 0)
+    assert (session.run.subject.ids, session.run.position) == (("f3",), 0)
 
 
 def test_no_figure_no_run(session: Session, qtbot: QtBot) -> None:
@@ -70,15 +71,15 @@ def test_no_figure_no_run(session: Session, qtbot: QtBot) -> None:
 
 
 def test_the_compared_algorithm_follows_step_for_step(session: Session, qtbot: QtBot) -> None:
-    assert session.follower.entry is None
+    assert session.followers[0].entry is None
     session.update_state(compare="midpoint_line")
     session.flush()
-    qtbot.waitUntil(lambda: session.follower.done and session.follower.entry is not None)
+    qtbot.waitUntil(lambda: session.followers[0].done and session.followers[0].entry is not None)
     session.run.go(6)
-    assert (session.follower.entry.slug, session.follower.position) == ("midpoint_line", 6)
+    assert (session.followers[0].entry.slug, session.followers[0].position) == ("midpoint_line", 6)
     session.update_state(compare="")
     session.flush()
-    assert session.follower.entry is None
+    assert session.followers[0].entry is None
 
 
 def test_the_step_comes_back_with_the_file(session: Session, qtbot: QtBot, tmp_path: Path) -> None:
@@ -95,26 +96,26 @@ def test_the_construction_of_a_curve_is_followed_at_u(session: Session, qtbot: Q
     points = tuple(CurvePoint("", *p) for p in [(4.0, 4.0), (10.0, 22.0), (28.0, 24.0), (36.0, 6.0)])
     session.apply(edits.add_figure("s1", Curve("", points, "bresenham_line")), "Draw a curve")
     curve = session.sheet.figures[-1].id
-    session.update_state(active=curve, stepped="curve")
+    session.update_state(active=curve, subject=Subject("curve"))
     recorded(session, qtbot)
     assert session.run.entry is not None
     assert session.run.entry.slug == "de_casteljau"
     assert session.run.arguments[1] == 0.5
     session.run.go(3)
-    session.update_state(curve_u=0.25)
+    session.update_state(subject=Subject("curve", arguments={"u": 0.25}))
     recorded(session, qtbot)
     assert (session.run.arguments[1], session.run.position) == (0.25, 3)
-    session.update_state(construction="flatten_bezier")
+    session.update_state(subject=Subject("curve", entry="flatten_bezier"))
     recorded(session, qtbot)
     assert session.run.entry.slug == "flatten_bezier"
-    session.update_state(construction="de_boor")  # which this kind of curve has not
+    session.update_state(subject=Subject("curve", entry="de_boor"))  # which this kind of curve has not
     recorded(session, qtbot)
     assert session.run.entry.slug == "de_casteljau"
-    assert session.state.construction == "de_boor"
-    session.update_state(stepped="figure")
+    assert session.state.subject.entry == "de_boor"
+    session.update_state(subject=Subject())
     recorded(session, qtbot)
     assert session.run.entry.slug == "bresenham_line"
     with pytest.raises(DocumentError, match="between 0 and 1"):
-        session.update_state(curve_u=1.5)
-    with pytest.raises(DocumentError, match="construction"):
-        session.update_state(construction="bresenham_line")
+        session.update_state(subject=Subject("curve", arguments={"u": 1.5}))
+    with pytest.raises(DocumentError, match="choose one of de_casteljau"):
+        session.update_state(subject=Subject("curve", entry="bresenham_line"))

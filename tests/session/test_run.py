@@ -14,8 +14,10 @@ from pytestqt.qtbot import QtBot
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry, View
 from workbench.document.samples.examples import example_document
+from workbench.document.subjects import Subject
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
+from workbench.rendering.mapping import Call
 from workbench.session.run import Run
 from workbench.session.session import Session
 
@@ -37,7 +39,7 @@ def make(qtbot: QtBot) -> Iterator[Callable[..., Run]]:
         runs.append(run)
         for name, value in options.items():
             setattr(run, name, value)
-        run.follow(entry, arguments, "figure", SIZE)
+        run.follow(Subject(ids=("figure",)), [Call(entry, arguments)], SIZE)
         finish(qtbot, run)
         return run
 
@@ -122,7 +124,7 @@ def test_switching_to_detail_and_back_keeps_the_step(step: int, fixed_run: Run) 
 @pytest.fixture(scope="module")
 def fixed_run(qapp: Any) -> Iterator[Run]:
     run = Run()
-    run.follow(BRESENHAM, LINE, "figure", SIZE)
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, LINE)], SIZE)
     while not run.done:
         qapp.processEvents()
     yield run
@@ -228,15 +230,15 @@ def test_playing_goes_to_the_end_and_stops(make: Callable[..., Run], qtbot: QtBo
 def test_a_moved_figure_keeps_the_cursor_and_its_end(make: Callable[..., Run], qtbot: QtBot) -> None:
     run = make()
     run.go(4)
-    run.follow(BRESENHAM, (20, 10, 35, 18), "figure", SIZE)
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, (20, 10, 35, 18))], SIZE)
     finish(qtbot, run)
     assert run.position == 4
     assert run.total_steps == 15
     run.last()
-    run.follow(BRESENHAM, (20, 10, 24, 11), "figure", SIZE)
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, (20, 10, 24, 11))], SIZE)
     finish(qtbot, run)
     assert run.position == 4 == run.total_steps
-    run.follow(BRESENHAM, (20, 10, 24, 11), "another", SIZE)
+    run.follow(Subject(ids=("another",)), [Call(BRESENHAM, (20, 10, 24, 11))], SIZE)
     finish(qtbot, run)
     assert run.position == 0
     run.clear()
@@ -248,13 +250,14 @@ def test_a_moved_figure_keeps_the_cursor_and_its_end(make: Callable[..., Run], q
 def test_the_same_run_is_not_recorded_again(make: Callable[..., Run]) -> None:
     run = make()
     recording = run.recording
-    run.follow(BRESENHAM, LINE, "figure", SIZE)
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, LINE)], SIZE)
     assert run.recording is recording
 
 
 def test_several_calls_are_one_run(qtbot: QtBot) -> None:
     run = Run()
-    run.follow(BRESENHAM, (0, 0, 4, 2), "polyline", SIZE, [(4, 2, 4, 9), (4, 9, 0, 0)])
+    ends = (0, 0, 4, 2), (4, 2, 4, 9), (4, 9, 0, 0)
+    run.follow(Subject(ids=("polyline",)), [Call(BRESENHAM, each) for each in ends], SIZE)
     finish(qtbot, run)
     assert run.total_steps == 4 + 7 + 9
     run.last()
@@ -269,7 +272,7 @@ def test_an_image_is_recorded_on_a_copy(qtbot: QtBot) -> None:
     image[[0, -1], :] = image[:, [0, -1]] = 2
     before = image.copy()
     run = Run()
-    run.follow(entry, (image, 4, 4, 1, 2), "fill", (9, 9))
+    run.follow(Subject(ids=("fill",)), [Call(entry, (image, 4, 4, 1, 2))], (9, 9))
     finish(qtbot, run)
     assert np.array_equal(image, before)
     run.last()
@@ -316,7 +319,7 @@ def test_a_text_that_raises_shows_its_steps_and_says_where(make: Callable[..., R
 def test_a_held_run_waits(qtbot: QtBot) -> None:
     run = Run()
     run.hold()
-    run.follow(BRESENHAM, LINE, "figure", SIZE)
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, LINE)], SIZE)
     qtbot.wait(30)
     assert run.step is None
     run.go_on()
@@ -326,7 +329,7 @@ def test_a_held_run_waits(qtbot: QtBot) -> None:
 
 def test_a_position_not_yet_recorded_is_reached_later(qtbot: QtBot) -> None:
     run = Run()
-    run.follow(BRESENHAM, (0, 0, 3000, 1000), "figure", SIZE)
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, (0, 0, 3000, 1000))], SIZE)
     run.go(2900)
     assert run.position < 2900
     finish(qtbot, run)
@@ -341,20 +344,22 @@ def test_a_session_makes_its_runs_follow_the_active_figure(qtbot: QtBot) -> None
     assert session.state.step == 3
     session.update_state(compare="dda_line")
     session.flush()
-    qtbot.waitUntil(lambda: session.follower.entry is not None and session.follower.done, timeout=20_000)
-    assert session.follower.position == 3
+    qtbot.waitUntil(
+        lambda: session.followers[0].entry is not None and session.followers[0].done, timeout=20_000
+    )
+    assert session.followers[0].position == 3
     session.run.forward()
-    assert session.follower.position == 4
+    assert session.followers[0].position == 4
     session.run.last()
-    assert session.follower.ended
+    assert session.followers[0].ended
     session.update_state(step=2)
     session.flush()
-    assert session.run.position == session.follower.position == 2
+    assert session.run.position == session.followers[0].position == 2
     session.run.set_ask_first(True)
     assert session.state.ask_first
     session.update_state(compare="")
     session.flush()
-    assert session.follower.entry is None
+    assert session.followers[0].entry is None
     session.close()
 
 
@@ -372,7 +377,7 @@ def test_the_steps_are_those_of_a_straight_recording(make: Callable[..., Run]) -
 def test_a_run_that_nobody_holds_records_no_further(qtbot: QtBot) -> None:
     run = Run()
     run.limit = 10**9
-    run.follow(BRESENHAM, (0, 0, 10**9, 10**8), "figure", SIZE)
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, (0, 0, 10**9, 10**8))], SIZE)
     recorder = run._recorder
     assert recorder is not None
     gone = weakref.ref(run)

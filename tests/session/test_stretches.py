@@ -8,9 +8,11 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from workbench.algorithms import catalogue
+from workbench.document.subjects import Subject
 from workbench.engine import compiled, counts
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
+from workbench.rendering.mapping import Call
 from workbench.session.run import Run
 from workbench.widgets.stepping.step_bar import StepBar
 
@@ -29,7 +31,7 @@ def run(qtbot: QtBot) -> Iterator[Run]:
     counts.step_total(BRESENHAM, *LINE)
     run = Run()
     run.limit = LIMIT
-    run.follow(BRESENHAM, LINE, "figure", (420, 140))
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, LINE)], (420, 140))
     finish(qtbot, run)
     if compiled.available():
         qtbot.waitUntil(lambda: run.total_steps is not None, timeout=20_000)
@@ -107,7 +109,7 @@ def test_a_step_behind_the_end_is_the_end(qtbot: QtBot, run: Run) -> None:
 def test_a_place_wanted_while_it_is_recorded_is_reached(qtbot: QtBot) -> None:
     run = Run()
     run.limit = LIMIT
-    run.follow(BRESENHAM, LINE, "figure", (420, 140))
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, LINE)], (420, 140))
     run.go_to_number(250)
     qtbot.waitUntil(lambda: run.done and run.number == 250, timeout=20_000)
     shows(run, 250)
@@ -117,7 +119,7 @@ def test_a_place_wanted_while_it_is_recorded_is_reached(qtbot: QtBot) -> None:
 def test_another_input_keeps_the_step(qtbot: QtBot, run: Run) -> None:
     run.go_to_number(300)
     finish(qtbot, run)
-    run.follow(BRESENHAM, (0, 0, 400, 131), "figure", (420, 140))
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, (0, 0, 400, 131))], (420, 140))
     qtbot.waitUntil(lambda: run.done and run.number == 300, timeout=20_000)
     assert run.steps is not None
     row = record(BRESENHAM.function, 0, 0, 400, 131)

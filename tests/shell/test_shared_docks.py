@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 from workbench.document.samples.examples import example_document
 from workbench.panels.shared.tube_dock import TubeDock
 from workbench.session.session import Session
+from workbench.shell.questions import Question, questions
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
@@ -89,3 +90,40 @@ def test_a_tube_in_the_middle_of_one_workspace_is_a_dock_in_the_other(
     filling = dock(window, "fill", "tube")
     assert isinstance(filling.widget(), TubeDock)
     assert middle.isVisibleTo(window)
+
+
+def test_each_workspace_keeps_its_place(qtbot: QtBot, window: MainWindow) -> None:
+    session = window.session
+
+    def stands(slug: str, step: int) -> None:
+        """Wait until this entry is run, and its cursor is at this step."""
+        session.flush()
+        qtbot.waitUntil(lambda: session.run.entry.slug == slug and session.run.done, timeout=20_000)
+        assert session.run.position == session.state.step == step
+
+    window.open_example("clip")
+    session.update_state(active=session.sheet.figures[0].id)
+    stands("cohen_sutherland", 0)
+    session.run.go(1)
+    window.go("draw")
+    stands("bresenham_line", 0)
+    session.run.go(6)
+    window.go("display")
+    window.go("clip")
+    stands("cohen_sutherland", 1)
+    window.go("draw")
+    stands("bresenham_line", 6)
+
+
+OFFERED = [question for question in questions() if question.workspace]
+
+
+@pytest.mark.parametrize("question", OFFERED, ids=lambda question: question.example)
+def test_a_question_opens_at_its_step_from_any_workspace(
+    qtbot: QtBot, window: MainWindow, question: Question
+) -> None:
+    window.open_question(question)
+    assert window.place == question.workspace
+    window.session.flush()
+    qtbot.waitUntil(lambda: window.session.run.done, timeout=20_000)
+    assert window.session.run.number == window.session.state.step == question.step

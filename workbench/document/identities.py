@@ -13,7 +13,8 @@ from workbench.document.model import Document, Sheet, number_of
 _ID = re.compile(r"(?!.*[0-9]{16}$)[A-Za-z][A-Za-z0-9_-]{0,31}")
 
 
-def _all_ids(sheets: Iterable[Sheet]) -> Iterator[str]:
+def all_ids(sheets: Iterable[Sheet]) -> Iterator[str]:
+    """The ids of some sheets and of all that is on them."""
     for sheet in sheets:
         yield sheet.id
         yield from chain.from_iterable(map(attrgetter("ids"), sheet.figures))
@@ -26,7 +27,7 @@ def are_ids(identities: Iterable[str]) -> bool:
 
 def ids_sound(document: Document) -> bool:
     """Whether all are ids, and none is there twice."""
-    identities = list(_all_ids(document.sheets))
+    identities = list(all_ids(document.sheets))
     return are_ids(identities) and len(set(identities)) == len(identities)
 
 
@@ -38,16 +39,16 @@ def new_ids_sound(before: Document, document: Document) -> bool:
     for sheet in document.sheets:
         old = sheets.pop(sheet.id, None)
         if old is None:
-            come += _all_ids([sheet])
+            come += all_ids([sheet])
         elif old is not sheet:
             _exchanged(old.figures, sheet.figures, gone, come)
-    gone += _all_ids(sheets.values())
+    gone += all_ids(sheets.values())
     new = set(come).difference(gone)
     if len(set(come)) != len(come) or not are_ids(new):
         return False
     # Whatever ends in a higher number than every id of ``before`` is none of them.
     fresh = not new or min(map(number_of, new)) > highest(before)
-    return fresh or new.isdisjoint(_all_ids(before.sheets))
+    return fresh or new.isdisjoint(all_ids(before.sheets))
 
 
 def _exchanged(old: tuple[Any, ...], new: tuple[Any, ...], gone: list[str], come: list[str]) -> None:

@@ -1,13 +1,15 @@
 """What a session keeps in the file beside the picture: it is saved, but never a step of undo."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import msgspec
+from msgspec.structs import replace
 
-from workbench.algorithms import catalogue
 from workbench.document.check import number_problem, refuse, shown
 from workbench.document.fields import Number, numbers_of
+from workbench.document.identities import all_ids
 from workbench.document.model import MAX_SIDE_PX, Document
+from workbench.document.subjects import Position, Subject, fault_in, is_word, missing
 from workbench.language import _
 
 LONGEST_TIME_S = 1e9
@@ -34,53 +36,85 @@ class TubeSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Current sheet, selected and active figures (ids), the compared algorithm, the cursor, the tube.
+    """Current sheet, selected and active figures (ids), the compared algorithm, the cursors, the tube.
 
-    An empty ``sheet`` means the first one, an empty ``compare`` no comparison. ``step`` counts rows of the
-    hand table, or lines in ``detail``; ``ask_first`` hides the next pixel until it was guessed. ``stepped``
-    tells which run of the active figure is stepped: its algorithm's, that of the sheet's clipper, or of a
-    curve its ``construction`` (empty: that of its kind) at ``curve_u``, a share of the range of u.
-    ``pixel`` (x, y) is the one that is asked about: why is it as it is.
+    An empty ``sheet`` means the first one, an empty ``compare`` no comparison. ``workspace`` is the one that
+    is stepped in, ``positions`` has what each of them steps, and where it stands. ``ask_first`` hides the
+    next pixel until it was guessed. ``pixel`` (x, y) is the one that is asked about: why is it as it is.
     """
 
     sheet: str = ""
     selection: tuple[str, ...] = ()
     active: str = ""
     compare: str = ""
-    step: int = 0
-    detail: bool = False
+    workspace: str = ""
+    positions: dict[str, Position] = {}
     ask_first: bool = False
-    stepped: Literal["figure", "clipper", "curve"] = "figure"
     pixel: tuple[int, int] | None = None
     tube: TubeSettings = TubeSettings()
-    curve_u: float = 0.5
-    construction: str = ""
+
+    @property
+    def position(self) -> Position:
+        """What is stepped in the present workspace, and where that stands."""
+        return self.positions.get(self.workspace, Position())
+
+    @property
+    def subject(self) -> Subject:
+        """What is stepped in the present workspace."""
+        return self.position.subject
+
+    @property
+    def step(self) -> int:
+        """The step in the present workspace."""
+        return self.position.step
+
+    @property
+    def detail(self) -> bool:
+        """Whether lines are counted in the present workspace."""
+        return self.position.detail
+
+
+def with_changes(state: SessionState, **changes: Any) -> SessionState:
+    """``state`` with other values; ``subject``, ``step`` and ``detail`` are those of its workspace."""
+    here = {name: changes.pop(name) for name in Position.__struct_fields__ if name in changes}
+    state = replace(state, **changes)
+    position = replace(state.position, **here)
+    if position == state.position:
+        return state
+    return replace(state, positions={**state.positions, state.workspace: position})
+
+
+def at_the_start(state: SessionState) -> SessionState:
+    """``state`` with every run of the active figure before its first step, since that is another one."""
+    positions = {
+        workspace: position if position.subject.ids else replace(position, step=0)
+        for workspace, position in state.positions.items()
+    }
+    return state if positions == state.positions else replace(state, positions=positions)
 
 
 def check_state(state: SessionState, document: Document) -> SessionState:
     """``state`` itself when all it refers to is in ``document``; raises DocumentError with the field."""
     figures = {figure.id for sheet in document.sheets for figure in sheet.figures}
     if state.sheet and all(sheet.id != state.sheet for sheet in document.sheets):
-        raise refuse("session.sheet", _missing(state.sheet))
+        raise refuse("session.sheet", missing(state.sheet))
     for index, figure in enumerate(state.selection):
         if figure not in figures:
-            raise refuse(f"session.selection[{index}]", _missing(figure))
+            raise refuse(f"session.selection[{index}]", missing(figure))
     if state.active and state.active not in figures:
-        raise refuse("session.active", _missing(state.active))
-    if catalogue.known(state.compare):  # one that is not known stays: a newer program may have written it
-        entry = catalogue.get(state.compare)
-        if not (entry.draws or entry.clips):
-            raise refuse("session.compare", _missing(state.compare))
-    if catalogue.known(state.construction) and not catalogue.get(state.construction).constructs:
-        raise refuse("session.construction", _missing(state.construction))
-    if not 0.0 <= state.curve_u <= 1.0:
-        problem = _("is {value}; give a number between {low:g} and {high:g}")
-        raise refuse("session.curve_u", problem.format(value=shown(state.curve_u), low=0, high=1))
+        raise refuse("session.active", missing(state.active))
+    if state.compare and not is_word(state.compare):
+        raise refuse("session.compare", _("is {value}, which is no name").format(value=shown(state.compare)))
     if state.pixel is not None and not all(0 <= side < MAX_SIDE_PX for side in state.pixel):
         problem = _("is {value}; give a column and a row from 0")
         raise refuse("session.pixel", problem.format(value=shown(state.pixel)))
-    if not 0 <= state.step < 2**53:
-        raise refuse("session.step", _("is {value}; give a whole number from 0").format(value=state.step))
+    for workspace in (state.workspace, *state.positions):
+        if workspace and not is_word(workspace):
+            raise refuse("session.workspace", _("is no name of a workspace; give one such as draw"))
+    ids = _ids_for(state, document)
+    for workspace, position in state.positions.items():
+        if fault := fault_in(position, ids):
+            raise refuse(f"session.positions.{workspace}.{fault[0]}", fault[1])
     if not state.tube.phosphor.isalnum() or len(state.tube.phosphor) > 32:
         raise refuse("session.tube.phosphor", _("is not a name; give one such as P31"))
     if len(state.tube.vector_display) > 32:
@@ -99,13 +133,18 @@ def cleaned(state: SessionState, document: Document) -> SessionState:
     )
     selection = tuple(figure for figure in state.selection if figure in figures)
     active = state.active if state.active in figures else ""
-    if (sheet, selection, active) == (state.sheet, state.selection, state.active):
-        return state
-    step = state.step if active == state.active else 0
-    return msgspec.structs.replace(state, sheet=sheet, selection=selection, active=active, step=step)
+    if active != state.active:
+        state = at_the_start(state)
+    ids = _ids_for(state, document)
+    positions = {
+        workspace: there if ids.issuperset(there.subject.ids) else Position(replace(there.subject, ids=()))
+        for workspace, there in state.positions.items()
+    }
+    left = replace(state, sheet=sheet, selection=selection, active=active, positions=positions)
+    return state if left == state else left
 
 
-def _missing(identity: str) -> str:
-    return _("is {value}, which there is not; remove it or name one that there is").format(
-        value=shown(identity)
-    )
+def _ids_for(state: SessionState, document: Document) -> frozenset[str]:
+    """The ids that the subjects of ``state`` may name; none of many where they name none."""
+    named = any(position.subject.ids for position in state.positions.values())
+    return frozenset(all_ids(document.sheets)) if named else frozenset()

@@ -1,4 +1,4 @@
-"""The recording of one figure's run, made in the background and watched from the event loop."""
+"""The recording of one subject's run, made in the background and watched from the event loop."""
 
 import weakref
 from collections.abc import Sequence
@@ -9,12 +9,14 @@ import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from workbench.algorithms.entry import Entry
+from workbench.document.subjects import Subject
 from workbench.engine import background, compiled, counts
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import LIMIT, Recorder
 from workbench.engine.recording import Recording
 from workbench.engine.visits import skip
 from workbench.language import _
+from workbench.rendering.mapping import Call
 from workbench.session.collecting import collect_here
 from workbench.session.going_first import go_first
 from workbench.session.variables import same_value
@@ -31,7 +33,7 @@ _MOST_LEAD = 1_000
 
 
 class RecordedRun(QObject):
-    """Records ``entry`` on ``calls`` and says how far that is.
+    """Records ``entry`` on ``calls``, those of ``subject``, and says how far that is.
 
     ``changed``: another run, another stretch of it, or none. ``grown``: more was recorded, or the total
     became known. A run too long to be recorded whole is recorded in a stretch: ``passed`` steps ran
@@ -47,7 +49,7 @@ class RecordedRun(QObject):
         collect_here()
         self.entry: Entry | None = None
         self.calls: tuple[tuple[Any, ...], ...] = ()
-        self.figure_id = ""
+        self.subject: Subject | None = None
         self.image_size = (0, 0)
         self.recording: Recording | None = None
         self.steps: Steps | None = None
@@ -55,9 +57,7 @@ class RecordedRun(QObject):
         self.limit = LIMIT
         self.depth_limit = DEPTH_LIMIT
         self._held = False
-        self._deferred: (
-            tuple[Entry, tuple[Any, ...], str, tuple[int, int], Sequence[tuple[Any, ...]], int] | None
-        ) = None
+        self._deferred: tuple[Subject, Sequence[Call], tuple[int, int]] | None = None
         self._recorder: Recorder | None = None
         self._abandoned: weakref.finalize[..., Any] | None = None
         self._counted: Recorder | None = None
@@ -67,32 +67,29 @@ class RecordedRun(QObject):
 
     # Which run
 
-    def follow(
-        self,
-        entry: Entry,
-        arguments: tuple[Any, ...],
-        figure_id: str,
-        image_size: tuple[int, int],
-        then: Sequence[tuple[Any, ...]] = (),
-        depth_limit: int = DEPTH_LIMIT,
-    ) -> None:
-        """Run ``entry`` on ``arguments``, and ``then`` on these, one run. The same run goes on as it is.
+    def follow(self, subject: Subject, calls: Sequence[Call], image_size: tuple[int, int]) -> None:
+        """Run the ``calls`` of a subject, those of the first one's entry; none without calls.
 
-        Calls that nest deeper than ``depth_limit`` end it. The cursor stays where it was when the figure is
-        the same; array arguments are copied. While the run is held, as under a drag, this waits and only the
-        last of such calls is followed.
+        The same run goes on as it is. The cursor stays where it was when subject and entry are the same, be
+        it under other arguments; array arguments are copied. While the run is held, as under a drag, this
+        waits and only the last of such calls is followed.
         """
-        if self._held:
-            self._deferred = (entry, arguments, figure_id, image_size, then, depth_limit)
+        if not calls:
+            self.clear()
             return
-        calls = (arguments, *then)
-        same = self.figure_id == figure_id and self.entry is entry
+        if self._held:
+            self._deferred = subject, calls, image_size
+            return
+        entry, depth_limit = calls[0].entry, calls[0].recursion_limit or DEPTH_LIMIT
+        arguments = tuple(call.arguments for call in calls if call.entry is entry)
+        same = subject.is_of(self.subject) and self.entry is entry
         limits = self.image_size == image_size and self.depth_limit == depth_limit
-        if same and limits and _equal(calls, self.calls):
+        if same and limits and _equal(arguments, self.calls):
+            self.subject = subject
             return
         self._leaving(same)
         self._forget()
-        self.entry, self.calls, self.figure_id, self.image_size = entry, calls, figure_id, image_size
+        self.entry, self.calls, self.subject, self.image_size = entry, arguments, subject, image_size
         self.depth_limit = depth_limit
         self._record(entry, 0)
 
@@ -124,7 +121,7 @@ class RecordedRun(QObject):
             return
         self._leaving(False)
         self._forget()
-        self.entry, self.calls, self.figure_id = None, (), ""
+        self.entry, self.calls, self.subject = None, (), None
         self.changed.emit()
 
     # A stretch of it
@@ -158,7 +155,7 @@ class RecordedRun(QObject):
         return True
 
     def _leaving(self, same: bool) -> None:
-        """Another run follows, of the ``same`` figure and algorithm or not."""
+        """Another run follows, of the ``same`` subject and entry or not."""
 
     def _recorded(self, done: bool) -> None:
         """More was recorded, or it is done."""

@@ -1,4 +1,4 @@
-"""The stepped run of one figure: recorded, with a cursor that plays by itself and can ask for each step."""
+"""The stepped run of one subject: recorded, with a cursor that plays by itself and can ask for each step."""
 
 from typing import Any
 

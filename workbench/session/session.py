@@ -17,13 +17,16 @@ from workbench.document.edits import Edit, add_sheet
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.document.samples.examples import blank_sheet, example
-from workbench.document.state import SessionState, check_state, cleaned
+from workbench.document.state import SessionState, at_the_start, check_state, cleaned, with_changes
 from workbench.document.storage.files import Stored, read, write
+from workbench.document.subjects import Position, Subject
 from workbench.language import _
+from workbench.rendering.subjects.registry import checked, kind_of
 from workbench.session.following import Following
 from workbench.session.incoming import Incoming
 from workbench.session.origins import text_of
 from workbench.session.recovery import Recoverable, RecoveryFile
+from workbench.session.remembered import runnable
 from workbench.session.run import Run
 from workbench.session.saver import Saved, Saver
 from workbench.session.stamps import Stamp, stamp
@@ -38,6 +41,8 @@ class Session(QObject):
     this order, with everything that happened since the last time. ``revision`` counts every change at once:
     a worker answers with the revision it was given, and stale answers are dropped. ``saved(Saved)``: a save
     in the background has ended, well or not. ``storing``: the session's state is about to be saved.
+    ``left_out(sentence)``: what a file held that was opened without it. ``run`` leads, ``followers`` do the
+    same under other entries.
     """
 
     changed = Signal(object, object, object)
@@ -48,6 +53,7 @@ class Session(QObject):
     storing = Signal()
     autosave_failed = Signal(str)
     autosave_mended = Signal(str)
+    left_out = Signal(str)
     _due = Signal()
 
     def __init__(self, parent: QObject | None = None, document: Document | None = None) -> None:
@@ -67,8 +73,8 @@ class Session(QObject):
         self._saver = Saver(self)
         self._saver.saved.connect(self._take_saved)
         self.incoming = Incoming(self)
-        self.run, self.follower = Run(self), Run(self)
-        self._following = Following(self, self.run, self.follower)
+        self.run, self.followers = Run(self), (Run(self),)
+        self._following = Following(self, self.run, self.followers)
         self.unfolding = Unfolding(self)
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
         self.undo_stack.cleanChanged.connect(self._clean_changed)
@@ -86,14 +92,31 @@ class Session(QObject):
 
     @property
     def shown(self) -> Sheet:
-        """What can be shown of the current sheet now: all of it, or what a large one has unfolded to."""
+        """The current sheet as it is painted: all of it, or what a large one has unfolded to.
+
+        Edits, runs and what leaves the program are of ``sheet``.
+        """
         return self.unfolding.shown
 
     @property
     def active_figure(self) -> AnyFigure | None:
-        """The figure whose run is stepped: the active one, or else the front one of the current sheet."""
+        """The active figure of the current sheet, or else the front one: the one that is worked on."""
         figures = self.sheet.figures
         return next((f for f in figures if f.id == self.state.active), figures[-1] if figures else None)
+
+    @property
+    def shown_figure(self) -> AnyFigure | None:
+        """The active figure as it is painted; None where it is not."""
+        sheet, active = self.shown, self.active_figure
+        if sheet is self.sheet or active is None:
+            return active
+        return next((figure for figure in sheet.figures if figure.id == active.id), None)
+
+    @property
+    def subject(self) -> Subject:
+        """What is stepped in the present workspace; of a subject without ids, the active figure's."""
+        subject, figure = self.state.subject, self.active_figure
+        return subject if subject.ids or figure is None else replace(subject, ids=(figure.id,))
 
     @property
     def stored(self) -> Stored:
@@ -135,15 +158,44 @@ class Session(QObject):
     def update_state(self, **changes: Any) -> None:
         """Change fields of the session's state; raises DocumentError when they refer to nothing.
 
-        Where another figure becomes the active one, its run begins at step 0 unless ``step`` is given too.
+        ``subject``, ``step`` and ``detail`` are those of the workspace that is stepped in. Where another
+        figure becomes the active one, its runs begin at step 0, here unless ``step`` is given too.
         """
-        state = check_state(replace(self.state, **changes), self.document)
+        if "subject" in changes:
+            checked(changes["subject"])
+        state = check_state(with_changes(self.state, **changes), self.document)
         if state != self.state:
-            figure = self.active_figure
+            figure, workspace = self.active_figure, self.state.workspace
             self.state = state
-            self._another_figure(figure, "step" in changes)
-            self._following.switch(stays="step" not in changes and self.active_figure == figure)
+            other = self._another_figure(figure, changes.get("step"))
+            stays = "step" not in changes and not other and state.workspace == workspace
+            self._following.switch(stays)
             self._tell_later()
+
+    def visit(self, workspace: str, usual: Subject) -> None:
+        """Step in this workspace from now on, where it was left, or the first time its ``usual`` subject."""
+        positions = {workspace: Position(usual), **self.state.positions}
+        self.update_state(workspace=workspace, positions=positions)
+
+    def choices_of(self, subject: Subject | None = None) -> tuple[str, ...]:
+        """The slugs that the subject, or another one, can be run under, its own first."""
+        subject = subject or self.subject
+        return kind_of(subject).choices(self.sheet, subject)
+
+    def choose(self, slug: str, subject: Subject | None = None) -> None:
+        """Run the subject, or another one, under this entry, where it has that choice.
+
+        The document says so where it can, else the subject. Raises DocumentError.
+        """
+        subject = subject or self.subject
+        choices = self.choices_of(subject)
+        if slug not in choices:
+            return
+        if edit := kind_of(subject).choose(self.sheet, subject, slug):
+            self.apply(edit, _("Change algorithm"))
+        else:
+            entry = "" if slug == choices[0] else slug
+            self.update_state(subject=replace(self.state.subject, entry=entry), step=0)
 
     def flush(self) -> None:
         """Tell now what changed since the last time, rather than in the next turn of the event loop.
@@ -278,8 +330,8 @@ class Session(QObject):
         """End the session: nothing unsaved is kept any longer."""
         self.incoming.cancel()
         self.finish_saving()
-        self.run.clear()
-        self.follower.clear()
+        for run in (self.run, *self.followers):
+            run.clear()
         if self._recovery is not None:
             self._recovery.close()
             self._recovery = None
@@ -293,9 +345,12 @@ class Session(QObject):
         self.path = path
         self._on_disk = on_disk
         self._show(stored.document)
-        self.state = cleaned(stored.session, stored.document)
+        state, sentences = runnable(stored.session)
+        self.state = cleaned(state, stored.document)
         self._following.begin_anew()
         self.path_changed.emit(path)
+        if sentences:
+            self.left_out.emit(" ".join(sentences))
 
     def _clean_changed(self, clean: bool) -> None:
         self._keep_safe()
@@ -311,14 +366,19 @@ class Session(QObject):
         figure = self.active_figure
         self.document = document
         self.state = cleaned(self.state, document)
-        self._another_figure(figure, False)
+        self._another_figure(figure)
         self.revision += 1
         self._tell_later()
 
-    def _another_figure(self, before: AnyFigure | None, told_step: bool) -> None:
+    def _another_figure(self, before: AnyFigure | None, step: int | None = None) -> bool:
+        """Whether another figure is active than before: its runs begin at the start, here at ``step``."""
         now = self.active_figure
-        if not told_step and (now and now.id) != (before and before.id):
-            self.state = replace(self.state, step=0)
+        if (now and now.id) == (before and before.id):
+            return False
+        self.state = at_the_start(self.state)
+        if step is not None:
+            self.state = with_changes(self.state, step=step)
+        return True
 
     def _tell_later(self) -> None:
         if not self._waiting:

@@ -55,7 +55,7 @@ class Files(QObject):
         self._window.setWindowModified(self._session.dirty)
 
     def follow(self, session: "Session") -> None:
-        """Show what is being read for a session, with a button that ends it."""
+        """Show what is being read for a session, with a button that ends it, and say what was left out."""
         incoming, messages = session.incoming, self._window.messages
         name = ""
 
@@ -71,9 +71,10 @@ class Files(QObject):
         incoming.began.connect(began)
         incoming.progressed.connect(progressed)
         incoming.ended.connect(messages.end_work)
+        session.left_out.connect(self.warn)
 
     def warn(self, sentence: str) -> None:
-        """Say that unsaved work could not be kept safe."""
+        """Say that unsaved work could not be kept safe, or what a file was opened without."""
         self._window.messages.say(sentence, "warn")
 
     def reassure(self, sentence: str) -> None:

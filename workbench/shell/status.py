@@ -74,8 +74,13 @@ class Status(QObject):
     def follow(self, run: "Run") -> None:
         """Name the run that is stepped, and where it stands."""
 
+        from workbench.rendering.subjects.registry import kind_of
+
         def tell() -> None:
             self.run.setText("" if run.entry is None else self._run_text(run, run.entry))
+            title = "" if run.subject is None else kind_of(run.subject).title
+            self.run.setToolTip(title)
+            self.run.setAccessibleDescription(title)
 
         for signal in (run.moved, run.grown):
             signal.connect(tell)

@@ -358,7 +358,7 @@ def _clip(window: MainWindow, slug: str, step: int, number: int = -1, clipper: s
     if clipper:
         session.apply(set_clipper(session.sheet.id, clipper), _("Choose the clipper"))
         session.undo_stack.setClean()
-    session.update_state(active=session.sheet.figures[number].id, step=step, stepped="clipper")
+    session.update_state(active=session.sheet.figures[number].id, step=step)
 
 
 def _clip_asked(window: MainWindow) -> None:

@@ -53,7 +53,8 @@ def _curves(
     session, panel = window.session, panel_of(window.panels("curves"), CurvesPanel)
     front = session.sheet.figures[-1]
     panel.choose_tool("select")
-    session.update_state(active=front.id, selection=(front.id,), curve_u=u, step=step)
+    session.update_state(active=front.id, selection=(front.id,), step=step)
+    panel.focus.set_u(u)
     panel.focus.choose(front.points_world[k].id for k in points)
     wanted = (_USUAL | shown) - (hidden - shown) | {"polygon"}
     for name in panel.focus.shown | wanted:

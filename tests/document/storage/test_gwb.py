@@ -19,6 +19,7 @@ from workbench.document.model import Document
 from workbench.document.samples.examples import example_document
 from workbench.document.state import SessionState, TubeSettings
 from workbench.document.storage.files import VERSION, decode, encode, upgraded
+from workbench.document.subjects import Position, Subject
 from workbench.rendering import frame_buffer
 
 SAMPLES = Path(__file__).parents[1] / "samples"
@@ -38,10 +39,12 @@ def test_session_and_blobs_come_back(tmp_path: Path) -> None:
             selection=("f1",),
             active="f1",
             compare="dda_line",
-            step=4,
-            detail=True,
+            workspace="clip",
+            positions={
+                "clip": Position(Subject("clipper", ("f1",), "liang_barsky"), 4, detail=True),
+                "curves": Position(Subject("curve", arguments={"u": 0.25, "name": "P", "at": (1.0, 2.5)})),
+            },
             ask_first=True,
-            stepped="clipper",
             tube=TubeSettings("vector", "P7", time_s=1.25),
         ),
         {hashlib.sha256(content).hexdigest(): content},
@@ -60,6 +63,9 @@ def test_the_text_is_readable(tmp_path: Path) -> None:
     assert '    "name": "A line",\n    "width_px": 40,\n' in text
 
 
+STEPPED = {1: ("figure", 3), 2: ("clipper", 3), 3: ("curve", 3), 4: ("clipper", 7)}
+
+
 @pytest.mark.parametrize("version", range(1, VERSION + 1))
 def test_a_sample_of_every_version_opens(version: int) -> None:
     stored = read(SAMPLES / f"version-{version}.gwb")
@@ -67,8 +73,34 @@ def test_a_sample_of_every_version_opens(version: int) -> None:
     kinds += ["Polygon"] * (version > 1) + ["Curve"] * 3 * (version > 2)
     assert [type(figure).__name__ for figure in stored.document.sheets[0].figures] == kinds
     assert stored.session.compare == "dda_line"
+    assert (stored.session.subject.kind, stored.session.step) == STEPPED[version]
     assert list(stored.blobs.values()) == [b"blob"]
     assert decode(encode(stored)) == stored
+
+
+def test_what_version_3_stepped_stands_in_the_workspaces_that_step_it() -> None:
+    session = read(SAMPLES / "version-3.gwb").session
+    at_u = Subject("curve", entry="de_boor", arguments={"u": 0.25})
+    assert session.workspace == "curves"
+    assert session.positions == {
+        "draw": Position(),
+        "fill": Position(),
+        "clip": Position(Subject("clipper")),
+        "curves": Position(at_u, 3),
+    }
+    raw = json.loads((SAMPLES / "version-3.gwb").read_text("utf-8"))
+    raw["session"] |= {"stepped": "figure", "step": 12, "detail": True}
+    session = decode(json.dumps(raw).encode()).session
+    assert session.positions["draw"] == session.positions["fill"] == Position(step=12, detail=True)
+    assert session.positions["curves"] == Position(at_u)
+
+
+@pytest.mark.parametrize("damage", [{"stepped": "dance"}, {"stepped": []}, {"step": "3"}, {"curve_u": {}}])
+def test_a_damaged_version_3_is_refused(damage: dict[str, Any]) -> None:
+    raw = json.loads((SAMPLES / "version-3.gwb").read_text("utf-8"))
+    raw["session"] |= damage
+    with pytest.raises(DocumentError):
+        decode(json.dumps(raw).encode())
 
 
 def test_versions_are_upgraded_one_after_the_other() -> None:
@@ -127,8 +159,26 @@ FIGURE: list[str | int] = [*SHEET, "figures", 0]
         (["session", "active"], "f9", "session.active"),
         (["session", "selection"], ["f1", "f9"], "session.selection[1]"),
         (["session", "sheet"], "s9", "session.sheet"),
-        (["session", "step"], -1, "session.step"),
-        (["session", "compare"], "de_casteljau", "session.compare"),
+        (["session", "positions"], {"draw": {"step": -1}}, "session.positions.draw.step"),
+        (["session", "positions"], {"draw": {"step": "1"}}, "session.positions.step"),
+        (
+            ["session", "positions"],
+            {"draw": {"subject": {"kind": ""}}},
+            "session.positions.draw.subject.kind",
+        ),
+        (
+            ["session", "positions"],
+            {"draw": {"subject": {"ids": ["f1", "f9"]}}},
+            "session.positions.draw.subject.ids[1]",
+        ),
+        (
+            ["session", "positions"],
+            {"draw": {"subject": {"arguments": {"u": 1e999}}}},
+            "session.positions.draw.subject.arguments.u",
+        ),
+        (["session", "positions"], {"a/b": {}}, "session.workspace"),
+        (["session", "workspace"], 3, "session.workspace"),
+        (["session", "compare"], "de casteljau", "session.compare"),
         (["session", "tube", "refresh_hz"], 0, "session.tube.refresh_hz"),
         (["session", "tube", "phosphor"], 31, "session.tube.phosphor"),
         (["version"], VERSION + 1, "version"),
@@ -216,12 +266,17 @@ def test_a_file_whose_ids_are_spent_can_be_worked_on(spent: str) -> None:
     else:
         sheet = replace(sheet, id="s999999999999999")
     document = replace(document, sheets=(replace(sheet, figures=(line,)),))
-    state = SessionState(sheet=sheet.id, selection=(line.id,), active=line.id)
+    named = Subject("figure", (line.id, line.points_world[0].id))
+    state = SessionState(
+        sheet=sheet.id, selection=(line.id,), active=line.id, positions={"draw": Position(named, 4)}
+    )
     stored = decode(encode(Stored(document, state)))
     (again,) = stored.document.sheets
     (figure,) = again.figures
     assert stored.session.sheet == again.id
     assert stored.session.selection == (figure.id,)
     assert stored.session.active == figure.id
+    point = figure.points_world[0].id
+    assert stored.session.positions == {"draw": Position(Subject("figure", (figure.id, point)), 4)}
     assert (frame_buffer(again) == frame_buffer(sheet)).all()
     assert len(add_sheet(again)(stored.document).sheets) == 2

@@ -15,13 +15,16 @@ from workbench.algorithms.clipping.window_marks import edge_mark
 from workbench.document.edits import add_figure, set_clip, set_clipper
 from workbench.document.model import Circle, Line, Polygon, Rectangle, WorldPoint
 from workbench.document.samples.examples import blank_sheet, example
+from workbench.document.subjects import Subject
 from workbench.exchange.run_tables import hand
 from workbench.exchange.writing import format_for, write
 from workbench.exchange.written import formats
 from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.clip.scene import outcomes, tally
+from workbench.panels.shared.why import WhyList
 from workbench.rendering import frame_buffer
 from workbench.rendering.clipping import segments_of
+from workbench.rendering.comparing import figure_pixels
 from workbench.session.session import Session
 from workbench.shell.style_sheet import style_sheet
 from workbench.widgets.fields.option_buttons import OptionButtons
@@ -305,10 +308,34 @@ def test_asked_first_a_person_accepts_rejects_or_says_which_side(qtbot, session,
 
 def test_what_is_stepped_follows_the_panel_that_is_seen(qtbot, session, panel):
     recorded(qtbot, session)
-    assert session.state.stepped == "clipper"
+    assert session.state.subject == Subject("clipper")
     session.new(example("clip-lab").document)
     settle()
-    assert session.state.stepped == "clipper"
+    assert session.state.subject == Subject("clipper")
+
+
+def test_why_leads_to_a_step_of_what_draws_the_line_and_the_canvas_back_to_the_clipper(qtbot, session, panel):
+    why = WhyList(session)
+    qtbot.addWidget(why)
+    why.show()
+    recorded(qtbot, session)
+    session.run.go(1)
+    line = session.sheet.figures[0]
+    x, y = figure_pixels(session.sheet, line)[4].tolist()
+    session.update_state(pixel=(x, y))
+    session.flush()
+    qtbot.waitUntil(lambda: bool(why.answers) and not why.looking, timeout=10000)
+    (number,) = [k for k, answer in enumerate(why.answers) if answer.figure_id == line.id]
+    why.list.itemClicked.emit(why.list.item(number))
+    recorded(qtbot, session)
+    assert session.run.entry.slug == line.algorithm
+    assert (session.run.position, session.state.step) == (why.answers[number].step,) * 2
+    assert (x, y) in session.run.step.chosen
+    session.update_state(active=session.sheet.figures[-1].id)
+    qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 1, 1))
+    recorded(qtbot, session)
+    assert session.state.subject == Subject("clipper")
+    assert session.run.entry.slug == "cohen_sutherland"
 
 
 def test_one_step_on_paper_has_the_construction_and_no_grips(qtbot, session, panel):

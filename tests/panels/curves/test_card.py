@@ -12,6 +12,7 @@ from tests.panels.curves.by_hand import (
     opened,
     the_curve,
 )
+from workbench.document.subjects import Subject
 from workbench.widgets.canvas.drawing import PenStroke
 from workbench.widgets.stepping.step_bar import Steps
 
@@ -117,7 +118,7 @@ def test_asked_first_what_becomes_of_a_piece_is_chosen_and_tried_again(qtbot):
     bar = Steps(run)
     qtbot.addWidget(bar)
     bar.show()
-    session.update_state(construction="flatten_bezier", ask_first=True)
+    session.update_state(subject=Subject("curve", entry="flatten_bezier"), ask_first=True)
     settle()
     qtbot.waitUntil(lambda: run.entry.slug == "flatten_bezier" and run.done, timeout=5000)
     settle()

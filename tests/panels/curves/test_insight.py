@@ -56,7 +56,8 @@ def test_of_very_many_functions_those_that_matter_at_u_are_shown(spline, share):
 def arrived_at(panel, share):
     """The point that a whole construction has come to."""
     panel.focus.switch("construction", True)
-    panel.session.update_state(curve_u=share, step=0)
+    panel.focus.set_u(share)
+    panel.session.update_state(step=0)
     settle()
     last, place = [e for e in panel.view.drawn() if isinstance(e, marks.Spot) and e.size == "large"]
     assert (last.x, last.y) == pytest.approx((place.x, place.y))

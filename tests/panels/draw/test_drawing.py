@@ -5,6 +5,7 @@ from PySide6.QtCore import Qt
 
 from tests.panels.by_hand import LEFT, SHIFT, at, drag, points, recorded, settle
 from workbench.document.model import Circle, Ellipse, Line, Polyline
+from workbench.document.subjects import Subject
 
 
 def test_a_line_is_drawn_by_dragging_and_is_one_step_of_undo(qtbot, session, panel):
@@ -82,7 +83,7 @@ def test_the_run_follows_a_polyline_however_it_is_ended(qtbot, session, panel, e
     assert not session.run._held
     if end == "Enter":
         recorded(qtbot, session)
-        assert session.run.figure_id == session.sheet.figures[0].id
+        assert session.run.subject == Subject(ids=(session.sheet.figures[0].id,))
 
 
 def test_the_empty_sheet_offers_an_example(qtbot, session, panel):

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QToolButton
 from tests.panels.by_hand import LEFT, at, drag, points, recorded, settle
 from workbench.algorithms.marks import Word
 from workbench.rendering import frame_buffer
-from workbench.widgets.canvas.overlay import BOTH, ONLY_FIRST, TIE_FIRST
+from workbench.rendering.comparing import BOTH, ONLY_FIRST, TIE_FIRST
 from workbench.widgets.look.tokens import LIGHT
 from workbench.widgets.stepping.step_bar import Steps
 

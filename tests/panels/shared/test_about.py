@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.document.edits import remove_figures
+from workbench.document.subjects import Subject
 from workbench.panels.shared.about import may_choose
 from workbench.panels.shared.inspector import InspectorPanel
 from workbench.session.session import Session
@@ -40,8 +41,10 @@ def about(session: Session, qtbot: QtBot) -> Iterator[AboutView]:
 def open_example(session: Session, name: str, stepped: str, qtbot: QtBot) -> None:
     session.open_example(name)
     figure = next(f for f in session.sheet.figures if stepped != "curve" or hasattr(f, "spline"))
-    session.update_state(active=figure.id, stepped=stepped)
-    qtbot.waitUntil(lambda: session.run.entry is not None and session.run.figure_id == figure.id)
+    session.update_state(active=figure.id, subject=Subject(stepped))
+    qtbot.waitUntil(
+        lambda: session.run.entry is not None and session.run.subject == Subject(stepped, (figure.id,))
+    )
 
 
 def click(view: AboutView, words: str, qtbot: QtBot) -> None:

@@ -10,25 +10,31 @@ from PySide6.QtWidgets import QApplication
 from workbench.algorithms import catalogue
 from workbench.document.model import Polygon
 from workbench.document.samples.examples import example
+from workbench.document.subjects import Subject
 from workbench.engine.compiled import Stop
 from workbench.engine.counts import counts
-from workbench.panels.shared import compare_work
 from workbench.panels.shared.compare import CompareView
-from workbench.panels.shared.compare_work import Job, choices, figures_compared, outcome_of, table_rows
+from workbench.panels.shared.compare_work import table_rows
 from workbench.panels.shared.compare_worker import CompareWorker
-from workbench.rendering.compare import figure_pixels
+from workbench.rendering import work
+from workbench.rendering.comparing import BOTH, ONLY_FIRST, ONLY_SECOND, figure_pixels
 from workbench.rendering.outline_fill import outline_fill
+from workbench.rendering.subjects.registry import comparing, own_entry, rivals
+from workbench.rendering.work import Job, outcome_of
 from workbench.session.session import Session
-from workbench.widgets.canvas.overlay import BOTH, ONLY_FIRST, ONLY_SECOND
 
 
 def sheet_of(slug):
     return example(slug).document.sheets[0]
 
 
+def of(kind, *figures):
+    return tuple(Subject(kind, (figure.id,)) for figure in figures)
+
+
 def clip_job(second="liang_barsky"):
     sheet = sheet_of("clip")
-    return Job(sheet, sheet.figures, True, "cohen_sutherland", second)
+    return Job(sheet, of("clipper", *sheet.figures), "cohen_sutherland", second)
 
 
 def test_the_counts_are_those_of_every_line_summed():
@@ -40,7 +46,7 @@ def test_the_counts_are_those_of_every_line_summed():
             counts(
                 function, *(p for point in f.points_world for p in (point.x, point.y)), 8.0, 10.0, 38.0, 30.0
             )
-            for f in outcome.job.figures
+            for f in outcome.job.sheet.figures
         ]
         assert rows["Tests"][place] == sum(one.tests for one in each)
         assert rows["Divisions"][place] == sum(one.divisions for one in each)
@@ -57,7 +63,7 @@ def test_both_clippers_paint_the_same_pixels():
 
 def test_the_difference_picture_tells_whose_pixel_it_is():
     sheet = sheet_of("line")
-    job = Job(sheet, sheet.figures, False, "bresenham_line", "dda_line")
+    job = Job(sheet, of("figure", *sheet.figures), "bresenham_line", "dda_line")
     outcome = outcome_of(job, Stop())
     first, second = (
         {tuple(cell) for cell in figure_pixels(sheet, sheet.figures[0], slug).tolist()}
@@ -74,7 +80,7 @@ def test_a_seed_fill_of_the_outline_paints_what_the_scan_lines_paint_and_the_out
     sheet = sheet_of("triangle")
     (triangle,) = sheet.figures
     for slug in ("boundary_fill_4", "boundary_fill_spans", "flood_fill_4", "boundary_fill_recursive"):
-        job = Job(sheet, (triangle,), False, "scan_line_fill", slug)
+        job = Job(sheet, of("figure", triangle), "scan_line_fill", slug)
         outcome = outcome_of(job, Stop())
         assert outcome.both == 25
         assert outcome.only_first == 0
@@ -94,19 +100,18 @@ def test_an_outline_without_an_inside_has_nothing_to_fill():
 
 def test_what_can_be_compared():
     sheet = sheet_of("clip")
-    assert choices(sheet, sheet.figures[0], True) == ("cohen_sutherland", ("liang_barsky",))
-    assert choices(sheet, None, True) == ("", ())
-    now, others = choices(sheet, sheet.figures[0], False)
-    assert now == "bresenham_line"
-    assert "dda_line" in others
-    assert now not in others
+    (clipper,), (line,) = of("clipper", sheet.figures[0]), of("figure", sheet.figures[0])
+    assert (own_entry(sheet, clipper), rivals(sheet, clipper)) == ("cohen_sutherland", ("liang_barsky",))
+    assert (own_entry(sheet, Subject("clipper")), rivals(sheet, Subject("clipper"))) == ("", ())
+    assert own_entry(sheet, line) == "bresenham_line"
+    assert "dda_line" in rivals(sheet, line)
+    assert "bresenham_line" not in rivals(sheet, line)
     filled = sheet_of("triangle")
     assert isinstance(filled.figures[0], Polygon)
-    assert "boundary_fill_4" in choices(filled, filled.figures[0], False)[1]
+    assert "boundary_fill_4" in rivals(filled, *of("figure", filled.figures[0]))
     lab = sheet_of("clip-lab")
-    line = lab.figures[-1]
-    assert len(figures_compared(lab, line, True, "cohen_sutherland", True)) == 3
-    assert figures_compared(lab, line, True, "cohen_sutherland", False) == (line,)
+    (last,) = of("clipper", lab.figures[-1])
+    assert len(comparing(last).alike(lab, last)) == 3
 
 
 # The worker
@@ -132,7 +137,7 @@ def test_nothing_is_counted_on_the_interface_thread(qtbot, monkeypatch):
         assert kwargs["compiling"] is False
         return counts(function, *args, **kwargs)
 
-    monkeypatch.setattr(compare_work, "counts", noted)
+    monkeypatch.setattr(work, "counts", noted)
     worker = CompareWorker()
     with qtbot.waitSignal(worker.answered, timeout=10_000):
         worker.ask(clip_job())
@@ -144,7 +149,7 @@ def test_a_job_that_fails_is_told(qtbot, monkeypatch):
     def broken(*_args, **_kwargs):
         raise ValueError("no counts today")
 
-    monkeypatch.setattr(compare_work, "counts", broken)
+    monkeypatch.setattr(work, "counts", broken)
     worker = CompareWorker()
     with qtbot.waitSignal(worker.failed, timeout=10_000) as told:
         worker.ask(clip_job())
@@ -157,7 +162,7 @@ def test_a_job_that_fails_is_told(qtbot, monkeypatch):
 @pytest.fixture
 def session(qtbot):
     made = Session(document=example("clip").document)
-    made.update_state(stepped="clipper", active="f6")
+    made.update_state(subject=Subject("clipper"), active="f6")
     yield made
     made.close()
 
@@ -199,14 +204,14 @@ def test_the_second_run_goes_in_step(qtbot, session, view):
         lambda: (
             session.run.entry is not None
             and session.run.done
-            and session.follower.entry is not None
-            and session.follower.done
+            and session.followers[0].entry is not None
+            and session.followers[0].done
         ),
         timeout=10_000,
     )
     answered(qtbot, view)
     session.run.go(2)
-    assert session.follower.position == 2
+    assert session.followers[0].position == 2
     QApplication.processEvents()
     assert "Liang-Barsky after step 2 of 4" in view.note.text()
 
@@ -240,7 +245,7 @@ def test_the_largest_stack_of_two_fills(qtbot):
         timeout=20_000,
     )
     most = []
-    for run in (session.run, session.follower):
+    for run in (session.run, *session.followers):
         depths = [len(run.recording[k].variables.get("stack", ())) for k in range(len(run.recording))]
         most.append(max(depths))
     assert [int(cell(view, "Largest stack", k)) for k in (1, 2)] == most

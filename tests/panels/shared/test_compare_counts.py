@@ -9,25 +9,20 @@ from msgspec.structs import replace
 from workbench.algorithms import catalogue
 from workbench.document.model import WorldPoint
 from workbench.document.samples.examples import example
+from workbench.document.subjects import Subject
 from workbench.engine.compiled import Stop
 from workbench.engine.counts import counts
 from workbench.panels.shared.compare import CompareView
-from workbench.panels.shared.compare_work import (
-    Job,
-    Outcome,
-    Work,
-    figures_compared,
-    outcome_of,
-    side_of,
-    table_rows,
-    work_of,
-)
+from workbench.panels.shared.compare_work import table_rows
+from workbench.rendering.subjects.registry import comparing
+from workbench.rendering.work import Job, Outcome, Work, outcome_of, side_of, work_of
 from workbench.session.session import Session
 
 
-def job_of(slug, first, second, clipping=False):
+def job_of(slug, first, second, kind="figure"):
     sheet = example(slug).document.sheets[0]
-    return Job(sheet, sheet.figures if clipping else sheet.figures[-1:], clipping, first, second)
+    figures = sheet.figures if kind == "clipper" else sheet.figures[-1:]
+    return Job(sheet, tuple(Subject(kind, (figure.id,)) for figure in figures), first, second)
 
 
 def rows_of(outcome):
@@ -40,7 +35,7 @@ def emitted_by(slug, *arguments):
 
 JOBS = [
     job_of("line", "bresenham_line", "dda_line"),
-    job_of("clip", "cohen_sutherland", "liang_barsky", clipping=True),
+    job_of("clip", "cohen_sutherland", "liang_barsky", "clipper"),
     job_of("triangle", "scan_line_fill", "boundary_fill_spans"),
     job_of("pond", "boundary_fill_4", "flood_fill_8"),
 ]
@@ -108,8 +103,8 @@ def test_each_label_reads_its_own_number():
 )
 def test_intersections_lines_and_points_have_their_labels(slug, clipper, label):
     sheet = example(slug).document.sheets[0]
-    figures = figures_compared(sheet, sheet.figures[-1], True, clipper, True)
-    job = Job(sheet, figures, True, clipper)
+    subject = Subject("clipper", (sheet.figures[-1].id,))
+    job = Job(sheet, comparing(subject).alike(sheet, subject), clipper)
     rows = rows_of(outcome_of(job, Stop()))
     calls = [(call.entry.function, call.arguments) for call in side_of(job, clipper).calls]
     visits = [counts(function, *given, compiling=False).block_visits for function, given in calls]
@@ -127,10 +122,10 @@ def test_pixels_that_one_alone_paints_are_counted_for_it_and_ties_apart():
     assert first != second
     exact = {x: 6 + Fraction(x - 14, 2) for x, _y in first | second}
     assert all(abs(exact[x] - y) == Fraction(1, 2) for x, y in first ^ second)
-    (line,) = job.figures
+    (line,) = job.sheet.figures
     line = replace(line, points_world=(WorldPoint("p", 14, 6), WorldPoint("q", 4, 1)))
     sheet = replace(job.sheet, figures=(line,))
-    rows = rows_of(outcome_of(Job(sheet, (line,), False, job.first, job.second), Stop()))
+    rows = rows_of(outcome_of(Job(sheet, job.subjects, job.first, job.second), Stop()))
     assert rows["Pixels"] == (11, 11)
     assert rows["Both alike"] == (len(first & second),) * 2
     assert rows["Only this one"] == (0, 0)

@@ -12,8 +12,10 @@ from pytestqt.qtbot import QtBot
 from tests.shell.dialogs import dialog_of, type_name
 from tests.shell.files.filing import CONTROL, answer, draw_a_line, saved
 from workbench.document.samples.examples import example_document
+from workbench.document.state import SessionState
 from workbench.document.storage import saving
-from workbench.document.storage.files import load, save
+from workbench.document.storage.files import Stored, load, save, write
+from workbench.document.subjects import Position, Subject
 from workbench.shell.command_palette import offers
 from workbench.shell.window import MainWindow
 from workbench.widgets.fields.save_dialog import SaveDialog
@@ -77,6 +79,17 @@ def test_a_damaged_file_is_refused_in_one_sentence(qtbot: QtBot, window: MainWin
     assert window.session.document is before
     assert window.messages.text.startswith("my lines.gwb was not opened: ")
     assert "\n" not in window.messages.text
+
+
+def test_a_picture_that_was_stepped_by_a_newer_program_opens_and_what_is_left_out_is_said(
+    qtbot: QtBot, window: MainWindow, chosen: Path
+) -> None:
+    session = SessionState(workspace="circus", positions={"circus": Position(Subject("flea_circus"), 3)})
+    write(Stored(example_document(), session), chosen)
+    window.files.open()
+    qtbot.waitUntil(lambda: window.session.path == chosen)
+    qtbot.waitUntil(lambda: "“flea_circus” is nothing that this version" in window.messages.text)
+    assert "circus" not in window.session.state.positions
 
 
 def test_a_folder_that_cannot_be_written_is_said(

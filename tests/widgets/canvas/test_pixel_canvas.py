@@ -10,16 +10,15 @@ from PySide6.QtWidgets import QApplication
 
 from workbench.algorithms.marks import Word
 from workbench.geometry.conventions import round_half_up
-from workbench.widgets.canvas.overlay import (
+from workbench.rendering.comparing import (
     BOTH,
     ONLY_FIRST,
     ONLY_SECOND,
     TIE_FIRST,
     TIE_SECOND,
-    Handle,
-    Overlay,
     compare_classes,
 )
+from workbench.widgets.canvas.overlay import Handle, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.view import LEVELS, Area, CanvasView, fitted, label_step
 from workbench.widgets.look.tokens import DARK, LIGHT, theme

@@ -11,6 +11,8 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QLineEdit, QSlider, QT
 from pytestqt.qtbot import QtBot
 
 from workbench.algorithms import catalogue
+from workbench.document.subjects import Subject
+from workbench.rendering.mapping import Call
 from workbench.session.run import Run
 from workbench.widgets.look.tokens import DARK, LIGHT, theme
 from workbench.widgets.look.type_faces import cell_font
@@ -33,7 +35,7 @@ def run(qtbot: QtBot) -> Iterator[Run]:
 
 
 def follow(qtbot: QtBot, run: Run, slug: str = "bresenham_line", *arguments: object) -> None:
-    run.follow(catalogue.get(slug), arguments or LINE, "figure", (40, 28))
+    run.follow(Subject(ids=("figure",)), [Call(catalogue.get(slug), arguments or LINE)], (40, 28))
     qtbot.waitUntil(lambda: run.done, timeout=20_000)
 
 

@@ -8,6 +8,7 @@ from workbench.document.addresses import highest
 from workbench.document.building import with_ids, without_ids
 from workbench.document.model import Document
 from workbench.document.state import SessionState
+from workbench.document.subjects import Position
 
 _HIGHEST = 10**14
 """An id has at most 15 digits last; from here on there is still room for all the edits of a life."""
@@ -23,8 +24,16 @@ def with_room(document: Document, state: SessionState) -> tuple[Document, Sessio
     for sheet in document.sheets:
         renamed[sheet.id] = f"s{next(fresh)}"
         figures = tuple(with_ids(without_ids(figure), fresh, fresh) for figure in sheet.figures)
-        renamed |= {old.id: new.id for old, new in zip(sheet.figures, figures, strict=True)}
+        for old, new in zip(sheet.figures, figures, strict=True):
+            renamed |= zip(old.ids, new.ids, strict=True)
         sheets.append(replace(sheet, id=renamed[sheet.id], figures=figures))
     selection = tuple(renamed[figure] for figure in state.selection)
     named = {"sheet": renamed.get(state.sheet, ""), "active": renamed.get(state.active, "")}
-    return Document(tuple(sheets)), replace(state, selection=selection, **named)
+    positions = {workspace: _renamed(there, renamed) for workspace, there in state.positions.items()}
+    return Document(tuple(sheets)), replace(state, selection=selection, positions=positions, **named)
+
+
+def _renamed(position: Position, renamed: dict[str, str]) -> Position:
+    subject = position.subject
+    ids = tuple(renamed.get(identity, identity) for identity in subject.ids)
+    return replace(position, subject=replace(subject, ids=ids))

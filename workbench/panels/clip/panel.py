@@ -4,6 +4,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from workbench.document.edits import set_clip
+from workbench.document.subjects import Subject
 from workbench.language import _
 from workbench.panels.clip.card import ClipCard
 from workbench.panels.clip.view import ClipView
@@ -21,7 +22,7 @@ class ClipPanel(SteppedPanel):
 
     slug = "clip"
     first_tool = "window"
-    stepped = "clipper"
+    usual = Subject("clipper")
     card: ClipCard
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:

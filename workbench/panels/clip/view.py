@@ -35,8 +35,7 @@ class ClipView(FigureView):
 
     def refresh(self, tool: Tool, drag: HandleDrag) -> None:
         """Everything anew, from the session alone."""
-        session = self.session
-        sheet = session.sheet
+        session, sheet = self.session, self.sheet
         busy = tool.busy or drag.busy
         made = self._composed(session.shown, None if busy else self._own_call(), None, tokens())
         held = drag.held or (tool.side.held if isinstance(tool, ClipSelectTool) else "")
@@ -60,7 +59,7 @@ class ClipView(FigureView):
         return run.own_call(number)
 
     def _composed(self, sheet: Sheet, call: OwnCall | None, number: int | None, now: Tokens) -> Composition:
-        active = self.session.active_figure
+        active = self.active
         shown = picture(sheet, now)
         if call is not None and active is not None and not call.ended:
             nothing = np.empty((0, 2), np.int64)
@@ -77,7 +76,7 @@ class ClipView(FigureView):
 
     def describe(self, x: int, y: int) -> str:
         """A cell with its region code, and what painted it."""
-        window = clip_box(self.session.sheet)
+        window = clip_box(self.sheet)
         said = super().describe(x, y)
         if window is None:
             return said

@@ -211,7 +211,7 @@ class CurveCard(ParameterCard):
             widget.setVisible(model is not None)
         for widget in (*self.shape.values(), self.joint, self.legend, self.count, self.fault, self.steps):
             widget.setVisible(False)
-        flattened = curve is not None and "tolerance" in _stepped(curve, self._session.state.construction)
+        flattened = curve is not None and "tolerance" in _stepped(curve, self._session.state.subject.entry)
         self.tolerance.setVisible(flattened or self._freehand is not None)
         if self._freehand is not None:
             self.tolerance.set_value(self._freehand.tolerance)
@@ -274,7 +274,7 @@ class CurveCard(ParameterCard):
         self.count.setText(countings(curve))
         self.count.setVisible(True)
         texts = [(slug, _(catalogue.get(slug).title)) for slug in constructions_of(curve)]
-        self._fill(self.steps, texts, construction_of(curve, self._session.state.construction))
+        self._fill(self.steps, texts, construction_of(curve, self._session.state.subject.entry))
         fault = fault_of(curve) or ("" if texts else construction_fault(curve, construction_of(curve)))
         self.fault.setText(f"\N{WARNING SIGN} {escape(fault)}")
         self.fault.setVisible(bool(fault))
@@ -287,10 +287,7 @@ class CurveCard(ParameterCard):
 
     def _choose_steps(self) -> None:
         """Step another text; that of the curve's own kind goes with its kind."""
-        curve, slug = self.focus.curve, self.steps.currentData()
-        if curve is not None:
-            own = slug == construction_of(curve)
-            self._session.update_state(construction="" if own else slug, step=0)
+        self._session.choose(self.steps.currentData())
 
     def _put_tolerance(self, value: float, merge: str = "") -> None:
         """How far the chords of a curve, or the fit of a freehand line, may be off."""

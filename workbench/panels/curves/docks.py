@@ -111,7 +111,7 @@ class CurveDocks(QObject):
 
     def _show_all(self) -> None:
         curve = self.focus.curve
-        pieces = None if curve is None else device_pieces(self.focus.session.sheet, curve)
+        pieces = None if curve is None else device_pieces(self.focus.session.shown, curve)
         u = None if curve is None or pieces is None else parameter_at(curve, self.focus.u)
         if self.basis.isVisible():
             self._show_basis(curve, u)
@@ -130,7 +130,7 @@ class CurveDocks(QObject):
         """The comparison has a turn of its own: it measures several curves, and takes as long as the rest."""
         begun = time.perf_counter()
         curve = self.focus.curve
-        found = () if curve is None else rows(self.focus.session.sheet, curve)
+        found = () if curve is None else rows(self.focus.session.shown, curve)
         self.measured.set_rows(measures(), found, "" if found else why_none(curve))
         self._took_ms += (time.perf_counter() - begun) * 1e3
 
@@ -175,7 +175,7 @@ class CurveDocks(QObject):
         self.hodograph.set_u(u)
 
     def _show_joints(self, curve: Curve | None) -> None:
-        found = [] if curve is None else joints(self.focus.session.sheet, curve)
+        found = [] if curve is None else joints(self.focus.session.shown, curve)
         self.continuity.set_joints(found)
 
     def _go_to_joint(self, number: int) -> None:

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from workbench.document.model import Curve
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering import device_map
+from workbench.rendering.subjects.curve import at_share, share_of
 from workbench.session.session import Session
 
 # Below this size of a cell, in logical pixels, points are put to halves, from it on to tenths of a cell.
@@ -51,11 +52,11 @@ class CurveFocus(QObject):
     @property
     def u(self) -> float:
         """The share, 0 to 1, of the way through the curve's parameter."""
-        return self.session.state.curve_u
+        return share_of(self.session.state.subject)
 
     def set_u(self, share: float) -> None:
         """Go to another share of the way."""
-        self.session.update_state(curve_u=min(1.0, max(0.0, share)))
+        self.session.update_state(subject=at_share(self.session.state.subject, min(1.0, max(0.0, share))))
 
     def choose(self, points: Iterable[str]) -> None:
         """Select these points of the active curve."""

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from workbench.document.curves.pieces import fault_of, share_at
 from workbench.document.model import Curve
+from workbench.document.subjects import Subject
 from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.curves.card import CurveCard
@@ -39,7 +40,7 @@ class CurvesPanel(SteppedPanel):
 
     slug = "curves"
     first_tool = "pen"
-    stepped = "curve"
+    usual = Subject("curve")
     card: CurveCard
     view: CurveView
 

@@ -33,7 +33,7 @@ from workbench.panels.stage.picture import packed, pale_picture, picture
 from workbench.panels.stage.tools import FigureTool
 from workbench.panels.stage.view import FigureView
 from workbench.rendering import device_map, emitted
-from workbench.rendering.curve_runs import construction_of, curve_calls
+from workbench.rendering.curve_runs import construction_of, constructions_of, curve_calls
 from workbench.rendering.marks import on_device
 from workbench.session.variables import same_value
 from workbench.widgets.canvas.drawing import Drawn, Marker, PenStroke, data_ink
@@ -69,7 +69,7 @@ class CurveView(FigureView):
 
     def refresh(self, tool: Tool, drag: HandleDrag) -> None:
         """Everything anew, from the session alone."""
-        session, sheet = self.session, self.session.shown
+        session, sheet = self.session, self.sheet
         self.focus.cell_px = self.canvas.view.cell / self.canvas.devicePixelRatioF()
         busy = tool.busy
         parting = self._parting(tool) if busy else None
@@ -112,7 +112,7 @@ class CurveView(FigureView):
         if curve is None or not moving or not isinstance(tool, CurveSelectTool):
             return None
         if self._parted is None or self._parted[0] != (curve.id, moving, self.canvas.view):
-            sheet = self.session.shown
+            sheet = self.sheet
             numbers = tuple(k for k, point in enumerate(curve.points_world) if point.id in set(moving))
             self._region(curve, [])
             below = [*others(sheet, curve), *beside(sheet, curve)]
@@ -130,7 +130,8 @@ class CurveView(FigureView):
 
     def _moving(self, parting: Parting) -> list[Drawn]:
         """What is drawn anew at every step of a drag."""
-        sheet, curve, shown = self.session.sheet, self.focus.curve, self.focus.shown
+        curve, shown = self.focus.curve, self.focus.shown
+        sheet = self.sheet
         if curve is None:
             return []
         drawn: list[Drawn] = [*self._region(curve, [])]
@@ -144,7 +145,7 @@ class CurveView(FigureView):
     def drawn(self, number: int | None = None, whole: Sheet | None = None) -> list[Drawn]:
         """The curves and what is shown of the one that is worked on, from back to front, now or at a step."""
         curve, shown = self.focus.curve, self.focus.shown
-        sheet = whole or self.session.shown
+        sheet = whole or self.sheet
         drawn = others(sheet, curve)
         if curve is None or not curve.visible:
             return drawn
@@ -170,11 +171,13 @@ class CurveView(FigureView):
 
         While the run waits, as under a drag, its text is drawn as far as it had come, on the curve as it is.
         """
-        sheet, state, share = self.session.sheet, self.session.state, self.focus.u
-        run = self.stepped_run() if state.stepped == "curve" else None
+        sheet, share = self.sheet, self.focus.u
+        run = self.stepped_run()
+        if run is not None and run.entry is not None and run.entry.slug not in constructions_of(curve):
+            run = None
         before = run is not None and number is None and not (run.number or run.detail or run.ask_first)
         reached = None if run is None or before else run.own_call(number)
-        text = construction_of(curve, "" if reached is None else state.construction)
+        text = construction_of(curve, "" if reached is None else self.session.state.subject.entry)
         calls = curve_calls(sheet, curve, text, share)
         if not calls:
             return []
@@ -200,7 +203,7 @@ class CurveView(FigureView):
         held = next((point for point in curve.points_world if point.id == moving[0]), None)
         if held is None:
             return None
-        x, y = device_map(self.session.sheet).point(held.x, held.y)
+        x, y = device_map(self.sheet).point(held.x, held.y)
         return round_half_up(x), round_half_up(y)
 
     def _region(self, curve: Curve, chosen: list[int]) -> list[PenStroke]:
@@ -216,14 +219,14 @@ class CurveView(FigureView):
         key = (curve.id, curve.spline, len(curve.points_world), numbers)
         if self._influence[0] != key or not self.focus.moving:
             self._influence = key, influence(curve, numbers)
-        return region(self.session.sheet, curve, self._influence[1])
+        return region(self.sheet, curve, self._influence[1])
 
     def _grips(self, moving: bool) -> list[Handle]:
         """The points, handles and tangents of the selected curve, or only those that are being dragged."""
         curve = self.focus.selected
         if curve is None:
             return []
-        sheet, place = self.session.sheet, f"{self.session.sheet.id}/{curve.id}"
+        sheet, place = self.sheet, f"{self.sheet.id}/{curve.id}"
         shown = np.flatnonzero(handles_shown(curve, self.focus.numbers(curve))).tolist()
         if moving:
             held = frozenset(self.focus.moving)
@@ -263,7 +266,7 @@ class CurveView(FigureView):
 
     def on_paper(self, number: int | None = None) -> Composition:
         """What is shown, or one step of the run, in the light theme, with plain spots for the points."""
-        sheet, curve = self.session.sheet, self.focus.curve
+        sheet, curve = self.sheet, self.focus.curve
         shown = picture if "pixels" in self.focus.shown else pale_picture
         drawn = self.drawn(number, sheet)
         if curve is not None and "polygon" in self.focus.shown and len(curve.points_world) < MANY:

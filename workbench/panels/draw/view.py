@@ -6,7 +6,7 @@ from workbench.language import _
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.compose import Progress
 from workbench.panels.stage.view import FigureView
-from workbench.rendering.compare import distances
+from workbench.rendering.comparing import distances
 from workbench.session.session import Session
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.plots.distance_plot import DistancePlot
@@ -34,7 +34,7 @@ class DrawView(FigureView):
             self.plot.show_distances([])
             return
         slugs = [active.drawn_with, *([compared] if compared else [])]
-        sheet = self.session.sheet
+        sheet = self.sheet
         self.plot.show_distances(
             [(_(catalogue.get(slug).title), distances(sheet, active, slug)) for slug in slugs]
         )

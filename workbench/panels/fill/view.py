@@ -82,7 +82,7 @@ class FillView(FigureView):
         polygon = self.inside.polygon()
         if self.inside.point is None or polygon is None:
             return None
-        return verdict(self.session.sheet, polygon, *self.inside.point)
+        return verdict(self.sheet, polygon, *self.inside.point)
 
     def _heat(self, run: Run | None) -> NDArray[np.int64] | None:
         """How often each pixel was tested up to the cursor; None when that is not to be seen."""

@@ -16,22 +16,18 @@ from PySide6.QtWidgets import (
 )
 
 from workbench.algorithms import catalogue
-from workbench.document.edits import set_algorithm, set_clipper
 from workbench.document.errors import DocumentError
+from workbench.document.subjects import Subject
 from workbench.engine.recording import Recording
 from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.panel import DockPart, PlainPanel, Said
 from workbench.panels.shared.compare_table import CompareModel
-from workbench.panels.shared.compare_work import (
-    Job,
-    Outcome,
-    choices,
-    figures_compared,
-    table_rows,
-)
+from workbench.panels.shared.compare_work import table_rows
 from workbench.panels.shared.compare_worker import CompareWorker
 from workbench.panels.stage.picture import packed
+from workbench.rendering.subjects.registry import compared, comparing, own_entry, rivals
+from workbench.rendering.work import Job, Outcome
 from workbench.session.run import Run
 from workbench.session.session import Session
 from workbench.widgets.canvas.overlay import Overlay
@@ -65,7 +61,8 @@ class CompareView(QWidget):
         self._rest.setInterval(_REST_MS)
         self._rest.timeout.connect(self._ask)
         self._make()
-        for signal in (session.changed, session.state_changed, session.run.grown, session.follower.grown):
+        self._runs = session.run, session.followers[0]
+        for signal in (session.changed, session.state_changed, *(run.grown for run in self._runs)):
             signal.connect(self.refresh)
         session.run.moved.connect(self._tell_progress)
         theme_changed.connect(self._show_difference)
@@ -140,42 +137,43 @@ class CompareView(QWidget):
 
     # What is compared
 
-    @property
-    def _clipping(self) -> bool:
-        return self._session.state.stepped == "clipper"
-
-    def _slugs(self) -> tuple[str, str, tuple[str, ...]]:
+    def _entries(self) -> tuple[str, str, tuple[str, ...]]:
         """The first algorithm, the second if one is chosen that fits, and all that would fit."""
         session = self._session
-        now, others = choices(session.sheet, session.active_figure, self._clipping)
+        now, others = own_entry(session.sheet, session.subject), rivals(session.sheet, session.subject)
         second = session.state.compare if session.state.compare in others else ""
-        if self._clipping and not second and others:
+        if self._of_sheet and not second and others:
             second = others[0]
         return now, second, others
+
+    @property
+    def _subject(self) -> Subject:
+        return compared(self._session.subject)
+
+    @property
+    def _of_sheet(self) -> bool:
+        return comparing(self._subject).of_sheet
 
     def refresh(self) -> None:
         """Show what is chosen; ask for the counts when something they depend on is another."""
         if not self.isVisible():
             return
         session = self._session
-        figure = session.active_figure
-        now, second, others = self._slugs()
-        self.state.set_empty(figure is None or not now)
-        if figure is None or not now:
+        now, second, others = self._entries()
+        self.state.set_empty(not now)
+        if not now:
             self._asked = ()
             return
-        if self._clipping and not self._was_whole:
+        if self._of_sheet and not self._was_whole:
             self._was_whole = True
             self.whole.setChecked(True)
-        own = [slug for slug in others if self._clipping or slug in figure.algorithms]
+        own = [slug for slug in others if slug in session.choices_of(self._subject)]
         self._fill(self.first, sorted((now, *own), key=_order), now, "")
         none = _("Compare with ...") if others else _("No other algorithm")
-        self._fill(self.second, list(others), second, "" if self._clipping and others else none)
+        self._fill(self.second, list(others), second, "" if self._of_sheet and others else none)
         self.second.setEnabled(bool(others))
-        runs = (session.run, session.follower)
-        done = tuple(run.recording if run.done else None for run in runs)
-        whole = self.whole.isChecked()
-        asked = (session.sheet, figure.id, now, second, self._clipping, whole, *done)
+        done = tuple(run.recording if run.done else None for run in self._runs)
+        asked = (session.sheet, self._subject, now, second, self.whole.isChecked(), *done)
         if asked != self._asked:
             self._asked = asked
             self.model.grey()
@@ -192,29 +190,25 @@ class CompareView(QWidget):
         box.setCurrentIndex(max(0, box.findData(now)))
 
     def _ask(self) -> None:
-        session = self._session
-        figure = session.active_figure
-        now, second, _others = self._slugs()
-        if figure is None or not now:
+        now, second, _others = self._entries()
+        if not now:
             return
-        sheet = session.sheet
-        figures = figures_compared(sheet, figure, self._clipping, now, self.whole.isChecked())
-        recordings = _recorded(session.run, now), _recorded(session.follower, second)
+        sheet, subject = self._session.sheet, self._subject
         if self.whole.isChecked():
-            recordings = (None, None)
-        self.worker.ask(Job(sheet, figures, self._clipping, now, second, recordings))
+            self.worker.ask(Job(sheet, comparing(subject).alike(sheet, subject), now, second))
+            return
+        lead, follower = self._runs
+        self.worker.ask(
+            Job(sheet, (subject,), now, second, (_recorded(lead, now), _recorded(follower, second)))
+        )
 
     def _choose_first(self, index: int) -> None:
         slug, session = self.first.itemData(index), self._session
-        figure = session.active_figure
-        before = self._slugs()[0]
-        if figure is None or slug == before:
+        before = self._entries()[0]
+        if slug == before:
             return
         try:
-            if self._clipping:
-                session.apply(set_clipper(session.sheet.id, slug), _("Choose the clipper"))
-            else:
-                session.apply(set_algorithm(figure.id, slug), _("Change algorithm"))
+            session.choose(slug, self._subject)
         except DocumentError as problem:  # another figure is active since the list was opened
             self.note.setText(problem.short)
             return
@@ -249,14 +243,14 @@ class CompareView(QWidget):
         if outcome is None or not self.isVisible():
             return
         said = [work.stopped for work in (outcome.first, outcome.second) if work is not None and work.stopped]
-        _now, second, others = self._slugs()
+        _now, second, others = self._entries()
         if outcome.second is None and second:
             said.append(_("Counting what both do ..."))
         elif outcome.second is None:
             said += [_("Choose a second algorithm to see both side by side.")] if others else []
         else:
             said.append(_summary(outcome))
-        here = [_position(run) for run in (session.run, session.follower) if run.entry is not None]
+        here = [_position(run) for run in self._runs if run.entry is not None]
         if len(here) == 2 and session.run.position:
             said.append(_("In step now: {first}; {second}.").format(first=here[0], second=here[1]))
         self.note.setText(" ".join(said))
@@ -357,4 +351,4 @@ class ComparePanel(PlainPanel, QWidget):
 
     def show_example(self) -> None:
         """Open lines to compare."""
-        self._session.open_example("clip" if self._session.state.stepped == "clipper" else "slopes")
+        self._session.open_example(comparing(self._session.subject).example)

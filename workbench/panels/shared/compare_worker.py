@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, Signal
 
 from workbench.engine import background
 from workbench.engine.compiled import Stop, Stopped
-from workbench.panels.shared.compare_work import Job, Outcome, outcome_of
+from workbench.rendering.work import Job, Outcome, outcome_of
 
 
 class CompareWorker(QObject):

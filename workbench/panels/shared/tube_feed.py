@@ -68,7 +68,7 @@ class TubeFeed(QObject):
     def _asked(self) -> AnyFigure | None:
         """The figure whose next pixel is asked for: until its run is at its end the tube does not tell."""
         session = self._session
-        return session.active_figure if session.run.ask_first and not session.run.ended else None
+        return session.shown_figure if session.run.ask_first and not session.run.ended else None
 
     def feed(self) -> None:
         """Bring every visible view up to date."""

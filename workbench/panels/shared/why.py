@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QDockWidget, QLabel, QListWidget, QListWidgetItem,
 
 from workbench.algorithms import catalogue
 from workbench.document.model import Sheet
+from workbench.document.subjects import Subject
 from workbench.engine import background
 from workbench.language import _, ngettext
 from workbench.panels.panel import DockPart, PlainPanel
@@ -17,6 +18,7 @@ from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
 
 _SETTLE_MS = 150
+_PLACE = "why"
 _ICONS = {"wrote": ("pencil-simple", "text"), "tested": ("eye", "muted"), "refused": ("x", "warn")}
 
 
@@ -156,10 +158,13 @@ class WhyList(QWidget):
         return item
 
     def _go(self, item: QListWidgetItem) -> None:
-        """Let the stepper show this step."""
+        """Let the stepper show this step; in a place of its own where a run of another kind is stepped."""
         figure, step = item.data(Qt.ItemDataRole.UserRole)
         if any(known.id == figure for known in self._session.sheet.figures):
-            self._session.update_state(active=figure, step=step, detail=False)
+            self._session.update_state(active=figure)
+            if not self._session.subject.is_of(Subject(ids=(figure,))):
+                self._session.visit(_PLACE, Subject())
+            self._session.update_state(step=step, detail=False)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Enter goes to the step that is marked."""

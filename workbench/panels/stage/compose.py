@@ -20,7 +20,7 @@ from workbench.panels.stage.picture import (
     with_faint,
     without,
 )
-from workbench.rendering.compare import Comparison
+from workbench.rendering.comparing import Comparison
 from workbench.rendering.raster import pixels
 from workbench.session.asking import Answer
 from workbench.session.run import Run

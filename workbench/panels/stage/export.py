@@ -90,7 +90,7 @@ class Exporter(QObject):
         """What the pages of a run depend on."""
         session, run = self._view.session, self._view.stepped_run()
         recording = None if run is None else run.recording
-        return session.revision, session.state.compare, session.state.construction, recording
+        return session.revision, session.state.compare, session.subject, recording
 
     def copy_picture(self) -> None:
         """Put what the canvas shows on the clipboard."""

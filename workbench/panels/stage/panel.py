@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QVBoxLayout, QWi
 from workbench.document.edits import Edit, duplicate_figures, move_figures, remove_figures, reorder
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure
+from workbench.document.subjects import Subject
 from workbench.language import _
 from workbench.panels.panel import PlainPanel, Said
 from workbench.panels.stage.actions import FigureActions, PanelCommand, tool_cursor
@@ -35,7 +36,7 @@ class FigurePanel(PlainPanel, QWidget):
 
     A panel makes its card and what it shows, then calls ``begin``; it says in ``show_now`` what is shown,
     and in ``describe`` what a cell is called. ``slug`` begins the names of its actions, ``first_tool`` is
-    what an empty sheet takes up; ``stepped`` is the run of the active figure that is stepped here.
+    what an empty sheet takes up; ``usual`` is what is stepped here at first. ``slug`` is the workspace's too.
     """
 
     hover_text = Signal(str)
@@ -44,7 +45,7 @@ class FigurePanel(PlainPanel, QWidget):
 
     slug = ""
     first_tool = "line"
-    stepped = "figure"
+    usual = Subject()
 
     def __init__(self, session: Session, tools: Sequence[Tool], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -148,7 +149,7 @@ class FigurePanel(PlainPanel, QWidget):
         session.unfolding.prepare_by(prepare)
         for told in (session.changed, session.state_changed, session.unfolding.grown, theme_changed):
             told.connect(self.refresh_soon)
-        for run in (session.run, session.follower):
+        for run in (session.run, *session.followers):
             for signal in (run.changed, run.moved, run.grown, run.asked):
                 signal.connect(self.refresh_soon)
         session.changed.connect(self._take_tool_when_empty)
@@ -209,7 +210,7 @@ class FigurePanel(PlainPanel, QWidget):
     def _take_run(self) -> None:
         """Step what is stepped here, when this panel comes to be seen, or another document under it."""
         if self.isVisible():
-            self.session.update_state(stepped=self.stepped)
+            self.session.visit(self.slug, self.usual)
 
     def _take_tool_when_empty(self) -> None:
         """An empty sheet asks for something to be drawn, so that is what a drag does."""
@@ -221,6 +222,7 @@ class FigurePanel(PlainPanel, QWidget):
     def _press(self, x: float, y: float, modifiers: Modifiers) -> None:
         if self._answering:
             return
+        self._take_run()  # which is another one after a pixel was asked about
         self._hold(True)
         reach = max(0.75, REACH_PX * self.devicePixelRatioF() / self.canvas.view.cell)
         self.tool.press(x, y, modifiers, reach)
@@ -267,7 +269,7 @@ class FigurePanel(PlainPanel, QWidget):
 
     def _hold(self, on: bool) -> None:
         """The recording waits while something is being drawn or dragged."""
-        for run in (self.session.run, self.session.follower):
+        for run in (self.session.run, *self.session.followers):
             if on:
                 run.hold()
             else:

@@ -6,8 +6,16 @@ from numpy.typing import NDArray
 
 from workbench.document.model import AnyFigure, Sheet
 from workbench.rendering import frame_buffer, painter_of
-from workbench.rendering.compare import Comparison, compare, figure_pixels
-from workbench.widgets.canvas.overlay import ONLY_FIRST, ONLY_SECOND, TIE_FIRST, TIE_SECOND, compare_classes
+from workbench.rendering.comparing import (
+    ONLY_FIRST,
+    ONLY_SECOND,
+    TIE_FIRST,
+    TIE_SECOND,
+    Comparison,
+    compare,
+    compare_classes,
+    figure_pixels,
+)
 from workbench.widgets.look.tokens import LIGHT, Tokens
 
 Cells = NDArray[np.int64]

@@ -5,7 +5,7 @@ from html import escape
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.marks import Mark
-from workbench.document.model import AnyFigure
+from workbench.document.model import AnyFigure, Sheet
 from workbench.language import _
 from workbench.panels.stage.card import ParameterCard, kind_title
 from workbench.panels.stage.compose import (
@@ -22,8 +22,8 @@ from workbench.panels.stage.compose import (
 from workbench.panels.stage.gesture import HandleDrag, Tool
 from workbench.panels.stage.tools import FigureTool
 from workbench.rendering import painter_of
-from workbench.rendering.compare import Comparison, figure_pixels
-from workbench.rendering.marks import on_device
+from workbench.rendering.comparing import Comparison, figure_pixels
+from workbench.rendering.subjects.registry import marks_on_device
 from workbench.session.run import Run
 from workbench.session.session import Session
 from workbench.widgets.canvas.overlay import Cell
@@ -44,10 +44,20 @@ class FigureView:
         self.canvas, self.second, self.card = canvas, second, card
         self.comparison: Comparison | None = None
 
+    @property
+    def sheet(self) -> Sheet:
+        """What is painted."""
+        return self.session.shown
+
+    @property
+    def active(self) -> AnyFigure | None:
+        """The active figure as it is painted."""
+        return self.session.shown_figure
+
     def refresh(self, tool: Tool, drag: HandleDrag) -> None:
         """Everything anew, from the session alone."""
         session = self.session
-        sheet, active = session.shown, session.active_figure
+        sheet, active = self.sheet, self.active
         progress = None if tool.busy or drag.busy else self.progress()
         compared = self.compared()
         made = compose(sheet, active, progress, compared, tokens(), self.card.side_by_side.isChecked())
@@ -82,8 +92,9 @@ class FigureView:
 
     def stepped_run(self) -> Run | None:
         """The session's run when it is that of the active figure and something of it is recorded."""
-        run, active = self.session.run, self.session.active_figure
-        return run if active is not None and run.figure_id == active.id and run.step is not None else None
+        run, active, subject = self.session.run, self.active, self.session.subject
+        here = active is not None and active.id in subject.ids and subject.is_of(run.subject)
+        return run if here and run.step is not None else None
 
     def progress(self) -> Progress | None:
         """How far the run has come; None before its first step, when the picture is shown whole."""
@@ -95,7 +106,7 @@ class FigureView:
             return None
         if run.detail and run.moment is not None:
             made = replace(made, reached=painted(run, len(run.moment.emitted)))
-        follower = self.session.follower
+        follower = self.session.followers[0]
         if self.compared() and follower.moment is not None:
             made = replace(made, second=painted(follower, len(follower.moment.emitted)))
         return replace(made, hidden=run.ask_first)
@@ -103,13 +114,13 @@ class FigureView:
     def step_marks(self, number: int | None = None) -> tuple[Mark, ...]:
         """What the run's algorithm draws at the cursor, or at the end of a step, device coordinates."""
         run = self.stepped_run()
-        if run is None or run.entry is None:
+        if run is None or run.entry is None or run.subject is None:
             return ()
-        return on_device(self.session.sheet, run.entry.frame, run.marks(number))
+        return marks_on_device(self.sheet, run.subject, run.entry.frame, run.marks(number))
 
     def compared(self) -> str:
         """The slug of the second algorithm, when there is one that can draw the active figure."""
-        active, slug = self.session.active_figure, self.session.state.compare
+        active, slug = self.active, self.session.state.compare
         fits = active is not None and slug in active.algorithms and slug != active.drawn_with
         return slug if fits else ""
 
@@ -117,8 +128,7 @@ class FigureView:
         """What is shown, or one step of the run, in the light theme and without handles."""
         run = self.stepped_run()
         progress = self.progress() if number is None or run is None else progress_at(run, number)
-        session = self.session
-        made = compose(session.sheet, session.active_figure, progress, self.compared(), LIGHT)
+        made = compose(self.sheet, self.active, progress, self.compared(), LIGHT)
         return self.completed(made, progress, number)
 
     def answer(self, cell: Cell) -> bool:
@@ -131,7 +141,7 @@ class FigureView:
 
     def summary(self) -> str:
         """What the comparison found, with the mark of each kind of pixel."""
-        active, result = self.session.active_figure, self.comparison
+        active, result = self.active, self.comparison
         if active is None or result is None:
             return ""
         now = tokens()
@@ -148,13 +158,13 @@ class FigureView:
 
     def emitted_cell(self, number: int) -> Cell | None:
         """The pixel that the active figure's algorithm paints as its ``number``-th; None without one."""
-        active = self.session.active_figure
-        cells = [] if active is None else figure_pixels(self.session.sheet, active).tolist()
+        active = self.active
+        cells = [] if active is None else figure_pixels(self.sheet, active).tolist()
         return (cells[number][0], cells[number][1]) if 0 <= number < len(cells) else None
 
     def describe(self, x: int, y: int) -> str:
         """A cell's name and what painted it."""
-        sheet = self.session.shown
+        sheet = self.sheet
         inside = 0 <= x < sheet.width_px and 0 <= y < sheet.height_px
         index = int(painter_of(sheet)[y, x]) if inside else -1
         if index < 0:

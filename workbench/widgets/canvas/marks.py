@@ -11,17 +11,10 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 
+from workbench.rendering.comparing import BOTH, ONLY_FIRST, TIE_FIRST, TIE_SECOND
 from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.canvas.lines import on_screen
-from workbench.widgets.canvas.overlay import (
-    BOTH,
-    ONLY_FIRST,
-    TIE_FIRST,
-    TIE_SECOND,
-    Cell,
-    GripShape,
-    Handle,
-)
+from workbench.widgets.canvas.overlay import Cell, GripShape, Handle
 from workbench.widgets.look.tokens import colour
 
 if TYPE_CHECKING:

@@ -11,8 +11,6 @@ from workbench.widgets.canvas.drawing import Drawn
 Cell = tuple[int, int]
 GripShape = Literal["round", "square", "diamond"]
 
-ONLY_FIRST, ONLY_SECOND, BOTH, TIE_FIRST, TIE_SECOND = 1, 2, 3, 4, 5
-
 
 @dataclass(frozen=True, slots=True)
 class Handle:
@@ -44,12 +42,11 @@ class Overlay:
     """Marks over the picture.
 
     ``candidates`` are outlined, ``chosen`` filled, ``rejected`` crossed out, ``current`` ringed twice;
-    ``right`` and ``wrong`` are answers, ticked and struck out. ``classes`` is a (h, w) uint8 array that
-    compares two algorithms: 0 neither, ONLY_FIRST, ONLY_SECOND, BOTH, and TIE_FIRST, TIE_SECOND where the
-    ideal curve passes exactly half way. ``ideal`` are open polylines, each (n, 2), thin in muted;
-    ``outlined`` the same in accent for what is selected. ``snap`` is the cell the pointer has snapped to.
-    ``drawn`` lies under these and over the picture: the marks of a step, and what a panel draws of figures;
-    ``still`` lies under it.
+    ``right`` and ``wrong`` are answers, ticked and struck out. ``classes`` (h, w), uint8, compares two as
+    ``rendering.comparing`` has it. ``ideal`` are open polylines, each (n, 2), thin in muted; ``outlined`` the
+    same in accent for what is selected. ``snap`` is the cell the pointer has snapped to. ``drawn`` lies under
+    these and over the picture: the marks of a step, and what a panel draws of figures; ``still`` lies under
+    it.
     """
 
     candidates: tuple[Cell, ...] = ()
@@ -65,33 +62,3 @@ class Overlay:
     snap: Cell | None = None
     drawn: tuple[Drawn, ...] = ()
     still: Still | None = None
-
-
-def compare_classes(
-    size: tuple[int, int],
-    first: NDArray[np.integer],
-    second: NDArray[np.integer],
-    ties: NDArray[np.integer] | None = None,
-) -> NDArray[np.uint8]:
-    """The (h, w) classes of two lists of cells, each (n, 2), on a picture of ``size`` (width, height).
-
-    Cells outside the picture drop out; ``ties`` counts only where the two differ.
-    """
-    classes = np.zeros((size[1], size[0]), np.uint8)
-    for cells, value in ((first, ONLY_FIRST), (second, ONLY_SECOND)):
-        x, y = _inside(size, cells)
-        classes[y, x] |= value
-    if ties is not None:
-        tied = np.zeros(classes.shape, bool)
-        x, y = _inside(size, ties)
-        tied[y, x] = True
-        classes[tied & ((classes == ONLY_FIRST) | (classes == ONLY_SECOND))] += TIE_FIRST - ONLY_FIRST
-    return classes
-
-
-def _inside(
-    size: tuple[int, int], cells: NDArray[np.integer]
-) -> tuple[NDArray[np.integer], NDArray[np.integer]]:
-    x, y = cells.reshape(-1, 2).T
-    kept = (x >= 0) & (x < size[0]) & (y >= 0) & (y < size[1])
-    return x[kept], y[kept]

@@ -8,11 +8,12 @@ from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen
 
 from workbench.algorithms.marks import Word
+from workbench.rendering.comparing import BOTH, ONLY_FIRST, ONLY_SECOND, TIE_FIRST, TIE_SECOND
 from workbench.widgets.canvas.drawing import paint_drawn
 from workbench.widgets.canvas.lines import paint_lines
 from workbench.widgets.canvas.mark_styles import sized
 from workbench.widgets.canvas.marks import paint_handles, paint_marks
-from workbench.widgets.canvas.overlay import BOTH, ONLY_FIRST, ONLY_SECOND, TIE_FIRST, TIE_SECOND, Overlay
+from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.view import Area, CanvasView, label_step
 from workbench.widgets.look.tokens import Tokens, colour
 

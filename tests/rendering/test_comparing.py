@@ -7,10 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from workbench.algorithms import catalogue
 from workbench.algorithms.lines import bresenham_line, dda_line
 from workbench.document.model import Circle, Line, Polyline, WorldPoint
 from workbench.document.samples.examples import blank_sheet
-from workbench.rendering.compare import compare, distances, figure_pixels
+from workbench.rendering.comparing import compare, distances, figure_pixels, is_line
+from workbench.rendering.mapping import Call
 
 SHEET = blank_sheet(64, 48).sheets[0]
 ends = st.tuples(st.integers(0, 63), st.integers(0, 47))
@@ -85,3 +87,10 @@ def test_a_polyline_is_compared_piece_by_piece():
 def test_an_unknown_algorithm_is_refused():
     with pytest.raises(LookupError, match="no_such_line"):
         compare(SHEET, line((0, 0), (4, 2)), "bresenham_line", "no_such_line")
+
+
+def test_only_what_paints_a_line_can_tie():
+    for slug in ("bresenham_line", "dda_line", "wu_line"):
+        assert is_line(Call(catalogue.get(slug), (0, 0, 4, 2)))
+    for slug in ("cohen_sutherland", "liang_barsky", "midpoint_circle", "scan_line_fill"):
+        assert not is_line(Call(catalogue.get(slug), ()))

@@ -1,5 +1,6 @@
-"""Two algorithms on the same figure: which pixels they share, which not, and which of those are ties."""
+"""Two runs on the same input: which pixels they share, which not, and which of those are ties."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +12,9 @@ from workbench.rendering.mapping import Call
 from workbench.rendering.raster import emitted, figure_calls, pixels
 
 Cells = NDArray[np.int64]
+
+ONLY_FIRST, ONLY_SECOND, BOTH, TIE_FIRST, TIE_SECOND = 1, 2, 3, 4, 5
+"""Classes of pixels; 0 is neither, a tie is where the ideal curve passes exactly half way."""
 
 
 class Comparison(NamedTuple):
@@ -44,11 +48,14 @@ def figure_pixels(sheet: Sheet, figure: AnyFigure, algorithm: str | None = None)
 
 def compare(sheet: Sheet, figure: AnyFigure, first: str, second: str) -> Comparison:
     """What two algorithms of the catalogue make of one figure. Raises LookupError for an unknown one."""
-    sets = [
-        {(int(x), int(y)) for x, y in figure_pixels(sheet, figure, algorithm)}
-        for algorithm in (first, second)
-    ]
-    lines = [call.arguments[:4] for call in figure_calls(sheet, figure, first) if is_line(call)]
+    sets = [figure_pixels(sheet, figure, algorithm) for algorithm in (first, second)]
+    return in_common(sets[0], sets[1], figure_calls(sheet, figure, first))
+
+
+def in_common(first: Cells, second: Cells, calls: Sequence[Call]) -> Comparison:
+    """What two lists of pixels (n, 2) have in common; ``calls`` have the ideal lines that may be ties."""
+    sets = [{(x, y) for x, y in cells.tolist()} for cells in (first, second)]
+    lines = [call.arguments[:4] for call in calls if is_line(call)]
     only = [sets[0] - sets[1], sets[1] - sets[0]]
     tied = [
         {(x, y) for x, y in side if any(line_tie(x0, y0, x1, y1, x, y) for x0, y0, x1, y1 in lines)}
@@ -64,8 +71,9 @@ def compare(sheet: Sheet, figure: AnyFigure, first: str, second: str) -> Compari
 
 
 def is_line(call: Call) -> bool:
-    """Whether the call draws a straight line from its first four arguments, x0, y0, x1, y1."""
-    return tuple(p.name for p in call.entry.parameters[:4]) == ("x0", "y0", "x1", "y1")
+    """Whether the call paints a straight line from its first four arguments, x0, y0, x1, y1."""
+    ends = call.entry.parameter_names[:4] == ("x0", "y0", "x1", "y1")
+    return ends and call.entry.emits in ("pixels", "coverage")
 
 
 def distances(sheet: Sheet, figure: AnyFigure, algorithm: str | None = None) -> NDArray[np.float64]:
@@ -91,3 +99,33 @@ def distances(sheet: Sheet, figure: AnyFigure, algorithm: str | None = None) -> 
 
 def _cells(cells: set[tuple[int, int]]) -> Cells:
     return np.array(sorted(cells, key=lambda p: (p[1], p[0])), np.int64).reshape(-1, 2)
+
+
+def compare_classes(
+    size: tuple[int, int],
+    first: NDArray[np.integer],
+    second: NDArray[np.integer],
+    ties: NDArray[np.integer] | None = None,
+) -> NDArray[np.uint8]:
+    """The (h, w) classes of two lists of cells, each (n, 2), on a picture of ``size`` (width, height).
+
+    Cells outside the picture drop out; ``ties`` counts only where the two differ.
+    """
+    classes = np.zeros((size[1], size[0]), np.uint8)
+    for cells, value in ((first, ONLY_FIRST), (second, ONLY_SECOND)):
+        x, y = _inside(size, cells)
+        classes[y, x] |= value
+    if ties is not None:
+        tied = np.zeros(classes.shape, bool)
+        x, y = _inside(size, ties)
+        tied[y, x] = True
+        classes[tied & ((classes == ONLY_FIRST) | (classes == ONLY_SECOND))] += TIE_FIRST - ONLY_FIRST
+    return classes
+
+
+def _inside(
+    size: tuple[int, int], cells: NDArray[np.integer]
+) -> tuple[NDArray[np.integer], NDArray[np.integer]]:
+    x, y = cells.reshape(-1, 2).T
+    kept = (x >= 0) & (x < size[0]) & (y >= 0) & (y < size[1])
+    return x[kept], y[kept]
