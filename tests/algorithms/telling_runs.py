@@ -95,8 +95,6 @@ FURTHER: dict[str, tuple[Run, ...]] = {
             _TRIANGLES,
             np.arange(9).reshape(3, 3),
             np.array([1, 2, 3]),
-            0,
-            4,
         ),
     ),
 }
