@@ -79,6 +79,7 @@ ENTRY = Entry(
     ),
     arguments=polygon_and_point,
     emits="points",
+    emitted_columns=("x", "y", "direction"),
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=VIEWS,
