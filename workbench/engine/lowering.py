@@ -1,9 +1,9 @@
 """The only rewriter: from the text that is shown to one that emits into a sink.
 
 ``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; subscripts that
-are never negative are marked so (``places``); nothing else of what runs is touched. Everything that the function calls is
-found by its global name and written, callees first, into one text that stands alone: constants as literals,
-records imported.
+are never negative are marked so (``places``); nothing else of what runs is touched.
+Everything that the function calls is found by its global name and written, callees first, into one text that
+stands alone: constants as literals, records imported.
 
 Two variants add to that. The *counting* text ticks before statements, with the number of their slot, and so
 finds the runs of each line and the visits of each titled block exactly as a tracer would. The *probing* text

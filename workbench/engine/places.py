@@ -50,7 +50,7 @@ def _never_negative(node: ast.expr) -> bool:
 
 
 def unsigned(subscript: ast.Subscript, counted: frozenset[str]) -> ast.Subscript:
-    """``subscript`` with the names in ``counted`` as unsigned numbers, where it has several: only arrays do."""
+    """``subscript`` with the names in ``counted`` unsigned, where it has several items, as only arrays do."""
     if isinstance(subscript.slice, ast.Tuple):
         subscript.slice.elts = [
             ast.Call(ast.Name(PLACE, ast.Load()), [item], [])

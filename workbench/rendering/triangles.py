@@ -26,8 +26,8 @@ def depth_buffer_triangles(
 ) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
     """Draw triangles in any order; at each pixel the nearest wins, on equal depths the first.
 
-    The picture is that of ``depth_buffer``, to the last bit where y is on a grid of 1/4096 px, as the pipeline
-    snaps it.
+    The picture is that of ``depth_buffer``, to the last bit where y is on a grid of 1/4096 px, to which the
+    pipeline snaps it.
 
     Args: vertices (n, 3), x and y in pixels, y upwards, z from 0 (near) to 1 (far); faces (m, 3), indices of
     vertices; colours (m,), 0xRRGGBB; size (width, height) in pixels. Returns the picture (height, width), 0
