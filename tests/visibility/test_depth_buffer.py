@@ -149,3 +149,24 @@ def test_an_edge_that_crosses_a_row_at_a_pixel_is_not_rounded_past_it() -> None:
 def test_a_triangle_seen_edge_on_draws_nothing() -> None:
     line = [tuple((Fraction(n), Fraction(n), Fraction(0)) for n in (0, 3, 7))]
     assert render(line)[2] == []  # type: ignore[arg-type]
+
+
+@given(heights=st.lists(st.integers(0, 15), min_size=9, max_size=9), turned=st.integers(0, 2**8 - 1))
+def test_each_pixel_of_a_mesh_is_painted_once(heights: list[int], turned: int) -> None:
+    """A net of eight triangles over whole corners and quarters, each turned either way, edges shared."""
+    xs, ys = (Fraction(1, 4), Fraction(4), Fraction(35, 4)), (Fraction(0), Fraction(13, 4), Fraction(7))
+    net = [(xs[k % 3], ys[k // 3], Fraction(h, 16)) for k, h in enumerate(heights)]
+    faces = [face for k in (0, 1, 3, 4) for face in ((k, k + 1, k + 4), (k, k + 4, k + 3))]
+    faces = [face[::-1] if turned >> n & 1 else face for n, face in enumerate(faces)]
+    scene = [(net[a], net[b], net[c]) for a, b, c in faces]
+    image, depth, emitted = render(scene)
+    painted = sorted((x, y) for x, y, *_ in emitted)
+    assert painted == [(x, y) for x in range(1, 9) for y in range(7)]
+    assert all(won for *_place, won in emitted)
+    backwards = render(scene[::-1])
+    assert np.array_equal(depth, backwards[1])
+    assert np.array_equal(image, np.where(image, 9 - backwards[0], 0))
+    for x, y in painted:
+        triangle = scene[image[y, x] - 1]
+        assert covers(triangle, x, y)
+        assert abs(depth[y, x] - float(depth_at(triangle, x, y))) < 1e-12

@@ -197,15 +197,15 @@ ENTRY = Entry(
     laws=(
         Law(
             "Every corner that is left lies in the view volume, but for rounding, and none behind the eye.",
-            "projection/test_clipping.py::test_what_is_left_lies_in_the_view_volume",
+            "projection/test_view_volume.py::test_what_is_left_lies_in_the_view_volume",
         ),
         Law(
             "Of a convex polygon exactly what lies in the view volume is left.",
-            "projection/test_clipping.py::test_of_a_convex_polygon_exactly_what_lies_in_the_volume_is_left",
+            "projection/test_view_volume.py::test_of_a_convex_polygon_exactly_what_lies_in_the_volume_is_left",
         ),
         Law(
             "Two polygons that share a side are cut at the same points of it.",
-            "projection/test_clipping.py::test_a_shared_side_is_cut_at_the_same_points",
+            "projection/test_view_volume.py::test_a_shared_side_is_cut_at_the_same_points",
         ),
     ),
     not_laws=(

@@ -192,20 +192,20 @@ ENTRY = Entry(
     laws=(
         Law(
             "The point on the view plane is the product of all three matrices with the point, over its w.",
-            "projection/test_texts.py::test_a_point_is_projected_by_the_product_of_the_matrices",
+            "projection/test_projecting.py::test_a_point_is_projected_by_the_product_of_the_matrices",
         ),
         Law(
             "Centre, point and projected point lie on one line.",
-            "projection/test_laws.py::test_centre_point_and_image_lie_on_one_line",
+            "projection/test_projecting.py::test_centre_point_and_image_lie_on_one_line",
         ),
         Law(
             "In a parallel projection equal parallel lengths stay equal, at any depth.",
-            "projection/test_laws.py::test_a_parallel_projection_keeps_parallels_and_their_ratios",
+            "projection/test_projecting.py::test_a_parallel_projection_keeps_parallels_and_their_ratios",
         ),
         Law(
             "In perspective lines along an axis run together at its vanishing point, "
             "unless they are parallel to the view plane.",
-            "projection/test_laws.py::test_parallel_lines_run_together_at_the_vanishing_point",
+            "projection/test_projecting.py::test_parallel_lines_run_together_at_the_vanishing_point",
         ),
     ),
     not_laws=(

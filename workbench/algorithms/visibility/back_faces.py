@@ -121,7 +121,7 @@ ENTRY = Entry(
             "faces", "faces", "ints", _SIDES, meaning="corners of each face, counter-clockwise from outside"
         ),
         Parameter("eye", "eye", "floats", np.array([6.0, 5.0, 14.0]), meaning="where it is seen from"),
-        Parameter("look_at", "look-at", "floats", np.array([-2.0, 5.0, 2.0]), meaning="what is looked at"),
+        Parameter("look_at", "look-at", "floats", np.array([8.0, 5.0, 2.0]), meaning="what is looked at"),
     ),
     arguments=_solid_and_eye,
     emits="points",
