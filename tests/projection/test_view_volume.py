@@ -1,4 +1,4 @@
-"""Polygons clipped to the view volume: the text against half-spaces, exact fractions, and points by chance."""
+"""Polygons clipped to the view volume: against half-spaces, exact fractions, and points by chance."""
 
 from fractions import Fraction
 

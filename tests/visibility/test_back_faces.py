@@ -67,4 +67,4 @@ def test_c_alone_errs_in_perspective() -> None:
         "".join(part.text for part in step.sentence)
         for step in Steps(entry, record(entry.function, *entry.example))
     ]
-    assert sum("by C alone" in sentence for sentence in told) == 2
+    assert sum("by C alone" in sentence for sentence in told) == 3

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry, Law, Parameter, View
 from workbench.algorithms.marks import Mark
 from workbench.algorithms.projection.axonometric import isometric
+from workbench.algorithms.projection.classification import classify
 from workbench.algorithms.projection.parallel import cabinet, cavalier, orthographic
 from workbench.algorithms.projection.perspective import perspective, perspective_depth, perspective_from_plane
 from workbench.algorithms.projection.view import standard_view
@@ -120,6 +121,11 @@ def marks(
     yield matrix_mark("P", arguments[2])
 
 
+def keeps_depth(projection: Array) -> bool:
+    """Whether z after the division tells the points of a line of sight apart."""
+    return classify(projection).keeps_depth
+
+
 _W = "factors_text(projection[3], (x_v, y_v, z_v, 1.0))"
 _OPTIONS = "('divide by w', 'nothing to divide: w is 1', 'no image: w is not positive')"
 
@@ -154,7 +160,7 @@ ENTRY = Entry(
     emitted_columns=("x", "y", "z", "w"),
     source="Hearn and Baker, Computer Graphics, C Version, chapter 12",
     columns=("stage", "x", "y", "z", "w"),
-    view_functions=(factors_text, row_of),
+    view_functions=(factors_text, keeps_depth, row_of),
     views=(
         View(
             block="Place the point in the world",
@@ -180,13 +186,21 @@ ENTRY = Entry(
         _projected_view("True", "divide by w", ": divide by it."),
         View(
             block="Divide by w",
+            when="keeps_depth(projection)",
             row="('view plane', x_p, y_p, z_p, 1.0)",
-            sentence="x = {x_h}/{w} = {x_p}, y = {y_h}/{w} = {y_p}, z = {z_h}/{w} = {z_p}.",
+            sentence="x = {x_h}/{w} = {x_p}, y = {y_h}/{w} = {y_p}; z = {z_h}/{w} = {z_p} is left for "
+            "hidden surfaces.",
+        ),
+        View(
+            block="Divide by w",
+            row="('view plane', x_p, y_p, z_p, 1.0)",
+            sentence="x = {x_h}/{w} = {x_p}, y = {y_h}/{w} = {y_p}, z = {z_h}/{w} = {z_p}: on this line of "
+            "sight z comes out so at any depth, and says nothing of what hides what.",
         ),
         View(
             block="Map to the viewport",
             row="('device', x_d, y_d, z_p, 1.0)",
-            sentence="On the device that is {x_d}, {y_d}, in pixels; z = {z_p} is left for hidden surfaces.",
+            sentence="On the device that is {x_d}, {y_d}, in pixels.",
         ),
     ),
     laws=(
