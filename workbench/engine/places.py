@@ -42,8 +42,8 @@ def _from_zero(limits: list[ast.expr]) -> bool:
 
 def _never_negative(node: ast.expr) -> bool:
     match node:
-        case ast.Constant(value=int(value)):
-            return value >= 0
+        case ast.Constant(value=int()):
+            return True  # the sign of a number is an operation on it
         case ast.Call(func=ast.Name(id="max"), args=[_, _, *_] as items):
             return any(_never_negative(item) for item in items)
     return False
