@@ -44,7 +44,7 @@ def _never_negative(node: ast.expr) -> bool:
     match node:
         case ast.Constant(value=int()):
             return True  # the sign of a number is an operation on it
-        case ast.Call(func=ast.Name(id="max"), args=[_, _, *_] as items):
+        case ast.Call(func=ast.Name(id="max"), args=items):
             return any(_never_negative(item) for item in items)
     return False
 
