@@ -17,7 +17,9 @@ NAMES = {
     "algorithms.viewing": "window_to_viewport window_to_viewport_point",
     "algorithms.curves": "de_casteljau de_boor bernstein basis_functions nurbs_point hermite natural_cubic "
     "catmull_rom cardinal kochanek_bartels continuity",
-    "algorithms.visibility": "depth_buffer",
+    "algorithms.projection": "orthographic oblique cavalier cabinet axonometric isometric perspective "
+    "perspective_from_plane perspective_depth vanishing_points project_point",
+    "algorithms.visibility": "back_faces depth_buffer",
     "algorithms.catalogue": "entries get",
     "engine.compiled": "collect paint paint_many",
     "engine.recorder": "record",
