@@ -316,7 +316,7 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
     """One picture: a size in pixels, views in the order of painting, palette (0xRRGGBB), figures.
 
     The figures come from back to front. ``background`` is the palette index of the paper: the canvas shows it
-    as the theme's canvas colour, the tube as an unlit screen. The clippers work where a view has a clip window.
+    as the theme's canvas colour, the tube as an unlit screen. The clippers work where a view clips.
     """
 
     letter: ClassVar[str] = "s"

@@ -38,8 +38,8 @@ def _beyond(figure: AnyFigure, matrix: Matrix) -> str:
             )
         case Curve(spline="catmull_rom") if figure.alpha != 0.0 and not stays_circle(matrix, 1.0):
             return _(
-                "This Catmull-Rom curve follows the distances of its points, which would change unequally, so "
-                "its chain got the transform."
+                "This Catmull-Rom curve follows the distances of its points, which would change unequally, "
+                "so its chain got the transform."
             )
     return ""
 
