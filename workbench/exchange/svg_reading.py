@@ -24,7 +24,7 @@ from workbench.exchange.svg_colours import nearest_colour
 from workbench.exchange.svg_figures import Made, Shape, figures_of
 from workbench.exchange.svg_originals import fault_in, first_fault, moved, original
 from workbench.exchange.svg_outlines import length_of
-from workbench.exchange.svg_transforms import after, chain_of, functions_in, transform_text
+from workbench.exchange.svg_transforms import after, chain_of, framed_inside, functions_in, transform_text
 from workbench.exchange.svg_tree import Element, read_tree
 from workbench.exchange.svg_walk import drawing_of, stated_frame
 from workbench.language import ngettext
@@ -160,12 +160,13 @@ def _made(shape: Shape, frame: Array, sheet: Sheet, within: float) -> Made:
     """The figures of a shape, its transforms as their chains; these are put into the points where they have
     numbers that no figure can have."""
     scale, dx, dy = float(frame[0, 0]), float(frame[0, 2]), float(frame[1, 2])
-    chain = chain_of(shape.placing.functions, scale, dx, dy)
+    functions, inner = framed_inside(shape.placing.functions)
+    chain = chain_of(functions, scale, dx, dy)
     if chain:
         matrix = matrix_of(chain)
         assert matrix is not None
         stretch = float(np.linalg.norm(matrix[:2, :2], 2))
-        made = figures_of(shape, frame, sheet, within / max(stretch, 1.0))
+        made = figures_of(shape, after(frame, inner), sheet, within / max(stretch, 1.0))
         made.figures = [replace(figure, transforms=chain) for figure in made.figures]
         made.error *= stretch
         if not any(fault_in(figure, sheet) for figure in made.figures):
@@ -184,10 +185,12 @@ def _restored(
         functions = functions[: -len(functions_in(own))]
     elif own:
         figure = replace(figure, transforms=())
+    functions, inner = framed_inside(functions)
     around = chain_of(functions, scale, dx, dy)
-    if around is None:
+    (a, c, e), (b, d, f) = inner.tolist()
+    if around is None or (b, c) != (0.0, 0.0) or a != d or a <= 0:
         return None
-    figure = moved(without_ids(figure), scale, dx, dy)
+    figure = moved(without_ids(figure), scale * a, scale * e + dx, dy - scale * f)
     figure = replace(figure, transforms=(*figure.transforms, *around))
     colour = figure.colour
     wanted = nearest_colour(shape.paint, sheet)

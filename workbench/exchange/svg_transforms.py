@@ -44,10 +44,18 @@ _COUNTS = {
 
 
 class Function(NamedTuple):
-    """One function of a ``transform``, its name in small letters, and its numbers; angles in degrees."""
+    """One function of a ``transform``, its name in small letters, and its numbers; angles in degrees.
+
+    Its name is "frame" for what is no ``transform``, such as the place of a ``use``; its numbers are a matrix's.
+    """
 
     name: str
     numbers: tuple[float, ...]
+
+    @property
+    def matrix(self) -> Array:
+        """That of a matrix or frame (2, 3)."""
+        return np.array(self.numbers).reshape(3, 2).T
 
 
 class Placing(NamedTuple):
@@ -57,9 +65,18 @@ class Placing(NamedTuple):
     functions: tuple[Function, ...] = ()
 
     def within(self, matrix: Array, functions: Sequence[Function] = ()) -> "Placing":
-        """That of what lies under ``matrix`` inside, which these ``functions`` are, if there are any."""
-        inner = tuple(functions or (_of_matrix(matrix),))
-        return Placing(after(self.matrix, matrix), (*self.functions, *inner))
+        """That of what lies under ``matrix`` inside, which these ``functions`` are, or else a frame."""
+        frame = Function("frame", tuple(matrix.T.ravel().tolist()))
+        return Placing(after(self.matrix, matrix), (*self.functions, *(functions or (frame,))))
+
+
+def framed_inside(functions: tuple[Function, ...]) -> tuple[tuple[Function, ...], Array]:
+    """Functions without the frames that are innermost, and the matrix (2, 3) of these."""
+    inner: Array = np.eye(2, 3)
+    while functions and functions[-1].name == "frame":
+        inner = after(functions[-1].matrix, inner)
+        functions = functions[:-1]
+    return functions, inner
 
 
 def after(outer: Array, inner: Array) -> Array:
@@ -69,12 +86,8 @@ def after(outer: Array, inner: Array) -> Array:
     return both
 
 
-def _of_matrix(matrix: Array) -> Function:
-    return Function("matrix", tuple(matrix.T.ravel().tolist()))
-
-
 def functions_in(text: str) -> tuple[Function, ...]:
-    """The functions of a ``transform`` that was found to be one; none where one has other numbers than usual."""
+    """The functions of a ``transform`` that was found to be one; none where one has unusual numbers."""
     functions = tuple(
         Function(match[1].lower(), tuple(map(float, _NUMBER.findall(match[2]))))
         for match in FUNCTION.finditer(text)
@@ -109,6 +122,8 @@ def _link(function: Function, frame: Matrix, back: Matrix) -> AnyLink:
     name, numbers = function
     scale, (x0, y0) = float(frame[0, 0]), frame[:2, 2].tolist()
     match name, numbers:
+        case "frame", (1.0, 0.0, 0.0, 1.0, tx, ty):
+            return Translate("", tx=scale * tx, ty=0.0 - scale * ty)
         case "translate", (tx, *rest):
             return Translate("", tx=scale * tx, ty=0.0 - scale * (rest or [0.0])[0])
         case "rotate", (angle, *rest):
@@ -125,10 +140,8 @@ def _link(function: Function, frame: Matrix, back: Matrix) -> AnyLink:
 
 def _matrix(function: Function) -> Matrix:
     """The matrix (3, 3), y downwards."""
-    name, numbers = function
-    if name == "matrix":
-        a, b, c, d, e, f = numbers
-        return np.array([[a, c, e], [b, d, f], [0.0, 0.0, 1.0]])
+    if function.name in ("matrix", "frame"):
+        return np.vstack([function.matrix, (0.0, 0.0, 1.0)])
     flip = np.diag([1.0, -1.0, 1.0])
     link = _link(function, flip, flip)
     return product(flip, link.matrix, flip)

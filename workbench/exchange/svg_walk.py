@@ -84,7 +84,7 @@ class _Walk:
             raise element.refusal(str(error)) from error
 
     def into(self, element: Element, placing: Placing, style: dict[str, str]) -> None:
-        """Go through one element and those in it, under the transforms around it and an inherited ``style``."""
+        """Go through one element and those in it, under what is around it and an inherited ``style``."""
         self._steps += 1
         if self._steps % _BETWEEN_REPORTS == 0:
             self._progress(0.5 + 0.5 * self._steps / MOST_ELEMENTS)
@@ -150,7 +150,7 @@ class _Walk:
         x, y = length_of(element, "x"), length_of(element, "y")
         if x or y:
             moved = np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
-            placing = placing.within(moved, [Function("translate", (x, y))])
+            placing = placing.within(moved)
         self._using.append(target)
         if target.tag == "symbol":
             self._left_out["symbol viewBox"] += "viewBox" in target.attributes
