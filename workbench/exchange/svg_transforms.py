@@ -46,7 +46,7 @@ _COUNTS = {
 class Function(NamedTuple):
     """One function of a ``transform``, its name in small letters, and its numbers; angles in degrees.
 
-    Its name is "frame" for what is no ``transform``, such as the place of a ``use``; its numbers are a matrix's.
+    Its name is "frame" for what is no ``transform``, such as the place of a ``use``: a matrix too.
     """
 
     name: str
