@@ -328,7 +328,7 @@ def test_a_curve_that_is_cut_or_joined_looks_as_before() -> None:
     for curve in (one, other):
         away = np.abs(seen(joined[0])[:, None] - seen(curve)[None]).max(axis=2).min(axis=0)
         assert away.max() < 1e-9
-    parts = split(one.id, 1.5)(document).sheets[0].figures
+    parts = split(one.id, 0.5)(document).sheets[0].figures
     assert len(parts) == 3
     assert len({identity for figure in parts for identity in figure.ids}) == sum(len(f.ids) for f in parts)
     assert np.allclose(parts[0].matrix, parts[1].matrix)  # type: ignore[arg-type]

@@ -38,8 +38,9 @@ _TOGETHER = 1e-9
 def join(first: str, second: str) -> Edit:
     """Join two open curves where their ends are nearest; the figure is the ``first`` one, points keep ids.
 
-    What comes to it of the second goes through its chain too, and looks as before. Two B-splines of one degree and two paths stay what they are, two curves of one kind through all of their
-    points go on by its rule; all others become one path. Ends apart are bridged by a straight piece.
+    The chain is that of the first, under which the second looks as before. Two B-splines of one degree and
+    two paths stay what they are, two curves of one kind through all of their points go on by its rule; all
+    others become one path. Ends apart are bridged by a straight piece.
     """
 
     def edit(document: Document) -> Document:
@@ -59,7 +60,7 @@ def join(first: str, second: str) -> Edit:
 
 
 def _in_frame_of(one: Curve, other: Curve) -> Curve:
-    """``other`` with points that the chain of ``one`` takes where its own has taken them. Raises: ValueError."""
+    """``other`` with points that the chain of ``one`` takes where its own took them. Raises: ValueError."""
     if one.matrix is None and other.matrix is None:
         return other
     own, back = (np.eye(3) if curve.matrix is None else curve.matrix for curve in (other, one))
