@@ -120,7 +120,7 @@ ROUNDS = (
 )
 
 
-def ring(figure: Circle | Ellipse, count: int = 4000) -> np.ndarray:
+def ring(figure: Circle | Ellipse, count: int = 721) -> np.ndarray:
     """Points of what the chain makes of a circle or ellipse."""
     rx, ry = (
         (figure.radius_world,) * 2
