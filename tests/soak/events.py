@@ -120,8 +120,8 @@ class Hand:
     def key(self, keys: str) -> None:
         """Press a key, as written in the key table, where the focus is."""
         combination = QKeySequence(keys)[0]
-        focus = QApplication.activePopupWidget() or QApplication.focusWidget() or self.window
-        top = focus if focus is QApplication.activePopupWidget() else focus.window()
+        # A popup gets the keys of any window; asked for its own, QTest goes on with it when it has closed
+        top = (QApplication.focusWidget() or self.window).window()
         # One after the other: what is pressed may close the window that would be released
         for event in (QTest.keyPress, QTest.keyRelease):
             self.act(event, top, combination.key(), combination.keyboardModifiers())

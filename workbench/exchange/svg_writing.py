@@ -37,7 +37,7 @@ from workbench.language import _
 from workbench.rendering.mapping import device_map
 
 _TOLERANCE_PX = 0.05
-_NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _COMMANDS = {1: "L", 2: "Q", 3: "C"}
 
 
@@ -82,7 +82,7 @@ def write_svg(sheet: Sheet, tolerance: float | None = None) -> Exported:
             attributes["transform"] = transform
         own = {f"workbench:{key}": value for key, value in kept(figure, tag, attributes).items()}
         paint = _paint(figure, sheet, 1.0 / (max(abs(scale.sx), abs(scale.sy)) * _growth(figure)))
-        title = f"<title>{escape(_NO_XML.sub(' ', figure.name))}</title>" if figure.name else ""
+        title = f"<title>{escape(NO_XML.sub(' ', figure.name))}</title>" if figure.name else ""
         body.append(f"  <{tag} {_joined({'id': figure.id, **attributes, **paint, **own})}>{title}</{tag}>")
     view = sheet.first_view
     if len(sheet.views) > 1:

@@ -3,9 +3,11 @@
 What is drawn by Qt adds its rows to these in ``panels``; a new kind of file is one more row.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from workbench.document.storage.files import pieces_of
 from workbench.exchange import meshes, tables
@@ -16,6 +18,9 @@ from workbench.exchange.svg_writing import Exported
 from workbench.exchange.tables import Table
 from workbench.exchange.writing import Encode, Progress, Put, Row, of_kind, whole
 
+if TYPE_CHECKING:
+    from workbench.exchange.diagrams import Derivation
+
 _TOLD_EVERY = 64
 
 
@@ -25,6 +30,12 @@ def _picture(content: Sequence[Any]) -> bytes:
 
 def _drawing(content: Exported) -> bytes:
     return content.text.encode()
+
+
+def _derivation(content: Derivation) -> bytes:
+    from workbench.exchange.diagram_svg import write_diagram
+
+    return write_diagram(content).encode()
 
 
 class _ToldRows(Sequence[tuple[Any, ...]]):
@@ -69,6 +80,7 @@ def _mesh(make: Callable[..., bytes]) -> Encode:
 # points       (n, 2) numbers
 # mesh         (vertices, faces)
 # step, run    frames.Frames
+# derivation   diagrams.Derivation
 ROWS: tuple[Row, ...] = (
     Row("document", ".gwb", "Graphics Workbench", whole(pieces_of)),
     Row("picture", ".png", "PNG", whole(_picture)),
@@ -84,6 +96,7 @@ ROWS: tuple[Row, ...] = (
     Row("step", ".png", "PNG", one_png),
     Row("run", ".png", "PNG", each_png, numbered=True),
     Row("run", ".gif", "GIF", animation),
+    Row("derivation", ".svg", "SVG", whole(_derivation)),
 )
 
 

@@ -274,3 +274,15 @@ def test_strokes_and_regions_reach_the_picture(canvas):
     column = [row[7] for row in around(canvas, 20, 14)]
     assert column[7] == LIGHT.error
     assert LIGHT.canvas in column
+
+
+@pytest.mark.parametrize("pattern", [Qt.PenStyle.DashLine, Qt.PenStyle.DotLine])
+def test_a_line_that_ends_where_a_dash_would_begin_has_none_of_no_length(scene, pattern):
+    width, cell = 1.25, scene.view.cell
+    period = width * (6 if pattern == Qt.PenStyle.DashLine else 3)
+    for angle in np.linspace(0.1, 6.2, 80).tolist():
+        for length in (np.nextafter(k * period, np.inf) / cell for k in (2, 3, 5, 7)):
+            end = 20 + length * math.cos(angle), 14 + length * math.sin(angle)
+            shades = painted(scene, [(20.0, 14.0), end], width, pattern)
+            assert np.isfinite(shades).all()
+            assert shades.sum() > 0

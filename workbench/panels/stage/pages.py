@@ -1,7 +1,10 @@
 """The steps of a run as pages: picture, rulers and sentence, painted as images, PDF or SVG."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QRectF, QSize, QSizeF, Qt
@@ -9,12 +12,15 @@ from PySide6.QtGui import QFont, QImage, QPageSize, QPainter, QPdfWriter
 from PySide6.QtSvg import QSvgGenerator
 
 from workbench.exchange.frames import Picture as Frame
-from workbench.exchange.writing import Progress, Put, Row, of_kind
+from workbench.exchange.writing import Progress, Put, Row, of_kind, whole
 from workbench.exchange.written import ROWS as WINDOWLESS
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.painter import Picture, Scene, paint_rulers, paint_scene, ruler_sizes
 from workbench.widgets.canvas.view import Area, fitted
 from workbench.widgets.look.tokens import LIGHT
+
+if TYPE_CHECKING:
+    from workbench.exchange.diagrams import Derivation
 
 PAGE_MM = (180.0, 140.0)
 PICTURE_WIDTH = 1600
@@ -127,11 +133,18 @@ def _svg(pages: Pages, put: Put, _told: Progress) -> None:
     put(bytes(buffer.data().data()))
 
 
+def _derivation_pdf(content: Derivation) -> bytes:
+    from workbench.widgets.formulas.paper import write_pdf
+
+    return write_pdf(content)
+
+
 ROWS: tuple[Row, ...] = (
     *WINDOWLESS,
     Row("step", ".svg", "SVG", _svg),
     Row("step", ".pdf", "PDF", _pdf),
     Row("run", ".pdf", "PDF", _pdf),
+    Row("derivation", ".pdf", "PDF", whole(_derivation_pdf)),
 )
 
 

@@ -148,10 +148,12 @@ def _dashed(sides: Array, way: Array, dashes: Array) -> Array:
 
 def _overlapping(sides: Array, wide: float) -> Array:
     """Sides made longer where they meet, so that no seam shows: by half the pen where they meet squarely."""
+    leg = sides[:, 1] - sides[:, 0]
+    length = np.hypot(leg[:, 0], leg[:, 1])
+    some = length > 0  # a corner cut off far away may leave two ends that round to one place
+    sides, leg = sides[some], leg[some] / length[some, None]
     if len(sides) < 2:
         return sides
-    leg = sides[:, 1] - sides[:, 0]
-    leg /= np.hypot(leg[:, 0], leg[:, 1])[:, None]
     meet = (np.abs(sides[:-1, 1] - sides[1:, 0]) < _MEETING_PX).all(axis=1)
     sine = np.abs(leg[:-1, 0] * leg[1:, 1] - leg[:-1, 1] * leg[1:, 0])
     more = meet * np.maximum(min(_OVERLAP_PX, wide / 2), sine * wide / 2)

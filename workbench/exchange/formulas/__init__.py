@@ -1,0 +1,1 @@
+"""Formulas as plain text, typeset: their notation, matrices of them, how they are laid out and copied."""
