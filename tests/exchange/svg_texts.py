@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.document.curves.pieces import pieces_of
-from workbench.document.model import Curve, Rectangle, Sheet
+from workbench.document.model import Curve, Rectangle, Sheet, View, whole_sheet
 from workbench.exchange.svg_paths import read_svg
 
 Array = NDArray[np.float64]
@@ -18,8 +18,7 @@ SHEET = Sheet(
     "sheet",
     100,
     100,
-    Rectangle(0, 0, 100, 100),
-    Rectangle(-0.5, -0.5, 99.5, 99.5),
+    (View("v1", Rectangle(0, 0, 100, 100), whole_sheet(100, 100)),),
     (0xFFFFFF, 0, 0xFF0000),
 )
 
@@ -30,6 +29,12 @@ def svg(body: str) -> str:
 
 def path(data: str, tolerance: float | None = None) -> list[Any]:
     return list(read_svg(svg(f'<path fill="none" stroke="red" d="{data}"/>'), SHEET, tolerance).figures)
+
+
+def seen(figure: Any) -> Array:
+    """The control points under the figure's chain in the coordinates of the SVG, y downwards."""
+    points = np.array([(p.x, p.y, 1.0) for p in figure.points_world])
+    return (points @ figure.matrix.T)[:, :2] * [1.0, -1.0]
 
 
 def cubics(figure: Any) -> Array:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
+from tests.document.views import seen_through
 from workbench.document.errors import DocumentError
 from workbench.document.model import Polyline, WorldPoint
 from workbench.document.samples.examples import example_document, examples
@@ -43,7 +44,7 @@ def large_picture() -> Stored:
     points = tuple(WorldPoint(f"q{k}x", k / 7, -k) for k in range(12_000))
     sheet = example_document().sheets[0]
     figures = (*sheet.figures, Polyline("long", points, "dda_line"))
-    bare = replace(sheet, id="other", figures=())
+    bare = replace(seen_through(sheet, id="v-other"), id="other", figures=())
     document = replace(example_document(), sheets=(replace(sheet, figures=figures), bare))
     blob = bytes(range(256)) * 10_000
     blobs = {hashlib.sha256(content).hexdigest(): content for content in (blob, b"")}

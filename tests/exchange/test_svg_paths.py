@@ -149,7 +149,7 @@ def test_basic_shapes_become_figures_of_their_own() -> None:
         '<circle cx="50%" cy="10%" r="1" transform="skewX(20)"/>'
     )
     figures = read_svg(svg(body), SHEET).figures
-    kinds = [Line, Polyline, Polygon, Polyline, Circle, Ellipse, Curve, Curve]
+    kinds = [Line, Polyline, Polygon, Polyline, Circle, Ellipse, Curve, Circle]
     assert [type(figure) for figure in figures] == kinds
     assert [(p.x, p.y) for p in figures[0].points_world] == [(1, 2), (3, 4)]
     assert [(p.x, p.y) for p in figures[3].points_world] == [(1, 9), (5, 9), (5, 7), (1, 7)]

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from tests.curves.made_curves import knot_vectors
+from tests.document.views import seen_through
 from workbench.document.building import without_ids
 from workbench.document.curves.pieces import fault_of, pieces_of
 from workbench.document.model import (
@@ -28,15 +29,19 @@ from workbench.document.model import (
     Rectangle,
     SeedFill,
     Sheet,
+    View,
     WorldPoint,
+    whole_sheet,
 )
+from workbench.document.transforms.links import Rotate, Scale, Translate
 from workbench.exchange.svg_paths import read_svg, write_svg
 
 PALETTE = (0xFFFFFF, 0x000000, 0xCC3300, 0x0055AA)
 
 
 def sheet_with(*figures: Any, window: Rectangle = Rectangle(-20, -10, 180, 90)) -> Sheet:  # noqa: B008
-    return Sheet("s1", "sheet", 200, 100, window, Rectangle(-0.5, -0.5, 199.5, 99.5), PALETTE, tuple(figures))
+    view = View("v1", window, whole_sheet(200, 100))
+    return Sheet("s1", "sheet", 200, 100, (view,), PALETTE, tuple(figures))
 
 
 def bare(text: str) -> str:
@@ -171,17 +176,23 @@ def test_an_original_moves_and_grows_with_its_group() -> None:
     (back,) = read_svg(moved, sheet).figures
     assert isinstance(back, Curve)
     assert back.spline == "nurbs"
-    expected = [(2 * p.x + 5, 2 * p.y + 3) for p in nurbs().points_world]
-    assert [(p.x, p.y) for p in back.points_world] == expected
+    assert back.points_world == without_ids(nurbs()).points_world
+    assert back.transforms == (Scale("", sx=2.0, sy=2.0), Translate("", tx=5.0, ty=3.0))
+
+
+def test_an_original_turns_with_a_transform_of_its_own() -> None:
+    sheet = sheet_with(nurbs())
+    turned = write_svg(sheet).text.replace("<path", '<path transform="rotate(10)"')
+    (back,) = read_svg(turned, sheet).figures
+    assert back == replace(without_ids(nurbs()), transforms=(Rotate("", angle=-10.0),))
 
 
 def test_what_was_changed_elsewhere_is_taken_as_it_is_drawn() -> None:
     sheet = sheet_with(nurbs())
     text = write_svg(sheet).text
-    turned = text.replace("<path", '<path transform="rotate(10)"')
     changed = re.sub(r' d="M [^C]*C', ' d="M 1,1 C', text)
     broken = text.replace("&quot;nurbs&quot;", "&quot;other&quot;").replace('"nurbs"', '"other"')
-    for other in (turned, changed, broken, bare(text)):
+    for other in (changed, broken, bare(text)):
         assert other != text
         (back,) = read_svg(other, sheet).figures
         assert isinstance(back, Curve)
@@ -200,7 +211,7 @@ def test_a_window_of_another_size_takes_the_picture_whole() -> None:
 
 
 def test_the_clip_window_is_kept_for_other_programs() -> None:
-    sheet = replace(sheet_with(nurbs()), clip_world=Rectangle(0, 0, 10, 20))
+    sheet = seen_through(sheet_with(nurbs()), clip_world=Rectangle(0, 0, 10, 20))
     text = write_svg(sheet).text
     assert '<rect x="0" y="-20" width="10" height="20"/>' in text
     assert read_svg(text, sheet).figures == (without_ids(nurbs()),)

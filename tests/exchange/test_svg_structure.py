@@ -3,17 +3,20 @@
 import numpy as np
 import pytest
 
-from tests.exchange.svg_texts import SHEET, cubics, svg
+from tests.exchange.svg_texts import SHEET, cubics, seen, svg
 from workbench.document.model import Circle, Curve, Polygon, Polyline
+from workbench.document.transforms.links import Affine, Rotate, Scale, Translate
 from workbench.exchange.svg_paths import SvgError, read_svg
 
 
 def test_transforms_follow_one_another() -> None:
     inner = '<g transform="translate(10,0)"><path transform="rotate(90) scale(2)" d="M 1 0 L 3 1"/></g>'
     (figure,) = read_svg(svg(inner), SHEET).figures
-    assert np.allclose(cubics(figure)[0, [0, -1]], [[10, 2], [8, 6]])
+    assert [type(link) for link in figure.transforms] == [Scale, Rotate, Translate]
+    assert np.allclose(seen(figure)[[0, -1]], [[10, 2], [8, 6]])
     (skewed,) = read_svg(svg('<path transform="matrix(1 0 1 1 0 5)" d="M 1 2 L 3 4"/>'), SHEET).figures
-    assert np.allclose(cubics(skewed)[0, [0, -1]], [[3, 7], [7, 9]])
+    assert [type(link) for link in skewed.transforms] == [Affine]
+    assert np.allclose(seen(skewed)[[0, -1]], [[3, 7], [7, 9]])
 
 
 def test_a_drawing_is_put_into_the_middle_of_the_window() -> None:

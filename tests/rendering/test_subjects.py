@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from workbench.algorithms import catalogue
 from workbench.document import DocumentError
-from workbench.document.edits import set_algorithm, set_clippers
+from workbench.document.edits import set_algorithm, set_clipper
 from workbench.document.model import Curve, Sheet
 from workbench.document.samples.examples import example, examples
 from workbench.document.subjects import Subject
@@ -102,7 +102,7 @@ def test_another_algorithm_is_chosen_in_the_document_or_in_the_subject() -> None
     line = sheet.figures[0].id
     edits = {
         "figure": (set_algorithm(line, "dda_line"), "dda_line"),
-        "clipper": (set_clippers(sheet.id, line="liang_barsky"), "liang_barsky"),
+        "clipper": (set_clipper(sheet.id, "liang_barsky"), "liang_barsky"),
     }
     for kind, (edit, slug) in edits.items():
         subject = Subject(kind, (line,))

@@ -17,6 +17,7 @@ def all_ids(sheets: Iterable[Sheet]) -> Iterator[str]:
     """The ids of some sheets and of all that is on them."""
     for sheet in sheets:
         yield sheet.id
+        yield from map(attrgetter("id"), sheet.views)
         yield from chain.from_iterable(map(attrgetter("ids"), sheet.figures))
 
 
@@ -42,6 +43,9 @@ def new_ids_sound(before: Document, document: Document) -> bool:
             come += all_ids([sheet])
         elif old is not sheet:
             _exchanged(old.figures, sheet.figures, gone, come)
+            if old.views is not sheet.views:
+                gone += map(attrgetter("id"), old.views)
+                come += map(attrgetter("id"), sheet.views)
     gone += all_ids(sheets.values())
     new = set(come).difference(gone)
     if len(set(come)) != len(come) or not are_ids(new):

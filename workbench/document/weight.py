@@ -17,9 +17,11 @@ def weight(value: Any, other: Any = None, most: int = _MOST) -> int:
     if value is other:
         return 0
     if isinstance(value, msgspec.Struct):
-        fields = value.__struct_fields__
-        known = (getattr(other, name, None) for name in fields)
-        inner = sum(weight(getattr(value, name), old, most) for name, old in zip(fields, known, strict=True))
+        inner = sum(
+            weight(part, known, most)
+            for name in value.__struct_fields__
+            if (part := getattr(value, name)) is not (known := getattr(other, name, None))
+        )
         return getsizeof(value) + inner
     if isinstance(value, tuple):
         return getsizeof(value) + _entries(value, other if isinstance(other, tuple) else (), most)

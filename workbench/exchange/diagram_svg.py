@@ -4,8 +4,9 @@ from xml.etree import ElementTree
 
 from workbench.exchange.diagrams import WHITE, Derivation, lay_out_derivation
 from workbench.exchange.formulas.layout import Area, Disc, Glyphs, Line, Primitive, Style, Typesetter
+from workbench.exchange.svg_transforms import number
 from workbench.exchange.svg_tree import SVG
-from workbench.exchange.svg_writing import NO_XML, number
+from workbench.exchange.svg_writing import NO_XML
 
 # Advance widths of Helvetica, thousandths of the size; Adobe Font Metrics, 1997.
 _ADVANCES = {

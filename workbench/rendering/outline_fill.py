@@ -11,8 +11,8 @@ from workbench.document.model import Line, Polygon, Sheet
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering.clipping import visible_rings
 from workbench.rendering.mapping import Call
-from workbench.rendering.pipeline import colour_of
-from workbench.rendering.raster import emitted, figure_calls, pixels
+from workbench.rendering.pipeline import calls, colour_of
+from workbench.rendering.raster import emitted, pixels
 
 Cells = NDArray[np.int64]
 _DEEPEST = 1000
@@ -39,7 +39,7 @@ def outline_fill(sheet: Sheet, polygon: Polygon, slug: str) -> OutlineFill:
         return OutlineFill(None, cells)
     image = np.full((sheet.height_px, sheet.width_px), paper, np.uint32)
     image[cells[:, 1], cells[:, 0]] = boundary
-    fills = figure_calls(sheet, polygon, Polygon.algorithms[0])
+    fills = calls(sheet, polygon, Polygon.algorithms[0])
     inside = [pixels(call.entry, emitted(call)) for call in fills]
     area = _seen(np.concatenate(inside), sheet) if inside else cells[:0]
     free = area[image[area[:, 1], area[:, 0]] == paper]

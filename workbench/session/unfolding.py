@@ -61,7 +61,7 @@ class Unfolding(QObject):
 
     def _look(self, sheet: Sheet) -> None:
         """What of a sheet is ready; where little is missing that is drawn with the rest."""
-        frame = sheet.window_world, sheet.viewport_device
+        frame = sheet.views
         if frame != self._frame:
             self._ready, self._frame = {}, frame
         self._whole = sheet

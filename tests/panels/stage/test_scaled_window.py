@@ -4,6 +4,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
+from tests.document.views import seen_through
 from tests.panels.by_hand import settle
 from workbench.document.edits import add_figure
 from workbench.document.model import Curve, CurvePoint, Line, Rectangle, WorldPoint
@@ -38,7 +39,7 @@ def opened(qtbot):
 
     def make(kind, figure):
         document = blank_sheet(64, 48)
-        sheet = replace(document.sheets[0], window_world=WINDOW, viewport_device=VIEWPORT)
+        sheet = seen_through(document.sheets[0], window_world=WINDOW, viewport_device=VIEWPORT)
         document = add_figure(sheet.id, figure)(replace(document, sheets=(sheet,)))
         session = Session(document=document)
         sessions.append(session)

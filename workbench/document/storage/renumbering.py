@@ -26,7 +26,9 @@ def with_room(document: Document, state: SessionState) -> tuple[Document, Sessio
         figures = tuple(with_ids(without_ids(figure), fresh, fresh) for figure in sheet.figures)
         for old, new in zip(sheet.figures, figures, strict=True):
             renamed |= zip(old.ids, new.ids, strict=True)
-        sheets.append(replace(sheet, id=renamed[sheet.id], figures=figures))
+        views = tuple(replace(view, id=f"v{next(fresh)}") for view in sheet.views)
+        renamed |= {old.id: new.id for old, new in zip(sheet.views, views, strict=True)}
+        sheets.append(replace(sheet, id=renamed[sheet.id], figures=figures, views=views))
     selection = tuple(renamed[figure] for figure in state.selection)
     named = {"sheet": renamed.get(state.sheet, ""), "active": renamed.get(state.active, "")}
     positions = {workspace: _renamed(there, renamed) for workspace, there in state.positions.items()}

@@ -3,6 +3,8 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from workbench.document.storage.views_of_sheets import with_views
+
 Upgrade = Callable[[dict[str, Any]], dict[str, Any]]
 
 # The workspaces in which version 3 stepped a run of each kind.
@@ -26,5 +28,6 @@ def _with_positions(raw: dict[str, Any]) -> dict[str, Any]:
 
 
 # UPGRADES[1] makes a version 2 of a version 1. Version 2 has polygons, further fills and a clip window,
-# version 3 curves: no older version holds any. Version 4 has a position for each workspace.
-UPGRADES: Mapping[int, Upgrade] = {1: dict, 2: dict, 3: _with_positions}
+# version 3 curves, version 5 transforms of figures: no older version holds any. Version 4 has a position for
+# each workspace, version 5 views.
+UPGRADES: Mapping[int, Upgrade] = {1: dict, 2: dict, 3: _with_positions, 4: with_views}
