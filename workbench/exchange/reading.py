@@ -22,8 +22,11 @@ from workbench.document.model import AnyFigure, Curve, Document, Sheet
 from workbench.document.state import SessionState
 from workbench.document.storage.content import Progress, Stopped, decoded, part, read_content, silent
 from workbench.document.storage.files import MAX_BYTES, Stored, decode
+from workbench.exchange import mesh_reading
 from workbench.exchange.figures import read_figures
 from workbench.exchange.fitted_curve import fitted
+from workbench.exchange.mesh_pieces import Piece, pieces_of, whole
+from workbench.exchange.mesh_reading import ImportedMesh
 from workbench.exchange.point_lists import MOST_CHARACTERS, Array, read_points
 from workbench.exchange.svg_reading import Imported, read_svg
 from workbench.exchange.svg_tree import MOST_BYTES
@@ -41,6 +44,7 @@ LIMITS = {
     "drawing": MOST_BYTES,
     "points": MOST_CHARACTERS,
     "fit": MOST_CHARACTERS,
+    "mesh": mesh_reading.MOST_BYTES,
 }
 
 
@@ -57,10 +61,11 @@ class Job(msgspec.Struct, frozen=True):
 
     A picture becomes Stored, a drawing (SVG, placed on ``sheet``) Imported, and so do figures as the
     clipboard has them, whose numbers are unchecked; points an (n, 2) array, world; fit becomes Fitted: a path
-    in ``colour`` that passes the points within ``tolerance_px``.
+    in ``colour`` that passes the points within ``tolerance_px``; a mesh, of the kind that ``path`` ends in,
+    ImportedMesh.
     """
 
-    kind: Literal["picture", "figures", "drawing", "points", "fit"]
+    kind: Literal["picture", "figures", "drawing", "points", "fit", "mesh"]
     path: str = ""
     content: bytes = b""
     sheet: Sheet | None = None
@@ -84,7 +89,7 @@ class Fitted(NamedTuple):
     error: float
 
 
-Result = Stored | Imported | Array | Fitted
+Result = Stored | Imported | Array | Fitted | ImportedMesh
 
 
 def read_now(job: Job, progress: Progress = silent) -> Result:
@@ -101,6 +106,8 @@ def read_now(job: Job, progress: Progress = silent) -> Result:
     if job.kind == "drawing":
         assert job.sheet is not None
         return read_svg(content if job.path else content.decode("utf-8", "replace"), job.sheet, progress=rest)
+    if job.kind == "mesh":
+        return mesh_reading.read_mesh(content, Path(job.path).suffix, rest)
     text = decoded(content, job.path)
     if job.kind == "points":
         return read_points(text, rest)
@@ -182,7 +189,11 @@ class _Fit(msgspec.Struct, tag=True):
     error: float
 
 
-_Part = _Share | _Refused | _Failed | _Frame | _Figures | _Blob | _Drawn | _Points | _Fit
+class _Meshed(msgspec.Struct, tag=True):
+    notes: list[str]
+
+
+_Part = _Share | _Refused | _Failed | _Frame | _Figures | _Blob | _Drawn | _Points | _Fit | Piece | _Meshed
 
 _encoder = msgspec.msgpack.Encoder()
 _part_decoder = msgspec.msgpack.Decoder(_Part)
@@ -208,6 +219,9 @@ def _parts(result: Result) -> Iterator[_Part]:
         case Fitted(curve=curve, points=points, error=error):
             yield from _batches(0, [curve])
             yield _Fit(points, error)
+        case ImportedMesh(mesh=mesh, notes=notes):
+            yield from pieces_of(mesh)
+            yield _Meshed(list(notes))
         case _:
             yield _Points(np.ascontiguousarray(result, np.float64).tobytes())
 
@@ -238,14 +252,17 @@ def _joined(parts: list[_Part]) -> Result:
             case _Frame(sheets=bare, last_id=last_id, session=session):
                 sheets = (replace(s, figures=tuple(figures[k])) for k, s in enumerate(bare))
                 document = Document(tuple(sheets), last_id)
-                whole = {name: b"".join(content) for name, content in blobs.items()}
-                return Stored(document, session, whole, each.origin, each.origin_stamp, each.blobs_beside)
+                contents = {name: b"".join(content) for name, content in blobs.items()}
+                return Stored(document, session, contents, each.origin, each.origin_stamp, each.blobs_beside)
             case _Drawn(approximated=approximated, notes=notes):
                 return Imported(tuple(figures[0]), tuple(approximated), tuple(notes))
             case _Fit(points=points, error=error):
                 (curve,) = figures[0]
                 assert isinstance(curve, Curve)
                 return Fitted(curve, points, error)
+            case _Meshed(notes=notes):
+                pieces = (part for part in parts if isinstance(part, Piece))
+                return ImportedMesh(whole(pieces), tuple(notes))
             case _Points(content=content):
                 return np.frombuffer(content, np.float64).reshape(-1, 2)
     raise ReadingError(_("The reading broke off before its end; try again, or choose a smaller file."))

@@ -78,14 +78,36 @@ class Mesh(NamedTuple):
 
 
 def face_normals(vertices: Array, faces: Faces) -> Array:
-    """A normal (m, 3) of each face, outwards, as long as twice its area: the sum over its edges (Newell)."""
-    if not len(faces):
-        return np.zeros((0, 3))
-    starts = faces.starts
-    first = np.repeat(vertices[faces.corners[starts]], faces.sizes, axis=0)
-    here, after = vertices[faces.corners] - first, vertices[faces.following] - first
-    normals: Array = np.add.reduceat(np.cross(here, after), starts, axis=0)
+    """A normal (m, 3) of each face, outwards, as long as twice its area (Newell's): the sum over its fan."""
+    triangles, owners = _fan(faces)
+    normals = _crossed(vertices, triangles)
+    if len(normals) == len(faces):
+        return normals
+    sums = [np.bincount(owners, weights=column, minlength=len(faces)) for column in normals.T]
+    return np.stack(sums, axis=1)
+
+
+def _crossed(vertices: Array, triangles: Index) -> Array:
+    """(b - a) x (c - a) of triangles (t, 3) of vertices."""
+    normals = np.empty((len(triangles), 3))
+    a, b, c = triangles.T
+    columns = [(column[b] - start, column[c] - start) for column in vertices.T for start in (column[a],)]
+    for axis, (y, z) in enumerate(((1, 2), (2, 0), (0, 1))):
+        (uy, vy), (uz, vz) = columns[y], columns[z]
+        normals[:, axis] = uy * vz - uz * vy
     return normals
+
+
+def _fan(faces: Faces) -> tuple[Index, Index]:
+    """Triangles (t, 3) from the first corner of each face, and for each (t,) the number of the face."""
+    sizes = faces.sizes
+    if (sizes == 3).all():
+        return faces.corners.reshape(-1, 3), np.arange(len(faces))
+    counts = np.maximum(sizes - 2, 0)
+    owners = np.repeat(np.arange(len(faces)), counts)
+    step = np.arange(len(owners)) - np.repeat(np.cumsum(counts) - counts, counts)
+    first = faces.starts[owners]
+    return faces.corners[np.stack([first, first + step + 1, first + step + 2], axis=1)], owners
 
 
 def face_planes(vertices: Array, faces: Faces) -> Array:
@@ -105,17 +127,11 @@ def triangulated(vertices: Array, faces: Faces) -> tuple[Index, Index]:
 
     A face is cut into a fan from its first corner, or, where that would leave it, by its ears.
     """
-    sizes, starts = faces.sizes, faces.starts
-    counts = np.maximum(sizes - 2, 0)
-    owners = np.repeat(np.arange(len(faces)), counts)
-    step = np.arange(len(owners)) - np.repeat(np.cumsum(counts) - counts, counts)
-    first = starts[owners]
-    triangles = faces.corners[np.stack([first, first + step + 1, first + step + 2], axis=1)]
-    several = counts[owners] > 1
+    triangles, owners = _fan(faces)
+    several = (faces.sizes > 3)[owners]
     if several.any():
         normals = face_normals(vertices, faces)
-        a, b, c = (vertices[triangles[several, k]] for k in range(3))
-        turns = (np.cross(b - a, c - a) * normals[owners[several]]).sum(axis=1)
+        turns = (_crossed(vertices, triangles[several]) * normals[owners[several]]).sum(axis=1)
         for face in np.unique(owners[several][turns < 0]).tolist():
             corners = faces[face]
             triangles[owners == face] = corners[_ears(vertices[corners], normals[face])]
