@@ -102,7 +102,9 @@ def main() -> None:
         "reorder": lambda: edits.reorder(middle.id, next(count) % CURVES),
         "set the colour": lambda: edits.set_attribute(f"{sheet}/{middle.id}/colour", next(count) % 2),
         "rename the sheet": lambda: edits.rename_sheet(sheet, str(next(count))),
-        "set the window": lambda: edits.set_attribute(f"{sheet}/window_world.xmin", -next(count)),
+        "set the window": lambda: edits.set_attribute(
+            f"{sheet}/{session.sheet.first_view.id}/window_world.xmin", -next(count)
+        ),
         "a longer palette": lambda: edits.set_palette(sheet, (*session.sheet.palette, *range(9))),
         "add a sheet": lambda: edits.add_sheet(replace(blank_sheet().sheets[0], id="")),
         "a shorter palette": lambda: edits.set_palette(sheet, session.sheet.palette[:-1]),

@@ -10,6 +10,7 @@ import trimesh
 from msgspec.structs import replace
 
 from tests.cli.test_commands import printed, refused
+from tests.document.views import seen_through
 from workbench.__main__ import main
 from workbench.document import load, save
 from workbench.document.model import Curve, CurvePoint, Rectangle
@@ -37,7 +38,7 @@ def test_an_svg_becomes_a_document_in_its_own_coordinates(
     sheet = load("a.gwb").sheets[0]
     assert sheet.name == "a"
     assert (sheet.width_px, sheet.height_px) == (200, 100)
-    assert sheet.window_world == Rectangle(2, -27, 50, -3)
+    assert sheet.first_view.window_world == Rectangle(2, -27, 50, -3)
     (curve,) = sheet.figures
     first = [(p.x, p.y) for p in curve.points_world[:4]]
     assert np.allclose(first, [(2, -3), (4, -5), (17 / 3, -20 / 3), (7, -8)], rtol=1e-14)
@@ -49,7 +50,7 @@ def test_a_document_goes_out_and_comes_back(capsys: pytest.CaptureFixture[str], 
     points = tuple(CurvePoint("", 7.3 * k, 5.1 * (k % 2), weight=1.0 + k) for k in range(5))
     document = document_of("arch", 70, 30, [Curve("", points, "dda_line", 1, spline="nurbs")])
     window = Rectangle(-0.3, -0.7, 41.9, 17.3)
-    document = replace(document, sheets=(replace(document.sheets[0], window_world=window),))
+    document = replace(document, sheets=(seen_through(document.sheets[0], window_world=window),))
     save(document, "arch.gwb")
     said = printed(capsys, "convert", "arch.gwb", "-o", "arch.svg", "--tolerance", "0.01")
     assert said.startswith("f1 is approximated within 0.0")

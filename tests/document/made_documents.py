@@ -4,11 +4,14 @@ from collections.abc import Callable
 from typing import Any
 
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from tests.document.curves.made_curves import curves
 from workbench.document import edits
+from workbench.document.fields import numbers_of
 from workbench.document.model import (
     LINE_CLIPPERS,
+    MODES,
     POLYGON_CLIPPERS,
     AnyFigure,
     Circle,
@@ -22,8 +25,19 @@ from workbench.document.model import (
     Rectangle,
     SeedFill,
     Sheet,
+    View,
     WorldPoint,
     whole_sheet,
+)
+from workbench.document.transforms.links import (
+    MIRRORS,
+    Affine,
+    AnyLink,
+    Reflect,
+    Rotate,
+    Scale,
+    Shear,
+    Translate,
 )
 
 coordinates = st.floats(-1e6, 1e6) | st.integers(-60, 60).map(float)
@@ -42,14 +56,15 @@ def rectangles(draw: st.DrawFn) -> Rectangle:
 def figures(draw: st.DrawFn, identity: str = "") -> AnyFigure:
     """A figure of any kind, with ids made of ``identity``, or empty ones; its colours are 0 to 2."""
     kind: type[Figure] = draw(st.sampled_from([Line, Polyline, Polygon, Circle, Ellipse, SeedFill, Curve]))
+    chain = draw(chains(identity))
     if kind is Curve:
-        return draw(curves(identity=identity, most=7))
+        return replace(draw(curves(identity=identity, most=7)), transforms=chain)
     count = draw(st.integers(kind.least_points, min(kind.most_points, 7)))
     points = tuple(
         WorldPoint(f"{identity}p{i}" if identity else "", draw(coordinates), draw(coordinates))
         for i in range(count)
     )
-    more: dict[str, Any] = {}
+    more: dict[str, Any] = {"transforms": chain}
     if kind is Polyline:
         more["closed"] = draw(st.booleans())
     elif kind is Circle:
@@ -75,6 +90,38 @@ def figures(draw: st.DrawFn, identity: str = "") -> AnyFigure:
 
 
 @st.composite
+def views(draw: st.DrawFn, identity: str, width: int, height: int) -> View:
+    viewport = draw(st.just(whole_sheet(width, height)) | rectangles())
+    clip = draw(st.none() | rectangles())
+    return View(identity, draw(rectangles()), viewport, draw(names), clip, draw(st.sampled_from(MODES)))
+
+
+@st.composite
+def links(draw: st.DrawFn, identity: str = "") -> AnyLink:
+    """A link of any kind, with any numbers but those that would make a long chain too large."""
+    kind = draw(st.sampled_from([Translate, Rotate, Scale, Reflect, Shear, Affine]))
+    values = {name: draw(_numbers_of_links(name)) for name in numbers_of(kind)}
+    if kind is Reflect:
+        values["mirror"] = draw(st.sampled_from(MIRRORS))
+    link: AnyLink = kind(identity, draw(st.integers(0, 4)) > 0, **values)
+    return link
+
+
+def _numbers_of_links(name: str) -> st.SearchStrategy[Any]:
+    if name == "angle":
+        return st.floats(-720, 720) | st.integers(-8, 8).map(lambda k: 45.0 * k)
+    small = name.startswith(("s", "m")) and name not in ("m13", "m23")
+    return st.floats(-4, 4) | st.integers(-2, 2).map(float) if small else st.integers(-60, 60).map(float)
+
+
+@st.composite
+def chains(draw: st.DrawFn, identity: str = "", most: int = 4) -> tuple[AnyLink, ...]:
+    """A chain of no link to ``most``, without ids or with such as end in t and a number."""
+    count = draw(st.integers(0, most))
+    return tuple(draw(links(f"{identity}t{k}" if identity else "")) for k in range(count))
+
+
+@st.composite
 def documents(draw: st.DrawFn) -> Document:
     sheets = []
     for s in range(draw(st.integers(1, 2))):
@@ -85,12 +132,10 @@ def documents(draw: st.DrawFn) -> Document:
                 draw(names),
                 width,
                 height,
-                draw(rectangles()),
-                draw(st.just(whole_sheet(width, height)) | rectangles()),
+                tuple(draw(views(f"s{s}v{v}-", width, height)) for v in range(draw(st.integers(1, 2)))),
                 draw(palettes),
                 tuple(draw(figures(f"s{s}f{f}-")) for f in range(draw(st.integers(0, 3)))),
                 draw(st.integers(0, 2)),
-                draw(st.none() | rectangles()),
                 draw(st.sampled_from(LINE_CLIPPERS)),
                 draw(st.sampled_from(POLYGON_CLIPPERS)),
             )
@@ -105,7 +150,7 @@ def sound_edits(draw: st.DrawFn, document: Document) -> edits.Edit:
     if sheet.figures and draw(st.integers(0, 3)):
         return draw(_edits_of_a_figure(sheet, draw(st.sampled_from(sheet.figures))))
     size = st.integers(1, 200)
-    here = st.just(sheet.id)
+    here, view = st.just(sheet.id), st.sampled_from([view.id for view in sheet.views])
     # Made only when drawn: to make a strategy takes longer than to draw from it.
     choices: list[Callable[[], st.SearchStrategy[edits.Edit]]] = [
         lambda: st.builds(edits.add_figure, here, figures()),
@@ -114,10 +159,17 @@ def sound_edits(draw: st.DrawFn, document: Document) -> edits.Edit:
         lambda: st.builds(edits.rename_sheet, here, names),
         lambda: st.builds(edits.reorder_sheet, here, st.integers(0, len(document.sheets) - 1)),
         lambda: st.builds(edits.set_sheet_size, here, size, size),
-        lambda: st.builds(edits.set_window, here, rectangles()),
-        lambda: st.builds(edits.set_viewport, here, rectangles()),
+        lambda: st.builds(edits.set_window, view, rectangles()),
+        lambda: st.builds(edits.set_viewport, view, rectangles()),
+        lambda: st.builds(edits.set_mode, view, st.sampled_from(MODES)),
+        lambda: st.builds(edits.rename_view, view, names),
+        lambda: st.builds(edits.remove_view, view),
+        lambda: st.builds(edits.reorder_view, view, st.integers(0, len(sheet.views) - 1)),
+        lambda: st.builds(edits.add_view, here, views("", 40, 30)),
+        lambda: st.builds(edits.pan, view, coordinates, coordinates),
+        lambda: st.builds(edits.zoom, view, st.floats(0.01, 100), coordinates, coordinates),
         lambda: st.builds(edits.set_palette, here, palettes),
-        lambda: st.builds(edits.set_clip, here, st.none() | rectangles()),
+        lambda: st.builds(edits.set_clip, view, st.none() | rectangles()),
         lambda: st.builds(edits.set_clippers, here, st.sampled_from(LINE_CLIPPERS)),
     ]
     return draw(draw(st.sampled_from(choices))())

@@ -93,7 +93,17 @@ def test_changed_names_what_differs_and_nothing_else(data: st.DataObject, old: D
     assert different <= told
     # Whatever else is told is a list's order or something that came or went.
     for address in told - different:
-        lists = ("sheets", "figures", "points_world", "palette", "ring_ends", "knots", "beside")
+        lists = (
+            "sheets",
+            "figures",
+            "points_world",
+            "palette",
+            "ring_ends",
+            "knots",
+            "beside",
+            "views",
+            "transforms",
+        )
         assert address.attribute in ("*", "clip_world", *lists)
     for address in before.keys() ^ after.keys():
         assert any(

@@ -41,8 +41,8 @@ def test_numbers_that_are_none_are_refused_with_their_field(value: Any) -> None:
     tried = {
         edits.move_points({"s1/f1/p1/x": (value, 1.0)}): "sheets[0].figures[0].points_world[0].x",
         edits.move_points({"s1/f1/p1/y": (1.0, value)}): "sheets[0].figures[0].points_world[0].y",
-        edits.set_window("s1", Rectangle(value, 0.0, 1.0, 1.0)): "sheets[0].window_world.xmin",
-        edits.set_viewport("s1", Rectangle(0.0, 0.0, 1.0, value)): "sheets[0].viewport_device.ymax",
+        edits.set_window("v1", Rectangle(value, 0.0, 1.0, 1.0)): "sheets[0].views[0].window_world.xmin",
+        edits.set_viewport("v1", Rectangle(0.0, 0.0, 1.0, value)): "sheets[0].views[0].viewport_device.ymax",
         edits.set_sheet_size("s1", value, 10): "sheets[0].width_px",
     }
     for edit, field in tried.items():
@@ -51,7 +51,7 @@ def test_numbers_that_are_none_are_refused_with_their_field(value: Any) -> None:
         assert refusal.value.field == field
         assert str(refusal.value).startswith(field)
     others = [edits.move_figures(["f1"], value, 0.0), edits.duplicate_figures(["f1"], 0.0, value)]
-    for address in ("s1/f1/radius_world", "s1/f1/p1/x", "s1/f3/radius_x_world", "s1/window_world.xmin"):
+    for address in ("s1/f1/radius_world", "s1/f1/p1/x", "s1/f3/radius_x_world", "s1/v1/window_world.xmin"):
         others.append(edits.set_attribute(address, value))
     for edit in others:
         with pytest.raises(DocumentError):
@@ -71,8 +71,8 @@ def test_numbers_that_are_none_are_refused_with_their_field(value: Any) -> None:
         (edits.set_sheet_size("s1", 4097, 10), "sheets[0].width_px"),
         (edits.set_sheet_size("s1", 10, 0), "sheets[0].height_px"),
         (edits.set_sheet_size("s1", -10, 10), "sheets[0].width_px"),
-        (edits.set_window("s1", Rectangle(4.0, 0.0, 4.0, 1.0)), "sheets[0].window_world"),
-        (edits.set_viewport("s1", Rectangle(4.0, 3.0, 5.0, 1.0)), "sheets[0].viewport_device"),
+        (edits.set_window("v1", Rectangle(4.0, 0.0, 4.0, 1.0)), "sheets[0].views[0].window_world"),
+        (edits.set_viewport("v1", Rectangle(4.0, 3.0, 5.0, 1.0)), "sheets[0].views[0].viewport_device"),
         (edits.set_palette("s1", [0, 1, 2]), "sheets[0].figures[1].colour"),
         (edits.set_palette("s1", [0] * 7 + [-1]), "sheets[0].palette[7]"),
         (edits.set_palette("s1", [0]), "sheets[0].palette"),
@@ -150,15 +150,15 @@ def test_several_figures_are_moved_and_copied_at_once() -> None:
 
 def test_a_sheet_keeps_its_scale_when_it_grows() -> None:
     grown = edits.set_sheet_size("s1", 80, 14)(example_document()).sheets[0]
-    assert grown.viewport_device == Rectangle(-0.5, -0.5, 79.5, 13.5)
-    assert grown.window_world == Rectangle(-0.5, -0.5, 79.5, 13.5)
+    assert grown.first_view.viewport_device == Rectangle(-0.5, -0.5, 79.5, 13.5)
+    assert grown.first_view.window_world == Rectangle(-0.5, -0.5, 79.5, 13.5)
 
 
 def test_a_viewport_of_its_own_stays_when_the_sheet_grows() -> None:
-    small = edits.set_viewport("s1", Rectangle(2.0, 2.0, 10.0, 10.0))(example_document())
+    small = edits.set_viewport("v1", Rectangle(2.0, 2.0, 10.0, 10.0))(example_document())
     grown = edits.set_sheet_size("s1", 80, 14)(small).sheets[0]
-    assert grown.viewport_device == Rectangle(2.0, 2.0, 10.0, 10.0)
-    assert grown.window_world == small.sheets[0].window_world
+    assert grown.first_view.viewport_device == Rectangle(2.0, 2.0, 10.0, 10.0)
+    assert grown.first_view.window_world == small.sheets[0].first_view.window_world
 
 
 def test_a_sheet_that_is_added_again_gets_ids_of_its_own() -> None:
@@ -207,11 +207,11 @@ def test_a_ring_of_two_corners_is_refused() -> None:
 
 
 def test_a_clip_window_without_area_is_refused() -> None:
-    document = edits.set_clip("s1", Rectangle(0, 0, 30, 20))(blank_sheet())
-    assert document.sheets[0].clip_world == Rectangle(0.0, 0.0, 30.0, 20.0)
+    document = edits.set_clip("v1", Rectangle(0, 0, 30, 20))(blank_sheet())
+    assert document.sheets[0].first_view.clip_world == Rectangle(0.0, 0.0, 30.0, 20.0)
     with pytest.raises(DocumentError, match="clip_world has no width"):
-        edits.set_clip("s1", Rectangle(4, 0, 4, 20))(document)
-    assert edits.set_clip("s1", None)(document) == blank_sheet()
+        edits.set_clip("v1", Rectangle(4, 0, 4, 20))(document)
+    assert edits.set_clip("v1", None)(document) == blank_sheet()
     with pytest.raises(DocumentError, match="line_clipper"):
         edits.set_clippers("s1", line="bresenham_line")(document)
 

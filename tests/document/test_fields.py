@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
+from tests.document.views import seen_through
 from workbench.document import DocumentError, Stored, edits
 from workbench.document.addresses import changed, declared_at, parse, resolve
 from workbench.document.check import check
@@ -65,9 +66,8 @@ def everything() -> Document:
         ),
         Curve("f8", tuple(replace(p, id=f"d{k}") for k, p in enumerate(controls)), "bresenham_line"),
     )
-    sheet = replace(
-        blank_sheet().sheets[0], figures=figures, clip_world=Rectangle(0.0, 0.0, 5.0, 5.0), palette=(0, 1, 2)
-    )
+    seen = seen_through(blank_sheet().sheets[0], clip_world=Rectangle(0.0, 0.0, 5.0, 5.0))
+    sheet = replace(seen, figures=figures, palette=(0, 1, 2))
     return check(Document((sheet,)))
 
 

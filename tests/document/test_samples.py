@@ -23,7 +23,7 @@ def test_the_first_picture_is_the_line_of_the_course() -> None:
     assert [(p.x, p.y) for p in line.points_world] == [(20, 10), (30, 18)]
     assert line.algorithm == "bresenham_line"
     assert (sheet.width_px, sheet.height_px) == (40, 28)
-    assert sheet.window_world == sheet.viewport_device
+    assert sheet.first_view.window_world == sheet.first_view.viewport_device
 
 
 def test_a_blank_sheet_is_blank() -> None:

@@ -12,7 +12,18 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.curves import bezier_point
 from workbench.document.curves.pieces import pieces_of
-from workbench.document.model import Circle, Curve, Ellipse, Line, Polygon, Polyline, Rectangle, Sheet
+from workbench.document.model import (
+    Circle,
+    Curve,
+    Ellipse,
+    Line,
+    Polygon,
+    Polyline,
+    Rectangle,
+    Sheet,
+    View,
+    whole_sheet,
+)
 from workbench.exchange.svg_paths import SvgError, read_svg
 
 Array = NDArray[np.float64]
@@ -22,8 +33,7 @@ SHEET = Sheet(
     "sheet",
     100,
     100,
-    Rectangle(0, 0, 100, 100),
-    Rectangle(-0.5, -0.5, 99.5, 99.5),
+    (View("v1", Rectangle(0, 0, 100, 100), whole_sheet(100, 100)),),
     (0xFFFFFF, 0, 0xFF0000),
 )
 

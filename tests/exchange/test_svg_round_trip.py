@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from tests.curves.made_curves import knot_vectors
+from tests.document.views import seen_through
 from workbench.document.building import without_ids
 from workbench.document.curves.pieces import fault_of, pieces_of
 from workbench.document.model import (
@@ -28,7 +29,9 @@ from workbench.document.model import (
     Rectangle,
     SeedFill,
     Sheet,
+    View,
     WorldPoint,
+    whole_sheet,
 )
 from workbench.exchange.svg_paths import read_svg, write_svg
 
@@ -36,7 +39,8 @@ PALETTE = (0xFFFFFF, 0x000000, 0xCC3300, 0x0055AA)
 
 
 def sheet_with(*figures: Any, window: Rectangle = Rectangle(-20, -10, 180, 90)) -> Sheet:  # noqa: B008
-    return Sheet("s1", "sheet", 200, 100, window, Rectangle(-0.5, -0.5, 199.5, 99.5), PALETTE, tuple(figures))
+    view = View("v1", window, whole_sheet(200, 100))
+    return Sheet("s1", "sheet", 200, 100, (view,), PALETTE, tuple(figures))
 
 
 def bare(text: str) -> str:
@@ -200,7 +204,7 @@ def test_a_window_of_another_size_takes_the_picture_whole() -> None:
 
 
 def test_the_clip_window_is_kept_for_other_programs() -> None:
-    sheet = replace(sheet_with(nurbs()), clip_world=Rectangle(0, 0, 10, 20))
+    sheet = seen_through(sheet_with(nurbs()), clip_world=Rectangle(0, 0, 10, 20))
     text = write_svg(sheet).text
     assert '<rect x="0" y="-20" width="10" height="20"/>' in text
     assert read_svg(text, sheet).figures == (without_ids(nurbs()),)

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from tests.document.curves.made_curves import curves as made_curves
+from tests.document.views import seen_through
 from workbench.algorithms import catalogue
 from workbench.algorithms import curves as algorithms
 from workbench.algorithms.lines.wu import wu_line
@@ -131,13 +132,16 @@ def sheets(draw: st.DrawFn) -> Sheet:
     whole = (-0.5, -0.5, 59.5, 39.5)
     window = draw(st.sampled_from([whole, (0.0, 0.0, 100.0, 40.0), (-3.0, 2.0, 30.0, 33.0)]))
     viewport = draw(st.sampled_from([whole, (4.5, 3.0, 50.2, 36.0)]))
+    sheet = seen_through(
+        sheet,
+        window_world=Rectangle(*window),
+        viewport_device=Rectangle(*viewport),
+        clip_world=draw(st.none() | st.just(Rectangle(10.0, 5.0, 45.5, 30.0))),
+    )
     return replace(
         sheet,
         palette=tuple(draw(st.lists(st.integers(0, 0xFFFFFF), min_size=2, max_size=4))),
         background=draw(st.integers(0, 1)),
-        window_world=Rectangle(*window),
-        viewport_device=Rectangle(*viewport),
-        clip_world=draw(st.none() | st.just(Rectangle(10.0, 5.0, 45.5, 30.0))),
         line_clipper=draw(st.sampled_from(LINE_CLIPPERS)),
     )
 

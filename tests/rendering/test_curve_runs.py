@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from msgspec.structs import replace
 
 from tests.document.curves.made_curves import curves
+from tests.document.views import seen_through
 from workbench.algorithms.curves import piece_points
 from workbench.algorithms.marks import Spot, Stroke
 from workbench.document.curves import edits as curve_edits
@@ -29,7 +29,7 @@ from workbench.rendering.why_steps import why_steps
 
 def sheet_with(*figures: Curve) -> Sheet:
     sheet = document_of("Curve", 80, 60, figures).sheets[0]
-    return replace(sheet, window_world=Rectangle(-100.0, -120.0, 100.0, 80.0))
+    return seen_through(sheet, window_world=Rectangle(-100.0, -120.0, 100.0, 80.0))
 
 
 @settings(max_examples=150)

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from msgspec.structs import replace
 
+from tests.document.views import seen_through
 from tests.rendering.test_frame_buffer import line, points, sheet
 from workbench.document.model import Circle, Ellipse, Polyline, Rectangle, SeedFill
 from workbench.rendering import display_list, unshown
@@ -54,7 +54,7 @@ def test_a_circle_has_as_many_strokes_as_there_is_room_for(
     radius: float, viewport: float, window: float
 ) -> None:
     circle = Circle("c", points((radius, 0)), "midpoint_circle", radius_world=radius)
-    large = replace(
+    large = seen_through(
         sheet(circle, window=(-window, -window, window, window)),
         viewport_device=Rectangle(-viewport, -viewport, viewport, viewport),
     )

@@ -17,6 +17,7 @@ from workbench.document.model import (
     Rectangle,
     SeedFill,
     Sheet,
+    View,
     WorldPoint,
 )
 from workbench.document.samples.examples import example
@@ -32,9 +33,8 @@ def sheet(
     viewport: tuple[float, float, float, float] | None = None,
 ) -> Sheet:
     whole = (-0.5, -0.5, size[0] - 0.5, size[1] - 0.5)
-    return Sheet(
-        "s1", "a", *size, Rectangle(*(window or whole)), Rectangle(*(viewport or whole)), PALETTE, figures
-    )
+    view = View("v1", Rectangle(*(window or whole)), Rectangle(*(viewport or whole)))
+    return Sheet("s1", "a", *size, (view,), PALETTE, figures)
 
 
 def points(*places: tuple[float, float]) -> tuple[WorldPoint, ...]:

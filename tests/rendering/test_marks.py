@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from msgspec.structs import replace
 
+from tests.document.views import seen_through
 from workbench.algorithms import catalogue
 from workbench.algorithms.marks import Frame, Ray, Region, Spot, Stroke, Word
 from workbench.document.model import Polygon, Rectangle, Sheet
@@ -17,7 +17,7 @@ from workbench.rendering.marks import on_device
 
 def sheet() -> Sheet:
     made = document_of("Marks", 40, 20, []).sheets[0]
-    return replace(made, window_world=Rectangle(0.0, 0.0, 80.0, 80.0))
+    return seen_through(made, window_world=Rectangle(0.0, 0.0, 80.0, 80.0))
 
 
 ALL = (
@@ -92,5 +92,5 @@ def test_a_verdict_draws_the_crossings_that_the_test_counts() -> None:
     (ray,) = [mark for mark in found.marks if isinstance(mark, Stroke)]
     assert ray.points[0].tolist() == [25.0, 20.0]
     assert ray.points[1, 0] >= star.width_px - 0.5
-    nothing_left = replace(star, clip_world=Rectangle(-90.0, -90.0, -80.0, -80.0))
+    nothing_left = seen_through(star, clip_world=Rectangle(-90.0, -90.0, -80.0, -80.0))
     assert verdict(nothing_left, polygon, 25.0, 20.0) is None

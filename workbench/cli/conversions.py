@@ -14,7 +14,6 @@ from workbench.cli import outputs
 from workbench.cli.failure import BadInputError
 from workbench.document import DocumentError, Stored
 from workbench.document.model import (
-    MAX_COORDINATE,
     MAX_SIDE_PX,
     WEIGHTS,
     AnyFigure,
@@ -22,9 +21,11 @@ from workbench.document.model import (
     Rectangle,
     Sheet,
 )
+from workbench.document.numbers import MAX_COORDINATE
 from workbench.document.samples.figures import document_of
 from workbench.document.storage.content import decoded, read_content, read_text
 from workbench.document.storage.files import MAX_BYTES, decode
+from workbench.document.view_edits import set_window
 from workbench.exchange.readable import SUFFIXES, kind_of
 from workbench.language import _
 
@@ -154,12 +155,13 @@ def _from_points(
 
 
 def _blank(window: Rectangle, sides: tuple[int, int]) -> Sheet:
-    return replace(document_of("", *sides, ()).sheets[0], window_world=window)
+    document = document_of("", *sides, ())
+    return set_window(document.sheets[0].first_view.id, window)(document).sheets[0]
 
 
 def _filled(source: Path, sheet: Sheet, figures: Sequence[AnyFigure]) -> Document:
     made = document_of(source.stem[:200], sheet.width_px, sheet.height_px, figures)
-    return replace(made, sheets=(replace(made.sheets[0], window_world=sheet.window_world),))
+    return set_window(made.sheets[0].first_view.id, sheet.first_view.window_world)(made)
 
 
 def _pixels(stated: tuple[float, float], window: Rectangle) -> tuple[int, int]:

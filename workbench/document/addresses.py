@@ -1,8 +1,9 @@
 """Addresses of attributes: they name sheet, figure and point by id, and so survive every edit of the others.
 
-As text: ``s1/width_px``, ``s1/window_world.xmin``, ``s1/palette.2``, ``s1/f2/radius_world``, ``s1/f2/p3/x``.
-``*`` in place of the attribute means the whole sheet, figure or point; ``sheets``, ``s1/figures`` and
-``s1/f2/points_world`` mean what is in the list and in which order.
+As text: ``s1/width_px``, ``s1/palette.2``, ``s1/v3/window_world.xmin``, ``s1/f2/radius_world``,
+``s1/f2/p3/x``, ``s1/f2/t4/angle``. A view of a sheet stands where a figure does, a knot or a link of a
+figure's chain where a point does. ``*`` in place of the attribute means the whole sheet, figure or point;
+``sheets``, ``s1/figures`` and ``s1/f2/points_world`` mean what is in the list and in which order.
 """
 
 from collections.abc import Collection
@@ -14,14 +15,18 @@ import msgspec
 from workbench.document.differences import between
 from workbench.document.errors import DocumentError
 from workbench.document.fields import Field, fields_of, parts_of
-from workbench.document.model import AnyFigure, Document, Knot, Sheet, WorldPoint, number_of
+from workbench.document.model import AnyFigure, Document, Knot, Sheet, View, WorldPoint, number_of
+from workbench.document.transforms.links import AnyLink
 from workbench.language import _
 
 WHOLE = "*"
 
 
 class Address(msgspec.Struct, frozen=True, order=True):
-    """Where an attribute is: sheet, figure and point by id (empty where it lies further up), and its name."""
+    """Where an attribute is: sheet, figure (or view) and point (or knot, or link) by id, and its name.
+
+    An id is empty where the attribute lies further up.
+    """
 
     sheet: str = ""
     figure: str = ""
@@ -92,13 +97,24 @@ def point_with(figure: AnyFigure, point: str) -> WorldPoint:
     )
 
 
-def part_with(figure: AnyFigure, part: str) -> WorldPoint | Knot:
-    """The control point or knot of ``figure`` with this id; raises DocumentError."""
+def view_with(document: Document, view: str) -> tuple[Sheet, View]:
+    """The view with this id and the sheet it is of; raises DocumentError."""
+    for sheet in document.sheets:
+        for candidate in sheet.views:
+            if candidate.id == view:
+                return sheet, candidate
+    raise DocumentError(view, _("There is no view {id!r}; it may have been removed.").format(id=view))
+
+
+def part_with(figure: AnyFigure, part: str) -> WorldPoint | Knot | AnyLink:
+    """The control point, knot or link of ``figure`` with this id; raises DocumentError."""
     candidate = next((candidate for candidate in figure.parts if candidate.id == part), None)
     return point_with(figure, part) if candidate is None else candidate
 
 
-def owner(document: Document, address: Address) -> Document | Sheet | AnyFigure | WorldPoint | Knot:
+def owner(
+    document: Document, address: Address
+) -> Document | Sheet | View | AnyFigure | WorldPoint | Knot | AnyLink:
     """What the attribute of ``address`` belongs to; raises DocumentError."""
     if not address.sheet:
         return document
@@ -108,6 +124,9 @@ def owner(document: Document, address: Address) -> Document | Sheet | AnyFigure 
     for figure in sheet.figures:
         if figure.id == address.figure:
             return part_with(figure, address.point) if address.point else figure
+    for view in sheet.views:
+        if view.id == address.figure and not address.point:
+            return view
     raise DocumentError(
         str(address),
         _("{address}: there is no such figure; it may have been removed.").format(address=address),
@@ -211,7 +230,8 @@ def highest(document: Document) -> int:
     """The highest number that an id in ``document`` ends in; each figure looks for its own only once."""
     sheets = document.sheets
     figures = [max(map(attrgetter("highest"), sheet.figures), default=0) for sheet in sheets]
-    return max(*figures, *(number_of(sheet.id) for sheet in sheets))
+    own = [number_of(name) for sheet in sheets for name in (sheet.id, *(view.id for view in sheet.views))]
+    return max(*figures, *own)
 
 
 def new_ids(document: Document, prefix: str, count: int) -> list[str]:

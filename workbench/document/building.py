@@ -7,21 +7,24 @@ from itertools import chain
 from typing import Any, ParamSpec, SupportsFloat, SupportsIndex, TypeVar
 
 import msgspec
+import numpy as np
 from msgspec.structs import replace
 
-from workbench.document.addresses import Address, figure_with, highest, new_ids
+from workbench.document.addresses import Address, figure_with, highest, new_ids, view_with
 from workbench.document.check import check, shown
 from workbench.document.errors import DocumentError
 from workbench.document.fields import Choice, Number, fields_of, once_per_type, parts_of
 from workbench.document.model import (
-    COORDINATE,
     AnyFigure,
     Document,
     Polygon,
     Polyline,
     Sheet,
+    View,
     WorldPoint,
 )
+from workbench.document.numbers import COORDINATE
+from workbench.document.transforms.chains import read_only_reason
 from workbench.language import _
 
 Edit = Callable[[Document], Document]
@@ -62,12 +65,20 @@ def foreseen(edit: Edit, document: Document) -> Edit:
 
 def ids_on(sheet: Sheet) -> list[str]:
     """Every id on ``sheet``, its own first."""
-    return [sheet.id, *chain.from_iterable(map(operator.attrgetter("ids"), sheet.figures))]
+    own = [sheet.id, *(view.id for view in sheet.views)]
+    return [*own, *chain.from_iterable(map(operator.attrgetter("ids"), sheet.figures))]
 
 
 def with_sheet(document: Document, sheet: Sheet) -> Document:
     """``document`` with ``sheet`` in place of the one that has its id."""
     return replace(document, sheets=tuple(sheet if old.id == sheet.id else old for old in document.sheets))
+
+
+def with_view(document: Document, view: View) -> Document:
+    """``document`` with ``view`` in place of the one that has its id."""
+    sheet = view_with(document, view.id)[0]
+    views = tuple(view if old.id == view.id else old for old in sheet.views)
+    return with_sheet(document, replace(sheet, views=views))
 
 
 def with_figures(document: Document, sheet: Sheet, figures: tuple[AnyFigure, ...]) -> Document:
@@ -86,13 +97,15 @@ def with_changed(document: Document, figures: Iterable[AnyFigure]) -> Document:
 
 
 def with_owner(document: Document, where: Address, changed: Any) -> Document:
-    """``document`` with ``changed`` in place of the sheet, figure or point that ``where`` is on."""
+    """``document`` with ``changed`` in place of what the attribute ``where`` belongs to."""
     if where.point:
         figure = figure_with(document, where.figure)[1]
         lists = _of_parts(figure, lambda old: changed if old.id == where.point else old)
         return with_changed(document, [replace(figure, **lists)])
     if where.figure:
-        return with_changed(document, [changed])
+        return (
+            with_view(document, changed) if isinstance(changed, View) else with_changed(document, [changed])
+        )
     return with_sheet(document, changed)
 
 
@@ -120,7 +133,7 @@ def numbered(document: Document, figure: AnyFigure) -> AnyFigure:
 
 
 def with_ids(figure: AnyFigure, own: Iterator[object], parts: Iterator[object]) -> AnyFigure:
-    """``figure`` with ids where they are empty: numbers from ``own``, for points and knots from ``parts``."""
+    """``figure`` with ids where they are empty: numbers from ``own``, for its parts from ``parts``."""
     identity = figure.id or f"{figure.letter}{next(own)}"
     return replace(figure, id=identity, **_of_parts(figure, lambda part: _with_id(part, parts)))
 
@@ -147,8 +160,15 @@ def without_ids(figure: AnyFigure) -> AnyFigure:
 
 
 def moved_by(figure: AnyFigure, dx: float, dy: float) -> AnyFigure:
-    """``figure`` with every control point moved by (dx, dy), world; raises DocumentError."""
+    """``figure`` moved by (dx, dy), world: its control points by what its chain makes that of.
+
+    Raises: DocumentError, also where the chain cannot be undone.
+    """
     dx, dy = like(COORDINATE, dx, "dx_world"), like(COORDINATE, dy, "dy_world")
+    if figure.matrix is not None:
+        if reason := read_only_reason(figure):
+            raise DocumentError(figure.id, reason)
+        dx, dy = np.linalg.solve(figure.matrix[:2, :2], (dx, dy)).tolist()
     points = tuple(replace(p, x=p.x + dx, y=p.y + dy) for p in figure.points_world)
     return replace(figure, points_world=points)
 

@@ -38,11 +38,14 @@ from workbench.document.model import (
     Rectangle,
     Sheet,
 )
+from workbench.document.transforms.chains import LARGEST
 from workbench.language import _, ngettext
 
 MIN_EXTENT = 1e-6
 MAX_SHEETS = 1_000
 MAX_FIGURES = 100_000
+MAX_VIEWS = 64
+MAX_LINKS = 200
 MAX_NAME = 200
 RING_LEAST = 3
 
@@ -59,6 +62,10 @@ def labels() -> dict[str, str]:
     kinds = structs_in(Document)
     numbers = {name: number.label for kind in kinds for name, number in numbers_of(kind).items()}
     return numbers | {
+        "views": _("list of views"),
+        "mode": _("mode"),
+        "mirror": _("mirror"),
+        "transforms": _("chain of transforms"),
         "window_world": _("window"),
         "viewport_device": _("viewport"),
         "algorithm": _("algorithm"),
@@ -142,6 +149,8 @@ def _limits(kind: type, name: str) -> tuple[int, float, str]:
     return {
         "sheets": (1, MAX_SHEETS, _("sheet")),
         "figures": (0, MAX_FIGURES, _("figure")),
+        "views": (1, MAX_VIEWS, _("view")),
+        "transforms": (0, MAX_LINKS, _("transform")),
         "palette": (2, MAX_PALETTE, _("colour")),
     }.get(name, (0, math.inf, ""))
 
@@ -297,6 +306,14 @@ def _held_colours(sheet: Sheet, before: Sheet | None) -> Fault | None:
     return None
 
 
+def _chain(figure: AnyFigure, _before: Any) -> Fault | None:
+    """What a chain makes of any point can still be drawn."""
+    if figure.matrix is None or abs(figure.matrix).max() <= LARGEST:
+        return None
+    problem = _("has a matrix with numbers beyond {most:g}; make a scale factor or a shear smaller")
+    return "transforms", problem.format(most=LARGEST)
+
+
 def _rings(polygon: Polygon, _before: Any) -> Fault | None:
     start, last = 0, len(polygon.points_world)
     for index, end in enumerate(polygon.ring_ends):
@@ -343,7 +360,7 @@ def _extent(rectangle: Rectangle, _before: Any) -> Fault | None:
 
 _LAWS: dict[type, tuple[Callable[[Any, Any], Fault | None], ...]] = {
     Sheet: (_held_colours,),
-    Figure: (_drawable,),
+    Figure: (_drawable, _chain),
     Polygon: (_rings,),
     Curve: (_knots,),
     Rectangle: (_extent,),

@@ -51,12 +51,22 @@ from workbench.document.sheet_edits import (
     remove_sheet,
     rename_sheet,
     reorder_sheet,
-    set_clip,
     set_clippers,
     set_palette,
     set_sheet_size,
+)
+from workbench.document.transforms.chains import is_singular
+from workbench.document.view_edits import (
+    add_view,
+    pan,
+    remove_view,
+    rename_view,
+    reorder_view,
+    set_clip,
+    set_mode,
     set_viewport,
     set_window,
+    zoom,
 )
 from workbench.language import _
 
@@ -66,28 +76,35 @@ __all__ = [
     "add_figures",
     "add_ring",
     "add_sheet",
+    "add_view",
     "both",
     "duplicate_figures",
     "insert_point",
     "move_figures",
     "move_points",
+    "pan",
     "remove_figures",
     "remove_point",
     "remove_sheet",
+    "remove_view",
     "rename_figure",
     "rename_sheet",
+    "rename_view",
     "reorder",
     "reorder_sheet",
+    "reorder_view",
     "set_algorithm",
     "set_attribute",
     "set_attributes",
     "set_clip",
     "set_clippers",
     "set_closed",
+    "set_mode",
     "set_palette",
     "set_sheet_size",
     "set_viewport",
     "set_window",
+    "zoom",
 ]
 
 
@@ -134,13 +151,18 @@ def remove_figures(figures: Iterable[str]) -> Edit:
 
 @checked
 def duplicate_figures(figures: Iterable[str], dx_world: float = 1.0, dy_world: float = -1.0) -> Edit:
-    """Put a copy of each figure right in front of it, moved by (dx, dy); the copies get ids of their own."""
+    """Put a copy of each figure right in front of it, moved by (dx, dy); the copies get ids of their own.
+
+    A figure that its transforms flatten is not moved.
+    """
     wanted = tuple(dict.fromkeys(figures))
 
     def edit(document: Document) -> Document:
         for identity in wanted:
             sheet, figure = figure_with(document, identity)
-            copy = numbered(document, moved_by(without_ids(figure), dx_world, dy_world))
+            bare = without_ids(figure)
+            shifted = bare if is_singular(figure.matrix) else moved_by(bare, dx_world, dy_world)
+            copy = numbered(document, shifted)
             at = sheet.figures.index(figure) + 1
             document = with_figures(document, sheet, (*sheet.figures[:at], copy, *sheet.figures[at:]))
         return document
@@ -163,7 +185,7 @@ def reorder(figure: str, index: int) -> Edit:
 
 @checked
 def move_points(points: Mapping[Address | str, tuple[float, float]]) -> Edit:
-    """Put control points to world coordinates; an address names its point, whatever its attribute.
+    """Put control points to coordinates before the chain; an address names its point, whatever its attribute.
 
     On a curve that is a path, handles follow as in ``curve_edits.move_curve_points``.
     """
@@ -193,7 +215,7 @@ def move_points(points: Mapping[Address | str, tuple[float, float]]) -> Edit:
 
 @checked
 def move_figures(figures: Iterable[str], dx_world: float, dy_world: float) -> Edit:
-    """Move every control point of these figures by (dx, dy)."""
+    """Move these figures by (dx, dy): their control points by what takes them there through their chains."""
     wanted = tuple(dict.fromkeys(figures))
 
     def edit(document: Document) -> Document:

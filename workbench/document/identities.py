@@ -16,6 +16,7 @@ _ID = re.compile(r"(?!.*[0-9]{16}$)[A-Za-z][A-Za-z0-9_-]{0,31}")
 def _all_ids(sheets: Iterable[Sheet]) -> Iterator[str]:
     for sheet in sheets:
         yield sheet.id
+        yield from map(attrgetter("id"), sheet.views)
         yield from chain.from_iterable(map(attrgetter("ids"), sheet.figures))
 
 
@@ -41,6 +42,9 @@ def new_ids_sound(before: Document, document: Document) -> bool:
             come += _all_ids([sheet])
         elif old is not sheet:
             _exchanged(old.figures, sheet.figures, gone, come)
+            if old.views is not sheet.views:
+                gone += map(attrgetter("id"), old.views)
+                come += map(attrgetter("id"), sheet.views)
     gone += _all_ids(sheets.values())
     new = set(come).difference(gone)
     if len(set(come)) != len(come) or not are_ids(new):

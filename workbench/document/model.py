@@ -13,9 +13,11 @@ import msgspec
 
 from workbench.algorithms.catalogue import drawing
 from workbench.document.fields import Choice, Number, parts_of
+from workbench.document.numbers import MAX_COORDINATE, coordinate
+from workbench.document.transforms.chains import Transformed
+from workbench.document.transforms.links import AnyLink
 from workbench.language import _
 
-MAX_COORDINATE = 1_000_000.0
 MAX_SIDE_PX = 4096
 MAX_PALETTE = 256
 MAX_DEGREE = 7
@@ -29,21 +31,6 @@ def number_of(identity: str) -> int:
     """The number that an id ends in; 0 where it ends in none."""
     number = _NUMBER.search(identity)
     return int(number.group()) if number else 0
-
-
-def coordinate(label: str, symbol: str = "", unit: str = "world") -> Number:
-    """A number that may be negative, as large as pictures have use for."""
-    return Number(
-        label=label,
-        symbol=symbol or label,
-        low=-MAX_COORDINATE,
-        high=MAX_COORDINATE,
-        unit=unit,
-        keyed=True,
-    )
-
-
-COORDINATE = coordinate("x")
 
 
 def _radius(label: str, symbol: str) -> Number:
@@ -87,18 +74,19 @@ def whole_sheet(width_px: int, height_px: int) -> Rectangle:
 
 
 class Figure(
-    msgspec.Struct,
+    Transformed,
     frozen=True,
     forbid_unknown_fields=True,
+    omit_defaults=True,
     tag_field="kind",
     cache_hash=True,
-    dict=True,  # where the cached properties are kept
 ):
     """What all figures share. ``colour`` is a palette index of the sheet, ``algorithm`` a catalogue slug.
 
     ``algorithms`` are the slugs that can draw this kind of figure, as the catalogue has them, the first one
     new figures get; ``least_points`` and ``most_points`` bound the number of its control points. A slug that
-    the catalogue does not have is kept: a newer program may have written it.
+    the catalogue does not have is kept: a newer program may have written it. ``transforms`` is a chain whose
+    first link acts first on the points; it is drawn where the chain takes them.
     """
 
     letter: ClassVar[str] = "f"
@@ -125,10 +113,10 @@ class Figure(
         return max(map(number_of, self.ids))
 
     @property
-    def parts(self) -> "tuple[WorldPoint | Knot, ...]":
+    def parts(self) -> "tuple[WorldPoint | Knot | AnyLink, ...]":
         """What in it has an id."""
-        first, *others = [getattr(self, name) for name in parts_of(type(self))]
-        return (*first, *chain.from_iterable(others)) if others else first
+        lists = [parts for name in parts_of(type(self)) if (parts := getattr(self, name))]
+        return lists[0] if len(lists) == 1 else tuple(chain.from_iterable(lists))
 
     @property
     def drawn_with(self) -> str:
@@ -302,12 +290,33 @@ LINE_CLIPPERS = ("cohen_sutherland", "liang_barsky")
 POLYGON_CLIPPERS = ("sutherland_hodgman",)
 
 
+MODES = ("stretch", "fit", "fill")
+
+
+class View(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
+    """One look at a sheet's world: a window (world) and the viewport (device) that shows it.
+
+    ``mode`` says what becomes of the window's proportions: it is stretched onto the viewport, fits into it as
+    a whole, or fills it, cut off where it is longer; nothing is painted outside of the viewport.
+    ``clip_world`` is the window that figures are clipped to before they are scan converted, by the clippers
+    of the sheet; None clips nothing. Its id begins with ``letter`` by habit.
+    """
+
+    letter: ClassVar[str] = "v"
+
+    id: str
+    window_world: Rectangle
+    viewport_device: Rectangle
+    name: str = ""
+    clip_world: Rectangle | None = None
+    mode: Annotated[str, Choice(MODES)] = MODES[0]
+
+
 class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
-    """One picture: a size in pixels, window and viewport, palette (0xRRGGBB), figures from back to front.
+    """One picture: a size in pixels, views in the order of painting, palette (0xRRGGBB), figures from the back.
 
     ``background`` is the palette index of the paper: the canvas shows it as the theme's canvas colour, the
-    tube as an unlit screen. ``clip_world`` is the window that figures are clipped to before they are scan
-    converted, by the clippers named; None clips nothing.
+    tube as an unlit screen. The clippers named work where a view has a clip window.
     """
 
     letter: ClassVar[str] = "s"
@@ -316,16 +325,26 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
     name: str
     width_px: Annotated[int, _side(_("width"))]
     height_px: Annotated[int, _side(_("height"))]
-    window_world: Rectangle
-    viewport_device: Rectangle
+    views: tuple[View, ...]
     palette: tuple[
         Annotated[int, Number(label=_("palette"), low=0, high=0xFFFFFF, whole=True, keyed=False)], ...
     ]
     figures: tuple[AnyFigure, ...] = ()
     background: Annotated[int, _palette_index(_("background"))] = 0
-    clip_world: Rectangle | None = None
     line_clipper: Annotated[str, Choice(LINE_CLIPPERS)] = LINE_CLIPPERS[0]
     polygon_clipper: Annotated[str, Choice(POLYGON_CLIPPERS)] = POLYGON_CLIPPERS[0]
+
+    @property
+    def first_view(self) -> View:
+        """The view in which figures are drawn by hand and stepped."""
+        return self.views[0]
+
+    @property
+    def seen(self) -> "tuple[Sheet, ...]":
+        """The sheet once for each view, with that view alone, in the order of painting."""
+        if len(self.views) == 1:
+            return (self,)
+        return tuple(msgspec.structs.replace(self, views=(view,)) for view in self.views)
 
 
 class Document(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -1,4 +1,4 @@
-"""Edits of whole sheets: their size, their window and viewport, what clips on them, their palette."""
+"""Edits of whole sheets: their order and size, what clips on them, their palette."""
 
 from collections.abc import Iterable
 from itertools import count
@@ -19,7 +19,7 @@ from workbench.document.building import (
     with_sheet,
     without_ids,
 )
-from workbench.document.model import MAX_SIDE_PX, AnyFigure, Document, Rectangle, Sheet, whole_sheet
+from workbench.document.model import MAX_SIDE_PX, AnyFigure, Document, Sheet, View, number_of, whole_sheet
 
 
 @checked
@@ -31,12 +31,19 @@ def add_sheet(sheet: Sheet, index: int | None = None) -> Edit:
         identity = sheet.id
         if not identity or any(identity == other.id for other in document.sheets):
             identity = new_ids(document, "s", 1)[0]
-        added = replace(sheet, id=identity, figures=())
-        document = replace(document, sheets=(*document.sheets[:at], added, *document.sheets[at:]))
         mine = set(ids_on(sheet))
         taken = {known for other in document.sheets for known in mine.intersection(ids_on(other))}
-        numbers = (document.last_id, highest(document), *(figure.highest for figure in sheet.figures))
-        fresh = count(max(numbers) + 1)
+        taken.add(identity)
+        own = (number_of(name) for name in (identity, *mine))
+        fresh = count(max(document.last_id, highest(document), *own) + 1)
+        views = []
+        for view in map(plain, sheet.views):
+            if not view.id or view.id in taken:
+                view = replace(view, id=f"{view.letter}{next(fresh)}")
+            taken.add(view.id)
+            views.append(view)
+        added = replace(sheet, id=identity, views=tuple(views), figures=())
+        document = replace(document, sheets=(*document.sheets[:at], added, *document.sheets[at:]))
         figures: list[AnyFigure] = []
         for figure in sheet.figures:
             figure = plain(figure)
@@ -83,37 +90,28 @@ def reorder_sheet(sheet: str, index: int) -> Edit:
 
 @checked
 def set_sheet_size(sheet: str, width_px: int, height_px: int) -> Edit:
-    """Set a sheet's size. A viewport over the whole sheet follows, and the window at its scale."""
+    """Set a sheet's size. Viewports over the whole sheet follow, and their windows at their scale."""
 
     def edit(document: Document) -> Document:
         old = sheet_with(document, sheet)
-        new = replace(old, width_px=width_px, height_px=height_px)
         sizes = (old.width_px, old.height_px, width_px, height_px)
-        if old.viewport_device == whole_sheet(*sizes[:2]) and all(
-            type(size) is int and 0 < size <= MAX_SIDE_PX for size in sizes
-        ):
-            window = old.window_world
-            wide = (window.xmax - window.xmin) * (width_px / old.width_px)
-            high = (window.ymax - window.ymin) * (height_px / old.height_px)
-            grown = replace(window, xmax=window.xmin + wide, ymax=window.ymin + high)
-            new = replace(new, viewport_device=whole_sheet(width_px, height_px), window_world=grown)
-        return with_sheet(document, new)
+        views = old.views
+        if all(type(size) is int and 0 < size <= MAX_SIDE_PX for size in sizes):
+            views = tuple(_grown(view, *sizes) for view in views)
+        return with_sheet(document, replace(old, width_px=width_px, height_px=height_px, views=views))
 
     return edit
 
 
-@checked
-def set_window(sheet: str, window_world: Rectangle) -> Edit:
-    """Set the window, in world coordinates."""
-    window = plain(window_world)
-    return lambda document: with_sheet(document, replace(sheet_with(document, sheet), window_world=window))
-
-
-@checked
-def set_clip(sheet: str, clip_world: Rectangle | None) -> Edit:
-    """Set the window that figures are clipped to, in world coordinates; None clips nothing."""
-    clip = None if clip_world is None else plain(clip_world)
-    return lambda document: with_sheet(document, replace(sheet_with(document, sheet), clip_world=clip))
+def _grown(view: View, old_width: int, old_height: int, width: int, height: int) -> View:
+    """``view`` on a sheet of another size, if its viewport is the whole sheet."""
+    if view.viewport_device != whole_sheet(old_width, old_height):
+        return view
+    window = view.window_world
+    wide = (window.xmax - window.xmin) * (width / old_width)
+    high = (window.ymax - window.ymin) * (height / old_height)
+    grown = replace(window, xmax=window.xmin + wide, ymax=window.ymin + high)
+    return replace(view, viewport_device=whole_sheet(width, height), window_world=grown)
 
 
 @checked
@@ -128,15 +126,6 @@ def set_clippers(sheet: str, line: str | None = None, polygon: str | None = None
         return with_sheet(document, changed)
 
     return edit
-
-
-@checked
-def set_viewport(sheet: str, viewport_device: Rectangle) -> Edit:
-    """Set the viewport, in device coordinates."""
-    viewport = plain(viewport_device)
-    return lambda document: with_sheet(
-        document, replace(sheet_with(document, sheet), viewport_device=viewport)
-    )
 
 
 @checked

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from workbench.document.model import MAX_COORDINATE
+from workbench.document.numbers import MAX_COORDINATE
 from workbench.document.storage.content import Progress, silent
 from workbench.language import _
 

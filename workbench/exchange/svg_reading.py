@@ -67,7 +67,7 @@ def read_svg(
     root = drawing if isinstance(drawing, Element) else read_tree(drawing, part(progress, 0.0, 0.2))
     stated = stated_frame(root)
     shapes, notes = drawing_of(root, stated[2:] if stated else (0.0, 0.0), part(progress, 0.2, 0.5))
-    window = sheet.window_world
+    window = sheet.first_view.window_world
     box = stated or _drawn(shapes)
     scale = min((window.xmax - window.xmin) / box[2], (window.ymax - window.ymin) / box[3])
     scale = 1.0 if abs(scale - 1.0) <= _ROUNDING else scale

@@ -76,19 +76,19 @@ def write_svg(sheet: Sheet, tolerance: float | None = None) -> Exported:
         paint = _paint(figure, sheet, 1.0 / max(abs(scale.sx), abs(scale.sy)))
         title = f"<title>{escape(_NO_XML.sub(' ', figure.name))}</title>" if figure.name else ""
         body.append(f"  <{tag} {_joined({'id': figure.id, **attributes, **paint, **own})}>{title}</{tag}>")
-    window = sheet.window_world
+    view = sheet.first_view
     head = {
         "xmlns": SVG,
         "xmlns:workbench": OWN,
         "width": str(sheet.width_px),
         "height": str(sheet.height_px),
-        "viewBox": " ".join(map(number, _frame(window))),
+        "viewBox": " ".join(map(number, _frame(view.window_world))),
         "preserveAspectRatio": "none",
     }
     lines = ['<?xml version="1.0" encoding="UTF-8"?>', f"<svg {_joined(head)}>"]
-    if sheet.clip_world is not None:
+    if view.clip_world is not None:
         names = ("x", "y", "width", "height")
-        inside = dict(zip(names, map(number, _frame(sheet.clip_world)), strict=True))
+        inside = dict(zip(names, map(number, _frame(view.clip_world)), strict=True))
         lines.append(f'  <clipPath id="clip-window"><rect {_joined(inside)}/></clipPath>')
         body = ['  <g clip-path="url(#clip-window)">', *body, "  </g>"]
     return Exported("\n".join([*lines, *body, "</svg>", ""]), tuple(approximated), tuple(notes))

@@ -3,7 +3,7 @@
 from workbench.rendering.clipping import clip_box, clipper_calls, clipper_of
 from workbench.rendering.display_list import Stroke, display_list, unshown
 from workbench.rendering.limits import REACH_PX
-from workbench.rendering.mapping import Call, device_map
+from workbench.rendering.mapping import Call, device_map, figure_map, view_map
 from workbench.rendering.pipeline import reach_of
 from workbench.rendering.raster import arguments, emitted, figure_calls, frame_buffer, painter_of
 from workbench.rendering.triangles import depth_buffer_triangles
@@ -23,9 +23,11 @@ __all__ = [
     "display_list",
     "emitted",
     "figure_calls",
+    "figure_map",
     "frame_buffer",
     "painter_of",
     "reach_of",
     "unshown",
+    "view_map",
     "why",
 ]

@@ -1,4 +1,4 @@
-"""Clipping before scan conversion: a sheet's clip window, and the chosen clippers at work on its figures.
+"""Clipping before scan conversion: the clip window of a sheet's first view, and the chosen clippers at work.
 
 Coordinates are those of the device, not rounded. Lines and polygons are clipped by the texts of the
 catalogue; the pixels of all other figures are left out where their centres lie outside the window.
@@ -11,12 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.document.model import AnyFigure, Circle, Curve, Line, Polygon, Polyline, Sheet
+from workbench.document.model import AnyFigure, Circle, Polygon, Sheet
+from workbench.rendering.curves import polylines_of
 from workbench.rendering.emissions import emitted
 from workbench.rendering.limits import clip_ring, polygon_reach, reach
-from workbench.rendering.mapping import Box, Call, device_map, device_rings
+from workbench.rendering.mapping import Box, Call, device_map, device_rings, figure_map
+from workbench.rendering.rounds import Area, Lines, is_area, is_lines
 from workbench.rendering.segments import (
-    Lines,
     Segment,
     Segments,
     clipped,
@@ -36,6 +37,7 @@ __all__ = [
     "drawn_rings",
     "line_ends",
     "ring_strokes",
+    "rings_of",
     "segments_of",
     "visible_rings",
     "visible_segments",
@@ -46,9 +48,9 @@ Ring = NDArray[np.float64]
 
 def clip_box(sheet: Sheet) -> Box | None:
     """The clip window (xmin, ymin, xmax, ymax) in device coordinates; None where nothing is clipped."""
-    if sheet.clip_world is None:
+    scale, window = device_map(sheet), sheet.first_view.clip_world
+    if window is None:
         return None
-    scale, window = device_map(sheet), sheet.clip_world
     x0, y0 = scale.point(window.xmin, window.ymin)
     x1, y1 = scale.point(window.xmax, window.ymax)
     return min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1)
@@ -56,11 +58,11 @@ def clip_box(sheet: Sheet) -> Box | None:
 
 def clipper_of(sheet: Sheet, figure: AnyFigure) -> str:
     """The slug of the algorithm that clips this figure, a circle of radius 0 as a point; empty for none."""
-    if isinstance(figure, Line | Polyline | Curve):
+    if is_lines(figure):
         return sheet.line_clipper
-    if isinstance(figure, Circle) and figure.radius_world == 0:
-        return "clip_point"
-    return sheet.polygon_clipper if isinstance(figure, Polygon) else ""
+    if is_area(figure):
+        return sheet.polygon_clipper
+    return "clip_point" if isinstance(figure, Circle) and figure.radius_world == 0 else ""
 
 
 def clipper_calls(sheet: Sheet, figure: AnyFigure, clipper: str | None = None) -> list[Call]:
@@ -73,11 +75,11 @@ def clipper_calls(sheet: Sheet, figure: AnyFigure, clipper: str | None = None) -
     if window is None or not slug:
         return []
     entry = catalogue.get(slug)
-    if isinstance(figure, Line | Polyline | Curve):
+    if is_lines(figure):
         return [Call(entry, (*segment, *window)) for segment in segments_of(sheet, figure)]
-    if isinstance(figure, Polygon):
-        return [Call(entry, (ring, *window)) for ring in device_rings(sheet, [figure])[0]]
-    scale = device_map(sheet)
+    if is_area(figure):
+        return [Call(entry, (ring, *window)) for ring in rings_of(sheet, [figure])[0]]
+    scale = figure_map(sheet, figure)
     return [Call(entry, (*scale.point(point.x, point.y), *window)) for point in figure.points_world]
 
 
@@ -98,9 +100,22 @@ def line_ends(sheet: Sheet, figures: Sequence[Lines]) -> tuple[NDArray[np.int64]
     return rounded(near.table), near.of
 
 
-def visible_rings(sheet: Sheet, figures: Sequence[Polygon]) -> tuple[list[Ring], NDArray[np.int64]]:
+def rings_of(sheet: Sheet, figures: Sequence[Area]) -> tuple[list[Ring], NDArray[np.int64]]:
+    """The rings (k, 2) of some figures, device coordinates, and whose each is (n,), ascending."""
+    polygons = [k for k, figure in enumerate(figures) if isinstance(figure, Polygon)]
+    rings, of = device_rings(sheet, [figure for figure in figures if isinstance(figure, Polygon)])
+    rounds = [k for k, figure in enumerate(figures) if not isinstance(figure, Polygon)]
+    if not rounds:
+        return rings, of
+    rings += [ring[:-1] for ring in polylines_of(sheet, [f for f in figures if not isinstance(f, Polygon)])]
+    whose = np.array([*(polygons[k] for k in of.tolist()), *rounds], np.int64)
+    order = np.argsort(whose, kind="stable")
+    return [rings[k] for k in order.tolist()], whose[order]
+
+
+def visible_rings(sheet: Sheet, figures: Sequence[Area]) -> tuple[list[Ring], NDArray[np.int64]]:
     """The rings (k, 2) of some figures that are left to be drawn, device coordinates, and whose each is."""
-    rings, of = device_rings(sheet, figures)
+    rings, of = rings_of(sheet, figures)
     window = clip_box(sheet)
     if window is None:
         return rings, of
@@ -108,7 +123,7 @@ def visible_rings(sheet: Sheet, figures: Sequence[Polygon]) -> tuple[list[Ring],
     return _replaced(rings, of, window, lambda ring: emitted(Call(entry, (ring, *window))).astype(float))
 
 
-def drawn_rings(sheet: Sheet, figures: Sequence[Polygon]) -> tuple[list[Ring], NDArray[np.int64]]:
+def drawn_rings(sheet: Sheet, figures: Sequence[Area]) -> tuple[list[Ring], NDArray[np.int64]]:
     """The rings that the algorithm of polygons is to fill, and whose each is (n,), ascending.
 
     What lies far outside the picture is cut off, since each of its rows would be walked.

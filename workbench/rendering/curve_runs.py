@@ -17,7 +17,7 @@ from workbench.document.curves.pieces import (
 from workbench.document.model import B_SPLINES, Curve, Sheet
 from workbench.language import _
 from workbench.rendering.curves import device_pieces
-from workbench.rendering.mapping import Call, device_map
+from workbench.rendering.mapping import Call, figure_map
 
 _SAMPLES_PER_SPAN = 8
 
@@ -58,7 +58,7 @@ def curve_calls(sheet: Sheet, curve: Curve, slug: str, share: float) -> list[Cal
     if "knots" in entry.parameter_names:
         points, knots, weights = b_spline_of(curve)
         given = {
-            "points": device_map(sheet).points(points),
+            "points": figure_map(sheet, curve).points(points),
             "weights": weights if curve.spline == "nurbs" else np.ones(len(points)),
             "knots": knots,
             "degree": curve.degree,

@@ -1,7 +1,8 @@
 """A sheet as a display list: what a random-scan tube draws, one stroke after the other.
 
-Strokes are in device coordinates (pixels, float, not rounded: a vector tube has no pixels), clipped to the
-viewport and to the clip window. Of a filled polygon, circle or ellipse the outline is drawn.
+Strokes are in device coordinates (pixels, float, not rounded: a vector tube has no pixels), in one view after
+the other, clipped to its viewport and its clip window. Of a filled polygon, circle or ellipse the outline is
+drawn.
 """
 
 import itertools
@@ -13,20 +14,17 @@ import numpy as np
 from workbench.document.model import (
     AnyFigure,
     Circle,
-    Curve,
     Ellipse,
-    Line,
-    Polygon,
-    Polyline,
     SeedFill,
     Sheet,
 )
 from workbench.language import _
 from workbench.rendering.clipping import clip_box, ring_strokes, visible_rings, visible_segments
 from workbench.rendering.limits import reach
-from workbench.rendering.mapping import Box, box, device_map, device_radii
+from workbench.rendering.mapping import Box, box, device_radii, figure_map
 from workbench.rendering.pipeline import colour_of
-from workbench.rendering.segments import Lines, Segment, Segments, cut
+from workbench.rendering.rounds import Lines, is_area, is_lines
+from workbench.rendering.segments import Segment, Segments, cut
 
 FLATNESS_PX = 0.05
 """Largest distance between a curve and the chords that stand for it."""
@@ -87,9 +85,9 @@ def _arcs(xc: float, yc: float, rx: float, ry: float, bounds: Box) -> list[tuple
 
 
 def _outline(sheet: Sheet, figure: AnyFigure, flatness: float, bounds: Box) -> list[Segment]:
-    if isinstance(figure, Polygon):
+    if is_area(figure):
         return [stroke for ring in visible_rings(sheet, [figure])[0] for stroke in ring_strokes(ring)]
-    scale = device_map(sheet)
+    scale = figure_map(sheet, figure)
     if isinstance(figure, Circle | Ellipse) and figure.points_world:
         centre = scale.point(figure.points_world[0].x, figure.points_world[0].y)
         return _ellipse_chords(*centre, *device_radii(sheet, figure), flatness, bounds)
@@ -102,7 +100,7 @@ def _segments(sheet: Sheet, flatness: float, bounds: Box) -> Segments:
     rows: list[Segment] = []
     of: list[int] = []
     for index, figure in enumerate(sheet.figures):
-        if figure.visible and isinstance(figure, Line | Polyline | Curve):
+        if figure.visible and is_lines(figure):
             lines.append((index, figure))
         elif figure.visible:
             rows += _outline(sheet, figure, flatness, bounds)
@@ -117,7 +115,7 @@ def _segments(sheet: Sheet, flatness: float, bounds: Box) -> Segments:
 
 def _bounds(sheet: Sheet) -> Box:
     """What of the viewport, within reach of the picture, the clip window leaves."""
-    view, near = box(sheet.viewport_device), reach(sheet.width_px, sheet.height_px)
+    view, near = box(sheet.first_view.viewport_device), reach(sheet.width_px, sheet.height_px)
     boxes = [view, near, clip_box(sheet) or view]
     xmin, ymin = (max(each[side] for each in boxes) for side in (0, 1))
     xmax, ymax = (min(each[side] for each in boxes) for side in (2, 3))
@@ -126,8 +124,12 @@ def _bounds(sheet: Sheet) -> Box:
 
 def display_list(sheet: Sheet, flatness_px: float = FLATNESS_PX) -> list[Stroke]:
     """The strokes of every visible figure from back to front; a seed fill has none (see ``unshown``)."""
+    return [stroke for seen in sheet.seen for stroke in _in_one_view(seen, flatness_px)]
+
+
+def _in_one_view(sheet: Sheet, flatness: float) -> list[Stroke]:
     bounds = _bounds(sheet)
-    seen = cut(_segments(sheet, flatness_px, bounds), bounds)
+    seen = cut(_segments(sheet, flatness, bounds), bounds)
     colours = np.array([colour_of(sheet, figure) for figure in sheet.figures], np.int64)[seen.of]
     columns = *seen.table.T.tolist(), colours.tolist(), seen.of.tolist()
     return list(map(Stroke._make, zip(*columns, strict=True)))

@@ -10,7 +10,7 @@ from workbench.document.model import Polygon, Sheet
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
 from workbench.rendering.marks import on_device
-from workbench.rendering.raster import figure_calls
+from workbench.rendering.pipeline import calls
 
 
 class Verdict(NamedTuple):
@@ -21,12 +21,12 @@ class Verdict(NamedTuple):
 
 
 def verdict(sheet: Sheet, polygon: Polygon, x: float, y: float) -> Verdict | None:
-    """What the test says of a device point; None for a polygon of which nothing is left to be drawn."""
-    calls = figure_calls(sheet, polygon)
-    if not calls:
+    """What the test says of a device point in the first view; None where nothing is left to be drawn there."""
+    runs = calls(sheet, polygon)
+    if not runs:
         return None
     entry = catalogue.get("inside_outside")
-    vertices, ring_ends = calls[0].arguments[:2]
+    vertices, ring_ends = runs[0].arguments[:2]
     arguments = vertices, ring_ends, x, y, polygon.nonzero
     recording = record(entry.function, *arguments)
     said = "".join(part.text for part in Steps(entry, recording).told(len(recording)))

@@ -1,6 +1,9 @@
-"""From the world to the device, before anything is clipped or rounded."""
+"""From the points of a figure through its chain and a view to the device, before clipping and rounding.
 
-from collections.abc import Iterable, Sequence
+A function that takes a sheet maps by its first view; a sheet of several views is drawn as one sheet for each.
+"""
+
+from collections.abc import Sequence
 from functools import lru_cache
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -10,7 +13,18 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.viewing import window_to_viewport
-from workbench.document.model import Circle, Ellipse, Polygon, Rectangle, Sheet, WorldPoint
+from workbench.document.model import (
+    AnyFigure,
+    Circle,
+    Ellipse,
+    Polygon,
+    Rectangle,
+    Sheet,
+    View,
+    WorldPoint,
+)
+from workbench.document.transforms.chains import inverse_of, matrices_of, transformed
+from workbench.rendering.rounds import radii_of
 
 Box = tuple[float, float, float, float]
 """A rectangle as (xmin, ymin, xmax, ymax)."""
@@ -42,6 +56,61 @@ class DeviceMap(NamedTuple):
         """World coordinates of a device point, without what rounding has left in them."""
         return round((x - self.tx) / self.sx, 9), round((y - self.ty) / self.sy, 9)
 
+    def world_way(self, dx: float, dy: float) -> tuple[float, float]:
+        """The way in the world that is (dx, dy) on the device."""
+        return dx / self.sx, dy / self.sy
+
+
+class FigureMap(NamedTuple):
+    """From the points of a figure to the device: x_d = xx x + xy y + tx, y_d = yx x + yy y + ty (pixels)."""
+
+    xx: float
+    xy: float
+    tx: float
+    yx: float
+    yy: float
+    ty: float
+
+    def point(self, x: float, y: float) -> tuple[float, float]:
+        """Device coordinates of a point of the figure, not yet rounded."""
+        return self.xx * x + self.xy * y + self.tx, self.yx * x + self.yy * y + self.ty
+
+    @np.errstate(over="ignore", invalid="ignore")
+    def points(self, world: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Device coordinates of points (..., 2) of the figure."""
+        x, y = world[..., :1], world[..., 1:]
+        columns = np.array([(self.xx, self.yx), (self.xy, self.yy), (self.tx, self.ty)])
+        device: NDArray[np.float64] = columns[0] * x + columns[1] * y + columns[2]
+        return device
+
+    def world(self, device: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The points (..., 2) that are taken to device points. Raises: ValueError where no way leads back."""
+        back = FigureMap.of(inverse_of(self.matrix))
+        return back.points(device)
+
+    def world_point(self, x: float, y: float) -> tuple[float, float]:
+        """As ``world`` for one point, without what rounding has left in it."""
+        at_x, at_y = FigureMap.of(inverse_of(self.matrix)).point(x, y)
+        return round(at_x, 9), round(at_y, 9)
+
+    def world_way(self, dx: float, dy: float) -> tuple[float, float]:
+        """The way of a point of the figure that is (dx, dy) on the device. Raises: as ``world``."""
+        back = FigureMap.of(inverse_of(self.matrix))
+        return back.xx * dx + back.xy * dy, back.yx * dx + back.yy * dy
+
+    @property
+    def matrix(self) -> NDArray[np.float64]:
+        """(3, 3)."""
+        return np.array([self[:3], self[3:], (0.0, 0.0, 1.0)])
+
+    @classmethod
+    def of(cls, matrix: NDArray[np.float64]) -> "FigureMap":
+        """That of a matrix (3, 3) whose last row is 0 0 1."""
+        return cls(*matrix[:2].ravel().tolist())
+
+
+PlaneMap = DeviceMap | FigureMap
+
 
 class Call(NamedTuple):
     """One run of an algorithm: the entry and what its function is given, in device coordinates.
@@ -60,28 +129,61 @@ def box(rectangle: Rectangle) -> Box:
 
 
 @lru_cache(maxsize=64)
-def _device_map(window: Box, viewport: Box) -> DeviceMap:
-    matrix = window_to_viewport(window, viewport, False)
+def _device_map(window: Box, viewport: Box, mode: str) -> DeviceMap:
+    if mode == "fill":
+        window = _seen_of(window, viewport)
+    matrix = window_to_viewport(window, viewport, mode != "stretch")
     return DeviceMap(float(matrix[0, 0]), float(matrix[1, 1]), float(matrix[0, 2]), float(matrix[1, 2]))
 
 
+def _seen_of(window: Box, viewport: Box) -> Box:
+    """The middle of a window that has the viewport's proportions."""
+    (width, height), (wide, high) = ((r[2] - r[0], r[3] - r[1]) for r in (window, viewport))
+    scale = max(wide / width, high / height)
+    x, y = (width - wide / scale) / 2, (height - high / scale) / 2
+    return window[0] + x, window[1] + y, window[2] - x, window[3] - y
+
+
+def view_map(view: View) -> DeviceMap:
+    """The map from a view's window (world) to its viewport (device)."""
+    return _device_map(box(view.window_world), box(view.viewport_device), view.mode)
+
+
 def device_map(sheet: Sheet) -> DeviceMap:
-    """The map from the sheet's window (world) to its viewport (device)."""
-    return _device_map(box(sheet.window_world), box(sheet.viewport_device))
+    """The map from the window (world) of a sheet's first view to its viewport (device)."""
+    return view_map(sheet.first_view)
+
+
+def figure_map(sheet: Sheet, figure: AnyFigure) -> PlaneMap:
+    """The map from a figure's own points through its chain and the first view to the device."""
+    scale, matrix = device_map(sheet), figure.matrix
+    if matrix is None:
+        return scale
+    (xx, xy, x), (yx, yy, y) = matrix[:2].tolist()
+    sx, sy, tx, ty = scale
+    return FigureMap(sx * xx, sx * xy, sx * x + tx, sy * yx, sy * yy, sy * y + ty)
 
 
 @np.errstate(over="ignore", invalid="ignore")
-def device_points(sheet: Sheet, chains: Iterable[Sequence[WorldPoint]]) -> NDArray[np.float64]:
-    """All points (n, 2) of some chains, one chain after the other, device coordinates."""
-    places = [place for chain in chains for point in chain for place in (point.x, point.y)]
-    return device_map(sheet).points(np.array(places, np.float64).reshape(-1, 2))
+def device_points(
+    sheet: Sheet, figures: Sequence[AnyFigure], lists: Sequence[Sequence[WorldPoint]]
+) -> NDArray[np.float64]:
+    """All points (n, 2) of some lists, one list after the other, each of the figure in its place; device."""
+    places = [place for points in lists for point in points for place in (point.x, point.y)]
+    world = np.array(places, np.float64).reshape(-1, 2)
+    if any(figure.transforms for figure in figures):
+        of = np.repeat(np.arange(len(figures)), [len(points) for points in lists])
+        chained = np.array([figure.matrix is not None for figure in figures])
+        rows = np.flatnonzero(chained[of])
+        world[rows] = transformed(matrices_of(figures)[of[rows]], world[rows])
+    return device_map(sheet).points(world)
 
 
 def device_rings(
     sheet: Sheet, figures: Sequence[Polygon]
 ) -> tuple[list[NDArray[np.float64]], NDArray[np.int64]]:
     """The rings (k, 2) of some polygons, device coordinates, and which of these each one is of, (n,)."""
-    corners, ends, of = device_points(sheet, [figure.points_world for figure in figures]), [0], []
+    corners, ends, of = device_points(sheet, figures, [figure.points_world for figure in figures]), [0], []
     for number, figure in enumerate(figures):
         before = ends[-1]
         rings = figure.ring_ends or (len(figure.points_world),)
@@ -91,8 +193,6 @@ def device_rings(
 
 
 def device_radii(sheet: Sheet, figure: Circle | Ellipse) -> tuple[float, float]:
-    """Radii in pixels along x and y, not yet rounded."""
-    scale = device_map(sheet)
-    if isinstance(figure, Circle):
-        return abs(scale.sx) * figure.radius_world, abs(scale.sy) * figure.radius_world
-    return abs(scale.sx) * figure.radius_x_world, abs(scale.sy) * figure.radius_y_world
+    """Radii in pixels along x and y, not yet rounded, of one that stays round."""
+    scale, (rx, ry) = device_map(sheet), radii_of(figure)
+    return abs(scale.sx) * rx, abs(scale.sy) * ry

@@ -11,8 +11,8 @@ from workbench.document.model import Polygon, Sheet
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering.clipping import visible_rings
 from workbench.rendering.mapping import Call
-from workbench.rendering.pipeline import colour_of
-from workbench.rendering.raster import emitted, figure_calls, pixels
+from workbench.rendering.pipeline import calls, colour_of
+from workbench.rendering.raster import emitted, pixels
 
 Cells = NDArray[np.int64]
 OUTLINE = "bresenham_line"
@@ -39,7 +39,7 @@ def outline_fill(sheet: Sheet, polygon: Polygon, slug: str) -> OutlineFill:
         return OutlineFill(None, cells)
     image = np.full((sheet.height_px, sheet.width_px), paper, np.uint32)
     image[cells[:, 1], cells[:, 0]] = boundary
-    inside = [pixels(call.entry, emitted(call)) for call in figure_calls(sheet, polygon, "scan_line_fill")]
+    inside = [pixels(call.entry, emitted(call)) for call in calls(sheet, polygon, "scan_line_fill")]
     area = _seen(np.concatenate(inside), sheet) if inside else cells[:0]
     free = area[image[area[:, 1], area[:, 0]] == paper]
     if not len(free):

@@ -1,8 +1,9 @@
 """From the world to the device: the arguments that a figure's algorithm gets.
 
-The window of a sheet is mapped onto its viewport, lines and polygons are clipped; only then are coordinates
-rounded, by ``round_half_up``. The corners of a polygon are not, since its algorithm takes fractions. A circle
-whose device radii differ (the scale is not the same in x and y) is drawn as an ellipse.
+A figure's points go through its chain, then the window of the sheet's first view is mapped onto its
+viewport, lines and polygons are clipped; only then are coordinates rounded, by ``round_half_up``. The corners
+of a polygon are not, since its algorithm takes fractions. A circle whose device radii differ (the scale of
+the view is not the same in x and y) is drawn as an ellipse; what its chain makes of it stands in ``rounds``.
 """
 
 from collections.abc import Callable, Sequence
@@ -16,9 +17,7 @@ from workbench.algorithms.entry import Entry
 from workbench.document.model import (
     AnyFigure,
     Circle,
-    Curve,
     Ellipse,
-    Line,
     Polygon,
     Polyline,
     SeedFill,
@@ -27,7 +26,8 @@ from workbench.document.model import (
 from workbench.engine.batches import Lists, Values
 from workbench.rendering.clipping import drawn_rings, line_ends
 from workbench.rendering.limits import REACH_PX
-from workbench.rendering.mapping import Call, device_map, device_points, device_radii
+from workbench.rendering.mapping import Call, device_points, device_radii, figure_map
+from workbench.rendering.rounds import Area, Lines, Round, is_area, is_lines
 from workbench.rendering.segments import rounded
 
 Index = NDArray[np.int64]
@@ -66,14 +66,22 @@ def batches(sheet: Sheet, figures: Sequence[AnyFigure], algorithm: str | None = 
     """
     groups: dict[tuple[Callable[..., Named], str], list[int]] = {}
     for number, figure in enumerate(figures):
-        named = _NAMED.get(type(figure))
-        if named is not None and figure.points_world:
-            groups.setdefault((named, algorithm or figure.drawn_with), []).append(number)
+        if figure.points_world and not fills(figure):
+            groups.setdefault(_text_of(figure, algorithm or figure.drawn_with), []).append(number)
     laid_out: list[Batch] = []
     for (named, slug), numbers in groups.items():
         values, of = named(sheet, [figures[k] for k in numbers])
         laid_out += _by_text(catalogue.get(slug), values, np.array(numbers)[of])
     return laid_out
+
+
+def _text_of(figure: AnyFigure, slug: str) -> tuple[Callable[..., Named], str]:
+    """What lays a figure out, and what draws it: ``slug``, unless only lines or a polygon are left of it."""
+    if is_lines(figure):
+        return _of_lines, slug if slug in Polyline.algorithms else Polyline.algorithms[0]
+    if is_area(figure):
+        return _of_polygons, slug if slug in Polygon.algorithms else Polygon.algorithms[0]
+    return _of_rounds, slug
 
 
 def _by_text(entry: Entry, values: dict[str, Values], of: Index) -> list[Batch]:
@@ -95,12 +103,12 @@ def _batch(entry: Entry, values: dict[str, Values], of: Index) -> Batch:
     return Batch(entry, columns, of)
 
 
-def _of_lines(sheet: Sheet, figures: Sequence[Line | Polyline | Curve]) -> Named:
+def _of_lines(sheet: Sheet, figures: Sequence[Lines]) -> Named:
     ends, of = line_ends(sheet, figures)
     return dict(zip(("x0", "y0", "x1", "y1"), ends.T, strict=True)), of
 
 
-def _of_polygons(sheet: Sheet, figures: Sequence[Polygon]) -> Named:
+def _of_polygons(sheet: Sheet, figures: Sequence[Area]) -> Named:
     rings, whose = drawn_rings(sheet, figures)
     of, rings_of = np.unique(whose, return_counts=True)
     lengths = np.array([len(ring) for ring in rings], np.int64)
@@ -111,8 +119,8 @@ def _of_polygons(sheet: Sheet, figures: Sequence[Polygon]) -> Named:
     return {
         "vertices": Lists(np.concatenate(rings) if rings else np.empty((0, 2)), starts),
         "ring_ends": Lists(ends, ring_starts),
-        "closed": np.array([figure.closed_interior for figure in filled], np.bool_),
-        "nonzero": np.array([figure.nonzero for figure in filled], np.bool_),
+        "closed": np.array([isinstance(f, Polygon) and f.closed_interior for f in filled], np.bool_),
+        "nonzero": np.array([isinstance(f, Polygon) and f.nonzero for f in filled], np.bool_),
     }, of
 
 
@@ -121,29 +129,20 @@ def _starts(lengths: Index) -> Index:
     return np.append(0, np.cumsum(lengths))
 
 
-def _of_rounds(sheet: Sheet, figures: Sequence[Circle | Ellipse]) -> Named:
-    centres = device_points(sheet, [figure.points_world for figure in figures])
+def _of_rounds(sheet: Sheet, figures: Sequence[Round]) -> Named:
+    centres = device_points(sheet, figures, [figure.points_world for figure in figures])
     radii = np.array([device_radii(sheet, figure) for figure in figures])
     near = np.maximum(np.abs(centres), radii).max(axis=1) <= REACH_PX
     (xc, yc), (rx, ry) = rounded(centres[near]).T, rounded(radii[near]).T
     return {"xc": xc, "yc": yc, "rx": rx, "ry": ry, "r": rx}, np.flatnonzero(near)
 
 
-_NAMED: dict[type, Callable[..., Named]] = {
-    Line: _of_lines,
-    Polyline: _of_lines,
-    Curve: _of_lines,
-    Polygon: _of_polygons,
-    Circle: _of_rounds,
-    Ellipse: _of_rounds,
-}
-
-
 def reach_of(sheet: Sheet, figure: AnyFigure) -> float:
     """How far the centre, the radii or the seed of a figure reach, in pixels; 0 for one that is clipped."""
-    if not isinstance(figure, Circle | Ellipse | SeedFill) or not figure.points_world:
+    if not figure.points_world or is_lines(figure) or is_area(figure):
         return 0.0
-    x, y = device_map(sheet).point(figure.points_world[0].x, figure.points_world[0].y)
+    assert isinstance(figure, Circle | Ellipse | SeedFill)
+    x, y = figure_map(sheet, figure).point(figure.points_world[0].x, figure.points_world[0].y)
     radii = () if isinstance(figure, SeedFill) else device_radii(sheet, figure)
     return max(abs(x), abs(y), *radii)
 
@@ -165,7 +164,7 @@ def calls(
     algorithm: str | None = None,
     below: NDArray[np.uint32] | None = None,
 ) -> list[Call]:
-    """What runs to draw ``figure``, under its own algorithm or under another of the catalogue.
+    """What runs to draw ``figure`` in the first view, by its own algorithm or another of the catalogue.
 
     ``below`` is the picture (h, w) beneath a seed fill, which copies nothing: hand it a copy where the text
     writes. Raises LookupError when the catalogue has no such algorithm.
@@ -175,7 +174,7 @@ def calls(
         return [call for batch in batches(sheet, [figure], algorithm) for call in batch.calls()]
     if not figure.points_world or reach_of(sheet, figure) > REACH_PX:
         return []
-    ((x, y),) = rounded(device_points(sheet, [figure.points_world[:1]])).tolist()
+    ((x, y),) = rounded(device_points(sheet, [figure], [figure.points_world[:1]])).tolist()
     boundary = sheet.palette[figure.boundary % len(sheet.palette)]
     values = {"image": below, "x": x, "y": y, "fill": colour_of(sheet, figure), "boundary": boundary}
     limit = figure.recursion_limit if entry.compiles else 0

@@ -1,4 +1,7 @@
-"""A sheet as a frame buffer: every figure scan converted, from back to front."""
+"""A sheet as a frame buffer: in one view after the other every figure scan converted, from back to front.
+
+What is not said to be of all views is of the first.
+"""
 
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -11,20 +14,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry
-from workbench.document.model import AnyFigure, Circle, Sheet
+from workbench.document.model import AnyFigure, Sheet
 from workbench.engine.at_hand import at_hand
 from workbench.engine.batches import USE, Calls
 from workbench.geometry.conventions import round_half_up
-from workbench.rendering.clipping import clip_box, clipper_of
+from workbench.rendering.clipping import clip_box
 from workbench.rendering.emissions import Emitted, emitted
 from workbench.rendering.mapping import Call
 from workbench.rendering.pipeline import Batch, batches, calls, colour_of, fills
+from workbench.rendering.rounds import is_area, is_lines
 
 __all__ = [
     "Bounds",
     "Composite",
     "Emitted",
     "arguments",
+    "calls_in_views",
     "composite_below",
     "emitted",
     "figure_calls",
@@ -75,7 +80,7 @@ def _spread(entry: Entry, rows: Emitted, bounds: Bounds | None) -> tuple[Index, 
 
 def viewport_bounds(sheet: Sheet) -> Bounds:
     """First and last column, first and last row of the pixels whose centres lie in the viewport."""
-    view = sheet.viewport_device
+    view = sheet.first_view.viewport_device
     x_first, y_first = round_half_up(view.xmin), round_half_up(view.ymin)
     x_last, y_last = round_half_up(view.xmax) - 1, round_half_up(view.ymax) - 1
     return (
@@ -89,7 +94,7 @@ def viewport_bounds(sheet: Sheet) -> Bounds:
 def seen_bounds(sheet: Sheet, figure: AnyFigure) -> Bounds:
     """As ``viewport_bounds``; and for a figure whose calls are not clipped, within the clip window."""
     bounds, clip = viewport_bounds(sheet), clip_box(sheet)
-    if clip is None or (clipper_of(sheet, figure) and not isinstance(figure, Circle)):
+    if clip is None or is_lines(figure) or is_area(figure):
         return bounds
     low_x, low_y, high_x, high_y = clip
     return (
@@ -219,15 +224,22 @@ def _empty(sheet: Sheet) -> Composite:
 
 
 def composite_below(sheet: Sheet, count: int) -> Composite:
-    """The picture made of the first ``count`` figures."""
-    onto = _empty(sheet)
-    _paint(sheet, [k for k, figure in enumerate(sheet.figures[:count]) if figure.visible], onto)
+    """The picture in the first view made of the first ``count`` figures."""
+    return _below(sheet.seen[:1], count)
+
+
+def _below(seen: Sequence[Sheet], count: int) -> Composite:
+    """The picture made in all of some views, in the last of them by the first ``count`` figures only."""
+    onto = _empty(seen[0])
+    for sheet in seen:
+        figures = sheet.figures if sheet is not seen[-1] else sheet.figures[:count]
+        _paint(sheet, [k for k, figure in enumerate(figures) if figure.visible], onto)
     return onto
 
 
 @lru_cache(maxsize=4)
 def _composite(sheet: Sheet) -> Composite:
-    whole = composite_below(sheet, len(sheet.figures))
+    whole = _below(sheet.seen, len(sheet.figures))
     for array in whole:
         array.setflags(write=False)
     return whole
@@ -253,9 +265,17 @@ def arguments(sheet: Sheet, figure: AnyFigure, algorithm: str | None = None) -> 
 
 
 def figure_calls(sheet: Sheet, figure: AnyFigure, algorithm: str | None = None) -> list[Call]:
-    """The calls that draw a figure where it stands on its sheet, a seed fill with what lies below it."""
-    below = None
-    if fills(figure):
-        place = sheet.figures.index(figure) if figure in sheet.figures else len(sheet.figures)
-        below = composite_below(sheet, place).image
-    return calls(sheet, figure, algorithm, below)
+    """The calls that draw a figure where it stands on its sheet, in all views one after the other.
+
+    A seed fill gets what lies below it.
+    """
+    return [call for calls_ in calls_in_views(sheet, figure, algorithm) for call in calls_]
+
+
+def calls_in_views(sheet: Sheet, figure: AnyFigure, algorithm: str | None = None) -> list[list[Call]]:
+    """As ``figure_calls``, for each view by itself."""
+    seen = sheet.seen
+    if not fills(figure):
+        return [calls(each, figure, algorithm) for each in seen]
+    place = sheet.figures.index(figure) if figure in sheet.figures else len(sheet.figures)
+    return [calls(each, figure, algorithm, _below(seen[: k + 1], place).image) for k, each in enumerate(seen)]

@@ -11,16 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.document.model import Curve, Line, Polyline, Sheet
+from workbench.document.model import Line, Polyline, Sheet
 from workbench.engine.at_hand import at_hand
 from workbench.rendering.curves import polylines_of
 from workbench.rendering.emissions import emitted
 from workbench.rendering.limits import clip_segments
 from workbench.rendering.mapping import Box, Call, device_points
+from workbench.rendering.rounds import Lines
 
 Segment = tuple[float, float, float, float]
 Table = NDArray[np.float64]
-Lines = Line | Polyline | Curve
 
 
 class Segments(NamedTuple):
@@ -32,11 +32,11 @@ class Segments(NamedTuple):
 
 def segments(sheet: Sheet, figures: Sequence[Lines]) -> Segments:
     """What figures are made of, not clipped; of a curve the chords that stand for it."""
-    curves = [k for k, figure in enumerate(figures) if isinstance(figure, Curve)]
-    others = [k for k, figure in enumerate(figures) if not isinstance(figure, Curve)]
+    curves = [k for k, figure in enumerate(figures) if not isinstance(figure, Line | Polyline)]
+    others = [k for k, figure in enumerate(figures) if isinstance(figure, Line | Polyline)]
     if not curves:
         return _straight(sheet, figures, np.arange(len(figures)))
-    chains = polylines_of(sheet, [figure for figure in figures if isinstance(figure, Curve)])
+    chains = polylines_of(sheet, [figure for figure in figures if not isinstance(figure, Line | Polyline)])
     chords = _chains(np.concatenate(chains), [len(chain) for chain in chains], np.array(curves))
     if not others:
         return chords
@@ -53,7 +53,7 @@ def _straight(sheet: Sheet, figures: Sequence[Lines], numbers: NDArray[np.int64]
         else figure.points_world
         for figure in figures
     ]
-    return _chains(device_points(sheet, chains), [len(chain) for chain in chains], numbers)
+    return _chains(device_points(sheet, figures, chains), [len(chain) for chain in chains], numbers)
 
 
 def _chains(corners: Table, lengths: list[int], numbers: NDArray[np.int64]) -> Segments:

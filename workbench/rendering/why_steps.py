@@ -19,7 +19,7 @@ from workbench.engine.touches import StepTouch, touches
 from workbench.language import _, ngettext
 from workbench.rendering.inside import verdict
 from workbench.rendering.mapping import Call
-from workbench.rendering.raster import emitted, figure_calls, painter_of, seen_bounds
+from workbench.rendering.raster import calls_in_views, emitted, painter_of, seen_bounds
 
 Verb = Literal["wrote", "tested", "refused"]
 MOST = 200
@@ -52,10 +52,11 @@ def why_steps(sheet: Sheet, x: int, y: int, stopped: Callable[[], bool] = lambda
     soon as ``stopped()`` is true.
     """
     found: list[Answer] = []
-    for index, figure in enumerate(sheet.figures):
-        x_first, x_last, y_first, y_last = seen_bounds(sheet, figure)
-        if figure.visible and x_first <= x <= x_last and y_first <= y <= y_last:
-            found += _of_figure(sheet, index, figure, x, y, stopped)
+    for place, seen in enumerate(sheet.seen):
+        for index, figure in enumerate(sheet.figures):
+            x_first, x_last, y_first, y_last = seen_bounds(seen, figure)
+            if figure.visible and x_first <= x <= x_last and y_first <= y <= y_last:
+                found += _of_figure(sheet, place, index, figure, x, y, stopped)
     inside = 0 <= x < sheet.width_px and 0 <= y < sheet.height_px
     painter = int(painter_of(sheet)[y, x]) if inside else -1
     for k in range(len(found) - 1, -1, -1):
@@ -67,16 +68,19 @@ def why_steps(sheet: Sheet, x: int, y: int, stopped: Callable[[], bool] = lambda
 
 
 def _of_figure(
-    sheet: Sheet, index: int, figure: AnyFigure, x: int, y: int, stopped: Callable[[], bool]
+    sheet: Sheet, view: int, index: int, figure: AnyFigure, x: int, y: int, stopped: Callable[[], bool]
 ) -> list[Answer]:
+    """What happened to the pixel in the view of this number; steps are counted from those of the first."""
     found: list[Answer] = []
     before = 0
-    calls = figure_calls(sheet, figure)
+    in_views = calls_in_views(sheet, figure)[: view + 1]
+    earlier = sum(map(len, in_views[:-1]))
+    calls = [call for calls_ in in_views for call in calls_]
     for number, call in enumerate(calls):
         if stopped():
             raise Abandoned
         last = number == len(calls) - 1
-        near = _near(call, x, y)
+        near = number >= earlier and _near(call, x, y)
         if not near and last:
             break
         steps = _replayed(call, stopped)

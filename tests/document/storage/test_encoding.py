@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from tests.document.made_documents import documents
+from tests.document.views import seen_through
 from workbench.document import DocumentError, Stored, read, write
 from workbench.document.model import Document, Line, WorldPoint
 from workbench.document.samples.examples import blank_sheet, example_document
@@ -34,7 +35,9 @@ def many(count: int) -> Document:
         )
         for n in range(count)
     )
-    other = replace(sheet, id="s2", name='x\n    "figures": []\n "blobs": {}', figures=())
+    other = replace(
+        seen_through(sheet, id="v2"), id="s2", name='x\n    "figures": []\n "blobs": {}', figures=()
+    )
     return Document((replace(sheet, figures=lines), other))
 
 

@@ -125,7 +125,7 @@ FIGURE: list[str | int] = [*SHEET, "figures", 0]
         ([*SHEET, "width_px"], 0, "sheets[0].width_px"),
         ([*SHEET, "height_px"], [1], "sheets[0].height_px"),
         ([*SHEET, "palette", 3], 2**24, "sheets[0].palette[3]"),
-        ([*SHEET, "window_world", "xmin"], 1e6, "sheets[0].window_world"),
+        ([*SHEET, "views", 0, "window_world", "xmin"], 1e6, "sheets[0].views[0].window_world"),
         ([*SHEET, "name"], "\ud800", "sheets[0].name"),
         ([*SHEET, "scene"], {}, "sheets[0].scene"),
         (["document", "sheets"], [], "sheets"),

@@ -75,7 +75,7 @@ def recorded(qtbot, session):
 
 
 def window(session):
-    clip = session.sheet.clip_world
+    clip = session.sheet.first_view.clip_world
     return clip.xmin, clip.ymin, clip.xmax, clip.ymax
 
 
@@ -170,7 +170,7 @@ def test_accepted_clipped_and_rejected_are_told_apart(x0, y0, x1, y1, clipper):
     document = blank_sheet(50, 42)
     ends = (WorldPoint("", float(x0), float(y0)), WorldPoint("", float(x1), float(y1)))
     document = add_figure("s1", Line("", ends, "bresenham_line"))(document)
-    document = set_clip("s1", Rectangle(8.0, 10.0, 38.0, 30.0))(document)
+    document = set_clip("v1", Rectangle(8.0, 10.0, 38.0, 30.0))(document)
     document = set_clippers("s1", line=clipper)(document)
     sheet = document.sheets[0]
     (outcome,) = outcomes(sheet, sheet.figures[0])
@@ -366,7 +366,7 @@ def test_a_point_outside_the_window_is_not_in_the_picture(qtbot, session, panel)
 
 
 def test_each_chord_of_a_curve_is_accepted_clipped_or_rejected():
-    sheet = set_clip("s1", Rectangle(100, 40, 220, 170))(example("curve-bezier").document).sheets[0]
+    sheet = set_clip("v1", Rectangle(100, 40, 220, 170))(example("curve-bezier").document).sheets[0]
     counted = tally(sheet)
     assert counted["accepted"] > 3
     assert counted["clipped"] == 2

@@ -179,7 +179,7 @@ def test_a_coordinate_is_in_pixels_where_the_world_is_and_a_radius_too(panel: Dr
     expected = {f"{k}<sub>c</sub>": ("px", name) for k, name in names.items()}
     expected |= {f"r<sub>{k}</sub>": ("px", name) for k, name in radii.items()}
     assert fields() == expected
-    session.apply(set_window(session.sheet.id, Rectangle(0.0, 0.0, 100.0, 75.0)), "Window")
+    session.apply(set_window(session.sheet.first_view.id, Rectangle(0.0, 0.0, 100.0, 75.0)), "Window")
     session.update_state(selection=(), active="")
     settle()
     session.update_state(selection=("f1",), active="f1")

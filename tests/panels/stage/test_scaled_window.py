@@ -5,6 +5,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
+from tests.document.views import seen_through
 from workbench.document.edits import add_figure
 from workbench.document.model import Curve, CurvePoint, Line, Rectangle, WorldPoint
 from workbench.document.samples.examples import blank_sheet
@@ -43,7 +44,7 @@ def opened(qtbot):
 
     def make(kind, figure):
         document = blank_sheet(64, 48)
-        sheet = replace(document.sheets[0], window_world=WINDOW, viewport_device=VIEWPORT)
+        sheet = seen_through(document.sheets[0], window_world=WINDOW, viewport_device=VIEWPORT)
         document = add_figure(sheet.id, figure)(replace(document, sheets=(sheet,)))
         session = Session(document=document)
         sessions.append(session)

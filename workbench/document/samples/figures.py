@@ -4,8 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate, count
 
-from msgspec.structs import replace
-
 from workbench.document.building import with_ids, without_ids
 from workbench.document.model import (
     AnyFigure,
@@ -16,6 +14,7 @@ from workbench.document.model import (
     Rectangle,
     SeedFill,
     Sheet,
+    View,
     WorldPoint,
     whole_sheet,
 )
@@ -48,8 +47,8 @@ def document_of(
     whole = whole_sheet(width_px, height_px)
     own, parts = count(1), count(1)
     numbered = tuple(with_ids(without_ids(figure), own, parts) for figure in figures)
-    sheet = Sheet("s1", name, width_px, height_px, whole, whole, PALETTE, numbered)
-    return Document((replace(sheet, clip_world=clip_world),))
+    view = View("v1", whole, whole, clip_world=clip_world)
+    return Document((Sheet("s1", name, width_px, height_px, (view,), PALETTE, numbered),))
 
 
 def points_at(*places: tuple[float, float]) -> tuple[WorldPoint, ...]:

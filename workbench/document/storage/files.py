@@ -1,6 +1,6 @@
 """The `.gwb` file: one readable, versioned JSON text; ``saving`` puts it on the disk.
 
-    {"format": "graphics-workbench", "version": 3, "document": ..., "session": ..., "blobs": {...}}
+    {"format": "graphics-workbench", "version": 5, "document": ..., "session": ..., "blobs": {...}}
 
 Blobs (large meshes, pictures) are base64 by the SHA-256 of their content. Whatever is wrong with a file is
 told as a DocumentError that names the field.
@@ -23,10 +23,11 @@ from workbench.document.storage.content import Progress, read_content, silent
 from workbench.document.storage.encoding import pieces
 from workbench.document.storage.renumbering import with_room
 from workbench.document.storage.saving import replace_file
+from workbench.document.storage.views_of_sheets import with_views
 from workbench.language import _, legible
 
 FORMAT = "graphics-workbench"
-VERSION = 3
+VERSION = 5
 # What is opened, and so what is saved: a few of the largest blobs, and fewer values than memory is there for.
 MAX_BYTES = 128 * 2**20
 MAX_VALUES = 2_000_000  # numbers, texts, lists and objects together
@@ -36,8 +37,9 @@ _LONGEST_CONSTANT = 40  # NaN or Infinity, and the blanks before it
 
 Upgrade = Callable[[dict[str, Any]], dict[str, Any]]
 # From each older version to the next one: UPGRADES[1] makes a version 2 of a version 1, as plain JSON values.
-# Version 2 has polygons, further fills and a clip window, version 3 curves: no older version holds any.
-UPGRADES: Mapping[int, Upgrade] = {1: dict, 2: dict}
+# Version 2 has polygons, further fills and a clip window, version 3 curves, version 5 transforms of figures:
+# no older version holds any.
+UPGRADES: Mapping[int, Upgrade] = {1: dict, 2: dict, 3: dict, 4: with_views}
 
 
 class Stored(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -24,7 +24,8 @@ def with_room(document: Document, state: SessionState) -> tuple[Document, Sessio
         renamed[sheet.id] = f"s{next(fresh)}"
         figures = tuple(with_ids(without_ids(figure), fresh, fresh) for figure in sheet.figures)
         renamed |= {old.id: new.id for old, new in zip(sheet.figures, figures, strict=True)}
-        sheets.append(replace(sheet, id=renamed[sheet.id], figures=figures))
+        views = tuple(replace(view, id=f"v{next(fresh)}") for view in sheet.views)
+        sheets.append(replace(sheet, id=renamed[sheet.id], figures=figures, views=views))
     selection = tuple(renamed[figure] for figure in state.selection)
     named = {"sheet": renamed.get(state.sheet, ""), "active": renamed.get(state.active, "")}
     return Document(tuple(sheets)), replace(state, selection=selection, **named)

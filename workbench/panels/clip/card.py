@@ -95,15 +95,15 @@ class ClipCard(ParameterCard):
         if not figures and tool is None:
             self.title.setText(_("Clip window"))
         sheet = self._session.sheet
-        there = sheet.clip_world is not None
+        there = sheet.first_view.clip_world is not None
         for widget in (self.window_fields, self.clipper, self.codes):
             widget.setVisible(there)
         for widget in (self.missing, self.add):
             widget.setVisible(not there)
-        if sheet.clip_world is not None:
+        if sheet.first_view.clip_world is not None:
             for name, field in self.sides.items():
-                field.set_value(round(getattr(sheet.clip_world, name), 6))
-            if not no_extent(sheet.clip_world) and not any(
+                field.set_value(round(getattr(sheet.first_view.clip_world, name), 6))
+            if not no_extent(sheet.first_view.clip_world) and not any(
                 field.field.isModified() for field in self.sides.values()
             ):
                 self.complaint.hide()
@@ -149,14 +149,14 @@ class ClipCard(ParameterCard):
 
     def _set_side(self, side: str, value: float, merge: str = "") -> None:
         sheet = self._session.sheet
-        window = sheet.clip_world
+        window = sheet.first_view.clip_world
         if window is None:
             return
         wanted = replace(window, **{side: value})
         sentence = no_extent(wanted)
         if not sentence:
             name = _("Change the clip window")
-            sentence = self.apply(set_clip(sheet.id, wanted), name, merge and f"{merge} {side}")
+            sentence = self.apply(set_clip(sheet.first_view.id, wanted), name, merge and f"{merge} {side}")
         self.complaint.setText(sentence)
         self.complaint.setVisible(bool(sentence))
         self.sides[side].field.setAccessibleDescription(sentence)

@@ -52,7 +52,7 @@ class ClipPanel(SteppedPanel):
         """A sheet without a window asks for one first, one with a window and no figures for a line."""
         if not self.isVisible() or self.gesturing:
             return
-        if self.session.sheet.clip_world is None:
+        if self.session.sheet.first_view.clip_world is None:
             if not isinstance(self.tool, WindowTool):
                 self.choose_tool("window")
         elif not self.session.sheet.figures and isinstance(self.tool, ClipSelectTool):
@@ -64,7 +64,7 @@ class ClipPanel(SteppedPanel):
         """Once the window is drawn, lines are drawn across it."""
         drew = isinstance(self.tool, WindowTool) and self.tool.busy
         super()._release(x, y, modifiers)
-        if drew and self.session.sheet.clip_world is not None:
+        if drew and self.session.sheet.first_view.clip_world is not None:
             self._after_window()
 
     def _after_window(self) -> None:
@@ -72,5 +72,8 @@ class ClipPanel(SteppedPanel):
 
     def add_window(self) -> None:
         """Give the sheet a clip window over its middle."""
-        self.apply(set_clip(self.session.sheet.id, usual_window(self.session.sheet)), _("Add a clip window"))
+        self.apply(
+            set_clip(self.session.sheet.first_view.id, usual_window(self.session.sheet)),
+            _("Add a clip window"),
+        )
         self._after_window()

@@ -67,7 +67,7 @@ class ClipDrag(HandleDrag):
     def press(self, address: str) -> None:
         """Take hold of it."""
         super().press(address)
-        self._window = self.session.sheet.clip_world
+        self._window = self.session.sheet.first_view.clip_world
         if self._window is not None:
             w = self._window
             self._middle = (w.xmin + w.xmax) / 2, (w.ymin + w.ymax) / 2
@@ -84,7 +84,7 @@ class ClipDrag(HandleDrag):
             new = self._moved(window, x, y)
         else:
             new = self._stretched(window, name.split(), self.world(cell))
-        if self.show(set_clip(self.session.sheet.id, new), _("Change the clip window")):
+        if self.show(set_clip(self.session.sheet.first_view.id, new), _("Change the clip window")):
             self.tag = extent_text(new)
         return cell
 
@@ -193,7 +193,7 @@ class WindowTool(Tool):
             return
         (x0, y0), (x1, y1) = self.world(self._corner), self.world(cell)
         new = Rectangle(min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1))
-        if self.show(set_clip(self.session.sheet.id, new), _("Draw the clip window")):
+        if self.show(set_clip(self.session.sheet.first_view.id, new), _("Draw the clip window")):
             self.tag = extent_text(new)
 
     def release(self, x: float, y: float) -> None:

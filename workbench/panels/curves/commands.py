@@ -20,11 +20,12 @@ from workbench.document.curves.pieces import goes_round, may_be_closed
 from workbench.document.edits import Edit, move_points
 from workbench.document.errors import DocumentError
 from workbench.document.model import B_SPLINES, Curve, Document
+from workbench.document.transforms.chains import read_only_reason
 from workbench.language import _, ngettext
 from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.stage.actions import Row
 from workbench.panels.stage.gesture import Gesture
-from workbench.rendering import device_map
+from workbench.rendering import figure_map
 
 NUDGE = "nudge points"
 
@@ -113,11 +114,14 @@ class CurveCommands(QObject):
         curve = self.focus.selected
         if curve is None or not (numbers := self.focus.numbers(curve)):
             return False
-        scale = device_map(self.session.sheet)
+        if reason := read_only_reason(curve):
+            self.said.emit(reason)
+            return True
+        right, up = figure_map(self.session.sheet, curve).world_way(dx, dy)
         places: dict[Address | str, tuple[float, float]] = {}
         for k in numbers:
             point = curve.points_world[k]
-            at = round(point.x + dx / scale.sx, 9), round(point.y + dy / scale.sy, 9)
+            at = round(point.x + right, 9), round(point.y + up, 9)
             places[self.address(curve, point.id)] = at
         self.apply(move_points(places), _("Nudge points"), NUDGE)
         return True

@@ -11,7 +11,7 @@ from workbench.language import _
 from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.curves.names import point_name
 from workbench.panels.curves.shape import TANGENT_SHARE, device_points, tangent_ends
-from workbench.rendering import device_map
+from workbench.rendering import figure_map
 
 _DIRECTIONS = 8
 
@@ -70,7 +70,7 @@ class PointDrag(Drag):
         places = {}
         for k in self.numbers:
             at = self._points[k]
-            places[self.curve.points_world[k].id] = self.focus.world(at[0] + dx, at[1] + dy)
+            places[self.curve.points_world[k].id] = self.focus.world(at[0] + dx, at[1] + dy, self.curve)
         return move_points({self.address(point, "x"): place for point, place in places.items()})
 
 
@@ -90,9 +90,10 @@ class TangentDrag(Drag):
         dx, dy = px - self._at[0], py - self._at[1]
         if constrain:
             dx, dy = constrained(dx, dy)
-        scale = device_map(self.focus.session.sheet)
-        tx = round(dx / TANGENT_SHARE / scale.sx, 4)
-        ty = round(dy / TANGENT_SHARE / scale.sy, 4)
+        way = figure_map(self.focus.session.sheet, self.curve).world_way(
+            dx / TANGENT_SHARE, dy / TANGENT_SHARE
+        )
+        tx, ty = (round(part, 4) for part in way)
         self.tag = _("tangent ({x:g}, {y:g})\nlength {length:.4g}").format(
             x=tx, y=ty, length=math.hypot(tx, ty)
         )
@@ -113,6 +114,6 @@ class BendDrag(Drag):
         dx, dy = x - self.start[0], y - self.start[1]
         if constrain:
             dx, dy = constrained(dx, dy)
-        scale = device_map(self.focus.session.sheet)
+        way = figure_map(self.focus.session.sheet, self.curve).world_way(dx, dy)
         self.tag = _("u = {u:.4g}\nby ({dx:.3g}, {dy:.3g})").format(u=self._u, dx=dx, dy=dy)
-        return drag_curve(self.curve.id, self._u, dx / scale.sx, dy / scale.sy)
+        return drag_curve(self.curve.id, self._u, *way)

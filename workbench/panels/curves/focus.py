@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from workbench.document.model import Curve
 from workbench.geometry.conventions import round_half_up
-from workbench.rendering import device_map
+from workbench.rendering import device_map, figure_map
 from workbench.session.session import Session
 
 # Below this size of a cell, in logical pixels, points are put to halves, from it on to tenths of a cell.
@@ -88,6 +88,8 @@ class CurveFocus(QObject):
         step = 10 if self.cell_px >= FINE_PX else 2
         return round(x * step) / step, round(y * step) / step
 
-    def world(self, x: float, y: float) -> tuple[float, float]:
-        """World coordinates of a device point."""
-        return device_map(self.session.sheet).world_point(x, y)
+    def world(self, x: float, y: float, curve: Curve | None = None) -> tuple[float, float]:
+        """World coordinates of a device point; of a curve those that its chain takes there."""
+        sheet = self.session.sheet
+        scale = device_map(sheet) if curve is None else figure_map(sheet, curve)
+        return scale.world_point(x, y)

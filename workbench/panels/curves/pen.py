@@ -11,6 +11,7 @@ from workbench.document.curves.edits import add_path_point, add_points, curve_wi
 from workbench.document.curves.pieces import goes_round
 from workbench.document.edits import add_figure, both
 from workbench.document.model import TANGENT_SPLINES, Curve, CurvePoint, Document
+from workbench.document.transforms.chains import read_only_reason
 from workbench.language import _
 from workbench.panels.curves.drags import constrained
 from workbench.panels.curves.focus import CurveFocus
@@ -94,22 +95,26 @@ class PenTool(FigureTool):
     def _end_at(self, x: float, y: float) -> tuple[str, bool] | None:
         """The open curve that ends there, and whether that is its begin; None where none does."""
         for figure in reversed(self.session.sheet.figures):
-            if isinstance(figure, Curve) and figure.visible and not goes_round(figure):
+            if isinstance(figure, Curve) and self._goes_on(figure):
                 points = device_points(self.session.sheet, figure)
                 for number, first in ((-1, False), (0, True)):
                     if self._near(tuple(points[number].tolist()), x, y):
                         return figure.id, first
         return None
 
+    @staticmethod
+    def _goes_on(curve: Curve) -> bool:
+        return curve.visible and not goes_round(curve) and not read_only_reason(curve)
+
     def _added(self, figure: str, first: bool, nodes: list[Node], document: Document) -> Document:
         """The document with a curve that goes on by all nodes but the one that it ends at."""
         curve = curve_with(document, figure)
         if len(nodes) < 2:
             return document
-        world = [self.focus.world(*node.at) for node in nodes[1:]]
+        world = [self.focus.world(*node.at, curve) for node in nodes[1:]]
         if curve.spline != "bezier_path":
             return add_points(figure, world[::-1] if first else world, 0 if first else None)(document)
-        pulled = [None if n.pulled is None else self.focus.world(*n.pulled) for n in nodes[1:]]
+        pulled = [None if n.pulled is None else self.focus.world(*n.pulled, curve) for n in nodes[1:]]
         return both(
             *(
                 add_path_point(figure, x, y, handle, first)

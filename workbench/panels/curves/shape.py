@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.curves import Pieces, piece_points
 from workbench.document.curves.pieces import points_of
 from workbench.document.model import TANGENT_SPLINES, Curve, Sheet
-from workbench.rendering import curves, device_map
+from workbench.rendering import curves, figure_map
 
 Array = NDArray[np.float64]
 
@@ -27,7 +27,7 @@ def device_pieces(sheet: Sheet, curve: Curve, spline: str = "") -> Pieces | None
 
 def device_points(sheet: Sheet, curve: Curve) -> Array:
     """The control points (n, 2), device coordinates."""
-    return device_map(sheet).points(points_of(curve))
+    return figure_map(sheet, curve).points(points_of(curve))
 
 
 def smooth_line(sheet: Sheet, curve: Curve, spline: str = "") -> Array:
@@ -46,7 +46,7 @@ def tangent_ends(sheet: Sheet, curve: Curve) -> dict[int, tuple[float, float]]:
     """For each point with a tangent the end of its handle, device coordinates."""
     if curve.spline not in TANGENT_SPLINES:
         return {}
-    scale = device_map(sheet)
+    scale = figure_map(sheet, curve)
     return {
         k: scale.point(p.x + TANGENT_SHARE * p.tangent_x, p.y + TANGENT_SHARE * p.tangent_y)
         for k, p in enumerate(curve.points_world)

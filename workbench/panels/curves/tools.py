@@ -4,6 +4,7 @@ import numpy as np
 
 from workbench.document.curves.pieces import parameter_at
 from workbench.document.model import Curve
+from workbench.document.transforms.chains import read_only_reason
 from workbench.language import _
 from workbench.panels.curves.drags import BendDrag, Drag, PointDrag, TangentDrag
 from workbench.panels.curves.focus import CurveFocus
@@ -66,7 +67,7 @@ class CurveSelectTool(SelectTool):
         if number is None and tangent is not None:
             self.drag = TangentDrag(self.focus, curve, x, y, tangent)
             self.focus.choose({curve.points_world[tangent].id})
-            self._begin(())
+            self._begin(curve, ())
             return True
         if number is None:
             return not adding and self._press_on_line(curve, x, y)
@@ -81,7 +82,7 @@ class CurveSelectTool(SelectTool):
             self._click = point
         numbers = self.focus.numbers(curve)
         self.drag = PointDrag(self.focus, curve, x, y, number, numbers)
-        self._begin(tuple(curve.points_world[k].id for k in numbers))
+        self._begin(curve, tuple(curve.points_world[k].id for k in numbers))
         return True
 
     def _press_on_line(self, curve: Curve, x: float, y: float) -> bool:
@@ -89,10 +90,13 @@ class CurveSelectTool(SelectTool):
         if share is None:
             return False
         self.drag = BendDrag(self.focus, curve, x, y, share)
-        self._begin(())
+        self._begin(curve, ())
         return True
 
-    def _begin(self, moving: tuple[str, ...]) -> None:
+    def _begin(self, curve: Curve, moving: tuple[str, ...]) -> None:
+        if reason := read_only_reason(curve):
+            self.failed.emit(reason)
+            return
         self.focus.moving = moving
         self.begin()
 

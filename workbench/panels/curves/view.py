@@ -32,7 +32,7 @@ from workbench.panels.stage.outline import outline
 from workbench.panels.stage.picture import packed, pale_picture, picture
 from workbench.panels.stage.tools import FigureTool
 from workbench.panels.stage.view import FigureView
-from workbench.rendering import device_map, emitted
+from workbench.rendering import emitted, figure_map
 from workbench.rendering.curve_runs import construction_of, curve_calls
 from workbench.rendering.marks import on_device
 from workbench.session.variables import same_value
@@ -199,7 +199,7 @@ class CurveView(FigureView):
         held = next((point for point in curve.points_world if point.id == moving[0]), None)
         if held is None:
             return None
-        x, y = device_map(self.session.sheet).point(held.x, held.y)
+        x, y = figure_map(self.session.sheet, curve).point(held.x, held.y)
         return round_half_up(x), round_half_up(y)
 
     def _region(self, curve: Curve, chosen: list[int]) -> list[Stroke]:
@@ -229,7 +229,7 @@ class CurveView(FigureView):
             numbers = tuple(k for k, point in enumerate(curve.points_world) if point.id in held)
             shown = [k for k in with_handles(curve, numbers) if k in set(shown)]
         points = [curve.points_world[k] for k in shown]
-        scale = device_map(sheet)
+        scale = figure_map(sheet, curve)
         path = curve.spline == "bezier_path"
 
         def grip(k: int, point: CurvePoint) -> Handle:

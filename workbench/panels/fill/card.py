@@ -18,7 +18,7 @@ from workbench.panels.stage.card import ParameterCard, number_field
 from workbench.panels.stage.gesture import snapped
 from workbench.panels.stage.picture import themed
 from workbench.panels.stage.tools import FigureTool
-from workbench.rendering import device_map
+from workbench.rendering import figure_map
 from workbench.widgets.fields.swatches import Swatches
 from workbench.widgets.look.tokens import tokens
 
@@ -99,7 +99,7 @@ class FillCard(ParameterCard):
 
     def _problem(self, fill: SeedFill) -> str:
         sheet = self._session.sheet
-        seed = snapped(*device_map(sheet).point(fill.points_world[0].x, fill.points_world[0].y))
+        seed = snapped(*figure_map(sheet, fill).point(fill.points_world[0].x, fill.points_world[0].y))
         place = sheet.figures.index(fill)
         return seed_problem(self._session, seed, fill.drawn_with, fill.colour, fill.boundary, place)
 

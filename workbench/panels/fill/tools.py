@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 from workbench.algorithms import catalogue
 from workbench.document.edits import add_figure, add_ring
 from workbench.document.model import Polygon, SeedFill
+from workbench.document.transforms.chains import read_only_reason
 from workbench.language import _
 from workbench.panels.stage.gesture import Cell, Modifiers, Tool, snapped
 from workbench.panels.stage.tools import (
@@ -17,7 +18,7 @@ from workbench.panels.stage.tools import (
     PolygonTool,
     PolylineTool,
 )
-from workbench.rendering import device_map, frame_buffer
+from workbench.rendering import device_map, figure_map, frame_buffer
 from workbench.session.session import Session
 
 BOUNDARY, FILL = 1, 2
@@ -45,8 +46,13 @@ class FillPolygonTool(PolygonTool):
             super()._make(cells)
             return
         corners = [cell for k, cell in enumerate(cells) if k == 0 or cell != cells[k - 1]]
-        scale = device_map(self.session.sheet)
-        places = [self.world(cell) for cell in corners]
+        sheet = self.session.sheet
+        polygon = next((figure for figure in sheet.figures if figure.id == self._of), None)
+        if polygon is not None and (reason := read_only_reason(polygon)):
+            self.failed.emit(reason)
+            return
+        scale = device_map(sheet) if polygon is None else figure_map(sheet, polygon)
+        places = [scale.world_point(*cell) for cell in corners]
         if len(set(corners)) < 3:
             self.band = np.array([scale.point(*place) for place in places], np.float64)
             self.show(lambda document: document, "")

@@ -279,7 +279,8 @@ class ParameterCard(QFrame):
                 widget.hide()
                 widget.deleteLater()
         self._fields, self._size = {}, None
-        pixels = sheet.window_world == sheet.viewport_device
+        view = sheet.first_view
+        pixels = view.window_world == view.viewport_device
         if one is not None:
             for k, (address, label, meaning) in enumerate(self.numbers(sheet, one)):
                 number = declared_at(self._session.document, address).kind

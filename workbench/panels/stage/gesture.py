@@ -4,6 +4,7 @@ A gesture keeps the document that it began with and builds every edit from it, s
 its way leaves no trace, and Escape brings exactly that document back.
 """
 
+import math
 from itertools import count
 
 import numpy as np
@@ -12,10 +13,12 @@ from PySide6.QtCore import QObject, Qt, Signal
 from workbench.document.edits import Edit, move_points, set_attributes
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Document
+from workbench.document.transforms.chains import read_only_reason
 from workbench.geometry.conventions import round_half_up
 from workbench.language import _
 from workbench.panels.stage.outline import Curve
-from workbench.rendering import device_map
+from workbench.rendering import device_map, figure_map
+from workbench.rendering.mapping import FigureMap
 from workbench.session.session import Session
 
 Cell = tuple[int, int]
@@ -124,7 +127,10 @@ class Tool(Gesture):
 
 
 class HandleDrag(Gesture):
-    """Drags one handle: a control point or a radius."""
+    """Drags one handle, a control point or a radius, and writes it through the inverse of the figure's chain.
+
+    Where there is none the handle stays, and ``failed`` says why.
+    """
 
     def __init__(self, session: Session) -> None:
         super().__init__(session)
@@ -134,39 +140,56 @@ class HandleDrag(Gesture):
     def press(self, address: str) -> None:
         """Take hold of the handle with this address."""
         self.held = address
-        self.begin()
+        figure = self._figure()
+        if figure is not None and (reason := read_only_reason(figure)):
+            self.failed.emit(reason)
+        else:
+            self.begin()
+
+    def _figure(self) -> AnyFigure | None:
+        """The figure whose handle is held."""
+        identity = self.held.split("/")[1]
+        return next((figure for figure in self.session.sheet.figures if figure.id == identity), None)
 
     def drag(self, x: float, y: float) -> Cell:
         """Put it to the nearest pixel, which is returned."""
         cell = snapped(x, y)
-        _sheet, figure_id, *rest = self.held.split("/")
-        sheet = self.session.sheet
-        figure = next((f for f in sheet.figures if f.id == figure_id), None)
-        if figure is None:
+        sheet, figure = self.session.sheet, self._figure()
+        if figure is None or not self.busy:
             return cell
-        scale = device_map(sheet)
+        _sheet, _figure, *rest = self.held.split("/")
         if len(rest) == 2:
-            self.show(move_points({self.held: self.world(cell)}), _("Move point"))
+            place = figure_map(sheet, figure).world_point(*cell)
+            self.show(move_points({self.held: place}), _("Move point"))
             self.tag = self._neighbour_text(figure, rest[0], cell)
             return cell
-        centre = snapped(*scale.point(figure.points_world[0].x, figure.points_world[0].y))
-        if rest[0] == "radius_world":
-            radius = radius_between(centre, cell)
-            value, self.tag = radius / abs(scale.sx), f"r = {radius}"
-        else:
-            along_x = rest[0] == "radius_x_world"
-            radius = abs(cell[0] - centre[0]) if along_x else abs(cell[1] - centre[1])
-            value = radius / abs(scale.sx if along_x else scale.sy)
-            self.tag = f"{'rx' if along_x else 'ry'} = {radius}"
+        value = self._radius(figure, rest[0], cell)
         self.show(set_attributes({self.held: value}), _("Change radius"))
         return cell
+
+    def _radius(self, figure: AnyFigure, name: str, cell: Cell) -> float:
+        """The radius of this name, world, that reaches ``cell``: a whole number of pixels without a chain."""
+        scale = figure_map(self.session.sheet, figure)
+        middle = figure.points_world[0]
+        label = {"radius_x_world": "rx", "radius_y_world": "ry"}.get(name, "r")
+        if isinstance(scale, FigureMap):
+            x, y = scale.world_point(*cell)
+            dx, dy = x - middle.x, y - middle.y
+            radius = {"rx": abs(dx), "ry": abs(dy), "r": math.hypot(dx, dy)}[label]
+            self.tag = f"{label} = {radius:.4g}"
+            return radius
+        centre = snapped(*scale.point(middle.x, middle.y))
+        across, up = abs(cell[0] - centre[0]), abs(cell[1] - centre[1])
+        pixels = {"rx": across, "ry": up, "r": radius_between(centre, cell)}[label]
+        self.tag = f"{label} = {pixels}"
+        return pixels / abs(scale.sy if label == "ry" else scale.sx)
 
     def _neighbour_text(self, figure: AnyFigure, point: str, cell: Cell) -> str:
         ids = [p.id for p in figure.points_world]
         if len(ids) < 2 or point not in ids:
             return f"({cell[0]}, {cell[1]})"
         other = figure.points_world[ids.index(point) - 1 if ids.index(point) else 1]
-        return span_text(snapped(*device_map(self.session.sheet).point(other.x, other.y)), cell)
+        return span_text(snapped(*figure_map(self.session.sheet, figure).point(other.x, other.y)), cell)
 
     def release(self) -> None:
         """Let go of it."""

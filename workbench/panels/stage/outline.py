@@ -7,8 +7,7 @@ from numpy.typing import NDArray
 from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, SeedFill, Sheet
 from workbench.geometry.conventions import round_half_up
-from workbench.rendering import device_map, display_list, painter_of
-from workbench.rendering.mapping import device_radii
+from workbench.rendering import display_list, figure_map, painter_of
 from workbench.rendering.memory import Memory
 from workbench.widgets.canvas.overlay import Handle
 
@@ -18,9 +17,9 @@ _FLATNESS_PX = 0.005  # no corner is seen where a pixel is forty large
 
 
 def outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
-    """The whole figure as open polylines, each (n, 2), clipped to the viewport alone."""
-    key = sheet.window_world, sheet.viewport_device, figure
-    return _outlines.get(key, lambda: _outline(replace(sheet, figures=(figure,), clip_world=None)))
+    """The whole figure as open polylines, each (n, 2), in every view, clipped to its viewport alone."""
+    views = tuple(replace(view, clip_world=None) for view in sheet.views)
+    return _outlines.get((views, figure), lambda: _outline(replace(sheet, figures=(figure,), views=views)))
 
 
 _outlines: Memory[tuple[Curve, ...]] = Memory(32 << 20)
@@ -74,8 +73,10 @@ def _area_at(sheet: Sheet, x: int, y: int) -> AnyFigure | None:
 
 
 def handles(sheet: Sheet, figure: AnyFigure, held: str = "") -> list[Handle]:
-    """What of a figure can be grabbed; ``id`` is an address, ``held`` the one that is being dragged."""
-    scale = device_map(sheet)
+    """What of a figure can be grabbed, where the first view shows it; ``id`` is an address, ``held`` the one
+    that is being dragged.
+    """
+    scale = figure_map(sheet, figure)
     place = f"{sheet.id}/{figure.id}"
     made: list[Handle] = []
 
@@ -87,13 +88,12 @@ def handles(sheet: Sheet, figure: AnyFigure, held: str = "") -> list[Handle]:
         name = _POINTS.get(type(figure), "P{k}").format(k=number)
         add(f"{place}/{point.id}/x", name, *scale.point(point.x, point.y))
     if isinstance(figure, Circle | Ellipse) and figure.points_world:
-        x, y = made[0].x, made[0].y
-        rx, ry = device_radii(sheet, figure)
+        x, y = figure.points_world[0].x, figure.points_world[0].y
         if isinstance(figure, Circle):
-            add(f"{place}/radius_world", "r", x + rx, y)
+            add(f"{place}/radius_world", "r", *scale.point(x + figure.radius_world, y))
         else:
-            add(f"{place}/radius_x_world", "rx", x + rx, y)
-            add(f"{place}/radius_y_world", "ry", x, y + ry)
+            add(f"{place}/radius_x_world", "rx", *scale.point(x + figure.radius_x_world, y))
+            add(f"{place}/radius_y_world", "ry", *scale.point(x, y + figure.radius_y_world))
     return made
 
 

@@ -1,0 +1,103 @@
+"""Chains of transforms: the matrix of a chain, what it is made of, and the way back.
+
+The first link of a chain acts first; its matrix stands rightmost in the product. What is switched off is
+left out.
+"""
+
+from collections.abc import Iterable, Sequence
+from functools import cached_property
+
+import msgspec
+import numpy as np
+
+from workbench.algorithms import transforms
+from workbench.algorithms.transforms import Matrix
+from workbench.document.transforms.links import AnyLink, Elementary
+from workbench.language import _
+
+LARGEST = 1e12
+"""The largest number in the matrix of a chain, of whatever sign."""
+
+# Of the product of the lengths of both columns: what rounding leaves of a determinant that is 0.
+_SINGULAR = 1e-14
+
+
+def matrix_of(chain: Iterable[AnyLink]) -> Matrix | None:
+    """The matrix (3, 3) of a chain, world to world, read-only; None where no link of it is on.
+
+    It may have numbers that are not finite, which no document holds.
+    """
+    acting = [link.matrix for link in chain if link.on]
+    if not acting:
+        return None
+    with np.errstate(over="ignore", invalid="ignore"):
+        matrix = transforms.product(*reversed(acting))
+    matrix.setflags(write=False)
+    return matrix
+
+
+def unfolded(chain: Iterable[AnyLink]) -> list[Elementary]:
+    """The elementary transformations of the links that are on, in the order in which they act."""
+    return [part for link in chain if link.on for part in link.unfolded()]
+
+
+def is_singular(matrix: Matrix | None) -> bool:
+    """Whether a matrix (3, 3) flattens the plane, so that it cannot be undone; None is the identity."""
+    if matrix is None:
+        return False
+    (a, b), (c, d) = matrix[:2, :2].tolist()
+    return bool(abs(a * d - b * c) <= _SINGULAR * np.hypot(a, c) * np.hypot(b, d))
+
+
+def inverse_of(matrix: Matrix) -> Matrix:
+    """The matrix that brings back. Raises: ValueError, a sentence, where it is singular."""
+    if is_singular(matrix):
+        raise ValueError(_flat())
+    return transforms.inverse(matrix)
+
+
+def _flat() -> str:
+    return _("The transforms flatten this figure, so they cannot be undone; change or switch off one.")
+
+
+class Transformed(
+    msgspec.Struct,
+    frozen=True,
+    kw_only=True,
+    dict=True,  # where the cached properties are kept
+):
+    """What has a chain of transforms; its first link acts first on the points, in the world."""
+
+    transforms: tuple[AnyLink, ...] = ()
+
+    @cached_property
+    def matrix(self) -> Matrix | None:
+        """The matrix (3, 3) of its chain, world to world; None where nothing is transformed."""
+        return matrix_of(self.transforms) if self.transforms else None
+
+
+def read_only_reason(figure: Transformed) -> str:
+    """The sentence that says why the points of a figure cannot be dragged where they are seen; empty where
+    they can."""
+    return _flat() if is_singular(figure.matrix) else ""
+
+
+def matrices_of(figures: Sequence[Transformed]) -> Matrix:
+    """The matrices (n, 3, 3) of the chains of figures, the identity where there is none.
+
+    Each figure keeps its own, so that thousands are asked for at once.
+    """
+    matrices = np.empty((len(figures), 3, 3))
+    matrices[:] = np.eye(3)
+    for number, figure in enumerate(figures):
+        if figure.transforms and figure.matrix is not None:
+            matrices[number] = figure.matrix
+    return matrices
+
+
+def transformed(matrix: Matrix, points: Matrix) -> Matrix:
+    """Points (n, 2), world, under one matrix (3, 3) or each under its own (n, 3, 3)."""
+    placed: Matrix = (
+        matrix[..., :2, 0] * points[:, :1] + matrix[..., :2, 1] * points[:, 1:] + matrix[..., :2, 2]
+    )
+    return placed
