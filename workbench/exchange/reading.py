@@ -21,7 +21,8 @@ from msgspec.structs import replace
 from workbench.document.model import AnyFigure, Curve, Document, Sheet
 from workbench.document.state import SessionState
 from workbench.document.storage.content import Progress, Stopped, decoded, part, read_content, silent
-from workbench.document.storage.files import MAX_BYTES, Stored, decode
+from workbench.document.storage.embedding import as_text, blobs_of, from_text, with_contents
+from workbench.document.storage.files import MAX_BYTES, Stored, all_blobs, decode
 from workbench.exchange import mesh_reading
 from workbench.exchange.figures import read_figures
 from workbench.exchange.fitted_curve import fitted
@@ -195,22 +196,22 @@ class _Meshed(msgspec.Struct, tag=True):
 
 _Part = _Share | _Refused | _Failed | _Frame | _Figures | _Blob | _Drawn | _Points | _Fit | Piece | _Meshed
 
-_encoder = msgspec.msgpack.Encoder()
-_part_decoder = msgspec.msgpack.Decoder(_Part)
-_job_decoder = msgspec.msgpack.Decoder(Job)
+_encoder = msgspec.msgpack.Encoder(enc_hook=as_text)
+_part_decoder = msgspec.msgpack.Decoder(_Part, dec_hook=from_text)
+_job_decoder = msgspec.msgpack.Decoder(Job, dec_hook=from_text)
 
 
 def _parts(result: Result) -> Iterator[_Part]:
     """The result in parts, each quickly decoded."""
     match result:
-        case Stored(document=document, session=session, blobs=blobs):
+        case Stored(document=document, session=session):
             bare = [replace(sheet, figures=()) for sheet in document.sheets]
             yield _Frame(
                 bare, document.last_id, session, result.origin, result.origin_stamp, result.blobs_beside
             )
             for number, sheet in enumerate(document.sheets):
                 yield from _batches(number, sheet.figures)
-            for name, content in blobs.items():
+            for name, content in all_blobs(result).items():
                 for at in range(0, max(len(content), 1), _BLOB_IN_A_PART):
                     yield _Blob(name, content[at : at + _BLOB_IN_A_PART])
         case Imported(figures=figures, approximated=approximated, notes=notes):
@@ -251,8 +252,11 @@ def _joined(parts: list[_Part]) -> Result:
         match each:
             case _Frame(sheets=bare, last_id=last_id, session=session):
                 sheets = (replace(s, figures=tuple(figures[k])) for k, s in enumerate(bare))
-                document = Document(tuple(sheets), last_id)
                 contents = {name: b"".join(content) for name, content in blobs.items()}
+                bare_one = Document(tuple(sheets), last_id)
+                document = with_contents(bare_one, contents, frozenset(each.blobs_beside))
+                for digest in blobs_of(document):
+                    del contents[digest]
                 return Stored(document, session, contents, each.origin, each.origin_stamp, each.blobs_beside)
             case _Drawn(approximated=approximated, notes=notes):
                 return Imported(tuple(figures[0]), tuple(approximated), tuple(notes))
@@ -272,7 +276,7 @@ class Reading:
     """A child process that does ``job``. It is begun by ``follow``, on a thread that may wait."""
 
     def __init__(self, job: Job) -> None:
-        bare = None if job.sheet is None else replace(job.sheet, figures=())
+        bare = None if job.sheet is None else replace(job.sheet, figures=(), scene=None)
         path = str(Path(job.path).absolute()) if job.path else ""  # the child has another current folder
         self._job = replace(job, path=path, sheet=bare)
         self._process: subprocess.Popen[bytes] | None = None

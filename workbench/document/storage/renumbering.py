@@ -7,6 +7,7 @@ from msgspec.structs import replace
 from workbench.document.addresses import highest
 from workbench.document.building import with_ids, without_ids
 from workbench.document.model import Document
+from workbench.document.scene.renaming import with_fresh_ids
 from workbench.document.state import SessionState
 
 _HIGHEST = 10**14
@@ -25,7 +26,8 @@ def with_room(document: Document, state: SessionState) -> tuple[Document, Sessio
         figures = tuple(with_ids(without_ids(figure), fresh, fresh) for figure in sheet.figures)
         renamed |= {old.id: new.id for old, new in zip(sheet.figures, figures, strict=True)}
         views = tuple(replace(view, id=f"v{next(fresh)}") for view in sheet.views)
-        sheets.append(replace(sheet, id=renamed[sheet.id], figures=figures, views=views))
+        scene = sheet.scene and with_fresh_ids(sheet.scene, lambda _thing: True, fresh)
+        sheets.append(replace(sheet, id=renamed[sheet.id], figures=figures, views=views, scene=scene))
     selection = tuple(renamed[figure] for figure in state.selection)
     named = {"sheet": renamed.get(state.sheet, ""), "active": renamed.get(state.active, "")}
     return Document(tuple(sheets)), replace(state, selection=selection, **named)

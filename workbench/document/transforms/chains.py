@@ -12,7 +12,7 @@ import numpy as np
 
 from workbench.algorithms import transforms
 from workbench.algorithms.transforms import Matrix
-from workbench.document.transforms.links import AnyLink, Elementary
+from workbench.document.transforms.links import AnyLink, Elementary, Link
 from workbench.language import _
 
 LARGEST = 1e12
@@ -22,8 +22,8 @@ LARGEST = 1e12
 _SINGULAR = 1e-14
 
 
-def matrix_of(chain: Iterable[AnyLink]) -> Matrix | None:
-    """The matrix (3, 3) of a chain, world to world, read-only; None where no link of it is on.
+def matrix_of(chain: Iterable[Link]) -> Matrix | None:
+    """The matrix (3, 3), or (4, 4), of a chain, world to world, read-only; None where no link of it is on.
 
     It may have numbers that are not finite, which no document holds.
     """
