@@ -65,6 +65,12 @@ class Faces:
         after[self.ends - 1] = self.starts
         return self.corners[after]
 
+    def reversed(self) -> "Faces":
+        """The same faces, seen from their other side."""
+        numbers = np.arange(len(self.corners))
+        back = np.repeat(self.starts + self.ends, self.sizes) - 1 - numbers
+        return Faces(self.corners[back], self.ends)
+
     def chosen(self, which: NDArray[np.bool_]) -> "Faces":
         """The faces that ``which`` (m,) is true for."""
         return Faces(self.corners[np.repeat(which, self.sizes)], np.cumsum(self.sizes[which]))

@@ -78,7 +78,7 @@ def test_a_number_has_one_address(address: str, number: Number, value: Any) -> N
             edits.set_attribute(address, beyond)(document)
         assert refusal.value.short.startswith(f"The {number.label} is ")
     step = 0.125 if address.rpartition(".")[2] in BOUND and not number.whole else 1
-    other = value + step if value + step <= number.high else value - (1 if number.whole else 0.5)
+    other = value + step if value + step <= number.high else value - 1 if number.whole else value / 2
     if address.rpartition(".")[2] in BOUND and number.whole:
         other = value if value == 3 else value - 1
     after = edits.set_attribute(address, other)(document)
