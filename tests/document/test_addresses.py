@@ -16,18 +16,19 @@ from workbench.document.edits import (
     reorder,
     set_attribute,
 )
-from workbench.document.model import AnyFigure, Document, Knot, Rectangle, Sheet, WorldPoint
+from workbench.document.model import AnyFigure, Document, Knot, Rectangle, Sheet, View, WorldPoint
 from workbench.document.samples.examples import example_document, examples
+from workbench.document.transforms.links import AnyLink
 
 
 def everything(document: Document) -> dict[Address, object]:
     """Every attribute by its address, found by walking the document and not by ``resolve``."""
     found: dict[Address, object] = {}
 
-    def walk(owner: Sheet | AnyFigure | WorldPoint | Knot, *place: str) -> None:
+    def walk(owner: Sheet | View | AnyFigure | WorldPoint | Knot | AnyLink, *place: str) -> None:
         for name in owner.__struct_fields__:
             value = getattr(owner, name)
-            if name in ("figures", "points_world", "knots"):
+            if name in ("views", "figures", "points_world", "knots", "transforms"):
                 for item in value:
                     walk(item, *place, item.id)
             elif isinstance(value, Rectangle):

@@ -34,6 +34,7 @@ from workbench.document.samples.examples import blank_sheet
 from workbench.document.state import SessionState as State
 from workbench.document.state import TubeSettings, check_state
 from workbench.document.storage.files import decode, encode
+from workbench.document.transforms.links import Affine, Reflect, Rotate, Scale, Shear, Translate
 
 STRUCTS = [*structs_in(Document), TubeSettings]
 # The sides that cannot lie at that end of their range, since the other side would have to lie beyond it.
@@ -48,8 +49,16 @@ def everything() -> Document:
     """A document that holds every kind of struct, and in every list something."""
     corners = ((1.0, 1.0), (9.0, 1.0), (5.0, 8.0))
     controls = [CurvePoint(f"c{k}", k * 4.0, k % 2 * 3.0, 2.0, 1.0, -1.0) for k in range(3)]
+    chain = (
+        Translate("t1", tx=2.0, ty=1.0),
+        Rotate("t2", angle=30.0),
+        Scale("t3", sx=2.0),
+        Reflect("t4", angle=90.0),
+        Shear("t5", sh_x=0.5),
+        Affine("t6", m11=2.0),
+    )
     figures = (
-        Line("f1", _points("f1", *corners[:2]), "dda_line"),
+        Line("f1", _points("f1", *corners[:2]), "dda_line", transforms=chain),
         Polyline("f2", _points("f2", *corners), "bresenham_line"),
         Polygon("f3", _points("f3", *corners), "scan_line_fill", ring_ends=(3,)),
         Circle("f4", _points("f4", corners[0]), "midpoint_circle", radius_world=3.0),
@@ -143,7 +152,9 @@ def test_a_key_frame_hangs_on_what_may_lie_between_two_values() -> None:
     sides = {"xmin", "ymin", "xmax", "ymax"}
     radii = {"radius_world", "radius_x_world", "radius_y_world"}
     of_curves = {"weight", "tangent_x", "tangent_y", "u", "tension", "continuity", "bias", "alpha"}
-    assert keyed == {"x", "y"} | sides | radii | of_curves
+    of_links = {"tx", "ty", "angle", "x_pivot", "y_pivot", "sx", "sy", "sh_x", "sh_y", "x_ref", "y_ref"}
+    entries = {"m11", "m12", "m13", "m21", "m22", "m23"}
+    assert keyed == {"x", "y"} | sides | radii | of_curves | of_links | entries
 
 
 def test_a_field_has_one_label_wherever_it_is() -> None:
@@ -242,7 +253,9 @@ def test_a_list_of_parts_is_one_whose_entries_have_ids() -> None:
     of_figures = {
         (kind.__name__, "points_world") for kind in structs_in(Document) if issubclass(kind, Figure)
     }
-    assert parts == {("Document", "sheets"), ("Sheet", "figures"), ("Curve", "knots")} | of_figures
+    chains = {(name, "transforms") for name, _points in of_figures}
+    of_sheets = {("Document", "sheets"), ("Sheet", "views"), ("Sheet", "figures")}
+    assert parts == of_sheets | {("Curve", "knots")} | of_figures | chains
 
 
 @pytest.mark.parametrize("name", numbers_of(TubeSettings))

@@ -164,7 +164,7 @@ def test_a_sheet_is_added_beside_itself_with_numbers_that_follow(looked_at: list
     document = many(30)
     twice = edits.add_sheet(document.sheets[0])(document)
     assert len({*document.sheets[0].figures[0].ids, *twice.sheets[1].figures[0].ids}) == 16
-    assert [figure.id for figure in twice.sheets[1].figures[:2]] == ["f31", "f39"]
+    assert [figure.id for figure in twice.sheets[1].figures[:2]] == ["f32", "f40"]
 
 
 def test_what_moves_elsewhere_keeps_its_ids() -> None:

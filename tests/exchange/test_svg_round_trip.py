@@ -33,6 +33,7 @@ from workbench.document.model import (
     WorldPoint,
     whole_sheet,
 )
+from workbench.document.transforms.links import Rotate, Scale, Translate
 from workbench.exchange.svg_paths import read_svg, write_svg
 
 PALETTE = (0xFFFFFF, 0x000000, 0xCC3300, 0x0055AA)
@@ -175,17 +176,23 @@ def test_an_original_moves_and_grows_with_its_group() -> None:
     (back,) = read_svg(moved, sheet).figures
     assert isinstance(back, Curve)
     assert back.spline == "nurbs"
-    expected = [(2 * p.x + 5, 2 * p.y + 3) for p in nurbs().points_world]
-    assert [(p.x, p.y) for p in back.points_world] == expected
+    assert back.points_world == without_ids(nurbs()).points_world
+    assert back.transforms == (Scale("", sx=2.0, sy=2.0), Translate("", tx=5.0, ty=3.0))
+
+
+def test_an_original_turns_with_a_transform_of_its_own() -> None:
+    sheet = sheet_with(nurbs())
+    turned = write_svg(sheet).text.replace("<path", '<path transform="rotate(10)"')
+    (back,) = read_svg(turned, sheet).figures
+    assert back == replace(without_ids(nurbs()), transforms=(Rotate("", angle=-10.0),))
 
 
 def test_what_was_changed_elsewhere_is_taken_as_it_is_drawn() -> None:
     sheet = sheet_with(nurbs())
     text = write_svg(sheet).text
-    turned = text.replace("<path", '<path transform="rotate(10)"')
     changed = re.sub(r' d="M [^C]*C', ' d="M 1,1 C', text)
     broken = text.replace("&quot;nurbs&quot;", "&quot;other&quot;").replace('"nurbs"', '"other"')
-    for other in (turned, changed, broken, bare(text)):
+    for other in (changed, broken, bare(text)):
         assert other != text
         (back,) = read_svg(other, sheet).figures
         assert isinstance(back, Curve)

@@ -289,11 +289,11 @@ class View(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=T
 
 
 class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
-    """One picture: a size in pixels, views in the order of painting, palette (0xRRGGBB), figures, back first.
+    """One picture: a size in pixels, views in the order of painting, palette (0xRRGGBB), figures.
 
-    ``background`` is the palette index of the paper: the canvas shows it as the theme's canvas colour, the
-    tube as an unlit screen. The clippers named work where a view has a clip window. The view plane of the
-    ``scene``, if there is one, is the sheet's world.
+    The figures come from back to front. ``background`` is the palette index of the paper: the canvas shows it
+    as the theme's canvas colour, the tube as an unlit screen. The clippers work where a view clips. The view
+    plane of the ``scene``, if there is one, is the sheet's world.
     """
 
     letter: ClassVar[str] = "s"

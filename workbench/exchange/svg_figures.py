@@ -25,6 +25,7 @@ from workbench.exchange.path_data import Run, TooManyPointsError, runs
 from workbench.exchange.svg_arcs import Arc
 from workbench.exchange.svg_colours import colour_of, nearest_colour
 from workbench.exchange.svg_outlines import Outline, length_of, outline, points_of
+from workbench.exchange.svg_transforms import Placing
 from workbench.exchange.svg_tree import Element, SvgError
 from workbench.language import _
 
@@ -63,10 +64,10 @@ class Geometry:
 
 @dataclass(slots=True, eq=False)
 class Shape:
-    """An element that draws, the matrix (2, 3) it stands under, and the style that holds for it."""
+    """An element that draws, the transforms it stands under, and the style that holds for it."""
 
     element: Element
-    matrix: Array
+    placing: Placing
     style: dict[str, str]
     geometry: Geometry
 
@@ -97,9 +98,10 @@ class Shape:
         if self.element.tag in ("circle", "ellipse"):
             x, y, rx, ry = _ellipse(self.element)
             around = _ROUND * [rx, ry] + [x, y] if rx > 0 and ry > 0 else np.zeros((0, 2))
-            placed: Array = around @ self.matrix[:, :2].T + self.matrix[:, 2]
+            matrix = self.placing.matrix
+            placed: Array = around @ matrix[:, :2].T + matrix[:, 2]
             return placed
-        parts = [part.points for part in self.geometry.outlines(self.matrix, 1e9)]
+        parts = [part.points for part in self.geometry.outlines(self.placing.matrix, 1e9)]
         return np.vstack([np.zeros((0, 2)), *parts])
 
     def _paint(self, name: str, default: str) -> str:

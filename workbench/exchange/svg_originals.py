@@ -18,6 +18,7 @@ from workbench.document.building import with_ids
 from workbench.document.check import check
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Circle, Curve, Document, Ellipse, Sheet
+from workbench.exchange.svg_transforms import framed
 from workbench.exchange.svg_tree import GEOMETRY
 
 FIGURE, DIGEST = "figure", "geometry"
@@ -53,7 +54,8 @@ def moved(figure: AnyFigure, scale: float, dx: float, dy: float) -> AnyFigure:
     if (scale, dx, dy) == (1.0, 0.0, 0.0):
         return figure
     points = tuple(replace(p, x=scale * p.x + dx, y=scale * p.y + dy) for p in figure.points_world)
-    figure = replace(figure, points_world=points)
+    chain = framed(figure.transforms, scale, dx, dy)
+    figure = replace(figure, points_world=points, transforms=chain)
     if isinstance(figure, Circle):
         return replace(figure, radius_world=scale * figure.radius_world)
     if isinstance(figure, Ellipse):

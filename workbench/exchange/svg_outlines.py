@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from workbench.exchange.path_data import LARGEST, MOST_POINTS, Run, TooManyPointsError, runs
 from workbench.exchange.svg_arcs import arc_pieces
+from workbench.exchange.svg_transforms import FUNCTION
 from workbench.exchange.svg_tree import Element, SvgError
 from workbench.geometry.curves.cubic_pieces import raised_to_cubic
 from workbench.language import _
@@ -26,9 +27,6 @@ _LONGEST_LENGTH = 100
 # What makes the control points of a cubic of those of a segment of this degree.
 _RAISED = {degree: raised_to_cubic(np.eye(degree + 1)[None])[0] for degree in (1, 2, 3)}
 _OF_PAIRS = set("0123456789.,+-eE \t\r\n")
-_TRANSFORM = re.compile(
-    r"\s*(matrix|translate|scale|rotate|skewX|skewY)\s*\(([-+.,eE\d\s]*)\)[\s,]*", re.IGNORECASE
-)
 
 
 @dataclass(slots=True, eq=False)
@@ -105,7 +103,7 @@ def transform_of(element: Element) -> Array | None:
         return None
     placed: Array = np.full((2, 3), math.nan)
     words, at = [], 0
-    while match := _TRANSFORM.match(text, at):
+    while match := FUNCTION.match(text, at):
         numbers = match[2].replace(",", " ").split()
         if len(numbers) > 6 or any(len(number) > _LONGEST_LENGTH for number in numbers):
             break

@@ -6,7 +6,7 @@ picture that this program wrote comes back to where it was.
 
 A path becomes one Curve of Bézier pieces for each of its runs, quadratic and straight ones raised to cubics;
 line, polyline, polygon and rect become lines, polylines or, when filled, polygons; circle and ellipse stay
-themselves where their axes lie along x and y.
+themselves. Transforms, of groups too, become the links of the figures' chains.
 """
 
 from typing import NamedTuple
@@ -18,13 +18,15 @@ from numpy.typing import NDArray
 from workbench.document.building import without_ids
 from workbench.document.model import AnyFigure, Rectangle, Sheet
 from workbench.document.storage.content import Progress, part, silent
+from workbench.document.transforms.chains import matrix_of
 from workbench.exchange.path_data import MOST_POINTS, TooManyPointsError
 from workbench.exchange.svg_colours import nearest_colour
-from workbench.exchange.svg_figures import Shape, figures_of
+from workbench.exchange.svg_figures import Made, Shape, figures_of
 from workbench.exchange.svg_originals import fault_in, first_fault, moved, original
 from workbench.exchange.svg_outlines import length_of
+from workbench.exchange.svg_transforms import after, chain_of, framed_inside, functions_in, transform_text
 from workbench.exchange.svg_tree import Element, read_tree
-from workbench.exchange.svg_walk import after, drawing_of, stated_frame
+from workbench.exchange.svg_walk import drawing_of, stated_frame
 from workbench.language import ngettext
 from workbench.rendering.mapping import device_map
 
@@ -90,7 +92,7 @@ def read_svg(
         if restored is not None:
             figures.append(restored)
         else:
-            made = figures_of(shape, after(frame, shape.matrix), sheet, within)
+            made = _made(shape, frame, sheet, within)
             figures += made.figures
             approximated += [(made.name, made.error)] if made.error else []
             notes += made.notes
@@ -154,14 +156,42 @@ def _drawn(shapes: list[Shape]) -> tuple[float, float, float, float]:
     return float(low[0]), float(low[1]), float(size[0]), float(size[1])
 
 
+def _made(shape: Shape, frame: Array, sheet: Sheet, within: float) -> Made:
+    """The figures of a shape, its transforms as their chains; these are put into the points where they have
+    numbers that no figure can have."""
+    scale, dx, dy = float(frame[0, 0]), float(frame[0, 2]), float(frame[1, 2])
+    functions, inner = framed_inside(shape.placing.functions)
+    chain = chain_of(functions, scale, dx, dy)
+    if chain:
+        matrix = matrix_of(chain)
+        assert matrix is not None
+        stretch = float(np.linalg.norm(matrix[:2, :2], 2))
+        made = figures_of(shape, after(frame, inner), sheet, within / max(stretch, 1.0))
+        made.figures = [replace(figure, transforms=chain) for figure in made.figures]
+        made.error *= stretch
+        if not any(fault_in(figure, sheet) for figure in made.figures):
+            return made
+    return figures_of(shape, after(frame, shape.placing.matrix), sheet, within)
+
+
 def _restored(
     shape: Shape, figure: AnyFigure | None, sheet: Sheet, scale: float, dx: float, dy: float
 ) -> AnyFigure | None:
-    """The ``figure`` that a shape was made of, if it was only scaled and moved since."""
-    (a, c, e), (b, d, f) = shape.matrix.tolist()
-    if figure is None or (b, c) != (0.0, 0.0) or a != d or a <= 0:
+    """The ``figure`` that a shape was made of, under what was put around it since."""
+    if figure is None:
+        return None
+    functions, own = shape.placing.functions, transform_text(figure.transforms)
+    if own and shape.element.attributes.get("transform", "") == own:
+        functions = functions[: -len(functions_in(own))]
+    elif own:
+        figure = replace(figure, transforms=())
+    functions, inner = framed_inside(functions)
+    around = chain_of(functions, scale, dx, dy)
+    (a, c, e), (b, d, f) = inner.tolist()
+    if around is None or (b, c) != (0.0, 0.0) or a != d or a <= 0:
         return None
     figure = moved(without_ids(figure), scale * a, scale * e + dx, dy - scale * f)
+    figure = replace(figure, transforms=(*figure.transforms, *around))
     colour = figure.colour
     wanted = nearest_colour(shape.paint, sheet)
     if not (colour < len(sheet.palette) and sheet.palette[colour] == sheet.palette[wanted]):

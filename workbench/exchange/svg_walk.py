@@ -23,6 +23,7 @@ from workbench.exchange.svg_styles import (
     StyleSheet,
     declarations,
 )
+from workbench.exchange.svg_transforms import Function, Placing, after, functions_in
 from workbench.exchange.svg_tree import GEOMETRY, MOST_DEPTH, MOST_ELEMENTS, Element, all_elements
 from workbench.language import _, ngettext
 
@@ -45,6 +46,7 @@ class _Saying(NamedTuple):
     """What an element says of itself and of what is in it; ``references`` are the tags it refers to."""
 
     matrix: Array | None
+    functions: tuple[Function, ...]
     inherited: dict[str, str]
     references: list[str]
     geometry: Geometry | None
@@ -53,7 +55,7 @@ class _Saying(NamedTuple):
 def drawing_of(root: Element, viewport: tuple[float, float], progress: Progress = silent) -> Drawing:
     """The shapes in ``root``, of whose width and height ``viewport`` is 100 %. Raises: SvgError."""
     walk = _Walk(root, viewport, progress)
-    walk.into(root, np.eye(2, 3), {})
+    walk.into(root, Placing(np.eye(2, 3)), {})
     return Drawing(walk.shapes, walk.notes())
 
 
@@ -81,8 +83,8 @@ class _Walk:
         except StyleError as error:
             raise element.refusal(str(error)) from error
 
-    def into(self, element: Element, matrix: Array, style: dict[str, str]) -> None:
-        """Go through one element and those in it, under ``matrix`` and an inherited ``style``."""
+    def into(self, element: Element, placing: Placing, style: dict[str, str]) -> None:
+        """Go through one element and those in it, under what is around it and an inherited ``style``."""
         self._steps += 1
         if self._steps % _BETWEEN_REPORTS == 0:
             self._progress(0.5 + 0.5 * self._steps / MOST_ELEMENTS)
@@ -99,18 +101,18 @@ class _Walk:
         if saying.inherited:
             style = {**style, **saying.inherited}
         if saying.matrix is not None:
-            matrix = after(matrix, saying.matrix)
+            placing = placing.within(saying.matrix, saying.functions)
         if saying.geometry is not None:
             self._points += saying.geometry.size
             if self._points > MOST_POINTS:
                 raise element.refusal(str(TooManyPointsError()))
-            self.shapes.append(Shape(element, matrix, style, saying.geometry))
+            self.shapes.append(Shape(element, placing, style, saying.geometry))
         elif element.tag == "use":
-            self._used(element, matrix, style)
+            self._used(element, placing, style)
         else:
             if element.tag == "svg" and self._depth:
-                matrix = after(matrix, _inner_frame(element))
-            self._inside(element.children, matrix, style)
+                placing = placing.within(_inner_frame(element))
+            self._inside(element.children, placing, style)
 
     def _saying(self, element: Element) -> _Saying:
         own = element.style
@@ -121,21 +123,22 @@ class _Walk:
         targets = [self._named.get(link[1].strip()) for link in links if link]
         return _Saying(
             transform_of(element),
+            functions_in(element.attributes.get("transform", "")),
             inherited,
             [target.tag for target in targets if target is not None],
             Geometry.of(element) if element.tag in GEOMETRY else None,
         )
 
-    def _inside(self, elements: list[Element], matrix: Array, style: dict[str, str]) -> None:
+    def _inside(self, elements: list[Element], placing: Placing, style: dict[str, str]) -> None:
         self._depth += 1
         for element in elements:
             if self._depth > MOST_DEPTH:
                 sentence = _("what it uses is nested more than {most} deep; ungroup some.")
                 raise element.refusal(sentence.format(most=MOST_DEPTH))
-            self.into(element, matrix, style)
+            self.into(element, placing, style)
         self._depth -= 1
 
-    def _used(self, element: Element, matrix: Array, style: dict[str, str]) -> None:
+    def _used(self, element: Element, placing: Placing, style: dict[str, str]) -> None:
         name = element.attributes.get("href", "").strip()
         target = self._named.get(name.removeprefix("#")) if name.startswith("#") else None
         if target is None:
@@ -146,11 +149,12 @@ class _Walk:
             )
         x, y = length_of(element, "x"), length_of(element, "y")
         if x or y:
-            matrix = after(matrix, np.array([[1.0, 0.0, x], [0.0, 1.0, y]]))
+            moved = np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
+            placing = placing.within(moved)
         self._using.append(target)
         if target.tag == "symbol":
             self._left_out["symbol viewBox"] += "viewBox" in target.attributes
-        self._inside(target.children if target.tag == "symbol" else [target], matrix, style)
+        self._inside(target.children if target.tag == "symbol" else [target], placing, style)
         self._using.pop()
 
     def notes(self) -> list[str]:
@@ -178,13 +182,6 @@ def _inner_frame(element: Element) -> Array:
         sx = sy = min(sx, sy)
     left, top = 0.5 * (width - sx * inner[2]), 0.5 * (height - sy * inner[3])
     return after(moved, np.array([[sx, 0.0, left - sx * inner[0]], [0.0, sy, top - sy * inner[1]]]))
-
-
-def after(outer: Array, inner: Array) -> Array:
-    """The matrix (2, 3) of ``inner`` followed by ``outer``."""
-    both: Array = outer[:, :2] @ inner
-    both[:, 2] += outer[:, 2]
-    return both
 
 
 def stated_frame(root: Element) -> tuple[float, float, float, float] | None:

@@ -1,9 +1,11 @@
 """SVG out: every visible figure of a sheet, in world units with y turned downwards.
 
 Curves that are plain pieces up to degree 3 are written exactly (lines, quadratics, cubics); any other as
-cubics within a stated tolerance. Each element keeps its figure in an attribute of our own.
+cubics within a stated tolerance. A figure's chain is written as its transform. Each element keeps its figure
+in an attribute of our own.
 """
 
+import math
 import re
 from typing import NamedTuple
 from xml.sax.saxutils import escape, quoteattr
@@ -26,8 +28,10 @@ from workbench.document.model import (
     Sheet,
     WorldPoint,
 )
+from workbench.document.transforms.chains import is_singular
 from workbench.exchange.svg_colours import written
 from workbench.exchange.svg_originals import kept
+from workbench.exchange.svg_transforms import number, transform_text
 from workbench.exchange.svg_tree import OWN, SVG
 from workbench.language import _
 from workbench.rendering.mapping import device_map
@@ -66,17 +70,23 @@ def write_svg(sheet: Sheet, tolerance: float | None = None) -> Exported:
     for figure in sheet.figures:
         if not figure.visible:
             continue
-        tag, attributes, error = _element(figure, within)
+        stretch = _stretch(figure)
+        tag, attributes, error = _element(figure, within / max(stretch, 1.0))
+        error *= stretch
         name = figure.name or figure.id
         if error:
             approximated.append((name, error))
         if not attributes.get("d", "shown"):
             notes.append(_("{name} cannot be shown in SVG; it is kept for this program.").format(name=name))
+        if transform := transform_text(figure.transforms):
+            attributes["transform"] = transform
         own = {f"workbench:{key}": value for key, value in kept(figure, tag, attributes).items()}
-        paint = _paint(figure, sheet, 1.0 / max(abs(scale.sx), abs(scale.sy)))
+        paint = _paint(figure, sheet, 1.0 / (max(abs(scale.sx), abs(scale.sy)) * _growth(figure)))
         title = f"<title>{escape(_NO_XML.sub(' ', figure.name))}</title>" if figure.name else ""
         body.append(f"  <{tag} {_joined({'id': figure.id, **attributes, **paint, **own})}>{title}</{tag}>")
     view = sheet.first_view
+    if len(sheet.views) > 1:
+        notes.append(_("Only the first view is in the SVG; export a picture to have them all."))
     head = {
         "xmlns": SVG,
         "xmlns:workbench": OWN,
@@ -94,12 +104,6 @@ def write_svg(sheet: Sheet, tolerance: float | None = None) -> Exported:
     return Exported("\n".join([*lines, *body, "</svg>", ""]), tuple(approximated), tuple(notes))
 
 
-def number(value: float) -> str:
-    """A number as short as it can be read back without loss."""
-    text = repr(float(value) + 0.0)
-    return text.removesuffix(".0")
-
-
 def path_data(figure: Curve, tolerance: float) -> tuple[str, float]:
     """Path data of a curve, y downwards, and its error; empty where the curve lacks something."""
     if fault_of(figure):
@@ -115,6 +119,18 @@ def path_data(figure: Curve, tolerance: float) -> tuple[str, float]:
     if figure.closed and np.abs(controls[0, 0] - controls[-1, -1]).max() <= 1e-12 * size:
         words.append("Z")
     return " ".join(words), error
+
+
+def _stretch(figure: AnyFigure) -> float:
+    """How much longer the chain of a figure makes a length at most."""
+    return 1.0 if figure.matrix is None else float(np.linalg.norm(figure.matrix[:2, :2], 2))
+
+
+def _growth(figure: AnyFigure) -> float:
+    """How much wider the chain of a figure makes its line, taken over all directions."""
+    if is_singular(figure.matrix) or figure.matrix is None:
+        return 1.0
+    return float(math.sqrt(abs(np.linalg.det(figure.matrix[:2, :2]))))
 
 
 def _element(figure: AnyFigure, tolerance: float) -> tuple[str, dict[str, str], float]:

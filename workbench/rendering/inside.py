@@ -21,7 +21,7 @@ class Verdict(NamedTuple):
 
 
 def verdict(sheet: Sheet, polygon: Polygon, x: float, y: float) -> Verdict | None:
-    """What the test says of a device point in the first view; None where nothing is left to be drawn there."""
+    """What the test says of a device point in the first view; None where nothing is left to be drawn."""
     runs = calls(sheet, polygon)
     if not runs:
         return None

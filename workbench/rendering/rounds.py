@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from workbench.algorithms import catalogue
 from workbench.algorithms.curves import Pieces
 from workbench.document.model import AnyFigure, Circle, Curve, Ellipse, Line, Polygon, Polyline
+from workbench.document.transforms.expressing import axes_stay, radii_under, stays_circle
 from workbench.language import _
 
 Array = NDArray[np.float64]
@@ -22,9 +23,6 @@ Lines = Line | Polyline | Curve | Round
 """What is drawn as lines: of circles and ellipses outlines that do not stay round."""
 Area = Polygon | Round
 """What is drawn as an area with corners: of circles and ellipses filled ones that do not stay round."""
-
-_ROUNDING = 1e-12
-"""What two numbers that ought to be equal may differ by, as a share of them."""
 
 _S = math.sqrt(0.5)
 # A quarter of the unit circle after the other, counter-clockwise, with the weights of its control points.
@@ -55,20 +53,16 @@ def stays_round(figure: Round) -> bool:
     """Whether the algorithms of its kind can draw what the chain makes of a circle or ellipse."""
     if figure.matrix is None:
         return True
-    (a, b), (c, d) = _axes(figure).tolist()
-    # The ellipse is x^T Q^-1 x = 1 with Q the axes times their transpose.
-    across, up, mixed = a * a + b * b, c * c + d * d, a * c + b * d
-    if abs(mixed) > _ROUNDING * math.sqrt(across) * math.sqrt(up):
-        return False
-    return isinstance(figure, Ellipse) or abs(across - up) <= _ROUNDING * max(across, up)
+    if isinstance(figure, Circle):
+        return stays_circle(figure.matrix, figure.radius_world)
+    return axes_stay(figure.matrix, *_own_radii(figure))
 
 
 def radii_of(figure: Round) -> tuple[float, float]:
     """Radii along x and y, world, of what the chain makes of one that stays round."""
     if figure.matrix is None:
         return _own_radii(figure)
-    (a, b), (c, d) = _axes(figure).tolist()
-    across, up = math.hypot(a, b), math.hypot(c, d)
+    across, up = radii_under(figure.matrix, *_own_radii(figure))
     return (across, across) if isinstance(figure, Circle) else (across, up)
 
 
@@ -94,10 +88,3 @@ def _own_radii(figure: Round) -> tuple[float, float]:
     if isinstance(figure, Circle):
         return figure.radius_world, figure.radius_world
     return figure.radius_x_world, figure.radius_y_world
-
-
-def _axes(figure: Round) -> Array:
-    """The half axes as the chain leaves them, one a column (2, 2), world."""
-    assert figure.matrix is not None
-    axes: Array = figure.matrix[:2, :2] * _own_radii(figure)
-    return axes

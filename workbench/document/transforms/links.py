@@ -184,6 +184,12 @@ class Affine(Link, frozen=True, tag="matrix", kw_only=True):
     m22: Annotated[float, _entry(2, 2)] = 1.0
     m23: Annotated[float, _entry(2, 3)] = 0.0
 
+    @classmethod
+    def of(cls, identity: str, matrix: Matrix) -> "Affine":
+        """That of a matrix (3, 3) whose last row is 0 0 1."""
+        (m11, m12, m13), (m21, m22, m23) = matrix[:2].tolist()
+        return cls(identity, m11=m11, m12=m12, m13=m13, m21=m21, m22=m22, m23=m23)
+
     @property
     def entries(self) -> tuple[float, ...]:
         """The first row, and then the second."""
