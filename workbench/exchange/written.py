@@ -14,6 +14,7 @@ from workbench.exchange.pictures import png
 from workbench.exchange.point_lists import write_points
 from workbench.exchange.svg_writing import Exported
 from workbench.exchange.tables import Table
+from workbench.exchange.wireframe_svg import wireframe_svg
 from workbench.exchange.writing import Encode, Progress, Put, Row, of_kind, whole
 
 _TOLD_EVERY = 64
@@ -67,7 +68,8 @@ def _mesh(make: Callable[..., bytes]) -> Encode:
 # drawing      svg_writing.Exported
 # table        tables.Table
 # points       (n, 2) numbers
-# mesh         (vertices, faces)
+# mesh         (vertices, faces), faces as ``Faces.of`` takes them
+# wireframe    (segments, window, size), as ``wireframe_svg`` takes them
 # step, run    frames.Frames
 ROWS: tuple[Row, ...] = (
     Row("document", ".gwb", "Graphics Workbench", whole(pieces_of)),
@@ -81,6 +83,7 @@ ROWS: tuple[Row, ...] = (
     Row("mesh", ".obj", "OBJ", _mesh(meshes.obj)),
     Row("mesh", ".ply", "PLY", _mesh(meshes.ply)),
     Row("mesh", ".stl", "STL", _mesh(meshes.stl)),
+    Row("wireframe", ".svg", "SVG", whole(lambda content: wireframe_svg(*content))),
     Row("step", ".png", "PNG", one_png),
     Row("run", ".png", "PNG", each_png, numbered=True),
     Row("run", ".gif", "GIF", animation),

@@ -106,13 +106,18 @@ def seen_faces(viewer: Array, points_world: Array, faces: Faces, normals: Array)
 
 
 def _around(matrix: Array, points_world: Array, size: Size) -> Rectangle:
-    """A window in the proportions of the picture that shows all points before the camera, and a margin."""
+    """The window that shows all points before the camera; a small one where none is."""
     placed = points_world @ matrix[:, :3].T + matrix[:, 3]
     w = placed[:, 3]
     before = (w > LEAST_W) & (placed[:, 2] >= 0) & (placed[:, 2] <= w)
     flat = placed[before, :2] / w[before, None]
     if not len(flat):
         return Rectangle(-1.0, -1.0, 1.0, 1.0)
+    return window_around(flat, size)
+
+
+def window_around(flat: Array, size: Size) -> Rectangle:
+    """A window in the proportions of a picture that shows points (n, 2) of the view plane, and a margin."""
     low, high = flat.min(axis=0), flat.max(axis=0)
     middle = (low + high) / 2
     width, height = size
