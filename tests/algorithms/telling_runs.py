@@ -5,7 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
+from workbench.algorithms.projection import cavalier
 
 Run = tuple[Any, ...]
 
@@ -41,6 +43,8 @@ _TRIANGLES = np.array(
         [0, 3, 0],
     ]
 )
+
+_SEEN_FROM_FRONT = catalogue.get("project_point").example
 
 FURTHER: dict[str, tuple[Run, ...]] = {
     "dda_line": (STEEP_LEFTWARDS,),
@@ -83,11 +87,33 @@ FURTHER: dict[str, tuple[Run, ...]] = {
         (-9.0, 4.0, 4.0, -9.0, *WINDOW),
     ),
     "sutherland_hodgman": ((np.array([[-9.0, 2], [-5, 2], [-6, 9]]), *WINDOW),),
+    "matrix_product": (
+        (np.array([[1.0, 0, 3], [0, 1, 3], [0, 0, 1]]), np.array([[0.0, -1, 3], [1, 0, -3], [0, 0, 1]])),
+        (np.array([[0.0, -1, 6], [1, 0, 0], [0, 0, 1]]), np.array([[5.0], [6], [1]])),
+        (
+            np.array([[1.0, 0, 0, 3], [0, 1, 0, 4], [0, 0, 1, -2], [0, 0, 0.5, 0]]),
+            np.array([[2.0], [3], [4], [1]]),
+        ),
+    ),
+    "transform_point": (
+        (np.array([[1.0, 0, 2], [0, 1, 3], [0, 0, 2]]), np.array([5.0, 6])),
+        (np.array([[1.0, 0, 0], [0, 1, 0], [0, 0.5, 0]]), np.array([3.0, 0])),
+    ),
+    "rotate_about_axis": ((np.pi / 6, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -2.0, 0.0, 0.0),),
+    "window_to_viewport_point": ((5.0, 1.0, 0.0, 0.0, 4.0, 3.0, 100.0, 50.0, 180.0, 110.0),),
     "b_spline_curve": (
         (np.array([[1.0, 1], [2, 5], [5, 6], [7, 2], [10, 1]]), np.array([0.0, 0, 0, 1, 1, 2, 2, 2]), 2, 5),
     ),
     "closest_point": ((np.array([0.0, 1, 2]), LOOPED, np.ones(8), 3, 4.0, 3.5),),
     "beam_spot": ((1.0, 1.0, 3.0, 2.0, 1.0, 0.4),),
+    "project_point": (
+        (*_SEEN_FROM_FRONT[:2], cavalier(0.5), *_SEEN_FROM_FRONT[3:]),
+        (*_SEEN_FROM_FRONT[:4], np.array([3.0, 4, 0])),
+        (*_SEEN_FROM_FRONT[:4], np.array([3.0, 4, 2])),
+    ),
+    "clip_to_view_volume": (
+        (np.array([[0.0, 0, -1, 1], [1, 0, -1, 1], [0, 1, -1, -2]]), np.array([3]), -1.0, -1.0, 1.0, 1.0),
+    ),
     "depth_buffer": (
         (
             np.zeros((4, 6), np.int64),
@@ -95,8 +121,6 @@ FURTHER: dict[str, tuple[Run, ...]] = {
             _TRIANGLES,
             np.arange(9).reshape(3, 3),
             np.array([1, 2, 3]),
-            0,
-            4,
         ),
     ),
 }

@@ -17,7 +17,7 @@ from workbench.algorithms import catalogue, marks
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP
 from workbench.algorithms.clipping.window_marks import edge_mark
 from workbench.algorithms.entry import CALLS, Entry
-from workbench.algorithms.marks import INKS, Mark, Ray, Region, Spot, Stroke, Word, no_marks
+from workbench.algorithms.marks import INKS, Mark, Matrix, Ray, Region, Spot, Stroke, Word, no_marks
 from workbench.engine.calls import own_call
 from workbench.engine.observation import Step, Steps
 from workbench.engine.recorder import record
@@ -60,6 +60,8 @@ def frame_of(entry: Entry, run: tuple[Any, ...], rows: NDArray[Any]) -> tuple[ND
         value = values[parameter.name]
         if parameter.kind == "points":
             places += [(float(x), float(y)) for x, y, *_z in value]
+        elif parameter.name == "point":
+            places.append((float(value[0]), float(value[1])))
         elif parameter.kind == "image":
             places.append(value.shape[::-1])
         elif parameter.name.startswith("x") and f"y{parameter.name[1:]}" in values:
@@ -82,12 +84,17 @@ def places_of(mark: Mark) -> NDArray[Any]:
             assert mark.points.shape[1] == 2
             assert len(mark.points) > 0
             return mark.points
+        case Matrix():
+            return np.empty((0, 2))
     return np.array([(mark.x, mark.y)], float)
 
 
 def assert_well_formed(found: Iterable[Mark], low: NDArray[Any], high: NDArray[Any]) -> None:
     for mark in found:
         assert isinstance(mark, Mark)
+        if isinstance(mark, Matrix):
+            assert_matrix(mark)
+            continue
         assert mark.ink in INKS
         places = places_of(mark)
         assert np.isfinite(places).all()
@@ -106,6 +113,18 @@ def assert_well_formed(found: Iterable[Mark], low: NDArray[Any], high: NDArray[A
         if isinstance(mark, Ray):
             assert math.hypot(mark.dx, mark.dy) > 0
             assert mark.least <= (high - low).max()
+
+
+def assert_matrix(mark: Matrix) -> None:
+    """Rows of one length, and a place and an ink for each cell that is looked at, each once."""
+    assert mark.name.strip()
+    (columns,) = {len(row) for row in mark.cells}
+    assert columns > 0
+    for row, column, ink in mark.inked:
+        assert 0 <= row < len(mark.cells)
+        assert 0 <= column < columns
+        assert ink in INKS
+    assert len({cell[:2] for cell in mark.inked}) == len(mark.inked)
 
 
 @drawing

@@ -200,7 +200,7 @@ def test_nothing_emitted_and_no_row_is_still_a_run() -> None:
     entry = catalogue.get("depth_buffer")
     image, depth, *_ = entry.example
     none = np.zeros((0, 3))
-    steps = Steps(entry, record(entry.function, image, depth, none, none.astype(int), np.zeros(0, int), 0, 4))
+    steps = Steps(entry, record(entry.function, image, depth, none, none.astype(int), np.zeros(0, int)))
     assert len(steps) == 0
     assert steps[0].row == ()
     assert steps[0].emitted_to == 0

@@ -100,6 +100,8 @@ class _Raised(ast.NodeTransformer):
 
     def visit_Call(self, node: ast.Call) -> ast.expr:
         self.generic_visit(node)
+        if isinstance(node.func, ast.Name) and node.func.id == "_place":
+            return node.args[0]
         if not (node.args and isinstance(node.args[0], ast.Name) and node.args[0].id == "_sink"):
             return node
         assert isinstance(node.func, ast.Name)

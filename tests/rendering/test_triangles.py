@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from workbench.algorithms.visibility import depth_buffer
 from workbench.engine.compiled import Stop, Stopped
 from workbench.rendering import depth_buffer_triangles
 
@@ -49,6 +50,20 @@ def test_the_nearest_triangle_wins_and_the_first_on_equal_depths(triangles: list
             assert abs(depth[y, x] - float(nearest)) < 1e-12
             # Depths that differ by less than rounding may fall either way
             assert image[y, x] in {k for k, z in found.items() if z - nearest < Fraction(1, 10**12)}
+
+
+@given(triangles=scene, step=st.sampled_from([1, 1 / 3, 1 / 4096]))
+@settings(max_examples=40)
+def test_in_bands_the_picture_is_that_of_the_text(triangles: list[tuple[Corner, ...]], step: float) -> None:
+    vertices = np.array(triangles, np.float64).reshape(-1, 3)
+    vertices[:, :2] = np.round((vertices[:, :2] * (1 + step)) * 4096) / 4096
+    faces, colours = np.arange(len(vertices)).reshape(-1, 3), np.arange(1, len(triangles) + 1)
+    image, depth = depth_buffer_triangles(vertices, faces, colours, (12, 9))
+    plain, plain_depth = np.zeros((9, 12), np.int64), np.ones((9, 12))
+    for _fragment in depth_buffer(plain, plain_depth, vertices, faces, colours):
+        pass
+    assert np.array_equal(image, plain)
+    assert depth.tobytes() == plain_depth.tobytes()
 
 
 def test_equal_depths_keep_the_first() -> None:

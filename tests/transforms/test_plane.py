@@ -57,6 +57,14 @@ def test_quarter_turns_are_exact(turns: int) -> None:
     assert 0 < abs(beside[0, 0] - cos) + abs(beside[1, 0] - sin) < 2e-9
 
 
+def test_halfway_between_quarter_turns_cosine_and_sine_have_one_size() -> None:
+    for turns in range(-9, 9):
+        matrix = rotation(math.radians(45 + 90 * turns))
+        assert (np.abs(matrix[:2, :2]) == math.sqrt(0.5)).all()
+        angle = math.radians(45 + 90 * turns)
+        np.testing.assert_allclose(matrix[:2, 0], (math.cos(angle), math.sin(angle)), atol=1e-14)
+
+
 @given(theta=st.floats(-1e9, 1e9))
 def test_no_angle_is_taken_for_a_quarter_turn_far_away(theta: float) -> None:
     matrix = rotation(theta)

@@ -6,7 +6,6 @@ excepted.
 """
 
 from fractions import Fraction
-from itertools import pairwise
 
 import numpy as np
 from hypothesis import given
@@ -35,14 +34,10 @@ def arrays(scene: list[Triangle]) -> tuple[NDArray[np.float64], NDArray[np.int64
 
 
 def render(
-    scene: list[Triangle], bands: tuple[int, ...] = (0, HEIGHT)
+    scene: list[Triangle],
 ) -> tuple[NDArray[np.uint32], NDArray[np.float64], list[tuple[int, int, float, int]]]:
-    image = np.zeros((HEIGHT, WIDTH), np.uint32)
-    depth = np.ones((HEIGHT, WIDTH))
-    emitted = []
-    for low, high in pairwise(bands):
-        emitted += list(depth_buffer(image, depth, *arrays(scene), low, high))
-    return image, depth, emitted
+    image, depth = np.zeros((HEIGHT, WIDTH), np.uint32), np.ones((HEIGHT, WIDTH))
+    return image, depth, list(depth_buffer(image, depth, *arrays(scene)))
 
 
 def covers(triangle: Triangle, x: int, y: int) -> bool:
@@ -105,15 +100,6 @@ def test_on_equal_depth_the_first_stays(scene: list[Triangle], again: int) -> No
     assert sum(won for *_place, won in emitted) == sum(won for *_place, won in _emitted)
 
 
-@given(scene=scenes, cut=st.integers(0, HEIGHT))
-def test_bands_of_rows_give_the_same_picture(scene: list[Triangle], cut: int) -> None:
-    image, depth, emitted = render(scene)
-    banded, banded_depth, banded_emitted = render(scene, (0, cut, HEIGHT))
-    assert np.array_equal(image, banded)
-    assert np.array_equal(depth, banded_depth)
-    assert sorted(emitted) == sorted(banded_emitted)
-
-
 @given(scene=scenes)
 def test_the_order_matters_only_where_depths_are_equal(scene: list[Triangle]) -> None:
     forwards = render(scene)[0]
@@ -139,7 +125,7 @@ def test_a_fan_of_triangles_has_neither_overlap_nor_gap(
     vertices = np.array([(*hub, 0.5), *((x, y, 0.5) for x, y in ring)])
     faces = np.array([(0, 1 + k, 1 + (k + 1) % n) for k in range(n)])
     image, depth = np.zeros((HEIGHT, WIDTH), np.int64), np.ones((HEIGHT, WIDTH))
-    fragments = depth_buffer(image, depth, vertices, faces, np.ones(n, np.int64), 0, HEIGHT)
+    fragments = depth_buffer(image, depth, vertices, faces, np.ones(n, np.int64))
     assert sorted((x, y) for x, y, *_ in fragments) == [(x, y) for x in range(2, 8) for y in range(2, 6)]
 
 
@@ -155,11 +141,32 @@ def test_an_edge_that_crosses_a_row_at_a_pixel_is_not_rounded_past_it() -> None:
     """The edge up to (58, 14) crosses row 7 at exactly 29; its slope times 7 is a little more."""
     vertices = np.array([[0, 0, 0.5], [58, 14, 0.5], [0, 14, 0.5]])
     image, depth = np.zeros((14, 40), np.int64), np.ones((14, 40))
-    row = depth_buffer(image, depth, vertices, np.array([[0, 1, 2]]), np.array([1]), 7, 8)
+    fragments = depth_buffer(image, depth, vertices, np.array([[0, 1, 2]]), np.array([1]))
     assert 7 * (58 / 14) > 29
-    assert [x for x, *_ in row] == list(range(29))
+    assert [x for x, y, *_ in fragments if y == 7] == list(range(29))
 
 
 def test_a_triangle_seen_edge_on_draws_nothing() -> None:
     line = [tuple((Fraction(n), Fraction(n), Fraction(0)) for n in (0, 3, 7))]
     assert render(line)[2] == []  # type: ignore[arg-type]
+
+
+@given(heights=st.lists(st.integers(0, 15), min_size=9, max_size=9), turned=st.integers(0, 2**8 - 1))
+def test_each_pixel_of_a_mesh_is_painted_once(heights: list[int], turned: int) -> None:
+    """A net of eight triangles over whole corners and quarters, each turned either way, edges shared."""
+    xs, ys = (Fraction(1, 4), Fraction(4), Fraction(35, 4)), (Fraction(0), Fraction(13, 4), Fraction(7))
+    net = [(xs[k % 3], ys[k // 3], Fraction(h, 16)) for k, h in enumerate(heights)]
+    faces = [face for k in (0, 1, 3, 4) for face in ((k, k + 1, k + 4), (k, k + 4, k + 3))]
+    faces = [face[::-1] if turned >> n & 1 else face for n, face in enumerate(faces)]
+    scene = [(net[a], net[b], net[c]) for a, b, c in faces]
+    image, depth, emitted = render(scene)
+    painted = sorted((x, y) for x, y, *_ in emitted)
+    assert painted == [(x, y) for x in range(1, 9) for y in range(7)]
+    assert all(won for *_place, won in emitted)
+    backwards = render(scene[::-1])
+    assert np.array_equal(depth, backwards[1])
+    assert np.array_equal(image, np.where(image, 9 - backwards[0], 0))
+    for x, y in painted:
+        triangle = scene[image[y, x] - 1]
+        assert covers(triangle, x, y)
+        assert abs(depth[y, x] - float(depth_at(triangle, x, y))) < 1e-12

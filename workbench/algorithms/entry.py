@@ -23,8 +23,8 @@ from workbench.algorithms.marks import Frame, MarksFunction, no_marks
 CALLS = "calls"
 """Under this name a text that calls itself has the variables of each call under way, the first call first."""
 
-Emits = Literal["pixels", "coverage", "spans", "fragments", "points", "segments"]
-Kind = Literal["int", "float", "bool", "colour", "image", "depth", "points", "floats", "ints"]
+Emits = Literal["pixels", "coverage", "spans", "fragments", "points", "segments", "cells"]
+Kind = Literal["int", "float", "bool", "colour", "image", "depth", "points", "floats", "ints", "matrix"]
 
 
 class Law(NamedTuple):
@@ -39,8 +39,8 @@ class Parameter:
     """One argument of the function: its name there, how the course writes it, its range and an example.
 
     An ``image`` is an integer array (h, w), a ``depth`` buffer a float64 array (h, w), ``points`` a
-    float64 array (n, 2) or (n, 3), ``floats`` a float64 array (m,), ``ints`` an integer array. ``low`` and
-    ``high`` bound a number, both included.
+    float64 array (n, 2) or (n, 3), ``floats`` a float64 array (m,), ``ints`` an integer array, a ``matrix`` a
+    float64 array (rows, columns). ``low`` and ``high`` bound a number, both included.
     """
 
     name: str
@@ -87,6 +87,7 @@ class Entry:
     """One algorithm of the catalogue.
 
     ``columns`` heads the hand table as the course writes it: ``p_k`` is shown with a subscript.
+    ``emitted_columns`` names what is emitted, where that is more or other than what ``emits`` tells.
     ``view_functions`` are plain functions that the views may call, beside what the text itself knows.
     ``laws`` are what the tests of this entry prove, ``not_laws`` what one might believe and is
     not so. ``questions`` are those of the paper it serves, ``next_rung`` the slug of the next one on the
@@ -118,6 +119,7 @@ class Entry:
     emits: Emits
     source: str
     columns: tuple[str, ...] = ()
+    emitted_columns: tuple[str, ...] = ()
     views: tuple[View, ...] = ()
     view_functions: tuple[Callable[..., Any], ...] = ()
     draws: tuple[str, ...] = ()

@@ -82,7 +82,19 @@ class Word(NamedTuple):
     strong: bool = False
 
 
-Mark: TypeAlias = Stroke | Ray | Region | Spot | Word
+class Matrix(NamedTuple):
+    """A matrix, shown beside the picture and not in it; a cell that is not known yet has no text.
+
+    Of two with one name the later one is shown: a block's own takes the place of the entry's. ``inked`` are
+    the cells that are looked at, each as (row, column, ink), counted from 0.
+    """
+
+    name: str
+    cells: tuple[tuple[str, ...], ...]
+    inked: tuple[tuple[int, int, Ink], ...] = ()
+
+
+Mark: TypeAlias = Stroke | Ray | Region | Spot | Word | Matrix
 MarksFunction: TypeAlias = Callable[[tuple[Any, ...], Mapping[str, Any], NDArray[Any], bool], Iterable[Mark]]
 
 

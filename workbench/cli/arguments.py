@@ -106,6 +106,16 @@ def _points(value: Any) -> Any:
     return np.array(rows, dtype=np.float64).reshape(len(rows), -1)
 
 
+def _matrix(value: Any) -> Any:
+    """A (rows, columns) array; a single list of numbers is a column."""
+    listed = _listed(value)
+    if not listed:
+        raise ValueError(_("the matrix is empty."))
+    if not any(isinstance(row, list | tuple) for row in listed):
+        return _reals(listed).reshape(-1, 1)
+    return _points(listed)
+
+
 def _integers(value: Any) -> Any:
     """Whole numbers, or rows of equally many."""
     listed = _listed(value)
@@ -159,4 +169,5 @@ _CONVERT = {
     "points": _points,
     "floats": _reals,
     "ints": _integers,
+    "matrix": _matrix,
 }

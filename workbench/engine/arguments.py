@@ -20,7 +20,7 @@ from workbench.language import _
 
 _MOST_EXPECTED = 2**24
 _ANNOTATIONS: dict[Any, Kind] = {int: "int", float: "float", bool: "bool"}
-LISTS = ("points", "floats", "ints")
+LISTS = ("points", "floats", "ints", "matrix")
 _LARGEST = 2**62
 
 
@@ -169,6 +169,8 @@ def _formed(name: str, kind: Kind | None, value: Any, copied: bool) -> Any:
                 return bool(value)
             case "points" | "depth" | "floats":
                 return _array(value, np.float64, copied)
+            case "matrix":
+                return _matrix(value, copied)
             case "ints":
                 return _array(value, np.int64, copied)
             case "image":
@@ -203,6 +205,13 @@ def _whole(value: Any) -> int:
 
 def _array(value: Any, dtype: type[np.generic], copied: bool) -> NDArray[Any]:
     return _own(np.ascontiguousarray(value, dtype=dtype), value, copied)
+
+
+def _matrix(value: Any, copied: bool) -> NDArray[Any]:
+    array = _array(value, np.float64, copied)
+    if array.ndim != 2:
+        raise ValueError(_("a matrix is an array of numbers with rows and columns"))
+    return array
 
 
 def _picture(value: Any, copied: bool) -> NDArray[Any]:

@@ -1,8 +1,9 @@
 """The only rewriter: from the text that is shown to one that emits into a sink.
 
-``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; nothing else of
-what runs is touched. Everything that the function calls is found by its global name and written, callees
-first, into one text that stands alone: constants as literals, records imported.
+``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; subscripts that
+are never negative are marked so (``places``); nothing else of what runs is touched.
+Everything that the function calls is found by its global name and written, callees first, into one text that
+stands alone: constants as literals, records imported.
 
 Two variants add to that. The *counting* text ticks before statements, with the number of their slot, and so
 finds the runs of each line and the visits of each titled block exactly as a tracer would. The *probing* text
@@ -23,6 +24,7 @@ import numpy as np
 
 from workbench.engine.blocks import blocks
 from workbench.engine.parsing import parse_expression
+from workbench.engine.places import PLACE, counted_up, unsigned
 from workbench.engine.texts import SINK, VISIT, Text, arity, gather, parameters, parse, recursive
 from workbench.language import _
 
@@ -109,6 +111,7 @@ class _Rewriter(ast.NodeTransformer):
     def __init__(self, text: Text, sinks: set[FunctionType]) -> None:
         self.text = text
         self.sinks = sinks
+        self.counted = counted_up(text.tree, {*text.callees, *text.constants})
 
     def rewritten(self) -> ast.FunctionDef:
         tree = parse(self.text.source, self.text.first)  # far cheaper than a deep copy
@@ -165,6 +168,10 @@ class _Rewriter(ast.NodeTransformer):
                 )
         self.generic_visit(node)
         return node
+
+    def visit_Subscript(self, node: ast.Subscript) -> ast.expr:
+        self.generic_visit(node)
+        return unsigned(node, self.counted)
 
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.stmt:
         if node.value is None:
@@ -310,7 +317,8 @@ def _module(texts: list[Text], functions: list[ast.FunctionDef], inlined: bool) 
     literals = sorted(set(names.values()) - set(imports))
     if any(" = numpy.array(" in line for line in literals):
         imports.insert(0, "import numpy")
-    head = "\n".join(["from workbench.engine.sinks import emit, probe, tick", *imports, *literals])
+    sinks = "from workbench.engine.sinks import emit, probe, tick"
+    head = "\n".join([f"from numpy import uint64 as {PLACE}", sinks, *imports, *literals])
     marks = ["@part\n" if inlined and _worth_inlining(text) else "@reading\n" for text in texts[:-1]]
     marks.append("@reading\n")
     written = [mark + ast.unparse(function) for mark, function in zip(marks, functions, strict=True)]

@@ -5,6 +5,8 @@ import string
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, Literal, NamedTuple
 
+from workbench.algorithms.numerals import numeral
+
 Link = tuple[Literal["variable"], str] | tuple[Literal["pixel"], tuple[int, int]]
 
 _NAME = re.compile(r"(?:before\.)?([^\W\d]\w*)")
@@ -49,8 +51,7 @@ def number_text(value: Any) -> str:
         return str(value)
     if float(value).is_integer() and not isinstance(value, float):
         return str(int(value)).replace("-", "−")
-    shown = f"{float(str(value)) + 0.0:.6g}"
-    return shown.replace("-", "−")
+    return numeral(value)
 
 
 def _link(expression: str, value: Any) -> Link | None:

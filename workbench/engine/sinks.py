@@ -223,6 +223,16 @@ def _collect_4(sink: Collect, *values: Any) -> None:
         sink.values[start + 3] = values[3]
 
 
+def _collect_5(sink: Collect, *values: Any) -> None:
+    start = room(sink, 5)
+    if start >= 0:
+        sink.values[start] = values[0]
+        sink.values[start + 1] = values[1]
+        sink.values[start + 2] = values[2]
+        sink.values[start + 3] = values[3]
+        sink.values[start + 4] = values[4]
+
+
 def _paint(sink: Paint, *values: Any) -> None:
     x, y = values[0], values[1]
     if 0 <= x < sink.image.shape[1] and 0 <= y < sink.image.shape[0]:
@@ -369,7 +379,7 @@ def probe(sink: Any, pixel: tuple[int, int]) -> None:
         note(sink, 0)
 
 
-_COLLECT = {1: _collect_1, 2: _collect_2, 3: _collect_3, 4: _collect_4}
+_COLLECT = {1: _collect_1, 2: _collect_2, 3: _collect_3, 4: _collect_4, 5: _collect_5}
 _BODIES: dict[type, Callable[..., None]] = {
     Nothing: _nothing,
     Paint: _paint,

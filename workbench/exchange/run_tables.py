@@ -16,6 +16,7 @@ _EMITTED: dict[Emits, tuple[str, ...]] = {
     "fragments": ("x", "y", "z", "won"),
     "points": ("x", "y"),
     "segments": ("x0", "y0", "x1", "y1"),
+    "cells": ("row", "column", "value"),
 }
 
 
@@ -51,10 +52,7 @@ def hand(steps: Steps, rows: Sequence[int] | None = None) -> Table:
 def emitted(entry: Entry, recording: Recording) -> Table:
     """Everything emitted, in order."""
     rows = [tuple(each) for each in recording.emitted]
-    names = _EMITTED[entry.emits]
-    width = len(rows[0]) if rows else len(names)
-    headings = names if len(names) == width else tuple(f"value {n + 1}" for n in range(width))
-    return Table(headings, rows, formulas=False)
+    return Table(entry.emitted_columns or _EMITTED[entry.emits], rows, formulas=False)
 
 
 def lines(recording: Recording) -> Table:

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from workbench.algorithms.marks import Frame, Mark, Points, Ray, Region, Spot, Stroke, Word
+from workbench.algorithms.marks import Frame, Mark, Matrix, Points, Ray, Region, Spot, Stroke, Word
 from workbench.document.model import Sheet
 from workbench.rendering.mapping import DeviceMap, device_map
 
@@ -13,12 +13,12 @@ _SAME = DeviceMap(1.0, 1.0, 0.0, 0.0)
 
 
 def on_device(sheet: Sheet, frame: Frame, marks: Iterable[Mark]) -> tuple[Mark, ...]:
-    """The marks in device coordinates, rays as strokes to the edge of the sheet's picture.
+    """The marks in device coordinates, rays as strokes to the edge of the sheet's picture; no matrices.
 
     The view plane of a scene is its sheet's world, so ``"view"`` is mapped as ``"world"`` is.
     """
     scale = _SAME if frame == "device" else device_map(sheet)
-    return tuple(_mapped(sheet, scale, mark) for mark in marks)
+    return tuple(_mapped(sheet, scale, mark) for mark in marks if not isinstance(mark, Matrix))
 
 
 def _mapped(sheet: Sheet, scale: DeviceMap, mark: Mark) -> Mark:

@@ -12,8 +12,7 @@ from workbench.algorithms.visibility.depth_buffer import depth_buffer
 from workbench.engine.compiled import Stop, Stopped, paint
 from workbench.language import _
 
-# More bands than threads, so that a thread that is done early takes another one.
-BANDS = 4
+# One band of rows for each: every band beyond the first costs a copy of the vertices.
 THREADS = 2
 FARTHEST = 1.0
 
@@ -26,6 +25,9 @@ def depth_buffer_triangles(
     stop: Stop | None = None,
 ) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
     """Draw triangles in any order; at each pixel the nearest wins, on equal depths the first.
+
+    The picture is that of ``depth_buffer``, to the last bit where y is on a grid of 1/4096 px, to which the
+    pipeline snaps it.
 
     Args: vertices (n, 3), x and y in pixels, y upwards, z from 0 (near) to 1 (far); faces (m, 3), indices of
     vertices; colours (m,), 0xRRGGBB; size (width, height) in pixels. Returns the picture (height, width), 0
@@ -43,12 +45,19 @@ def depth_buffer_triangles(
         )
     image = np.zeros((height, width), np.uint32)
     depth = np.full((height, width), FARTHEST)
-    edges = [height * band // BANDS for band in range(BANDS + 1)]
+    edges = [height * band // THREADS for band in range(THREADS + 1)]
+    rows = np.ascontiguousarray(points[:, 1]).take(corners)
+    lowest, highest = _least(rows), -_least(-rows)
 
-    def draw(low_row: int, high_row: int) -> None:
+    def draw(low_row: int, end_row: int) -> None:
+        """Draw what reaches these rows into them, as a picture of its own that begins at ``low_row``."""
         if stop is not None and stop.is_set:
             raise Stopped
-        paint(depth_buffer, image, 0, image, depth, points, corners, colour, low_row, high_row)
+        reaching = np.flatnonzero((highest > low_row) & (lowest < end_row))
+        shifted = points - (0.0, low_row, 0.0) if low_row else points
+        band, nearest = image[low_row:end_row], depth[low_row:end_row]
+        drawn = corners.take(reaching, axis=0), colour.take(reaching)
+        paint(depth_buffer, band, 0, band, nearest, shifted, *drawn)
 
     _finish([_threads().submit(draw, low, high) for low, high in pairwise(edges)])
     return image, depth
@@ -71,6 +80,11 @@ def _checked(
     if corners.size and not 0 <= corners.min() <= corners.max() < len(points):
         raise ValueError(_("faces name a vertex that is not there"))
     return points, corners, colour
+
+
+def _least(rows: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The least of each three (m, 3), column by column: ten times as fast as along the rows."""
+    return np.minimum(np.minimum(rows[:, 0], rows[:, 1]), rows[:, 2])
 
 
 @cache

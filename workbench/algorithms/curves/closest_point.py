@@ -104,6 +104,7 @@ ENTRY = Entry(
     arguments=pieces_and_point,
     emits="points",
     source="Chen et al., Computing the minimum distance between a point and a clamped B-spline curve, 2008",
+    emitted_columns=("u", "x", "y", "distance"),
     columns=("piece", "from", "to", "bound", "best", "then"),
     views=(
         View(

@@ -60,10 +60,10 @@ def inside_outside(
                 winding += direction
                 yield x_low + (y - y_low) / (y_high - y_low) * (x_high - x_low), y, direction
             if side == 0.0 and y_low <= y <= y_high and min(x_low, x_high) <= x <= max(x_low, x_high):
-                on_boundary = True  # noqa: F841 - seen in the variables
+                on_boundary = True
 
     # Decide
-    inside = winding != 0 if nonzero else crossings % 2 == 1  # noqa: F841 - seen in the variables
+    inside = winding != 0 if nonzero else crossings % 2 == 1
 
 
 ENTRY = Entry(
@@ -79,6 +79,7 @@ ENTRY = Entry(
     ),
     arguments=polygon_and_point,
     emits="points",
+    emitted_columns=("x", "y", "direction"),
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=VIEWS,

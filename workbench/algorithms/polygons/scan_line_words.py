@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.numerals import numeral
 from workbench.algorithms.polygons.active_edges import Crossing, end_of_level
 from workbench.algorithms.polygons.edges import Edge
 
@@ -22,7 +23,7 @@ _KINDS = ("bottom", "through", "top")
 
 def listed(values: Sequence[float | str]) -> str:
     """Numbers as a sentence has them: six digits, a true minus sign; a long list is cut."""
-    texts = [value if isinstance(value, str) else f"{value + 0.0:.6g}".replace("-", "−") for value in values]
+    texts = [value if isinstance(value, str) else numeral(value) for value in values]
     return ", ".join([*texts[:_LISTED], "…"] if len(texts) > _LISTED else texts)
 
 

@@ -2,8 +2,10 @@
 
 from workbench.algorithms.projection.axonometric import axonometric, dimetric, isometric, trimetric
 from workbench.algorithms.projection.classification import Classification, classify
+from workbench.algorithms.projection.clip_to_view_volume import clip_to_view_volume
 from workbench.algorithms.projection.parallel import cabinet, cavalier, oblique, orthographic, parallel_depth
 from workbench.algorithms.projection.perspective import perspective, perspective_depth, perspective_from_plane
+from workbench.algorithms.projection.project_point import project_point
 from workbench.algorithms.projection.vanishing import (
     distance_of,
     vanishing_points,
@@ -25,6 +27,7 @@ __all__ = [
     "cabinet",
     "cavalier",
     "classify",
+    "clip_to_view_volume",
     "dimetric",
     "distance_of",
     "isometric",
@@ -35,6 +38,7 @@ __all__ = [
     "perspective_depth",
     "perspective_from_plane",
     "perspective_placement",
+    "project_point",
     "standard_view",
     "trimetric",
     "vanishing_points",

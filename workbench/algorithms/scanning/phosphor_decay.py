@@ -80,6 +80,7 @@ ENTRY = Entry(
     arguments=_terms_and_steps,
     emits="points",
     source="Sum of exponentials fitted to the decay table of Tektronix, 1966",
+    emitted_columns=("t", "light"),
     columns=("k", "t", "light", "emitted", "stored"),
     views=(
         View(

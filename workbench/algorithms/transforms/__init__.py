@@ -1,5 +1,6 @@
-"""Transformations of the plane and of space, as matrices."""
+"""Transformations of the plane and of space: matrices, and the texts that multiply by them."""
 
+from workbench.algorithms.transforms.axis import axis_steps, rotation_about_axis, rotation_by_quaternion
 from workbench.algorithms.transforms.chain import (
     Matrix,
     inverse,
@@ -8,6 +9,8 @@ from workbench.algorithms.transforms.chain import (
     product,
     transform_points,
 )
+from workbench.algorithms.transforms.decomposition import Loss, Parts, decomposed, recomposed
+from workbench.algorithms.transforms.matrix_product import matrix_product
 from workbench.algorithms.transforms.plane import (
     reflection,
     rotation,
@@ -17,10 +20,9 @@ from workbench.algorithms.transforms.plane import (
     shear,
     translation,
 )
+from workbench.algorithms.transforms.rotate_about_axis import rotate_about_axis
 from workbench.algorithms.transforms.space import (
-    axis_steps,
     reflection_3d,
-    rotation_about_axis,
     rotation_x,
     rotation_y,
     rotation_z,
@@ -29,19 +31,27 @@ from workbench.algorithms.transforms.space import (
     shear_3d,
     translation_3d,
 )
+from workbench.algorithms.transforms.transform_point import transform_point
 
 __all__ = [
+    "Loss",
     "Matrix",
+    "Parts",
     "axis_steps",
+    "decomposed",
     "inverse",
     "inverse_of_chain",
     "is_affine",
+    "matrix_product",
     "product",
+    "recomposed",
     "reflection",
     "reflection_3d",
+    "rotate_about_axis",
     "rotation",
     "rotation_about",
     "rotation_about_axis",
+    "rotation_by_quaternion",
     "rotation_x",
     "rotation_y",
     "rotation_z",
@@ -51,6 +61,7 @@ __all__ = [
     "scaling_about_3d",
     "shear",
     "shear_3d",
+    "transform_point",
     "transform_points",
     "translation",
     "translation_3d",

@@ -4,23 +4,12 @@ All are (4, 4) float64, homogeneous, for points as columns. The frame is right-h
 counter-clockwise when one looks along the axis towards the origin. Quarter turns are exact.
 """
 
-import math
-from collections.abc import Sequence
-from typing import NamedTuple
-
 import numpy as np
 
-from workbench.algorithms.transforms.chain import Matrix, product
+from workbench.algorithms.transforms.chain import Matrix
 from workbench.geometry.angles import cosine_and_sine
 
 Row = tuple[float, float, float, float]
-
-
-class Step(NamedTuple):
-    """One matrix of a chain, as the course names it."""
-
-    name: str
-    matrix: Matrix
 
 
 def translation_3d(tx: float, ty: float, tz: float) -> Matrix:
@@ -54,55 +43,6 @@ def rotation_z(theta: float) -> Matrix:
     """By ``theta`` about the z axis: x turns towards y."""
     cos, sin = cosine_and_sine(theta)
     return _affine((cos, -sin, 0, 0), (sin, cos, 0, 0), (0, 0, 1, 0))
-
-
-def rotation_about_axis(theta: float, first: Sequence[float], second: Sequence[float]) -> Matrix:
-    """By ``theta`` about the axis from the point ``first`` to the point ``second``: seven matrices, as one.
-
-    Raises: ValueError when both points are the same or the axis is not finite.
-    """
-    return product(*(step.matrix for step in reversed(axis_steps(theta, first, second))))
-
-
-def axis_steps(theta: float, first: Sequence[float], second: Sequence[float]) -> tuple[Step, ...]:
-    """The seven matrices of a rotation about an axis, the one that acts first at the head.
-
-    The axis is moved to the origin, turned about x into the xz plane (by α) and about y into the z axis (by
-    -β); then comes the rotation by θ itself, and all is undone backwards.
-    Source: Hearn and Baker, Computer Graphics, C Version, section 11-2.
-    Raises: ValueError when both points are the same or the axis is not finite.
-    """
-    a, b, c = unit_axis(first, second)
-    x, y, z = (float(value) for value in first)
-    d = math.sqrt(b * b + c * c)
-    cos_alpha, sin_alpha = (c / d, b / d) if d > 0.0 else (1.0, 0.0)
-    about_x = _affine((1, 0, 0, 0), (0, cos_alpha, -sin_alpha, 0), (0, sin_alpha, cos_alpha, 0))
-    about_y = _affine((d, 0, -a, 0), (0, 1, 0, 0), (a, 0, d, 0))
-    return (
-        Step("T(−P_1)", translation_3d(-x, -y, -z)),
-        Step("R_x(α)", about_x),
-        Step("R_y(−β)", about_y),
-        Step("R_z(θ)", rotation_z(theta)),
-        Step("R_y(β)", about_y.T.copy()),
-        Step("R_x(−α)", about_x.T.copy()),
-        Step("T(P_1)", translation_3d(x, y, z)),
-    )
-
-
-def unit_axis(first: Sequence[float], second: Sequence[float]) -> tuple[float, float, float]:
-    """The direction (a, b, c), of length 1, from one point to another.
-
-    Raises: ValueError when both points are the same or the axis is not finite.
-    """
-    along = [float(end) - float(start) for start, end in zip(first, second, strict=True)]
-    largest = max(abs(value) for value in along)
-    if not (all(math.isfinite(value) for value in along) and largest > 0.0):
-        raise ValueError(
-            f"The axis from {tuple(first)} to {tuple(second)} has no direction; give two finite points apart."
-        )
-    a, b, c = (value / largest for value in along)
-    length = math.sqrt(a * a + b * b + c * c)
-    return a / length, b / length, c / length
 
 
 def reflection_3d(x: float, y: float, z: float, nx: float, ny: float, nz: float) -> Matrix:

@@ -1,9 +1,10 @@
 """The depth buffer, for triangles.
 
-x, y            pixel; y goes up the rows that the triangle covers
-A, B, C         normal of the triangle's plane Ax + By + Cz + D = 0
-dz_dx, dz_dy    change of z from a pixel to the next one: -A/C along a row, -B/C from row to row
-z_here, stored  depth of the triangle at this pixel, and the nearest depth found there so far
+image, depth    the frame buffer and the depth buffer: colour and least z of each pixel so far
+low, middle, high   corners of the triangle, by their rows
+A, B, C, D      its plane Ax + By + Cz + D = 0 in device coordinates: pixels, pixels, z
+dz_dx, dz_dy    change of z from a pixel to the next one: -A/C along a scan line, -B/C across
+z, stored       depth of the triangle at this pixel, and what the depth buffer had there
 won             1 where the triangle is strictly nearer, else 0
 """
 
@@ -14,108 +15,56 @@ from typing import Any
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.visibility.depth_marks import marks
+from workbench.algorithms.visibility.device_plane import corners_of, plane, row_ends
 from workbench.algorithms.visibility.scene import SCENE, scene
-from workbench.algorithms.visibility.views import VIEWS
+from workbench.algorithms.visibility.views import VIEW_FUNCTIONS, VIEWS
 
 Array = NDArray[Any]
 
 
-def crossing(x0: float, y0: float, x1: float, y1: float, y: int) -> float:
-    """Where the edge from (x0, y0) up to (x1, y1) crosses row y.
-
-    Always reckoned from the lower end, so that two triangles find the same place on the edge they share.
-    """
-    return x0 + (y - y0) * (x1 - x0) / (y1 - y0)
-
-
-def depth_row(
-    image_here: Array,
-    depth_here: Array,
-    y: int,
-    left: int,
-    z: float,
-    dz_dx: float,
-    colour: int,
-) -> Iterator[tuple[int, int, float, int]]:
-    """Test a row of fragments against the depths stored there, and keep those that are strictly nearer.
-
-    Args: the covered part of one row of the picture and of the depth buffer, both written in place;
-    its number and first column; z there. Emits: (x, y, z, won).
-    """
-    for k in range(len(depth_here)):
-        # Find the depth: -A/C per pixel, as a product, since adding it up would drift
-        z_here = z + k * dz_dx
-        stored = float(depth_here[k])
-
-        # Compare with the stored depth
-        won = 0
-        if z_here < stored:
-            depth_here[k] = z_here
-            image_here[k] = colour
-            won = 1
-        yield left + k, y, z_here, won
-
-
 def depth_buffer(
-    image: Array, depth: Array, vertices: Array, faces: Array, colours: Array, low_row: int, high_row: int
+    image: Array, depth: Array, vertices: Array, faces: Array, colours: Array
 ) -> Iterator[tuple[int, int, float, int]]:
-    """Draw triangles in any order; at each pixel the nearest one wins, and on equal depths the first.
+    """Draw triangles in any order; at each pixel the nearest one wins.
 
-    A pixel is covered when y_low <= y < y_high and x_left <= x < x_right for its centre (half_open),
-    so triangles that share an edge neither overlap nor leave a gap.
+    A pixel is covered when y_low <= y < y_high and x_left <= x < x_right
+    for its centre, so triangles that share an edge neither overlap nor
+    leave a gap. On equal depths the first one stays.
 
-    Args: image, integers, and depth, floats, both (h, w), written in place, depth beginning at the
-    farthest z; vertices (n, 3), finite: x and y in pixels, z; faces (m, 3): indices of vertices, turning
-    either way; colours (m,); the rows from low_row up to, not including, high_row.
-    Emits: (x, y, z, won). Source: Hearn and Baker, Computer Graphics, C Version, section 13-3.
+    Args: image, integers, and depth, floats, both (h, w), written in place,
+    depth beginning at the farthest z; vertices (n, 3), finite: x and y in
+    pixels, z; faces (m, 3): numbers of vertices; colours (m,).
+    Emits: (x, y, z, won).
+    Source: Hearn and Baker, Computer Graphics, C Version, section 13-3.
     """
-    # Measure the picture
     height, width = image.shape
-
     for face in range(len(faces)):
-        # Find the rows that the triangle covers
-        a, b, c = int(faces[face, 0]), int(faces[face, 1]), int(faces[face, 2])
-        y_low = float(min(vertices[a, 1], vertices[b, 1], vertices[c, 1]))
-        y_high = float(max(vertices[a, 1], vertices[b, 1], vertices[c, 1]))
-        first_row = max(math.ceil(y_low), low_row, 0)
-        row_end = min(math.ceil(y_high), high_row, height)
-        if first_row >= row_end:
-            continue
-
-        # Take the corners, lowest first
-        if vertices[b, 1] < vertices[a, 1]:
-            a, b = b, a
-        if vertices[c, 1] < vertices[b, 1]:
-            b, c = c, b
-        if vertices[b, 1] < vertices[a, 1]:
-            a, b = b, a
-        x0, y0, z0 = float(vertices[a, 0]), float(vertices[a, 1]), float(vertices[a, 2])
-        x1, y1, z1 = float(vertices[b, 0]), float(vertices[b, 1]), float(vertices[b, 2])
-        x2, y2, z2 = float(vertices[c, 0]), float(vertices[c, 1]), float(vertices[c, 2])
-        colour = int(colours[face])
-
-        # Find the plane's normal
-        A = (y1 - y0) * (z2 - z0) - (y2 - y0) * (z1 - z0)
-        B = (z1 - z0) * (x2 - x0) - (z2 - z0) * (x1 - x0)
-        C = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
+        # Find the plane Ax + By + Cz + D = 0 of the surface
+        low, middle, high = corners_of(vertices, faces, face)
+        A, B, C, D = plane(low, middle, high)
         if C == 0.0:
             continue
         dz_dx, dz_dy = -A / C, -B / C
+        surface_colour = int(colours[face])
 
-        for y in range(first_row, row_end):
-            # Find where the row enters and leaves the triangle
-            x_left = crossing(x0, y0, x2, y2, y)
-            x_right = crossing(x0, y0, x1, y1, y) if y < y1 else crossing(x1, y1, x2, y2, y)
-            if x_right < x_left:
-                x_left, x_right = x_right, x_left
-            left = max(math.ceil(x_left), 0)
-            right = min(math.ceil(x_right), width)
+        for y in range(max(math.ceil(low.y), 0), min(math.ceil(high.y), height)):
+            # Find where the scan line enters and leaves the surface
+            x_left, x_right = row_ends(low, middle, high, y)
+            z_row = low.z + (y - low.y) * dz_dy
 
-            # Test the fragments of the row
-            if left < right:
-                z = z0 + dz_dx * (left - x0) + dz_dy * (y - y0)
-                image_here, depth_here = image[y, left:right], depth[y, left:right]
-                yield from depth_row(image_here, depth_here, y, left, z, dz_dx, colour)
+            for x in range(max(math.ceil(x_left), 0), min(math.ceil(x_right), width)):
+                # Find the depth of the surface, and the depth stored so far
+                z = z_row + (x - low.x) * dz_dx
+                stored = float(depth[y, x])
+
+                # Keep the nearer one
+                won = 0
+                if z < depth[y, x]:
+                    depth[y, x] = z
+                    image[y, x] = surface_colour
+                    won = 1
+                yield x, y, z, won
 
 
 ENTRY = Entry(
@@ -129,6 +78,8 @@ ENTRY = Entry(
     source="Hearn and Baker, Computer Graphics, C Version, section 13-3",
     columns=("x", "y", "z", "stored z", "won"),
     views=VIEWS,
+    view_functions=VIEW_FUNCTIONS,
+    marks=marks,
     laws=(
         Law(
             "At every covered pixel the triangle with the least z wins.",
@@ -144,14 +95,18 @@ ENTRY = Entry(
         ),
         Law(
             "Triangles that share an edge neither overlap nor leave a gap.",
-            "visibility/test_depth_buffer.py::test_a_fan_of_triangles_has_neither_overlap_nor_gap",
+            "visibility/test_depth_buffer.py::test_each_pixel_of_a_mesh_is_painted_once",
         ),
         Law(
-            "Drawing in bands of rows gives the same picture.",
-            "visibility/test_depth_buffer.py::test_bands_of_rows_give_the_same_picture",
+            "Along a scan line z changes by −A/C from pixel to pixel, and up an edge by −(A/m + B)/C.",
+            "visibility/test_device_plane.py::test_z_changes_along_a_scan_line_and_up_an_edge_as_the_plane_says",
         ),
     ),
-    not_laws=("Surfaces may shine through: a nearer one always hides what is behind it.",),
+    not_laws=(
+        "Surfaces may shine through: a nearer one always hides what is behind it.",
+        "z is the distance from the eye: in perspective it is a number that grows with that distance, "
+        "and that is linear on the screen.",
+    ),
     questions=(2, 7),
     labs=("Hidden surfaces: depth buffer",),
     tie="Strictly nearer wins, so the first drawn stays",

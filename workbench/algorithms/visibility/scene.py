@@ -21,8 +21,6 @@ SCENE = (
     ),
     Parameter("faces", "faces", "ints", np.array([[0, 1, 2], [3, 4, 5]]), meaning="corners of each triangle"),
     Parameter("colours", "colours", "ints", np.array([1, 2]), meaning="colour of each triangle"),
-    Parameter("low_row", "y_low", "int", 0, 0, 32767, "px", "first row of the band"),
-    Parameter("high_row", "y_high", "int", 10, 0, 32768, "px", "one past the last row of the band"),
 )
 
 
@@ -40,14 +38,11 @@ def scene(chance: Random) -> tuple[Any, ...]:
             vertices[2] = vertices[1]
         case 2:
             vertices[2] = vertices[1][0], vertices[1][1], vertices[0][2]
-    low = chance.choice((0, 0, chance.randint(0, 6)))
     faces = np.arange(3 * count).reshape(-1, 3)
-    band = low, chance.choice((6, 6, chance.randint(low, 6)))
     return (
         np.zeros((6, 8), np.int64),
         np.ones((6, 8)),
         np.array(vertices),
         faces,
         np.arange(1, count + 1),
-        *band,
     )

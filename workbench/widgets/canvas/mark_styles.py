@@ -29,4 +29,6 @@ def sized(each: Drawn, cell: float) -> Sized:
             return Word(*each)
         case marks.Ray():
             raise ValueError("A ray ends at the edge of a picture: map it to the device first.")
+        case marks.Matrix():
+            raise ValueError("A matrix stands beside a picture, not in it.")
     return each

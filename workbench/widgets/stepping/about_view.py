@@ -150,6 +150,7 @@ def _range_of(parameter: Parameter) -> str:
         "points": _("list of points"),
         "floats": _("list of numbers"),
         "ints": _("list of whole numbers"),
+        "matrix": _("matrix"),
     }
     kind = kinds[parameter.kind]
     low, high = parameter.low, parameter.high
@@ -169,4 +170,5 @@ def _given(entry: Entry) -> str:
         "fragments": _("Fragments: a pixel, its depth, and whether it won."),
         "points": _("Points."),
         "segments": _("Line segments."),
+        "cells": _("Cells of a matrix: row and column, counted from 0, and the number in it."),
     }[entry.emits]
