@@ -16,7 +16,7 @@ from workbench.document.scene.model import PROJECTIONS, Point3D
 from workbench.document.storage.content import read_content
 from workbench.exchange.mesh_reading import MOST_BYTES, read_mesh
 from workbench.exchange.readable import READABLE, kind_of
-from workbench.geometry.meshes import Array, Mesh
+from workbench.geometry.meshes import Array
 from workbench.language import _
 from workbench.rendering.scene import (
     render_mesh,
@@ -24,12 +24,11 @@ from workbench.rendering.scene import (
     wireframe,
     wireframe_of_mesh,
 )
+from workbench.rendering.scene.around import camera_around
 from workbench.rendering.scene.viewpoint import window_around
 
 _SIZE = (640, 480)
-_TOWARDS_EYE = np.array([0.55, 0.45, 1.0])
 _PROJECTIONS = tuple(name for name in PROJECTIONS if name != "matrix")
-_AWAY = 4.0  # the eye, in radii of a mesh from its middle
 
 
 class _Seen(NamedTuple):
@@ -111,7 +110,7 @@ def _mesh(options: argparse.Namespace) -> _Seen:
         raise BadInputError(sentence.format(file=options.model, endings=endings))
     content = read_content(options.model, MOST_BYTES)
     mesh, notes = read_mesh(content, options.model.suffix)
-    camera = _chosen(options, Camera(), mesh)
+    camera = _chosen(options, camera_around(mesh.vertices, options.eye, options.look_at))
 
     def picture(size: tuple[int, int]) -> Any:
         return render_mesh(*mesh, camera, options.visibility, size)
@@ -119,17 +118,8 @@ def _mesh(options: argparse.Namespace) -> _Seen:
     return _Seen(picture, lambda: wireframe_of_mesh(mesh, camera), _SIZE, None, notes)
 
 
-def _chosen(options: argparse.Namespace, camera: Camera, mesh: Mesh | None = None) -> Camera:
-    """``camera`` as the options change it; for a mesh one from which the whole of it is before the eye."""
-    if mesh is not None:
-        low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
-        middle, radius = (low + high) / 2, max(math.dist(low, high) / 2, 1e-6)
-        away = _TOWARDS_EYE * (_AWAY * radius / math.sqrt(float(_TOWARDS_EYE @ _TOWARDS_EYE)))
-        eye, look_at = options.eye or Point3D(*(middle + away)), options.look_at or Point3D(*middle)
-        depth = math.dist(eye.xyz, middle)
-        near = max(depth - 2 * radius, radius / 100)
-        far, distance = max(depth, near) + 2 * radius, depth or 1.0
-        camera = replace(camera, eye=eye, look_at=look_at, near=near, far=far, distance=distance)
+def _chosen(options: argparse.Namespace, camera: Camera) -> Camera:
+    """``camera`` as the options change it."""
     if options.projection not in (None, *_PROJECTIONS):
         sentence = _("There is no projection {name!r}; choose one of {names}.")
         names = ", ".join(_PROJECTIONS)
