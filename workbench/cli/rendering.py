@@ -25,6 +25,7 @@ from workbench.rendering.scene import (
     wireframe_of_mesh,
 )
 from workbench.rendering.scene.around import camera_around
+from workbench.rendering.scene.render import refuse_shading
 from workbench.rendering.scene.viewpoint import window_around
 
 _SIZE = (640, 480)
@@ -59,7 +60,7 @@ def render_model(options: argparse.Namespace) -> str:
             if depth_row:
                 outputs.write(depth_row, (grey(depth), 1), options.depth)
     except DocumentError as error:
-        raise BadInputError(str(error)) from None
+        raise BadInputError(f"{options.model}: {error}" if error.field else str(error)) from None
     except ValueError as error:
         raise BadInputError(f"{options.model}: {error}") from None
     return "".join(f"{line}\n" for line in seen.said)
@@ -113,6 +114,7 @@ def _mesh(options: argparse.Namespace) -> _Seen:
     camera = _chosen(options, camera_around(mesh.vertices, options.eye, options.look_at))
 
     def picture(size: tuple[int, int]) -> Any:
+        refuse_shading(options.shading)
         return render_mesh(*mesh, camera, options.visibility, size)
 
     return _Seen(picture, lambda: wireframe_of_mesh(mesh, camera), _SIZE, None, notes)

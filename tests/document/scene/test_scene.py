@@ -63,6 +63,16 @@ def test_every_number_of_a_scene_is_declared_and_somewhere() -> None:
     assert len({address for address, *_rest in NUMBERS}) == len(NUMBERS) > 150
 
 
+@pytest.mark.parametrize(
+    "kind", [k for k in structs_in(Scene) if numbers_of(k)], ids=lambda kind: kind.__name__
+)
+def test_every_number_of_a_scene_says_what_it_may_be(kind: type) -> None:
+    for name, number in numbers_of(kind).items():
+        assert number.label, name
+        assert math.isfinite(number.low) and math.isfinite(number.high), name  # noqa: PT018
+        assert number.low < number.high
+
+
 # These are bounded by another number too, so that one more may be refused.
 BOUND = ("thickness", "rows", "u_degree", "v_degree")
 

@@ -96,8 +96,7 @@ def _rendered(
 ) -> Picture:
     if method not in METHODS:
         raise ValueError(_none_called(method, tuple(METHODS)))
-    if shading not in SHADINGS:
-        raise ValueError(_none_called(shading, SHADINGS))
+    refuse_shading(shading)
     every = np.concatenate([mesh.vertices for mesh, *_rest in parts] or [np.zeros((0, 3))])
     viewpoint = Viewpoint.of(camera, size, window, every)
     corners: list[Array] = []
@@ -117,6 +116,12 @@ def _rendered(
         np.concatenate(colours or [np.zeros(0, np.int64)]),
         size,
     )
+
+
+def refuse_shading(name: str) -> None:
+    """Raises: ValueError, a sentence, where no shading is called so."""
+    if name not in SHADINGS:
+        raise ValueError(_none_called(name, SHADINGS))
 
 
 def _none_called(name: str, names: Sequence[str]) -> str:

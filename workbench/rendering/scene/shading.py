@@ -16,7 +16,7 @@ def flat_colours(
     """The colour (m,), 0xRRGGBB, of each face: ambient light, and of each light what its direction leaves.
 
     A face that is seen from behind is lit on that side. ``viewer`` is as ``Viewpoint.viewer`` has it. Without
-    lights one shines from where the viewer is, a little from above.
+    lights one shines from where the viewer is, and from above.
     """
     normals = face_normals(points_world, faces)
     normals = np.where(seen_faces(viewer, points_world, faces, normals)[:, None], normals, -normals)
@@ -34,7 +34,7 @@ def _directions(lights: Sequence[Light], middles: Array, viewer: Array) -> list[
     if not lights:
         towards = viewer[:3] - viewer[3] * middles
         lengths = np.sqrt((towards**2).sum(axis=1, keepdims=True))
-        return [(np.ones(3), towards + lengths * [0.0, 0.3, 0.0])]
+        return [(np.ones(3), towards + lengths * [0.0, 0.6, 0.0])]
     found = []
     for light in lights:
         place = np.array(light.position.xyz)
