@@ -24,8 +24,7 @@ from msgspec.structs import replace
 from workbench.document.errors import DocumentError
 from workbench.document.storage.blobs import MAX_BLOB_BYTES
 from workbench.document.storage.content import read_content
-from workbench.document.storage.embedding import with_contents
-from workbench.document.storage.files import MAX_BYTES, Stored, all_blobs, read, sound_blobs, write
+from workbench.document.storage.files import MAX_BYTES, Stored, all_blobs, read, with_blobs, write
 from workbench.document.storage.saving import replace_file, sweep
 from workbench.engine.turns import short_turns
 from workbench.language import _, legible
@@ -79,9 +78,7 @@ class Recoverable:
                 sentence = _("A file that belongs to {path} is missing; open another copy.")
                 raise DocumentError("blobs_beside", sentence.format(path=self.path))
             blobs[digest] = read_content(beside[digest], MAX_BLOB_BYTES)
-        sound = sound_blobs(blobs)
-        document = with_contents(stored.document, sound, frozenset())
-        return replace(stored, document=document, blobs=sound, blobs_beside=())
+        return with_blobs(stored, blobs)
 
     def discard(self) -> None:
         """Forget this work."""

@@ -228,6 +228,15 @@ def all_blobs(stored: Stored) -> dict[str, bytes]:
     return {**stored.blobs, **blobs_of(stored.document)}
 
 
+def with_blobs(stored: Stored, blobs: Mapping[str, bytes]) -> Stored:
+    """``stored`` with all its blobs, none of which is beside it any more; raises DocumentError."""
+    sound = sound_blobs(blobs)
+    document = check(with_contents(stored.document, sound, frozenset()))
+    inside = blobs_of(document)
+    outside = {name: content for name, content in sound.items() if name not in inside}
+    return msgspec.structs.replace(stored, document=document, blobs=outside, blobs_beside=())
+
+
 def sound_blobs(blobs: Mapping[str, bytes]) -> dict[str, bytes]:
     """``blobs`` as values that know their digest; raises DocumentError where that is not their name."""
     sound: dict[str, bytes] = {}

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from workbench.algorithms.visibility import depth_buffer
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Camera, Light, Material, Object, Scene
 from workbench.document.scene.solids import mesh_over
@@ -18,7 +19,7 @@ from workbench.rendering.triangles import depth_buffer_triangles
 
 Picture = tuple[NDArray[np.uint32], NDArray[np.float64]]
 
-METHODS: dict[str, Callable[..., Picture]] = {"depth_buffer": depth_buffer_triangles}
+METHODS: dict[str, Callable[..., Picture]] = {depth_buffer.__name__: depth_buffer_triangles}
 """How hidden surfaces are found, by slug: from device triangles, their colours and the size."""
 
 SHADINGS = ("flat",)
