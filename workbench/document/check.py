@@ -323,7 +323,8 @@ def _held_colours(sheet: Sheet, before: Sheet | None) -> Fault | None:
 
 def _chain(figure: AnyFigure, _before: Any) -> Fault | None:
     """What a chain makes of any point can still be drawn."""
-    if figure.matrix is None or abs(figure.matrix).max() <= LARGEST:
+    matrix = figure.matrix
+    if matrix is None or all(-LARGEST <= number <= LARGEST for row in matrix.tolist() for number in row):
         return None
     problem = _("has a matrix with numbers beyond {most:g}; make a scale factor or a shear smaller")
     return "transforms", problem.format(most=LARGEST)

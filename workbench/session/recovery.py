@@ -232,9 +232,8 @@ class RecoveryFile:
         beside = all_blobs(wanted)
         blobs = {_blob_path(self.path, digest): content for digest, content in beside.items()}
         kept = set(_blobs_beside(self.path))
-        for path, content in blobs.items():
-            if path not in kept:
-                replace_file(path, content)
+        for path in blobs.keys() - kept:
+            replace_file(path, blobs[path])
         write(replace(wanted, blobs={}, blobs_beside=tuple(beside)), self.path)
         for path in kept.difference(blobs):
             _remove(path)

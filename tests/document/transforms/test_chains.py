@@ -11,6 +11,8 @@ from msgspec.structs import replace
 from tests.document.made_documents import chains, links
 from workbench.document import DocumentError, edits
 from workbench.document.addresses import changed, resolve
+from workbench.document.curves.cutting import split
+from workbench.document.curves.joining import join
 from workbench.document.model import Circle, Curve, CurvePoint, Document, Ellipse, Line, WorldPoint
 from workbench.document.samples.examples import blank_sheet
 from workbench.document.transforms import edits as chain_edits
@@ -308,3 +310,25 @@ def test_every_link_and_every_edit_has_a_name() -> None:
     for kind in (Translate, Rotate, Scale, Reflect, Shear, Affine):
         assert title(kind("t"))
     assert all(callable(getattr(chain_edits, name)) for name in undo_names())
+
+
+def test_a_curve_that_is_cut_or_joined_looks_as_before() -> None:
+    places = ((0, 0), (2, 6), (6, 6), (8, 0))
+    controls = tuple(CurvePoint("", float(x), float(y)) for x, y in places)
+    beside = tuple(CurvePoint("", float(x) + 10.0, float(y)) for x, y in places)
+    turned, moved = (Rotate("", angle=30.0),), (Scale("", sx=2.0, sy=3.0), Shear("", sh_x=0.5))
+    document = document_with(
+        Curve("", controls, "bresenham_line", spline="bezier_path", transforms=turned),
+        Curve("", beside, "bresenham_line", spline="bezier_path", transforms=moved),
+    )
+    one, other = document.sheets[0].figures
+    joined = join(one.id, other.id)(document).sheets[0].figures
+    assert len(joined) == 1
+    assert [link.id for link in joined[0].transforms] == [link.id for link in one.transforms]
+    for curve in (one, other):
+        away = np.abs(seen(joined[0])[:, None] - seen(curve)[None]).max(axis=2).min(axis=0)
+        assert away.max() < 1e-9
+    parts = split(one.id, 0.5)(document).sheets[0].figures
+    assert len(parts) == 3
+    assert len({identity for figure in parts for identity in figure.ids}) == sum(len(f.ids) for f in parts)
+    assert np.allclose(parts[0].matrix, parts[1].matrix)  # type: ignore[arg-type]

@@ -163,7 +163,8 @@ def split(figure: str, u: float) -> Edit:
         sheet = figure_with(after, figure)[0]
         at = next(i for i, other in enumerate(sheet.figures) if other.id == figure) + 1
         # The ids that the first part has lost may be the second one's; none of them is given anew.
-        new = numbered(after, replace(second, id=""))
+        chain = tuple(replace(link, id="") for link in second.transforms)
+        new = numbered(after, replace(second, id="", transforms=chain))
         return with_figures(after, sheet, (*sheet.figures[:at], new, *sheet.figures[at:]))
 
     return edit

@@ -26,6 +26,8 @@ from workbench.document.curves.paths import (
 from workbench.document.curves.pieces import ends_steer, goes_round, knots_of, pieces_of
 from workbench.document.errors import DocumentError
 from workbench.document.model import B_SPLINES, THROUGH, Curve, CurvePoint, Document, Knot
+from workbench.document.transforms.chains import inverse_of
+from workbench.document.transforms.expressing import expressed
 from workbench.language import _
 
 Array = NDArray[np.float64]
@@ -36,8 +38,9 @@ _TOGETHER = 1e-9
 def join(first: str, second: str) -> Edit:
     """Join two open curves where their ends are nearest; the figure is the ``first`` one, points keep ids.
 
-    Two B-splines of one degree and two paths stay what they are, two curves of one kind through all of their
-    points go on by its rule; all others become one path. Ends apart are bridged by a straight piece.
+    The chain is that of the first, under which the second looks as before. Two B-splines of one degree and
+    two paths stay what they are, two curves of one kind through all of their points go on by its rule; all
+    others become one path. Ends apart are bridged by a straight piece.
     """
 
     def edit(document: Document) -> Document:
@@ -45,7 +48,7 @@ def join(first: str, second: str) -> Edit:
         if first == second:
             raise DocumentError(first, _("These are one curve; close it instead, or choose another one."))
         try:
-            made = joined(one, other)
+            made = joined(one, _in_frame_of(one, other))
         except ValueError as problem:
             raise DocumentError(first, str(problem)) from problem
         sheet = figure_with(document, second)[0]
@@ -54,6 +57,19 @@ def join(first: str, second: str) -> Edit:
         return with_changed(after, [numbered(document, made)])
 
     return edit
+
+
+def _in_frame_of(one: Curve, other: Curve) -> Curve:
+    """``other`` with points that the chain of ``one`` takes where its own took them. Raises: ValueError."""
+    if one.matrix is None and other.matrix is None:
+        return other
+    own, back = (np.eye(3) if curve.matrix is None else curve.matrix for curve in (other, one))
+    matrix = inverse_of(back) @ own
+    for curve in (other, converted(other, "bezier_path")[0]):
+        placed = expressed(curve, matrix)
+        if isinstance(placed, Curve):
+            return placed
+    raise AssertionError("a path goes with its points")
 
 
 def joined(one: Curve, other: Curve) -> Curve:

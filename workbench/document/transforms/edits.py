@@ -10,7 +10,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from workbench.algorithms.transforms import Matrix
-from workbench.document.addresses import Address, figure_with, figures_with, parse, point_with
+from workbench.document.addresses import Address, figure_with, figures_with, new_ids, parse, point_with
 from workbench.document.building import (
     Edit,
     checked,
@@ -19,6 +19,7 @@ from workbench.document.building import (
     position,
     remembering,
     with_changed,
+    with_ids,
 )
 from workbench.document.curves.paths import handles_of, is_path, moved, with_followers
 from workbench.document.errors import DocumentError
@@ -99,19 +100,18 @@ def extend(figures: Iterable[str], link: AnyLink) -> Edit:
     wanted = tuple(dict.fromkeys(figures))
 
     def edit(document: Document) -> Document:
-        longer = plain(link)
-        for figure in figures_with(document, wanted):
-            acting = [k for k, old in enumerate(figure.transforms) if old.on]
-            both = _merged(figure.transforms[acting[-1]], longer) if acting else None
-            if both is not None:
-                changed = _with_link(figure, acting[-1], both)
-            else:
-                bare = replace(longer, id="")
-                changed = numbered(document, _with_chain(figure, (*figure.transforms, bare)))
-            document = with_changed(document, [changed])
-        return document
+        longer = replace(plain(link), id="")
+        return _with_new(document, [_extended(figure, longer) for figure in figures_with(document, wanted)])
 
     return edit
+
+
+def _extended(figure: AnyFigure, link: AnyLink) -> AnyFigure:
+    acting = [k for k, old in enumerate(figure.transforms) if old.on]
+    both = _merged(figure.transforms[acting[-1]], link) if acting else None
+    if both is not None:
+        return _with_link(figure, acting[-1], both)
+    return _with_chain(figure, (*figure.transforms, link))
 
 
 def _merged(first: AnyLink, second: AnyLink) -> AnyLink | None:
@@ -155,17 +155,18 @@ def applied(document: Document, figures: Iterable[str], matrix: Matrix) -> Appli
     _refuse_other_than_affine(matrix)
     told: list[tuple[str, str]] = []
 
+    link = Affine.of("", matrix)
+
     def edit(before: Document) -> Document:
-        after = before
+        changed: list[AnyFigure] = []
         for figure in figures_with(before, tuple(dict.fromkeys(figures))):
             own = _before_the_chain(figure, matrix)
             new = own if isinstance(own, str) else expressed(figure, own)
             if isinstance(new, str):
                 told.append((figure.id, new))
-                link = Affine.of("", matrix)
-                new = numbered(after, _with_chain(figure, (*figure.transforms, link)))
-            after = with_changed(after, [new])
-        return after
+                new = _with_chain(figure, (*figure.transforms, link))
+            changed.append(new)
+        return _with_new(before, changed)
 
     return Applied(checked(lambda: edit)()(document), tuple(told))
 
@@ -270,6 +271,14 @@ def _link_at(document: Document, address: Address | str) -> tuple[AnyFigure, int
             return figure, at
     sentence = _("Figure {figure!r} has no transform {id!r}; it may have been removed.")
     raise DocumentError(str(where), sentence.format(figure=figure.id, id=where.point))
+
+
+def _with_new(document: Document, figures: list[AnyFigure]) -> Document:
+    """``document`` with these in place of the figures of their ids, and ids for their new links."""
+    fresh = iter(new_ids(document, "", len(figures)))
+    return with_changed(
+        document, [figure if all(figure.ids) else with_ids(figure, fresh, fresh) for figure in figures]
+    )
 
 
 def _with_link(figure: AnyFigure, at: int, link: AnyLink) -> AnyFigure:

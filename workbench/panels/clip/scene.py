@@ -14,10 +14,11 @@ from workbench.algorithms.clipping.degenerate_edges import degenerate_edges
 from workbench.algorithms.clipping.edges import region_code
 from workbench.algorithms.clipping.window_marks import corners, degenerate_marks
 from workbench.algorithms.marks import closed
-from workbench.document.model import AnyFigure, Circle, Curve, Line, Polygon, Polyline, Sheet
+from workbench.document.model import AnyFigure, Circle, Line, Polyline, Sheet
 from workbench.rendering.clipping import Segment, clip_box, clipped_segment, clipper_calls, segments_of
 from workbench.rendering.mapping import Box
 from workbench.rendering.raster import emitted
+from workbench.rendering.rounds import is_area, is_lines
 from workbench.widgets.canvas.drawing import Drawn, Pattern, Region, Spot, Stroke, Word
 
 Fate = Literal["accepted", "clipped", "rejected"]
@@ -41,12 +42,12 @@ def outcomes(sheet: Sheet, figure: AnyFigure) -> list[Outcome]:
     window = clip_box(sheet)
     if window is None:
         return []
-    if isinstance(figure, Line | Polyline | Curve):
+    if is_lines(figure):
         return [_line_outcome(sheet, segment, window) for segment in segments_of(sheet, figure)]
     found = []
     for call in clipper_calls(sheet, figure):
         rows = emitted(call).tolist()
-        given = call.arguments[0].tolist() if isinstance(figure, Polygon) else rows
+        given = call.arguments[0].tolist() if is_area(figure) else rows
         whole: Fate = "accepted" if _same_ring(rows, given) else "clipped"
         found.append(Outcome(call.arguments, whole if rows else "rejected", tuple(map(tuple, rows))))
     return found
@@ -125,9 +126,9 @@ def end_codes(sheet: Sheet, figure: Line | Polyline, window: Box, carded: bool) 
 
 def _figure(sheet: Sheet, figure: AnyFigure, window: Box) -> Iterator[Drawn]:
     for outcome in outcomes(sheet, figure):
-        if isinstance(figure, Line | Polyline | Curve):
+        if is_lines(figure):
             yield from line_marks(outcome)
-        elif isinstance(figure, Polygon):
+        elif is_area(figure):
             yield from _ring_marks(outcome, window)
         elif isinstance(figure, Circle):
             x, y = outcome.given[:2]
@@ -166,6 +167,6 @@ def _ring_marks(outcome: Outcome, window: Box) -> Iterator[Drawn]:
 def degenerate_count(sheet: Sheet, figure: AnyFigure | None) -> int:
     """How many such edges the figure, clipped, has."""
     window = clip_box(sheet)
-    if window is None or not isinstance(figure, Polygon):
+    if window is None or figure is None or not is_area(figure):
         return 0
     return sum(len(degenerate_edges(emitted(call).tolist(), window)) for call in clipper_calls(sheet, figure))
