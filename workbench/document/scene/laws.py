@@ -5,7 +5,6 @@ from typing import Any
 
 from workbench.document.scene.model import Camera, Object, Scene
 from workbench.document.scene.solids import MeshSolid
-from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.document.storage.blobs import Named
 from workbench.document.transforms.chains import LARGEST
 from workbench.language import _
@@ -49,6 +48,8 @@ def _solid(thing: Object, before: Object | None) -> Fault | None:
 
 
 def _camera(camera: Camera, _before: Any) -> Fault | None:
+    from workbench.document.scene.viewing import projection_matrix, view_matrix  # as the solids' makers
+
     try:
         view_matrix(camera)
         projection_matrix(camera)

@@ -1,4 +1,7 @@
-"""The solids of a scene: what each is made of by its numbers, a mesh, or points of its own."""
+"""The solids of a scene: what each is made of by its numbers, a mesh, or points of its own.
+
+What makes them is imported when one is made: few pictures have any, and the first frame waits for this.
+"""
 
 from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
@@ -6,17 +9,15 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 import msgspec
 import numpy as np
 
-from workbench.algorithms import solids
-from workbench.algorithms.surfaces import Patches, b_spline_patch, bezier_patch, tessellate
 from workbench.document.fields import Choice, Number
 from workbench.document.numbers import MAX_COORDINATE
 from workbench.document.scene.meshes import mesh_of
 from workbench.document.storage.blobs import Blob
-from workbench.geometry.curves.knots import open_uniform_knots
 from workbench.geometry.meshes import Faces, Mesh
 from workbench.language import _
 
 if TYPE_CHECKING:
+    from workbench.algorithms.surfaces import Patches
     from workbench.document.scene.model import SpacePoint
 
 REGULAR = ("tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron")
@@ -48,6 +49,8 @@ class _Simple(Solid, frozen=True):
 
     def mesh(self, _points: Any) -> Mesh:
         """By that function."""
+        from workbench.algorithms import solids
+
         made: Mesh = getattr(solids, str(self.__struct_config__.tag))(**msgspec.structs.asdict(self))
         return made
 
@@ -148,6 +151,8 @@ class Regular(Solid, frozen=True, tag="regular"):
 
     def mesh(self, _points: Any) -> Mesh:
         """By its name."""
+        from workbench.algorithms import solids
+
         if self.polyhedron == "cube":
             return solids.cube(2.0 * self.radius / 3.0**0.5)
         make = {
@@ -169,7 +174,9 @@ class Extrusion(Solid, frozen=True, tag="extrusion"):
 
     def mesh(self, points: "tuple[SpacePoint, ...]") -> Mesh:
         """By ``extruded``."""
-        return solids.extruded([(point.x, point.y) for point in points], self.depth)
+        from workbench.algorithms.solids import extruded
+
+        return extruded([(point.x, point.y) for point in points], self.depth)
 
 
 class Revolution(Solid, frozen=True, tag="revolution"):
@@ -183,7 +190,9 @@ class Revolution(Solid, frozen=True, tag="revolution"):
 
     def mesh(self, points: "tuple[SpacePoint, ...]") -> Mesh:
         """By ``turned``."""
-        return solids.turned([(point.x, point.y) for point in points], self.slices, self.closed)
+        from workbench.algorithms.solids import turned
+
+        return turned([(point.x, point.y) for point in points], self.slices, self.closed)
 
 
 class Surface(Solid, frozen=True, tag="surface"):
@@ -205,11 +214,16 @@ class Surface(Solid, frozen=True, tag="surface"):
 
     def mesh(self, points: "tuple[SpacePoint, ...]") -> Mesh:
         """By ``tessellate``."""
+        from workbench.algorithms.surfaces import tessellate
+
         vertices, faces = tessellate(self.patches(points), self.tolerance)
         return Mesh(vertices, Faces.of(faces))
 
-    def patches(self, points: "tuple[SpacePoint, ...]") -> Patches:
+    def patches(self, points: "tuple[SpacePoint, ...]") -> "Patches":
         """The surface itself. Raises: ValueError."""
+        from workbench.algorithms.surfaces import b_spline_patch, bezier_patch
+        from workbench.geometry.curves.knots import open_uniform_knots
+
         if len(points) % self.rows:
             sentence = _("{count} points do not make {rows} rows of equally many; add or remove some.")
             raise ValueError(sentence.format(count=len(points), rows=self.rows))
