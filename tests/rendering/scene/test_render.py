@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
@@ -15,10 +16,11 @@ from workbench.document import Camera
 from workbench.document.model import Rectangle
 from workbench.document.scene.links import Rotate3D, Scale3D, Translate3D
 from workbench.document.scene.model import Light, Material, Object, Point3D, Scene
-from workbench.document.scene.solids import Box, PiercingPlanes, Sphere
-from workbench.geometry.meshes import Faces, Mesh
+from workbench.document.scene.solids import Box, Bracket, PiercingPlanes, Sphere
+from workbench.geometry.meshes import Faces, Mesh, triangulated
 from workbench.rendering import render_mesh, render_scene
 from workbench.rendering.scene import wireframe, wireframe_of_mesh
+from workbench.rendering.scene.render import placed
 from workbench.rendering.scene.viewpoint import Viewpoint
 from workbench.rendering.scene.volume import DEPTH_PLANES, clip_segments, clip_triangles, side_planes
 
@@ -191,6 +193,15 @@ def test_a_mirrored_solid_is_lit_as_its_mirror_image() -> None:
     ]
     assert (pictures[0] > 0).sum() > 500
     assert (pictures[0] == pictures[1][:, ::-1]).mean() > 0.99  # but for pixels on an edge
+
+
+def test_faces_look_outwards_after_any_mirror() -> None:
+    for sx in (-2.0, 2.0):
+        thing = Object("o1", Bracket(), "m1", transforms=(Scale3D("t1", sx=sx), Translate3D("t2", ty=3.0)))
+        ((mesh, (triangles, owners), _material),) = placed(Scene((thing,), (Material("m1"),)))
+        for cut in (triangles, triangulated(*mesh)[0]):
+            assert trimesh.Trimesh(mesh.vertices, cut, process=False).volume == pytest.approx(2 * 1.75)
+        assert np.bincount(owners).tolist() == (mesh.faces.sizes - 2).tolist()
 
 
 def test_flat_shading_is_lamberts_law() -> None:

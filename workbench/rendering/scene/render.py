@@ -60,30 +60,24 @@ Part = tuple[Mesh, tuple[Index, Index], Material]
 def placed(scene: Scene) -> list[Part]:
     """Each visible object: its mesh in the world, its triangles and their faces, its material."""
     materials = {material.id: material for material in scene.materials}
-    return [
-        (_in_world(thing), _triangles(thing), materials[thing.material])
-        for thing in scene.objects
-        if thing.visible
-    ]
+    return [(*_in_world(thing), materials[thing.material]) for thing in scene.objects if thing.visible]
 
 
-def _in_world(thing: Object) -> Mesh:
+def _in_world(thing: Object) -> tuple[Mesh, tuple[Index, Index]]:
+    """Its mesh there, and its triangles: made once for a solid, and turned round where a mirror turns them."""
     vertices, faces = thing.mesh
+    triangles, owners = _cut_up(thing.solid, thing.points)
     if thing.matrix is None:
-        return Mesh(vertices, faces)
+        return thing.mesh, (triangles, owners)
     moved = vertices @ thing.matrix[:3, :3].T + thing.matrix[:3, 3]
-    mirrored = np.linalg.det(thing.matrix[:3, :3]) < 0
-    return Mesh(moved, faces.reversed() if mirrored else faces)
+    if np.linalg.det(thing.matrix[:3, :3]) < 0:
+        return Mesh(moved, faces.reversed()), (triangles[:, ::-1], owners)
+    return Mesh(moved, faces), (triangles, owners)
 
 
 @lru_cache(maxsize=64)
 def _cut_up(solid: Any, points: Any) -> tuple[Index, Index]:
     return triangulated(*mesh_over(solid, points))
-
-
-def _triangles(thing: Object) -> tuple[Index, Index]:
-    """Made once for a solid: no transform changes which corners they have."""
-    return _cut_up(thing.solid, thing.points)
 
 
 def _rendered(
