@@ -64,7 +64,7 @@ def placed(scene: Scene) -> list[Part]:
 
 
 def _in_world(thing: Object) -> tuple[Mesh, tuple[Index, Index]]:
-    """Its mesh there, and its triangles: made once for a solid, and turned round where a mirror turns them."""
+    """Its mesh there, and its triangles, made once for a solid and turned round where a mirror turns them."""
     vertices, faces = thing.mesh
     triangles, owners = _cut_up(thing.solid, thing.points)
     if thing.matrix is None:
