@@ -31,12 +31,15 @@ from workbench.document.model import (
     WorldPoint,
 )
 from workbench.document.samples.examples import blank_sheet
+from workbench.document.scene.model import Scene
 from workbench.document.state import SessionState as State
 from workbench.document.state import TubeSettings, check_state
 from workbench.document.storage.files import decode, encode
 from workbench.document.transforms.links import Affine, Reflect, Rotate, Scale, Shear, Translate
 
-STRUCTS = [*structs_in(Document), TubeSettings]
+# What a scene is made of has laws of its own, in ``scene/test_scene.py``.
+PICTURE = [kind for kind in structs_in(Document) if kind not in structs_in(Scene)]
+STRUCTS = [*PICTURE, TubeSettings]
 # The sides that cannot lie at that end of their range, since the other side would have to lie beyond it.
 WITHOUT_EXTENT = {("xmin", 1), ("ymin", 1), ("xmax", 0), ("ymax", 0)}
 
@@ -112,7 +115,7 @@ PLACES = list(numbers_in(everything()))
 
 
 def test_every_number_is_in_the_document_that_holds_everything() -> None:
-    declared = {(kind, name) for kind in structs_in(Document) for name in numbers_of(kind)}
+    declared = {(kind, name) for kind in PICTURE for name in numbers_of(kind)}
     document = everything()
     holders = [_at(document, place.path[: -2 if isinstance(place.path[-1], int) else -1]) for place in PLACES]
     names = [next(key for key in reversed(place.path) if isinstance(key, str)) for place in PLACES]
@@ -249,10 +252,8 @@ def test_what_is_added_has_numbers_of_python_whatever_they_were(kind: type) -> N
 
 
 def test_a_list_of_parts_is_one_whose_entries_have_ids() -> None:
-    parts = {(kind.__name__, name) for kind in structs_in(Document) for name in parts_of(kind)}
-    of_figures = {
-        (kind.__name__, "points_world") for kind in structs_in(Document) if issubclass(kind, Figure)
-    }
+    parts = {(kind.__name__, name) for kind in PICTURE for name in parts_of(kind)}
+    of_figures = {(kind.__name__, "points_world") for kind in PICTURE if issubclass(kind, Figure)}
     chains = {(name, "transforms") for name, _points in of_figures}
     of_sheets = {("Document", "sheets"), ("Sheet", "views"), ("Sheet", "figures")}
     assert parts == of_sheets | {("Curve", "knots")} | of_figures | chains

@@ -3,11 +3,12 @@
 from pathlib import Path
 
 import pytest
+import trimesh
 
 from workbench.cli.conversions import _read
 from workbench.document import save
 from workbench.document.samples.examples import example_document
-from workbench.exchange.readable import READABLE, SUFFIXES, kind_of
+from workbench.exchange.readable import OPENABLE, READABLE, SUFFIXES, kind_of
 from workbench.exchange.reading import LIMITS
 from workbench.shell.files import _kinds
 
@@ -20,13 +21,18 @@ CONTENT = {
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_what_the_table_names_is_read(tmp_path: Path, suffix: str) -> None:
     path = tmp_path / f"A{suffix.upper()}"
-    if kind_of(path) == "picture":
+    if kind_of(path) == "mesh":
+        made = trimesh.creation.box()
+        made.export(path, file_type=suffix[1:])
+    elif kind_of(path) == "picture":
         save(example_document(), path)
     else:
         path.write_text(CONTENT[kind_of(path)], encoding="utf-8")
     document, _said = _read(path, 1, None, None)
-    assert len(document.sheets[0].figures) == 1
-    assert sum(f"*{suffix}" in kind for kind in _kinds()) == 2
+    (sheet,) = document.sheets
+    assert len(sheet.figures) + len(sheet.scene.objects if sheet.scene else ()) == 1
+    openable = any(suffix in each.suffixes for each in OPENABLE)
+    assert sum(f"*{suffix}" in kind for kind in _kinds()) == (2 if openable else 0)
 
 
 def test_every_kind_has_a_limit_and_no_suffix_is_there_twice() -> None:

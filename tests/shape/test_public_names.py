@@ -23,8 +23,8 @@ NAMES = {
     "algorithms.catalogue": "entries get",
     "engine.compiled": "collect paint paint_many",
     "engine.recorder": "record",
-    "document": "load save DocumentError",
-    "rendering": "frame_buffer display_list why depth_buffer_triangles",
+    "document": "load save DocumentError Camera",
+    "rendering": "frame_buffer display_list why depth_buffer_triangles render_mesh render_scene",
     "display": "Phosphor Tube",
 }
 

@@ -102,6 +102,23 @@ def _parser() -> argparse.ArgumentParser:
     shape.add_argument("--tolerance", metavar="T", type=float, default=0.01, help=_("how far off, at most"))
     shape.set_defaults(run=_surface)
 
+    render = commands.add_parser("render", help=_("a mesh or a scene as a picture"))
+    render.add_argument("model", metavar="MODEL", type=Path, help=_("a mesh file, or a .gwb with a scene"))
+    render.add_argument(
+        "-o", "--output", metavar="OUT", type=Path, required=True, help=_(".png, or its lines as .svg")
+    )
+    render.add_argument("--projection", metavar="NAME", help=_("such as perspective, isometric, cabinet"))
+    render.add_argument("--visibility", metavar="SLUG", default="depth_buffer", help=_("how surfaces hide"))
+    render.add_argument("--shading", metavar="NAME", default="flat")
+    render.add_argument("--size", metavar="WxH", type=_size, help=_("pixels of the picture"))
+    render.add_argument("--depth", metavar="OUT.png", type=Path, help=_("the depths, white is near"))
+    render.add_argument("--eye", metavar="X,Y,Z", type=_point)
+    render.add_argument("--look-at", metavar="X,Y,Z", type=_point)
+    render.add_argument(
+        "--sheet", metavar="NUMBER", type=int, default=1, help=_("which sheet, counted from 1")
+    )
+    render.set_defaults(run=_render)
+
     commands.add_parser("tour", help=_("a picture of every workspace"))
     return parser
 
@@ -110,6 +127,18 @@ def _size(text: str) -> tuple[int, int]:
     from workbench.cli.conversions import size
 
     return size(text)
+
+
+def _point(text: str) -> object:
+    from workbench.cli.rendering import point
+
+    return point(text)
+
+
+def _render(options: argparse.Namespace) -> str:
+    from workbench.cli.rendering import render_model
+
+    return render_model(options)
 
 
 def _convert(options: argparse.Namespace) -> str:

@@ -91,11 +91,12 @@ def _read(
     source: Path, number: int, tolerance: float | None, wanted: tuple[int, int] | None
 ) -> tuple[Document, list[str]]:
     """A document of one sheet, and what there is to say about it."""
+    from workbench.exchange.mesh_reading import MOST_BYTES as MOST_MESH_BYTES
     from workbench.exchange.point_lists import MOST_CHARACTERS
     from workbench.exchange.svg_tree import MOST_BYTES
 
     kind = kind_of(source)
-    most = {"picture": MAX_BYTES, "drawing": MOST_BYTES, "points": MOST_CHARACTERS}
+    most = {"picture": MAX_BYTES, "drawing": MOST_BYTES, "points": MOST_CHARACTERS, "mesh": MOST_MESH_BYTES}
     if not kind:
         sentence = _("{file}: this cannot be read; give one of {kinds}.")
         raise BadInputError(sentence.format(file=source, kinds=", ".join(SUFFIXES)))
@@ -109,6 +110,8 @@ def _read(
             return _sheet(decode(content).document, source, number), []
         if kind == "drawing":
             return _from_svg(source, content, tolerance, wanted)
+        if kind == "mesh":
+            return _from_mesh(source, content, wanted)
         return _from_points(source, text, tolerance, wanted)
     except ValueError as error:
         raise BadInputError(f"{source}: {error}") from None
@@ -152,6 +155,23 @@ def _from_points(
     document = _filled(source, sheet, [path_of(pieces.controls, closed, 1)])
     sentence = _("{count} Bézier pieces pass {points} points within {error:.3g}.")
     return document, [sentence.format(count=len(pieces.controls), points=len(points), error=error)]
+
+
+def _from_mesh(source: Path, content: bytes, wanted: tuple[int, int] | None) -> tuple[Document, list[str]]:
+    from workbench.document.scene.edits import add_object, set_camera
+    from workbench.document.scene.meshes import blob_of
+    from workbench.document.scene.model import Object
+    from workbench.document.scene.solids import MeshSolid
+    from workbench.exchange.mesh_reading import read_mesh
+    from workbench.rendering.scene.around import camera_around, window_of
+
+    mesh, notes = read_mesh(content, source.suffix)
+    camera = camera_around(mesh.vertices)
+    sides = wanted or (_LONGER_SIDE_PX, _LONGER_SIDE_PX * 3 // 4)
+    document = _filled(source, _blank(window_of(camera, sides, mesh.vertices), sides), ())
+    sheet = document.sheets[0].id
+    named = Object("", MeshSolid(blob_of(mesh)), "", name=source.stem[:200])
+    return set_camera(sheet, camera)(add_object(sheet, named)(document)), list(notes)
 
 
 def _blank(window: Rectangle, sides: tuple[int, int]) -> Sheet:

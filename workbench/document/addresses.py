@@ -1,9 +1,11 @@
 """Addresses of attributes: they name sheet, figure and point by id, and so survive every edit of the others.
 
 As text: ``s1/width_px``, ``s1/palette.2``, ``s1/v3/window_world.xmin``, ``s1/f2/radius_world``,
-``s1/f2/p3/x``, ``s1/f2/t4/angle``. A view of a sheet stands where a figure does, a knot or a link of a
-figure's chain where a point does. ``*`` in place of the attribute means the whole sheet, figure or point;
-``sheets``, ``s1/figures`` and ``s1/f2/points_world`` mean what is in the list and in which order.
+``s1/f2/p3/x``, ``s1/f2/t4/angle``. A view of a sheet, and an object, a material or a light of its scene,
+stand where a figure does, a knot or a link of a chain where a point does: ``s1/scene.camera.eye.x``,
+``s1/o5/solid.radius``, ``s1/o5/t6/angle``. ``*`` in place of the attribute means the whole sheet, figure
+or point; ``sheets``, ``s1/figures``, ``s1/scene.objects`` and ``s1/f2/points_world`` mean what is in the
+list and in which order.
 """
 
 from collections.abc import Collection
@@ -15,8 +17,9 @@ import msgspec
 from workbench.document.differences import between
 from workbench.document.errors import DocumentError
 from workbench.document.fields import Field, fields_of, parts_of
-from workbench.document.model import AnyFigure, Document, Knot, Sheet, View, WorldPoint, number_of
-from workbench.document.transforms.links import AnyLink
+from workbench.document.model import AnyFigure, Document, Sheet, View, WorldPoint
+from workbench.document.parts import number_of
+from workbench.document.scene.model import Thing
 from workbench.language import _
 
 WHOLE = "*"
@@ -89,12 +92,16 @@ def point_with(figure: AnyFigure, point: str) -> WorldPoint:
     for candidate in figure.points_world:
         if candidate.id == point:
             return candidate
-    raise DocumentError(
-        f"{figure.id}/{point}",
-        _("Figure {figure!r} has no point {id!r}; it may have been removed.").format(
-            figure=figure.id, id=point
-        ),
+    raise _no_point(figure, point)
+
+
+def _no_point(holder: AnyFigure | Thing, point: str) -> DocumentError:
+    sentence = (
+        _("{figure!r} has no part {id!r}; it may have been removed.")
+        if isinstance(holder, Thing)
+        else _("Figure {figure!r} has no point {id!r}; it may have been removed.")
     )
+    return DocumentError(f"{holder.id}/{point}", sentence.format(figure=holder.id, id=point))
 
 
 def view_with(document: Document, view: str) -> tuple[Sheet, View]:
@@ -106,15 +113,15 @@ def view_with(document: Document, view: str) -> tuple[Sheet, View]:
     raise DocumentError(view, _("There is no view {id!r}; it may have been removed.").format(id=view))
 
 
-def part_with(figure: AnyFigure, part: str) -> WorldPoint | Knot | AnyLink:
-    """The control point, knot or link of ``figure`` with this id; raises DocumentError."""
-    candidate = next((candidate for candidate in figure.parts if candidate.id == part), None)
-    return point_with(figure, part) if candidate is None else candidate
+def part_with(holder: AnyFigure | Thing, part: str) -> Any:
+    """The point, knot or link with this id of a figure or of what a scene has; raises DocumentError."""
+    candidate = next((candidate for candidate in holder.parts if candidate.id == part), None)
+    if candidate is None:
+        raise _no_point(holder, part)
+    return candidate
 
 
-def owner(
-    document: Document, address: Address
-) -> Document | Sheet | View | AnyFigure | WorldPoint | Knot | AnyLink:
+def owner(document: Document, address: Address) -> Any:
     """What the attribute of ``address`` belongs to; raises DocumentError."""
     if not address.sheet:
         return document
@@ -127,6 +134,9 @@ def owner(
     for view in sheet.views:
         if view.id == address.figure and not address.point:
             return view
+    for thing in sheet.scene.things if sheet.scene else ():
+        if thing.id == address.figure:
+            return part_with(thing, address.point) if address.point else thing
     raise DocumentError(
         str(address),
         _("{address}: there is no such figure; it may have been removed.").format(address=address),
@@ -190,15 +200,23 @@ def _lists(
         if a is None or b is None or type(a) is not type(b):
             found.add(at)
             continue
-        inner = parts_of(type(a))
-        for name in a.__struct_fields__:
-            x, y = getattr(a, name), getattr(b, name)
-            if x is y or name == "id":
-                continue
-            if name in inner:
-                _lists(found, x, y, at, name, level + 1)
-            elif x != y:
-                found.update(msgspec.structs.replace(at, attribute=text) for text in _parts(name, x, y))
+        _fields(found, a, b, at, "", level)
+
+
+def _fields(found: set[Address], a: Any, b: Any, at: Address, above: str, level: int) -> None:
+    """What differs in two structs of a type; ``above`` is the path of attributes down to them."""
+    inner = parts_of(type(a))
+    for name in a.__struct_fields__:
+        x, y = getattr(a, name), getattr(b, name)
+        if x is y or name == "id":
+            continue
+        if name in inner:
+            _lists(found, x, y, at, f"{above}{name}", level + 1)
+        elif isinstance(x, msgspec.Struct) and type(x) is type(y):
+            _fields(found, x, y, at, f"{above}{name}.", level)
+        elif x != y:
+            parts = _parts(f"{above}{name}", x, y)
+            found.update(msgspec.structs.replace(at, attribute=text) for text in parts)
 
 
 def _different(
@@ -216,10 +234,6 @@ def _different(
 
 
 def _parts(name: str, old: Any, new: Any) -> list[str]:
-    if isinstance(old, msgspec.Struct) and type(old) is type(new):
-        return [
-            f"{name}.{side}" for side in old.__struct_fields__ if getattr(old, side) != getattr(new, side)
-        ]
     if isinstance(old, tuple):
         parts = [f"{name}.{index}" for index, (a, b) in enumerate(zip(old, new, strict=False)) if a != b]
         return parts if len(old) == len(new) else [name, *parts]
@@ -229,7 +243,7 @@ def _parts(name: str, old: Any, new: Any) -> list[str]:
 def highest(document: Document) -> int:
     """The highest number that an id in ``document`` ends in; each figure looks for its own only once."""
     sheets = document.sheets
-    figures = [max(map(attrgetter("highest"), sheet.figures), default=0) for sheet in sheets]
+    figures = [max(map(attrgetter("highest"), sheet.things), default=0) for sheet in sheets]
     own = [number_of(name) for sheet in sheets for name in (sheet.id, *(view.id for view in sheet.views))]
     return max(*figures, *own)
 

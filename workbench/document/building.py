@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from workbench.document.addresses import Address, figure_with, highest, new_ids, view_with
+from workbench.document.addresses import Address, figure_with, highest, new_ids, owner, view_with
 from workbench.document.check import check, shown
 from workbench.document.errors import DocumentError
 from workbench.document.fields import Choice, Number, fields_of, once_per_type, parts_of
@@ -24,12 +24,14 @@ from workbench.document.model import (
     WorldPoint,
 )
 from workbench.document.numbers import COORDINATE
+from workbench.document.scene.model import Scene, Thing
 from workbench.document.transforms.chains import read_only_reason
 from workbench.language import _
 
 Edit = Callable[[Document], Document]
 Arguments = ParamSpec("Arguments")
 Holder = TypeVar("Holder", bound=msgspec.Struct)
+Numbered = TypeVar("Numbered", bound=AnyFigure | Thing)
 
 
 def checked(change: Callable[Arguments, Edit]) -> Callable[Arguments, Edit]:
@@ -66,7 +68,7 @@ def foreseen(edit: Edit, document: Document) -> Edit:
 def ids_on(sheet: Sheet) -> list[str]:
     """Every id on ``sheet``, its own first."""
     own = [sheet.id, *(view.id for view in sheet.views)]
-    return [*own, *chain.from_iterable(map(operator.attrgetter("ids"), sheet.figures))]
+    return [*own, *chain.from_iterable(map(operator.attrgetter("ids"), sheet.things))]
 
 
 def with_sheet(document: Document, sheet: Sheet) -> Document:
@@ -96,12 +98,32 @@ def with_changed(document: Document, figures: Iterable[AnyFigure]) -> Document:
     return document
 
 
+def scene_with(document: Document, thing: str) -> tuple[Sheet, Scene, Thing]:
+    """The object, material or light with this id, its sheet and its scene; raises DocumentError."""
+    for sheet in document.sheets:
+        for candidate in sheet.scene.things if sheet.scene else ():
+            if sheet.scene and candidate.id == thing:
+                return sheet, sheet.scene, candidate
+    raise DocumentError(
+        thing, _("There is nothing {id!r} in a scene; it may have been removed.").format(id=thing)
+    )
+
+
+def with_thing(document: Document, thing: Thing) -> Document:
+    """``document`` with ``thing`` in its scene in place of the one that has its id."""
+    sheet, scene, _old = scene_with(document, thing.id)
+    lists = _of_parts(scene, lambda old: thing if old.id == thing.id else old)
+    return with_sheet(document, replace(sheet, scene=replace(scene, **lists)))
+
+
 def with_owner(document: Document, where: Address, changed: Any) -> Document:
     """``document`` with ``changed`` in place of what the attribute ``where`` belongs to."""
     if where.point:
-        figure = figure_with(document, where.figure)[1]
-        lists = _of_parts(figure, lambda old: changed if old.id == where.point else old)
-        return with_changed(document, [replace(figure, **lists)])
+        holder = owner(document, replace(where, point="", attribute="*"))
+        lists = _of_parts(holder, lambda old: changed if old.id == where.point else old)
+        changed = replace(holder, **lists)
+    if isinstance(changed, Thing):
+        return with_thing(document, changed)
     if where.figure:
         return (
             with_view(document, changed) if isinstance(changed, View) else with_changed(document, [changed])
@@ -124,7 +146,7 @@ def remembering(before: Document, after: Document) -> Document:
     return replace(after, last_id=max(before.last_id, highest(before)))
 
 
-def numbered(document: Document, figure: AnyFigure) -> AnyFigure:
+def numbered(document: Document, figure: Numbered) -> Numbered:
     """``figure`` with new ids where its own are empty."""
     if all(figure.ids):
         return figure
@@ -132,7 +154,7 @@ def numbered(document: Document, figure: AnyFigure) -> AnyFigure:
     return with_ids(figure, fresh, fresh)
 
 
-def with_ids(figure: AnyFigure, own: Iterator[object], parts: Iterator[object]) -> AnyFigure:
+def with_ids(figure: Numbered, own: Iterator[object], parts: Iterator[object]) -> Numbered:
     """``figure`` with ids where they are empty: numbers from ``own``, for its parts from ``parts``."""
     identity = figure.id or f"{figure.letter}{next(own)}"
     return replace(figure, id=identity, **_of_parts(figure, lambda part: _with_id(part, parts)))
@@ -142,7 +164,7 @@ def _with_id(part: Any, numbers: Iterator[object]) -> Any:
     return part if part.id else replace(part, id=f"{part.letter}{next(numbers)}")
 
 
-def _of_parts(figure: AnyFigure, change: Callable[[Any], Any]) -> dict[str, tuple[Any, ...]]:
+def _of_parts(figure: Any, change: Callable[[Any], Any]) -> dict[str, tuple[Any, ...]]:
     """The lists of parts of ``figure`` by name, with ``change(part)`` in place of each part."""
     return {name: tuple(map(change, getattr(figure, name))) for name in parts_of(type(figure))}
 
@@ -154,7 +176,7 @@ def all_numbered(document: Document, figures: Iterable[AnyFigure]) -> tuple[AnyF
     return tuple(with_ids(figure, fresh, fresh) for figure in bare)
 
 
-def without_ids(figure: AnyFigure) -> AnyFigure:
+def without_ids(figure: Numbered) -> Numbered:
     """``figure`` with empty ids, to be numbered anew."""
     return replace(figure, id="", **_of_parts(figure, lambda part: replace(part, id="")))
 

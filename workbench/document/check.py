@@ -7,7 +7,7 @@ the struct itself, and what is said of it, which begins with a verb.
 
 import math
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 from operator import attrgetter
 from typing import Any
@@ -24,10 +24,9 @@ from workbench.document.fields import (
     fields_of,
     numbers_of,
     once_per_type,
-    parts_of,
     structs_in,
 )
-from workbench.document.identities import are_ids, ids_sound, new_ids_sound
+from workbench.document.identities import are_ids, ids, ids_sound, new_ids_sound
 from workbench.document.model import (
     LINE_CLIPPERS,
     MAX_PALETTE,
@@ -40,6 +39,8 @@ from workbench.document.model import (
     Rectangle,
     Sheet,
 )
+from workbench.document.scene import laws as scene_laws
+from workbench.document.storage.blobs import Blob
 from workbench.document.transforms.chains import LARGEST
 from workbench.language import _, ngettext
 
@@ -48,6 +49,8 @@ MAX_SHEETS = 1_000
 MAX_FIGURES = 100_000
 MAX_VIEWS = 64
 MAX_LINKS = 200
+MAX_OBJECTS = 1_000
+MAX_LIGHTS = 8
 MAX_NAME = 200
 RING_LEAST = 3
 
@@ -68,6 +71,10 @@ def labels() -> dict[str, str]:
         "mode": _("mode"),
         "mirror": _("mirror"),
         "transforms": _("chain of transforms"),
+        "objects": _("list of objects"),
+        "materials": _("list of materials"),
+        "lights": _("list of lights"),
+        "points": _("list of points"),
         "window_world": _("window"),
         "viewport_device": _("viewport"),
         "algorithm": _("algorithm"),
@@ -154,6 +161,10 @@ def _limits(kind: type, name: str) -> tuple[int, float, str]:
         "views": (1, MAX_VIEWS, _("view")),
         "transforms": (0, MAX_LINKS, _("transform")),
         "palette": (2, MAX_PALETTE, _("colour")),
+        "objects": (0, MAX_OBJECTS, _("object")),
+        "materials": (0, MAX_PALETTE, _("material")),
+        "lights": (0, MAX_LIGHTS, _("light")),
+        "entries": (16, 16, _("entry")),
     }.get(name, (0, math.inf, ""))
 
 
@@ -167,7 +178,7 @@ def _look_at_value(holds: Any) -> Look:
         return lambda value, *_others: ("", problem) if (problem := number_problem(holds, value)) else None
     if isinstance(holds, Choice):
         return lambda value, *_others: None if value in holds.names else ("", _no_choice(value, holds.names))
-    looks: dict[type, Look] = {bool: _truth, str: _text, msgspec.Struct: _struct}
+    looks: dict[type, Look] = {bool: _truth, str: _text, Blob: _blob, msgspec.Struct: _struct}
     return looks[holds]
 
 
@@ -216,6 +227,10 @@ def _truth(value: Any, *_others: Any) -> Fault | None:
     if type(value) is not bool:
         return "", _("is {value}; give true or false").format(value=shown(value))
     return None
+
+
+def _blob(value: Any, *_others: Any) -> Fault | None:
+    return None if isinstance(value, Blob) else ("", _("is not the content of a file; import it again"))
 
 
 def _text(value: Any, *_others: Any) -> Fault | None:
@@ -374,24 +389,13 @@ def _extent(rectangle: Rectangle, _before: Any) -> Fault | None:
 
 
 _LAWS: dict[type, tuple[Callable[[Any, Any], Fault | None], ...]] = {
+    **scene_laws.LAWS,
     Sheet: (_held_colours, _clippable),
     Figure: (_drawable, _chain),
     Polygon: (_rings,),
     Curve: (_knots,),
     Rectangle: (_extent,),
 }
-
-
-def ids(document: Document) -> Iterator[tuple[str, str]]:
-    """(path, id) of everything in ``document`` that has an id."""
-    return _ids_below("", document)
-
-
-def _ids_below(above: str, holder: Any) -> Iterator[tuple[str, str]]:
-    for name in parts_of(type(holder)):
-        for index, part in enumerate(getattr(holder, name)):
-            yield f"{above}{name}[{index}].id", part.id
-            yield from _ids_below(f"{above}{name}[{index}].", part)
 
 
 def _wrong_id(document: Document) -> DocumentError:

@@ -55,6 +55,7 @@ from workbench.document.sheet_edits import (
     set_palette,
     set_sheet_size,
 )
+from workbench.document.storage.blobs import Blob
 from workbench.document.transforms.chains import is_singular
 from workbench.document.view_edits import (
     add_view,
@@ -232,7 +233,7 @@ def set_attribute(address: Address | str, value: Any) -> Edit:
 
     def edit(document: Document) -> Document:
         kind, many = declared_at(document, where)
-        if where.attribute in (WHOLE, "id", "last_id") or many or kind is msgspec.Struct:
+        if where.attribute in (WHOLE, "id", "last_id") or many or kind in (msgspec.Struct, Blob):
             sentence = _("{address} cannot be set by itself; set one of its attributes.")
             raise DocumentError(str(where), sentence.format(address=where))
         new = like(kind, value, str(where))

@@ -8,6 +8,8 @@ from typing import Annotated, Any, Literal, NamedTuple, TypeVar, Union, get_args
 
 import msgspec
 
+from workbench.document.storage.blobs import Blob
+
 Result = TypeVar("Result")
 
 
@@ -46,7 +48,7 @@ class Choice(msgspec.Struct, frozen=True):
 
 
 class Field(NamedTuple):
-    """``kind``, of the value or of each of ``many``, is a Number, a Choice, bool, str or msgspec.Struct."""
+    """``kind``, of the value or of each of ``many``: Number, Choice, bool, str, Blob or msgspec.Struct."""
 
     kind: Any
     many: bool = False
@@ -75,7 +77,7 @@ def _field(struct: type, name: str, hint: Any) -> Field:
         return _field(struct, name, get_args(hint)[0])
     if get_origin(hint) is Literal:
         return Field(Choice(get_args(hint)))
-    if hint in (bool, str):
+    if hint in (bool, str, Blob):
         return Field(hint)
     if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
         return Field(msgspec.Struct)

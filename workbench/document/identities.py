@@ -8,7 +8,9 @@ from typing import Any
 
 from workbench.document.addresses import highest
 from workbench.document.differences import between
-from workbench.document.model import Document, Sheet, number_of
+from workbench.document.fields import parts_of
+from workbench.document.model import Document, Sheet
+from workbench.document.parts import number_of
 
 _ID = re.compile(r"(?!.*[0-9]{16}$)[A-Za-z][A-Za-z0-9_-]{0,31}")
 
@@ -18,7 +20,7 @@ def all_ids(sheets: Iterable[Sheet]) -> Iterator[str]:
     for sheet in sheets:
         yield sheet.id
         yield from map(attrgetter("id"), sheet.views)
-        yield from chain.from_iterable(map(attrgetter("ids"), sheet.figures))
+        yield from chain.from_iterable(map(attrgetter("ids"), sheet.things))
 
 
 def are_ids(identities: Iterable[str]) -> bool:
@@ -46,6 +48,9 @@ def new_ids_sound(before: Document, document: Document) -> bool:
             if old.views is not sheet.views:
                 gone += map(attrgetter("id"), old.views)
                 come += map(attrgetter("id"), sheet.views)
+            if old.scene is not sheet.scene:
+                before_it, after_it = (each.scene.things if each.scene else () for each in (old, sheet))
+                _exchanged(before_it, after_it, gone, come)
     gone += all_ids(sheets.values())
     new = set(come).difference(gone)
     if len(set(come)) != len(come) or not are_ids(new):
@@ -72,3 +77,17 @@ def _exchanged(old: tuple[Any, ...], new: tuple[Any, ...], gone: list[str], come
             gone += [part.id for part in old_parts[first:old_part]]
             come += [part.id for part in new_parts[first:new_part]]
     gone += chain.from_iterable(figure.ids for figure in before.values())
+
+
+def ids(document: Document) -> Iterator[tuple[str, str]]:
+    """(path, id) of everything in ``document`` that has an id."""
+    return _ids_below("", document)
+
+
+def _ids_below(above: str, holder: Any) -> Iterator[tuple[str, str]]:
+    if isinstance(holder, Sheet) and holder.scene is not None:
+        yield from _ids_below(f"{above}scene.", holder.scene)
+    for name in parts_of(type(holder)):
+        for index, part in enumerate(getattr(holder, name)):
+            yield f"{above}{name}[{index}].id", part.id
+            yield from _ids_below(f"{above}{name}[{index}].", part)

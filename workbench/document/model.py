@@ -4,18 +4,17 @@ Two frames, named in every field: world (float) and device (integer pixels, orig
 Ids are short texts, unique in their document, and survive edits, insertion and undo.
 """
 
-import re
-from functools import cached_property
-from itertools import chain, pairwise
-from typing import Annotated, ClassVar
+from itertools import pairwise
+from typing import Annotated, Any, ClassVar
 
 import msgspec
 
 from workbench.algorithms.catalogue import clipping, drawing
-from workbench.document.fields import Choice, Number, parts_of
+from workbench.document.fields import Choice, Number
 from workbench.document.numbers import MAX_COORDINATE, coordinate
+from workbench.document.parts import WithParts
+from workbench.document.scene.model import Scene
 from workbench.document.transforms.chains import Transformed
-from workbench.document.transforms.links import AnyLink
 from workbench.language import _
 
 MAX_SIDE_PX = 4096
@@ -23,14 +22,6 @@ MAX_PALETTE = 256
 MAX_DEGREE = 7
 MAX_ID = 2**53
 WEIGHTS = (1e-9, 1e9)
-
-_NUMBER = re.compile(r"[0-9]{1,15}$")
-
-
-def number_of(identity: str) -> int:
-    """The number that an id ends in; 0 where it ends in none."""
-    number = _NUMBER.search(identity)
-    return int(number.group()) if number else 0
 
 
 def _radius(label: str, symbol: str) -> Number:
@@ -74,6 +65,7 @@ def whole_sheet(width_px: int, height_px: int) -> Rectangle:
 
 
 class Figure(
+    WithParts,
     Transformed,
     frozen=True,
     forbid_unknown_fields=True,
@@ -101,22 +93,6 @@ class Figure(
     colour: Annotated[int, _palette_index(_("colour"))] = 1
     name: str = ""
     visible: bool = True
-
-    @cached_property
-    def ids(self) -> tuple[str, ...]:
-        """Its own id and those of its parts."""
-        return (self.id, *(part.id for part in self.parts))
-
-    @cached_property
-    def highest(self) -> int:
-        """The highest number that one of its ids ends in; 0 where none does."""
-        return max(map(number_of, self.ids))
-
-    @property
-    def parts(self) -> "tuple[WorldPoint | Knot | AnyLink, ...]":
-        """What in it has an id."""
-        lists = [parts for name in parts_of(type(self)) if (parts := getattr(self, name))]
-        return lists[0] if len(lists) == 1 else tuple(chain.from_iterable(lists))
 
     @property
     def drawn_with(self) -> str:
@@ -316,7 +292,8 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
 
     The figures come from back to front. ``background`` is the palette index of the paper: the canvas shows it
     as the theme's canvas colour, the tube as an unlit screen. The clippers work where a view clips; of these
-    too a slug that the catalogue does not have is kept.
+    too a slug that the catalogue does not have is kept. The view plane of the ``scene``, if there is one, is
+    the sheet's world.
     """
 
     letter: ClassVar[str] = "s"
@@ -333,6 +310,7 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
     background: Annotated[int, _palette_index(_("background"))] = 0
     line_clipper: str = LINE_CLIPPERS[0]
     polygon_clipper: str = POLYGON_CLIPPERS[0]
+    scene: Scene | None = None
 
     @property
     def lines_clipped_with(self) -> str:
@@ -343,6 +321,11 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
     def polygons_clipped_with(self) -> str:
         """The slug that clips polygons, likewise."""
         return self.polygon_clipper if self.polygon_clipper in POLYGON_CLIPPERS else POLYGON_CLIPPERS[0]
+
+    @property
+    def things(self) -> tuple[Any, ...]:
+        """What has an id of its own and parts: the figures, and what the scene is made of."""
+        return self.figures if self.scene is None else (*self.figures, *self.scene.things)
 
     @property
     def first_view(self) -> View:

@@ -26,9 +26,10 @@ from workbench.document.model import (
     Document,
     Sheet,
     View,
-    number_of,
     whole_sheet,
 )
+from workbench.document.parts import number_of
+from workbench.document.scene.renaming import with_fresh_ids
 
 
 @checked
@@ -51,7 +52,7 @@ def add_sheet(sheet: Sheet, index: int | None = None) -> Edit:
                 view = replace(view, id=f"{view.letter}{next(fresh)}")
             taken.add(view.id)
             views.append(view)
-        added = replace(sheet, id=identity, views=tuple(views), figures=())
+        added = replace(sheet, id=identity, views=tuple(views), figures=(), scene=None)
         document = replace(document, sheets=(*document.sheets[:at], added, *document.sheets[at:]))
         figures: list[AnyFigure] = []
         for figure in sheet.figures:
@@ -60,6 +61,11 @@ def add_sheet(sheet: Sheet, index: int | None = None) -> Edit:
                 figure = with_ids(without_ids(figure), fresh, fresh)
             taken.update(figure.ids)
             figures.append(figure)
+        if sheet.scene is not None:
+            scene = with_fresh_ids(
+                plain(sheet.scene), lambda thing: not all(thing.ids) or not taken.isdisjoint(thing.ids), fresh
+            )
+            added = replace(added, scene=scene)
         return with_figures(document, added, tuple(figures))
 
     return edit

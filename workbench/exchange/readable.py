@@ -9,7 +9,7 @@ from workbench.language import _
 class Readable(NamedTuple):
     """One kind of file that can be read, under any of its suffixes."""
 
-    kind: Literal["picture", "drawing", "points"]
+    kind: Literal["picture", "drawing", "points", "mesh"]
     suffixes: tuple[str, ...]
 
     @property
@@ -19,6 +19,7 @@ class Readable(NamedTuple):
             "picture": _("Pictures of the workbench"),
             "drawing": _("Drawings"),
             "points": _("Lists of points"),
+            "mesh": _("Meshes"),
         }[self.kind]
 
 
@@ -26,8 +27,12 @@ READABLE = (
     Readable("picture", (".gwb",)),
     Readable("drawing", (".svg",)),
     Readable("points", (".csv", ".tsv", ".txt")),
+    Readable("mesh", (".obj", ".off", ".ply", ".stl", ".glb")),
 )
 SUFFIXES = tuple(suffix for each in READABLE for suffix in each.suffixes)
+# What the window opens; a mesh has no workspace there that shows it.
+OPENABLE = tuple(each for each in READABLE if each.kind != "mesh")
+OPENABLE_SUFFIXES = tuple(suffix for each in OPENABLE for suffix in each.suffixes)
 
 
 def kind_of(path: Path) -> str:

@@ -21,9 +21,13 @@ from msgspec.structs import replace
 from workbench.document.model import AnyFigure, Curve, Document, Sheet
 from workbench.document.state import SessionState
 from workbench.document.storage.content import Progress, Stopped, decoded, part, read_content, silent
-from workbench.document.storage.files import MAX_BYTES, Stored, decode
+from workbench.document.storage.embedding import as_text, blobs_of, from_text, with_contents
+from workbench.document.storage.files import MAX_BYTES, Stored, all_blobs, decode
+from workbench.exchange import mesh_reading
 from workbench.exchange.figures import read_figures
 from workbench.exchange.fitted_curve import fitted
+from workbench.exchange.mesh_pieces import Piece, pieces_of, whole
+from workbench.exchange.mesh_reading import ImportedMesh
 from workbench.exchange.point_lists import MOST_CHARACTERS, Array, read_points
 from workbench.exchange.svg_reading import Imported, read_svg
 from workbench.exchange.svg_tree import MOST_BYTES
@@ -41,6 +45,7 @@ LIMITS = {
     "drawing": MOST_BYTES,
     "points": MOST_CHARACTERS,
     "fit": MOST_CHARACTERS,
+    "mesh": mesh_reading.MOST_BYTES,
 }
 
 
@@ -57,10 +62,11 @@ class Job(msgspec.Struct, frozen=True):
 
     A picture becomes Stored, a drawing (SVG, placed on ``sheet``) Imported, and so do figures as the
     clipboard has them, whose numbers are unchecked; points an (n, 2) array, world; fit becomes Fitted: a path
-    in ``colour`` that passes the points within ``tolerance_px``.
+    in ``colour`` that passes the points within ``tolerance_px``; a mesh, of the kind that ``path`` ends in,
+    ImportedMesh.
     """
 
-    kind: Literal["picture", "figures", "drawing", "points", "fit"]
+    kind: Literal["picture", "figures", "drawing", "points", "fit", "mesh"]
     path: str = ""
     content: bytes = b""
     sheet: Sheet | None = None
@@ -84,7 +90,7 @@ class Fitted(NamedTuple):
     error: float
 
 
-Result = Stored | Imported | Array | Fitted
+Result = Stored | Imported | Array | Fitted | ImportedMesh
 
 
 def read_now(job: Job, progress: Progress = silent) -> Result:
@@ -101,6 +107,8 @@ def read_now(job: Job, progress: Progress = silent) -> Result:
     if job.kind == "drawing":
         assert job.sheet is not None
         return read_svg(content if job.path else content.decode("utf-8", "replace"), job.sheet, progress=rest)
+    if job.kind == "mesh":
+        return mesh_reading.read_mesh(content, Path(job.path).suffix, rest)
     text = decoded(content, job.path)
     if job.kind == "points":
         return read_points(text, rest)
@@ -182,24 +190,28 @@ class _Fit(msgspec.Struct, tag=True):
     error: float
 
 
-_Part = _Share | _Refused | _Failed | _Frame | _Figures | _Blob | _Drawn | _Points | _Fit
+class _Meshed(msgspec.Struct, tag=True):
+    notes: list[str]
 
-_encoder = msgspec.msgpack.Encoder()
-_part_decoder = msgspec.msgpack.Decoder(_Part)
-_job_decoder = msgspec.msgpack.Decoder(Job)
+
+_Part = _Share | _Refused | _Failed | _Frame | _Figures | _Blob | _Drawn | _Points | _Fit | Piece | _Meshed
+
+_encoder = msgspec.msgpack.Encoder(enc_hook=as_text)
+_part_decoder = msgspec.msgpack.Decoder(_Part, dec_hook=from_text)
+_job_decoder = msgspec.msgpack.Decoder(Job, dec_hook=from_text)
 
 
 def _parts(result: Result) -> Iterator[_Part]:
     """The result in parts, each quickly decoded."""
     match result:
-        case Stored(document=document, session=session, blobs=blobs):
+        case Stored(document=document, session=session):
             bare = [replace(sheet, figures=()) for sheet in document.sheets]
             yield _Frame(
                 bare, document.last_id, session, result.origin, result.origin_stamp, result.blobs_beside
             )
             for number, sheet in enumerate(document.sheets):
                 yield from _batches(number, sheet.figures)
-            for name, content in blobs.items():
+            for name, content in all_blobs(result).items():
                 for at in range(0, max(len(content), 1), _BLOB_IN_A_PART):
                     yield _Blob(name, content[at : at + _BLOB_IN_A_PART])
         case Imported(figures=figures, approximated=approximated, notes=notes):
@@ -208,6 +220,9 @@ def _parts(result: Result) -> Iterator[_Part]:
         case Fitted(curve=curve, points=points, error=error):
             yield from _batches(0, [curve])
             yield _Fit(points, error)
+        case ImportedMesh(mesh=mesh, notes=notes):
+            yield from pieces_of(mesh)
+            yield _Meshed(list(notes))
         case _:
             yield _Points(np.ascontiguousarray(result, np.float64).tobytes())
 
@@ -237,15 +252,21 @@ def _joined(parts: list[_Part]) -> Result:
         match each:
             case _Frame(sheets=bare, last_id=last_id, session=session):
                 sheets = (replace(s, figures=tuple(figures[k])) for k, s in enumerate(bare))
-                document = Document(tuple(sheets), last_id)
-                whole = {name: b"".join(content) for name, content in blobs.items()}
-                return Stored(document, session, whole, each.origin, each.origin_stamp, each.blobs_beside)
+                contents = {name: b"".join(content) for name, content in blobs.items()}
+                bare_one = Document(tuple(sheets), last_id)
+                document = with_contents(bare_one, contents, frozenset(each.blobs_beside))
+                for digest in blobs_of(document):
+                    del contents[digest]
+                return Stored(document, session, contents, each.origin, each.origin_stamp, each.blobs_beside)
             case _Drawn(approximated=approximated, notes=notes):
                 return Imported(tuple(figures[0]), tuple(approximated), tuple(notes))
             case _Fit(points=points, error=error):
                 (curve,) = figures[0]
                 assert isinstance(curve, Curve)
                 return Fitted(curve, points, error)
+            case _Meshed(notes=notes):
+                pieces = (part for part in parts if isinstance(part, Piece))
+                return ImportedMesh(whole(pieces), tuple(notes))
             case _Points(content=content):
                 return np.frombuffer(content, np.float64).reshape(-1, 2)
     raise ReadingError(_("The reading broke off before its end; try again, or choose a smaller file."))
@@ -255,7 +276,7 @@ class Reading:
     """A child process that does ``job``. It is begun by ``follow``, on a thread that may wait."""
 
     def __init__(self, job: Job) -> None:
-        bare = None if job.sheet is None else replace(job.sheet, figures=())
+        bare = None if job.sheet is None else replace(job.sheet, figures=(), scene=None)
         path = str(Path(job.path).absolute()) if job.path else ""  # the child has another current folder
         self._job = replace(job, path=path, sheet=bare)
         self._process: subprocess.Popen[bytes] | None = None

@@ -16,6 +16,7 @@ from workbench.exchange.pictures import png
 from workbench.exchange.point_lists import write_points
 from workbench.exchange.svg_writing import Exported
 from workbench.exchange.tables import Table
+from workbench.exchange.wireframe_svg import wireframe_svg
 from workbench.exchange.writing import Encode, FileFormat, Progress, Put, of_kind, whole
 
 if TYPE_CHECKING:
@@ -78,7 +79,8 @@ def _mesh(make: Callable[..., bytes]) -> Encode:
 # drawing      svg_writing.Exported
 # table        tables.Table
 # points       (n, 2) numbers
-# mesh         (vertices, faces)
+# mesh         (vertices, faces), faces as ``Faces.of`` takes them
+# wireframe    (segments, window, size), as ``wireframe_svg`` takes them
 # step, run    frames.Frames
 # derivation   diagrams.Derivation
 FORMATS: tuple[FileFormat, ...] = (
@@ -93,6 +95,7 @@ FORMATS: tuple[FileFormat, ...] = (
     FileFormat("mesh", ".obj", "OBJ", _mesh(meshes.obj)),
     FileFormat("mesh", ".ply", "PLY", _mesh(meshes.ply)),
     FileFormat("mesh", ".stl", "STL", _mesh(meshes.stl)),
+    FileFormat("wireframe", ".svg", "SVG", whole(lambda content: wireframe_svg(*content))),
     FileFormat("step", ".png", "PNG", one_png),
     FileFormat("run", ".png", "PNG", each_png, numbered=True),
     FileFormat("run", ".gif", "GIF", animation),

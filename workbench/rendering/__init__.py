@@ -6,6 +6,7 @@ from workbench.rendering.limits import REACH_PX
 from workbench.rendering.mapping import Call, device_map, figure_map, view_map
 from workbench.rendering.pipeline import reach_of
 from workbench.rendering.raster import arguments, emitted, figure_calls, frame_buffer, painter_of
+from workbench.rendering.scene import render_mesh, render_scene
 from workbench.rendering.triangles import depth_buffer_triangles
 from workbench.rendering.why import Touch, why
 
@@ -27,6 +28,8 @@ __all__ = [
     "frame_buffer",
     "painter_of",
     "reach_of",
+    "render_mesh",
+    "render_scene",
     "unshown",
     "view_map",
     "why",

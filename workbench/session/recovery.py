@@ -24,7 +24,7 @@ from msgspec.structs import replace
 from workbench.document.errors import DocumentError
 from workbench.document.storage.blobs import MAX_BLOB_BYTES
 from workbench.document.storage.content import read_content
-from workbench.document.storage.files import MAX_BYTES, Stored, read, sound_blobs, write
+from workbench.document.storage.files import MAX_BYTES, Stored, all_blobs, read, with_blobs, write
 from workbench.document.storage.saving import replace_file, sweep
 from workbench.engine.turns import short_turns
 from workbench.language import _, legible
@@ -78,7 +78,7 @@ class Recoverable:
                 sentence = _("A file that belongs to {path} is missing; open another copy.")
                 raise DocumentError("blobs_beside", sentence.format(path=self.path))
             blobs[digest] = read_content(beside[digest], MAX_BLOB_BYTES)
-        return replace(stored, blobs=sound_blobs(blobs), blobs_beside=())
+        return with_blobs(stored, blobs)
 
     def discard(self) -> None:
         """Forget this work."""
@@ -229,12 +229,12 @@ class RecoveryFile:
             return
         self._hold_name()
         self._on_disk = True
-        blobs = {_blob_path(self.path, digest): content for digest, content in wanted.blobs.items()}
+        beside = all_blobs(wanted)
+        blobs = {_blob_path(self.path, digest): content for digest, content in beside.items()}
         kept = set(_blobs_beside(self.path))
-        for path, content in blobs.items():
-            if path not in kept:
-                replace_file(path, content)
-        write(replace(wanted, blobs={}, blobs_beside=tuple(wanted.blobs)), self.path)
+        for path in blobs.keys() - kept:
+            replace_file(path, blobs[path])
+        write(replace(wanted, blobs={}, blobs_beside=tuple(beside)), self.path)
         for path in kept.difference(blobs):
             _remove(path)
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog
 
-from workbench.exchange.readable import READABLE, SUFFIXES, kind_of
+from workbench.exchange.readable import OPENABLE, OPENABLE_SUFFIXES, kind_of
 from workbench.language import _, legible
 from workbench.paths import home_folder
 from workbench.shell.exports import Exports
@@ -350,7 +350,7 @@ class Files(QObject):
         elif event.mimeData().hasUrls():
             self._window.say_status(
                 _("Drop one file here: a picture, a drawing or a list of points ({endings}).").format(
-                    endings=", ".join(SUFFIXES)
+                    endings=", ".join(OPENABLE_SUFFIXES)
                 )
             )
 
@@ -366,11 +366,14 @@ class Files(QObject):
         """The one file that is being dropped, when it is of a kind that can be taken."""
         urls = event.mimeData().urls()
         path = Path(urls[0].toLocalFile()) if len(urls) == 1 and urls[0].isLocalFile() else None
-        return path if path is not None and kind_of(path) else None
+        return path if path is not None and path.suffix.lower() in OPENABLE_SUFFIXES else None
 
 
 def _kinds() -> list[str]:
     """What can be opened or brought in, for the list of a dialog."""
-    each = [(readable.title, readable.suffixes) for readable in READABLE]
-    everything = (_("Everything that can be opened"), SUFFIXES)
+    each = [(readable.title, readable.suffixes) for readable in OPENABLE]
+    everything = (
+        _("Everything that can be opened"),
+        tuple(suffix for _title, suffixes in each for suffix in suffixes),
+    )
     return [f"{title} ({' '.join('*' + suffix for suffix in kinds)})" for title, kinds in (everything, *each)]

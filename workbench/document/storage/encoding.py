@@ -13,15 +13,17 @@ from msgspec.structs import replace
 
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Document
+from workbench.document.storage.embedding import as_text
 from workbench.language import _
 
 # Of the lists and objects that stand in for what comes in pieces: a text never holds a bare line break.
 _NO_FIGURES, _NO_BLOBS = b'\n    "figures": []', b'\n "blobs": {}'
+_NO_SCENE = b',\n    "scene": null'
 _MOST_POINTS = 1_000
 _CHUNK = 3 * 2**16  # a multiple of three bytes, which base64 writes as four
 
 # Made while the module is imported, by one thread: as in ``files``.
-_encoder = msgspec.json.Encoder()
+_encoder = msgspec.json.Encoder(enc_hook=as_text)
 _figures_decoder = msgspec.json.Decoder(list[AnyFigure])
 
 
@@ -64,7 +66,7 @@ def _parted(figures: Iterable[AnyFigure]) -> Iterator[list[AnyFigure]]:
 
 def _proven(value: Any, decoder: msgspec.json.Decoder[Any]) -> bytes:
     try:
-        text = msgspec.json.format(_encoder.encode(value), indent=1)
+        text = msgspec.json.format(_encoder.encode(value), indent=1).replace(_NO_SCENE, b"")
         if decoder.decode(text) == value:
             return text
     except (TypeError, ValueError) as error:

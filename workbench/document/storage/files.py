@@ -20,6 +20,7 @@ from workbench.document.places import line_of, path_at
 from workbench.document.state import SessionState, check_state
 from workbench.document.storage.blobs import Blob
 from workbench.document.storage.content import Progress, read_content, silent
+from workbench.document.storage.embedding import blobs_of, from_text, with_contents
 from workbench.document.storage.encoding import pieces
 from workbench.document.storage.renumbering import with_room
 from workbench.document.storage.saving import replace_file
@@ -37,7 +38,7 @@ _LONGEST_CONSTANT = 40  # NaN or Infinity, and the blanks before it
 
 
 class Stored(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What a file holds: the picture, the session beside it, and blobs by the SHA-256 of their content.
+    """What a file holds: the picture, the session beside it, and further blobs by their SHA-256.
 
     The others are set in recovery files only. ``origin``: the file that the picture came from, empty when it
     had none; ``origin_stamp``: the state in which that file was known; ``blobs_beside``: the digests of blobs
@@ -103,8 +104,9 @@ def pieces_of(stored: Stored) -> Iterator[bytes]:
     """
     check(stored.document)
     check_state(stored.session, stored.document)
-    sound_blobs(stored.blobs)
-    file = _File(FORMAT, VERSION, *(getattr(stored, name) for name in stored.__struct_fields__))
+    blobs = {name: content for name, content in all_blobs(stored).items() if name not in stored.blobs_beside}
+    whole = msgspec.structs.replace(stored, blobs=sound_blobs(blobs))
+    file = _File(FORMAT, VERSION, *(getattr(whole, name) for name in whole.__struct_fields__))
     size = 0
     for piece in pieces(file, _file_decoder):
         size += len(piece)
@@ -131,10 +133,13 @@ def decode(data: bytes) -> Stored:
         raise _malformed(data, str(error)) from error
     except RecursionError as error:
         raise DocumentError("", _("The file is nested too deeply; open another copy of it.")) from error
-    check(file.document)
-    check_state(file.session, file.document)
     blobs = sound_blobs(file.blobs)
-    document, session = with_room(file.document, file.session)
+    document = with_contents(file.document, blobs, frozenset(file.blobs_beside))
+    check(document)
+    check_state(file.session, document)
+    for digest in blobs_of(document):
+        blobs.pop(digest, None)
+    document, session = with_room(document, file.session)
     return Stored(document, session, blobs, file.origin, file.origin_stamp, file.blobs_beside)
 
 
@@ -169,7 +174,7 @@ def _not_utf_8(data: bytes) -> int | None:
 # Made while the module is imported, by one thread: msgspec 0.22 crashes when two threads decode a type for
 # the first time at once, as saving and keeping safe may.
 _head_decoder = msgspec.json.Decoder(_Head)
-_file_decoder = msgspec.json.Decoder(_File)
+_file_decoder = msgspec.json.Decoder(_File, dec_hook=from_text)
 
 
 def _typed(data: bytes) -> _File:
@@ -186,7 +191,8 @@ def _typed(data: bytes) -> _File:
         raise refuse("format", problem.format(value=legible(head.format)))
     if head.version == VERSION:
         return _file_decoder.decode(data)
-    return msgspec.convert(upgraded(msgspec.json.decode(data), head.version), _File)
+    raw = upgraded(msgspec.json.decode(data), head.version)
+    return msgspec.convert(raw, _File, dec_hook=from_text)
 
 
 def upgraded(
@@ -209,6 +215,20 @@ def upgraded(
             raise refuse("version", problem.format(value=version)) from error
         version += 1
     return {**raw, "version": newest}
+
+
+def all_blobs(stored: Stored) -> dict[str, bytes]:
+    """The blobs of a picture, those in its document and those beside it, by their digests."""
+    return {**stored.blobs, **blobs_of(stored.document)}
+
+
+def with_blobs(stored: Stored, blobs: Mapping[str, bytes]) -> Stored:
+    """``stored`` with all its blobs, none of which is beside it any more; raises DocumentError."""
+    sound = sound_blobs(blobs)
+    document = check(with_contents(stored.document, sound, frozenset()))
+    inside = blobs_of(document)
+    outside = {name: content for name, content in sound.items() if name not in inside}
+    return msgspec.structs.replace(stored, document=document, blobs=outside, blobs_beside=())
 
 
 def sound_blobs(blobs: Mapping[str, bytes]) -> dict[str, bytes]:

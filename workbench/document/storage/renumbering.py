@@ -7,6 +7,7 @@ from msgspec.structs import replace
 from workbench.document.addresses import highest
 from workbench.document.building import with_ids, without_ids
 from workbench.document.model import Document
+from workbench.document.scene.renaming import with_fresh_ids
 from workbench.document.state import SessionState
 from workbench.document.subjects import Position
 
@@ -28,7 +29,8 @@ def with_room(document: Document, state: SessionState) -> tuple[Document, Sessio
             renamed |= zip(old.ids, new.ids, strict=True)
         views = tuple(replace(view, id=f"v{next(fresh)}") for view in sheet.views)
         renamed |= {old.id: new.id for old, new in zip(sheet.views, views, strict=True)}
-        sheets.append(replace(sheet, id=renamed[sheet.id], figures=figures, views=views))
+        scene = sheet.scene and with_fresh_ids(sheet.scene, lambda _thing: True, fresh)
+        sheets.append(replace(sheet, id=renamed[sheet.id], figures=figures, views=views, scene=scene))
     selection = tuple(renamed[figure] for figure in state.selection)
     named = {"sheet": renamed.get(state.sheet, ""), "active": renamed.get(state.active, "")}
     positions = {workspace: _renamed(there, renamed) for workspace, there in state.positions.items()}

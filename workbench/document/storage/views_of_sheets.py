@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from itertools import count
 from typing import Any
 
-from workbench.document.model import number_of
+from workbench.document.parts import number_of
 
 _HIGHEST = 10**14
 _OF_A_VIEW = ("window_world", "viewport_device", "clip_world")

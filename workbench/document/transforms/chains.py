@@ -13,7 +13,7 @@ import numpy as np
 
 from workbench.algorithms import transforms
 from workbench.algorithms.transforms import Matrix
-from workbench.document.transforms.links import AnyLink, Elementary
+from workbench.document.transforms.links import AnyLink, Elementary, Link
 from workbench.language import _
 
 LARGEST = 1e12
@@ -25,8 +25,8 @@ _IDENTITY = np.eye(3)
 
 
 @lru_cache(maxsize=1 << 14)
-def matrix_of(chain: tuple[AnyLink, ...]) -> Matrix | None:
-    """The matrix (3, 3) of a chain, world to world, read-only and remembered; None where no link of it is on.
+def matrix_of(chain: tuple[Link, ...]) -> Matrix | None:
+    """The matrix (3, 3), or (4, 4), of a chain, world to world, remembered; None where no link of it is on.
 
     It may have numbers that are not finite, which no document holds.
     """

@@ -1,0 +1,74 @@
+"""What no field of a scene can say by itself; each law gives the first fault as ``check`` does."""
+
+from collections.abc import Callable
+from typing import Any
+
+from workbench.document.scene.model import Camera, Object, Scene
+from workbench.document.scene.solids import MeshSolid
+from workbench.document.storage.blobs import Named
+from workbench.document.transforms.chains import LARGEST
+from workbench.language import _
+
+Fault = tuple[str, str]
+
+
+def _reason(error: ValueError) -> str:
+    return str(error).rstrip(".")
+
+
+def _points(thing: Object, _before: Any) -> Fault | None:
+    least, most, count = thing.solid.least_points, thing.solid.most_points, len(thing.points)
+    if least <= count <= most:
+        return None
+    problem = _("has {count} entries, and this solid needs {least} to {most}; add or remove some")
+    return "points", problem.format(count=count, least=least, most=most)
+
+
+def _chain(thing: Object, _before: Any) -> Fault | None:
+    try:
+        matrix = thing.matrix
+    except ValueError as error:
+        return "transforms", _("cannot be worked out ({reason})").format(reason=_reason(error))
+    if matrix is None or abs(matrix).max() <= LARGEST:
+        return None
+    problem = _("has a matrix with numbers beyond {most:g}; make a scale factor or a shear smaller")
+    return "transforms", problem.format(most=LARGEST)
+
+
+def _solid(thing: Object, before: Object | None) -> Fault | None:
+    if before is not None and before.solid is thing.solid and before.points is thing.points:
+        return None
+    if isinstance(thing.solid, MeshSolid) and isinstance(thing.solid.content, Named):
+        return None  # its content is yet to come
+    try:
+        _mesh = thing.mesh
+    except ValueError as error:
+        return "solid", _("cannot be made ({reason})").format(reason=_reason(error))
+    return None
+
+
+def _camera(camera: Camera, _before: Any) -> Fault | None:
+    from workbench.document.scene.viewing import projection_matrix, view_matrix  # as the solids' makers
+
+    try:
+        view_matrix(camera)
+        projection_matrix(camera)
+    except ValueError as error:
+        return "", _("sees nothing ({reason})").format(reason=_reason(error))
+    return None
+
+
+def _materials(scene: Scene, _before: Any) -> Fault | None:
+    known = {material.id for material in scene.materials}
+    for index, thing in enumerate(scene.objects):
+        if thing.material not in known:
+            problem = _("is {id!r}, and the scene has no such material; choose one of its own")
+            return f"objects[{index}].material", problem.format(id=thing.material)
+    return None
+
+
+LAWS: dict[type, tuple[Callable[[Any, Any], Fault | None], ...]] = {
+    Object: (_points, _chain, _solid),
+    Camera: (_camera,),
+    Scene: (_materials,),
+}

@@ -1,0 +1,136 @@
+"""A mesh or a scene as a picture and the depths in it, by any method for hidden surfaces."""
+
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from workbench.algorithms.visibility import depth_buffer
+from workbench.document.model import Rectangle
+from workbench.document.scene.model import Camera, Light, Material, Object, Scene
+from workbench.document.scene.solids import mesh_over
+from workbench.geometry.meshes import Array, Faces, Index, Mesh, triangulated
+from workbench.language import _
+from workbench.rendering.scene.shading import flat_colours
+from workbench.rendering.scene.viewpoint import Size, Viewpoint
+from workbench.rendering.triangles import depth_buffer_triangles
+
+Picture = tuple[NDArray[np.uint32], NDArray[np.float64]]
+
+METHODS: dict[str, Callable[..., Picture]] = {depth_buffer.__name__: depth_buffer_triangles}
+"""How hidden surfaces are found, by slug: from device triangles, their colours and the size."""
+
+SHADINGS = ("flat",)
+
+_MESH_MATERIAL = Material("mesh")
+
+
+def render_mesh(
+    vertices: ArrayLike,
+    faces: ArrayLike | Sequence[Sequence[int]] | Faces,
+    camera: Camera,
+    method: str,
+    size: Size,
+    window: Rectangle | None = None,
+) -> Picture:
+    """A mesh as ``camera`` sees it.
+
+    Args: vertices (n, 3), world; faces, rows or lists of three vertices or more each, counter-clockwise seen
+    from outside; a slug of METHODS; size (width, height) in pixels; the window of the view plane that is
+    seen, by default one into which all fits. Returns: the picture (height, width), uint32 0xRRGGBB, row 0 at
+    the bottom, 0 where nothing is, and the depth there, 0 at the near plane, 1 at the far one and where
+    nothing is. Raises: ValueError, a sentence.
+    """
+    mesh = _checked(vertices, faces)
+    return _rendered([(mesh, triangulated(*mesh), _MESH_MATERIAL)], (), camera, method, size, "flat", window)
+
+
+def render_scene(
+    scene: Scene, method: str, size: Size, shading: str = "flat", window: Rectangle | None = None
+) -> Picture:
+    """A scene as its camera sees it; all else as of ``render_mesh``."""
+    return _rendered(placed(scene), scene.lights, scene.camera, method, size, shading, window)
+
+
+Part = tuple[Mesh, tuple[Index, Index], Material]
+
+
+def placed(scene: Scene) -> list[Part]:
+    """Each visible object: its mesh in the world, its triangles and their faces, its material."""
+    materials = {material.id: material for material in scene.materials}
+    return [(*_in_world(thing), materials[thing.material]) for thing in scene.objects if thing.visible]
+
+
+def _in_world(thing: Object) -> tuple[Mesh, tuple[Index, Index]]:
+    """Its mesh there, and its triangles, made once for a solid and turned round where a mirror turns them."""
+    vertices, faces = thing.mesh
+    triangles, owners = _cut_up(thing.solid, thing.points)
+    if thing.matrix is None:
+        return thing.mesh, (triangles, owners)
+    moved = vertices @ thing.matrix[:3, :3].T + thing.matrix[:3, 3]
+    if np.linalg.det(thing.matrix[:3, :3]) < 0:
+        return Mesh(moved, faces.reversed()), (triangles[:, ::-1], owners)
+    return Mesh(moved, faces), (triangles, owners)
+
+
+@lru_cache(maxsize=64)
+def _cut_up(solid: Any, points: Any) -> tuple[Index, Index]:
+    return triangulated(*mesh_over(solid, points))
+
+
+def _rendered(
+    parts: Sequence[Part],
+    lights: Sequence[Light],
+    camera: Camera,
+    method: str,
+    size: Size,
+    shading: str,
+    window: Rectangle | None,
+) -> Picture:
+    if method not in METHODS:
+        raise ValueError(_none_called(method, tuple(METHODS)))
+    refuse_shading(shading)
+    every = np.concatenate([mesh.vertices for mesh, *_rest in parts] or [np.zeros((0, 3))])
+    viewpoint = Viewpoint.of(camera, size, window, every)
+    corners: list[Array] = []
+    triangles: list[Index] = []
+    colours: list[NDArray[np.int64]] = []
+    count = 0
+    for mesh, (cut, face_of), material in parts:
+        drawn = viewpoint.drawn(mesh.vertices, cut)
+        of_faces = flat_colours(*mesh, material, lights, viewpoint.viewer)
+        corners.append(drawn.corners)
+        triangles.append(drawn.triangles + count)
+        colours.append(of_faces[face_of[drawn.owners]])
+        count += len(drawn.corners)
+    return METHODS[method](
+        np.concatenate(corners or [np.zeros((0, 3))]),
+        np.concatenate(triangles or [np.zeros((0, 3), np.int64)]),
+        np.concatenate(colours or [np.zeros(0, np.int64)]),
+        size,
+    )
+
+
+def refuse_shading(name: str) -> None:
+    """Raises: ValueError, a sentence, where no shading is called so."""
+    if name not in SHADINGS:
+        raise ValueError(_none_called(name, SHADINGS))
+
+
+def _none_called(name: str, names: Sequence[str]) -> str:
+    return _("There is no {name!r}; choose one of {names}.").format(name=name[:40], names=", ".join(names))
+
+
+def _checked(vertices: ArrayLike, faces: Any) -> Mesh:
+    points, polygons = np.asarray(vertices, np.float64), Faces.of(faces)
+    if points.ndim != 2 or points.shape[1:] != (3,) or not np.isfinite(points).all():
+        raise ValueError(_("The vertices are not rows of x, y and z; give each three finite numbers."))
+    if not len(polygons):
+        raise ValueError(_("The mesh has no face; give one."))
+    if polygons.sizes.min() < 3:
+        raise ValueError(_("A face has fewer than three corners; leave it out."))
+    if not 0 <= polygons.corners.min() <= polygons.corners.max() < len(points):
+        raise ValueError(_("A face names a vertex that is not there; count them from 0."))
+    return Mesh(points, polygons)

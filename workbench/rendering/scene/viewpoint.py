@@ -1,0 +1,130 @@
+"""From the world to the device: camera, window, viewport, and where the viewer is."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.viewing import window_to_viewport
+from workbench.document.model import Rectangle, whole_sheet
+from workbench.document.scene.model import Camera
+from workbench.document.scene.viewing import projection_matrix, view_matrix
+from workbench.geometry.meshes import Array, Faces, Index
+from workbench.language import _
+from workbench.rendering.limits import REACH_PX
+from workbench.rendering.scene.volume import DEPTH_PLANES, LEAST_W, clip_triangles, side_planes
+
+_MARGIN = 0.05
+_SNAP = 4096.0
+_MOST_SIDE_PX = 1 << 14
+
+Size = tuple[int, int]
+
+
+class Drawn(NamedTuple):
+    """Device triangles: corners (n, 3), x and y in pixels on a grid of 1/4096, z 0 to 1; triangles (t, 3);
+    and for each (t,) the number of the triangle that it is a part of."""
+
+    corners: Array
+    triangles: Index
+    owners: Index
+
+
+class Viewpoint(NamedTuple):
+    """``matrix`` (4, 4) from the world to the view plane, x, y and depth to be divided by w; the window that
+    is seen of the view plane; the size of the picture."""
+
+    matrix: Array
+    window: Rectangle
+    size: Size
+
+    @classmethod
+    def of(cls, camera: Camera, size: Size, window: Rectangle | None, points_world: Array) -> "Viewpoint":
+        """Where ``camera`` sees from; without a window all points (n, 3) fit in. Raises: ValueError."""
+        refuse_size(size)
+        matrix = projection_matrix(camera) @ view_matrix(camera)
+        return cls(matrix, window or _around(matrix, points_world, size), size)
+
+    @property
+    def viewer(self) -> Array:
+        """The centre of projection in the world, (x, y, z, 1), or where parallel projectors come from,
+        (x, y, z, 0)."""
+        x, y, z, w = self.matrix
+        rows = np.stack([x, y, w])
+        minors = [(-1) ** k * np.linalg.det(np.delete(rows, k, axis=1)) for k in range(4)]
+        place = np.array(minors)
+        if abs(place[3]) > 1e-12 * np.abs(place).max():
+            place /= place[3]
+            return place
+        place[3] = 0.0
+        return -place if z @ place > 0 else place
+
+    def homogeneous(self, points_world: Array) -> Array:
+        """Points (n, 3) on the view plane, as (x, y, z, w) before the division."""
+        placed: Array = points_world @ self.matrix[:, :3].T + self.matrix[:, 3]
+        return placed
+
+    def drawn(self, points_world: Array, triangles: Index) -> Drawn:
+        """What of the triangles lies before the camera, on the device."""
+        points, parts, owners = clip_triangles(
+            self.homogeneous(points_world), triangles, np.concatenate([DEPTH_PLANES, self._reach()])
+        )
+        w = points[:, 3]
+        good = (w > LEAST_W)[parts].all(axis=1)
+        parts, owners = parts[good], owners[good]
+        used, number = np.unique(parts, return_inverse=True)
+        points, parts = points[used], number.reshape(-1, 3)
+        corners = points[:, :3] / points[:, 3:]
+        device = window_to_viewport(_sides(self.window), _sides(whole_sheet(*self.size)), True)
+        for axis in (0, 1):
+            placed = corners[:, axis] * device[axis, axis] + device[axis, 2]
+            corners[:, axis] = np.floor(placed * _SNAP + 0.5) / _SNAP
+        return Drawn(corners, parts, owners)
+
+    def _reach(self) -> Array:
+        """The planes beyond which nothing is drawn: far outside of the picture, so that few are cut there."""
+        xmin, ymin, xmax, ymax = _sides(self.window)
+        per_pixel = max((xmax - xmin) / self.size[0], (ymax - ymin) / self.size[1])
+        beyond = REACH_PX * per_pixel
+        return side_planes(xmin - beyond, ymin - beyond, xmax + beyond, ymax + beyond)
+
+
+def refuse_size(size: Size) -> None:
+    """Raises: ValueError, a sentence, where no picture can be so large."""
+    width, height = size
+    if not (1 <= width <= _MOST_SIDE_PX and 1 <= height <= _MOST_SIDE_PX):
+        sentence = _("A picture of {width} x {height} pixels cannot be drawn; give sides from 1 to {most}.")
+        raise ValueError(sentence.format(width=width, height=height, most=_MOST_SIDE_PX))
+
+
+def seen_faces(viewer: Array, points_world: Array, faces: Faces, normals: Array) -> NDArray[np.bool_]:
+    """The faces (m,) that are seen from in front: N . (eye - P) > 0, or N . direction > 0."""
+    firsts = points_world[faces.corners[faces.starts]]
+    towards = viewer[:3] - viewer[3] * firsts
+    in_front: NDArray[np.bool_] = (normals * towards).sum(axis=1) > 0
+    return in_front
+
+
+def _around(matrix: Array, points_world: Array, size: Size) -> Rectangle:
+    """The window that shows all points before the camera; a small one where none is."""
+    placed = points_world @ matrix[:, :3].T + matrix[:, 3]
+    w = placed[:, 3]
+    before = (w > LEAST_W) & (placed[:, 2] >= 0) & (placed[:, 2] <= w)
+    flat = placed[before, :2] / w[before, None]
+    if not len(flat):
+        return Rectangle(-1.0, -1.0, 1.0, 1.0)
+    return window_around(flat, size)
+
+
+def window_around(flat: Array, size: Size) -> Rectangle:
+    """A window in the proportions of a picture that shows points (n, 2) of the view plane, and a margin."""
+    low, high = flat.min(axis=0), flat.max(axis=0)
+    middle = (low + high) / 2
+    width, height = size
+    per_pixel = max(float((high - low)[0]) / width, float((high - low)[1]) / height, 1e-9) * (1 + 2 * _MARGIN)
+    (x, y), half_x, half_y = middle.tolist(), per_pixel * width / 2, per_pixel * height / 2
+    return Rectangle(x - half_x, y - half_y, x + half_x, y + half_y)
+
+
+def _sides(rectangle: Rectangle) -> tuple[float, float, float, float]:
+    return rectangle.xmin, rectangle.ymin, rectangle.xmax, rectangle.ymax
