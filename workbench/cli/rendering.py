@@ -44,8 +44,8 @@ class _Seen(NamedTuple):
 
 def render_model(options: argparse.Namespace) -> str:
     """Write the picture; what was left out of the model, a line for each thing."""
-    row = outputs.file_format("picture", "wireframe", path=options.output)
-    depth_row = options.depth and outputs.file_format("picture", path=options.depth)
+    row = outputs.format_for("picture", "wireframe", path=options.output)
+    depth_row = options.depth and outputs.format_for("picture", path=options.depth)
     try:
         seen = _scene(options) if kind_of(options.model) == "picture" else _mesh(options)
         size = options.size or seen.size
