@@ -138,9 +138,10 @@ def test_pointing_at_a_function_rings_its_point_and_the_other_way_round(qtbot):
 def test_u_is_dragged_in_the_plot(qtbot):
     panel = with_docks(qtbot, curve_through(*ZIGZAG))
     curves = panel.beside.basis.curves
-    qtbot.mouseClick(
-        curves, Qt.MouseButton.LeftButton, pos=QPoint(round(curves.x_of(0.5)), curves.height() // 2)
-    )
+    qtbot.waitUntil(lambda: curves._plot is not None, timeout=30_000)
+    part = curves._plot.viewport()
+    place = QPoint(round(curves.x_of(0.5)), curves.height() // 2)
+    qtbot.mouseClick(part, Qt.MouseButton.LeftButton, pos=part.mapFrom(curves, place))
     settle()
     assert panel.focus.u == pytest.approx(0.25, abs=0.02)
     assert "construction" in panel.focus.shown
