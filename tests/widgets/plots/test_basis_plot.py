@@ -8,13 +8,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.widgets.plots.by_hand import click, drag, hover
 from workbench.algorithms.curves import basis_table
 from workbench.widgets.look.tokens import DARK, LIGHT, theme
 from workbench.widgets.plots.basis_plot import BasisPlot
-from workbench.widgets.plots.scrubbed_plot import ScrubbedPlot
 
 LEFT, RIGHT_KEY, LEFT_KEY = Qt.MouseButton.LeftButton, Qt.Key.Key_Right, Qt.Key.Key_Left
 SHIFT, CONTROL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
@@ -46,37 +46,6 @@ class Told:
     def __init__(self, signal):
         self.all = []
         signal.connect(lambda *sent: self.all.append(sent if len(sent) > 1 else sent[0]))
-
-
-def painted_on(part: QWidget) -> QWidget:
-    """What takes the mouse: the library's part of a plot, or the editor itself."""
-    return part._plot.viewport() if isinstance(part, ScrubbedPlot) else part
-
-
-def click(qtbot: QtBot, part: QWidget, place: QPoint) -> None:
-    target = painted_on(part)
-    qtbot.mouseClick(target, LEFT, pos=target.mapFrom(part, place))
-
-
-def drag(qtbot: QtBot, part: QWidget, start: QPoint, *ends: QPoint) -> None:
-    target = painted_on(part)
-    start, *ends = (target.mapFrom(part, place) for place in (start, *ends))
-    part = target
-    qtbot.mousePress(part, LEFT, pos=start)
-    for end in ends:
-        qtbot.mouseMove(part, end)
-    qtbot.mouseRelease(part, LEFT, pos=ends[-1])
-
-
-def hover(part: QWidget, place: QPoint) -> None:
-    """Move the pointer with no button down, whatever a test before left down."""
-    target = painted_on(part)
-    spot, none = QPointF(target.mapFrom(part, place)), Qt.MouseButton.NoButton
-    part = target
-    plain = Qt.KeyboardModifier.NoModifier
-    QApplication.sendEvent(
-        part, QMouseEvent(QEvent.Type.MouseMove, spot, part.mapToGlobal(spot), none, none, plain)
-    )
 
 
 # Functions and u

@@ -5,16 +5,16 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QColor, QMouseEvent
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.widgets.plots.by_hand import LEFT, drag, hover, send
 from workbench.widgets.look.tokens import DARK, LIGHT, theme
 from workbench.widgets.plots.curvature_plot import CurvaturePlot
 from workbench.widgets.plots.hodograph_plot import HodographPlot
 from workbench.widgets.plots.scrubbed_plot import ScrubbedPlot
 
-LEFT = Qt.MouseButton.LeftButton
 US = np.linspace(0, 4, 401)
 BEND = 0.02 * np.sin(2 * US)
 WAYS = np.stack([80 * np.cos(US) + 30, 50 * np.sin(US) - 10], axis=1)
@@ -26,21 +26,6 @@ def shown(qtbot: QtBot, plot: ScrubbedPlot, width: int = 400, height: int = 200)
     plot.show()
     qtbot.waitUntil(lambda: plot._plot is not None, timeout=30_000)
     QApplication.processEvents()
-
-
-def on(plot: ScrubbedPlot, place: QPoint) -> QPoint:
-    """The same place in what the library paints on."""
-    return plot._plot.mapFrom(plot, place)
-
-
-def hover(plot: ScrubbedPlot, place: QPoint) -> None:
-    """Move the pointer with no button down, whatever a test before left down."""
-    part, place = plot._plot.viewport(), on(plot, place)
-    spot, none = QPointF(place), Qt.MouseButton.NoButton
-    plain = Qt.KeyboardModifier.NoModifier
-    QApplication.sendEvent(
-        part, QMouseEvent(QEvent.Type.MouseMove, spot, part.mapToGlobal(spot), none, none, plain)
-    )
 
 
 @pytest.fixture
@@ -92,13 +77,7 @@ def test_the_reading_is_the_curvature_there(qapp, u):
 def test_u_is_asked_for_by_hand_and_keys(qtbot: QtBot, curvature: CurvaturePlot):
     told = []
     curvature.u_dragged.connect(told.append)
-    qtbot.mousePress(
-        curvature._plot.viewport(), LEFT, pos=on(curvature, QPoint(round(curvature.x_of(1)), 60))
-    )
-    qtbot.mouseMove(curvature._plot.viewport(), on(curvature, QPoint(round(curvature.x_of(3)), 190)))
-    qtbot.mouseRelease(
-        curvature._plot.viewport(), LEFT, pos=on(curvature, QPoint(round(curvature.x_of(3)), 190))
-    )
+    drag(qtbot, curvature, QPoint(round(curvature.x_of(1)), 60), QPoint(round(curvature.x_of(3)), 190))
     qtbot.keyClick(curvature, Qt.Key.Key_Right)
     assert told == pytest.approx([1, 3, 0.54], abs=0.01)
 
@@ -167,9 +146,7 @@ def test_dragging_along_the_hodograph_asks_for_u(qtbot: QtBot, hodograph: Hodogr
     told = []
     hodograph.u_dragged.connect(told.append)
     start, end = (hodograph.place_of(*hodograph.derivative_at(u)).toPoint() for u in (0.5, 2.5))
-    qtbot.mousePress(hodograph._plot.viewport(), LEFT, pos=on(hodograph, start))
-    qtbot.mouseMove(hodograph._plot.viewport(), on(hodograph, end))
-    qtbot.mouseRelease(hodograph._plot.viewport(), LEFT, pos=on(hodograph, end))
+    drag(qtbot, hodograph, start, end)
     qtbot.keyClick(hodograph, Qt.Key.Key_Home)
     assert told == pytest.approx([0.5, 2.5, 0], abs=0.03)
     assert "speed" in hodograph.accessibleDescription()
@@ -254,13 +231,11 @@ def test_a_drag_with_shift_moves_the_view_and_not_u(qtbot: QtBot, curvature: Cur
     told = []
     curvature.u_dragged.connect(told.append)
     curvature.show_view(1.0, 2.0)
-    part, shift = curvature._plot.viewport(), Qt.KeyboardModifier.ShiftModifier
-    places = [QPointF(on(curvature, QPoint(x, 90))) for x in (200, 160, 120)]
-    kinds = [QEvent.Type.MouseButtonPress, QEvent.Type.MouseMove, QEvent.Type.MouseMove]
-    for kind, place in zip(kinds, places, strict=True):
-        button = LEFT if kind == QEvent.Type.MouseButtonPress else Qt.MouseButton.NoButton
-        QApplication.sendEvent(part, QMouseEvent(kind, place, part.mapToGlobal(place), button, LEFT, shift))
-    qtbot.mouseRelease(part, LEFT, shift, pos=places[-1].toPoint())
+    shift, kinds = Qt.KeyboardModifier.ShiftModifier, QEvent.Type
+    send(curvature, kinds.MouseButtonPress, QPoint(200, 90), LEFT, shift)
+    for x in (160, 120):
+        send(curvature, kinds.MouseMove, QPoint(x, 90), LEFT, shift)
+    send(curvature, kinds.MouseButtonRelease, QPoint(120, 90), modifiers=shift)
     low, high = curvature.range
     assert low > 1.05
     assert high - low == pytest.approx(1.0)
