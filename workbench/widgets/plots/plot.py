@@ -30,6 +30,13 @@ _GRID = 0.45
 _STEPS_TEN = 10
 
 
+def pen_of(ink: QColor | str, width: float = 0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
+    """A pen whose width is in pixels at every zoom; 0 is one pixel."""
+    pen = QPen(QColor(ink), width, style)
+    pen.setCosmetic(True)
+    return pen
+
+
 class Plot(QWidget):
     """A caption over a plot, which is made when it is first seen. ``shown``: it came into view.
 
@@ -72,6 +79,11 @@ class Plot(QWidget):
     def reach(self) -> tuple[float, float] | None:
         """The least and the greatest x that can be chosen; None where there is none."""
         return None
+
+    @property
+    def nudge(self) -> float:
+        """How far an arrow key goes."""
+        return 1.0
 
     def numbers(self) -> Table | None:
         """What is plotted, as a table; None while nothing is."""
@@ -171,9 +183,10 @@ class Plot(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrows, Home and End choose an x; plus and minus zoom, 0 shows all."""
-        key, here = event.key(), self._cursor_x or 0.0
-        far = _STEPS_TEN if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
         low, high = self.reach or (0.0, 0.0)
+        key, here = event.key(), low if self._cursor_x is None else self._cursor_x
+        ten = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        far = self.nudge * (_STEPS_TEN if ten else 1)
         places = {
             Qt.Key.Key_Left: here - far,
             Qt.Key.Key_Right: here + far,
