@@ -11,8 +11,9 @@ from workbench.rendering.mapping import Box, FigureMap, device_map, device_point
 
 
 def extent_of(sheet: Sheet, figures: Sequence[AnyFigure]) -> Box | None:
-    """(xmin, ymin, xmax, ymax), device coordinates, of the ideal geometry of the visible ones of figures; None
-    where nothing of it is finite. A seed fill is where its seed is.
+    """(xmin, ymin, xmax, ymax), device coordinates, of the ideal geometry of figures, as far as visible.
+
+    None where nothing of it is finite. A seed fill is where its seed is.
     """
     visible = [figure for figure in figures if figure.visible]
     # Of straight figures all points at once: there may be thousands.
