@@ -13,8 +13,8 @@ _IDENTITY = np.eye(2)
 
 
 def link_of(matrix: Matrix) -> AnyLink:
-    """The link without an id that has an affine ``matrix`` (3, 3), world: a translation, rotation, reflection,
-    scaling or shear where it is one, else its six numbers.
+    """The link without an id that has an affine ``matrix`` (3, 3), world: a translation, rotation,
+    reflection, scaling or shear where it is one, else its six numbers.
     """
     for link in _candidates(matrix):
         if np.allclose(link.matrix, matrix, rtol=_CLOSE, atol=_CLOSE):

@@ -7,6 +7,7 @@ from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.curves.shape import device_points
 from workbench.panels.stage.boxing import Boxing
 from workbench.panels.stage.gesture import Gesture
+from workbench.panels.stage.outline import Curve as Line
 from workbench.rendering.extents import extent_of_points
 from workbench.rendering.mapping import Box as Extent
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
@@ -37,6 +38,15 @@ class CurveBoxing(Boxing):
         if curve is None:
             return super().extent()
         return extent_of_points(device_points(self.session.sheet, curve)[self.focus.numbers(curve)])
+
+    def outlines(self) -> list[Line]:
+        """The chosen points joined in their order, and the curve itself when it is all of them."""
+        curve = self._curve()
+        if curve is None:
+            return super().outlines()
+        numbers = self.focus.numbers(curve)
+        whole = super().outlines() if len(numbers) == len(curve.points_world) else []
+        return [device_points(self.session.sheet, curve)[numbers], *whole]
 
     def transformed(self, document: Document, matrix: Matrix) -> Applied:
         """The points, or the figures, under a matrix. Raises: DocumentError."""

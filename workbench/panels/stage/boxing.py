@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
+from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
 from workbench.algorithms.transforms import Matrix, rotation_about, scaling_about, shear, translation
@@ -13,6 +14,7 @@ from workbench.document.transforms.names import undo_names
 from workbench.geometry.transform_box import Box, Point
 from workbench.language import _
 from workbench.panels.stage.gesture import Gesture
+from workbench.panels.stage.outline import Curve, outline
 from workbench.rendering import device_map
 from workbench.rendering.extents import extent_of
 from workbench.rendering.mapping import Box as Extent
@@ -22,6 +24,9 @@ from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.transform_box import TransformBox
 
 _HALF_TURN = np.diag([-1.0, -1.0])
+LIVE_WEIGHT = 120
+"""Up to so many points and figures, in their weight, each step of a drag changes the document at once."""
+_OF_A_FIGURE = 6
 QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
 """A quarter turn to the left, exactly."""
 
@@ -34,10 +39,10 @@ def kind_title(kind: str, mirrored: bool = False) -> str:
 
 
 class Boxing(QObject):
-    """Shows ``box`` around what is selected while it is ``on``, and does what it, a form or a command asks for.
+    """Shows ``box`` around what is selected while it is ``on``, and does what box, form or commands ask for.
 
     ``gesture`` is that of the tool that selects, so that whoever asks whether something is being dragged
-    sees these drags too. ``began`` and ``ended`` enclose a drag; ``said`` sends what is to be said of an edit.
+    sees these drags too. ``began`` and ``ended`` enclose a drag; ``said`` sends what an edit has to say.
     """
 
     began = Signal()
@@ -56,6 +61,8 @@ class Boxing(QObject):
         self._pivot_before: Point | None = None
         self._start_pivot: Point = (0.0, 0.0)
         self._told: tuple[tuple[str, str], ...] = ()
+        self._outlines: list[Curve] | None = None
+        self._waiting: tuple[Matrix, str] | None = None
         self.box.began.connect(self._begin)
         self.box.changed.connect(self._drag)
         self.box.ended.connect(self._end)
@@ -77,6 +84,15 @@ class Boxing(QObject):
         """How far that reaches, device; None where there is nothing to be seen."""
         return extent_of(self.session.sheet, self.selected())
 
+    def outlines(self) -> list[Curve]:
+        """That as polylines (n, 2), where the first view shows them, device."""
+        first = replace(self.session.sheet, views=self.session.sheet.views[:1])
+        return [line for figure in self.selected() if figure.visible for line in outline(first, figure)]
+
+    def weight(self) -> int:
+        """How much is to be changed at each step of a drag, and drawn anew."""
+        return sum(len(figure.points_world) + _OF_A_FIGURE for figure in self.selected())
+
     def transformed(self, document: Document, matrix: Matrix) -> Applied:
         """The document with that under a matrix (3, 3), world. Raises: DocumentError."""
         return applied(document, self.boxed(), matrix)
@@ -87,6 +103,7 @@ class Boxing(QObject):
         """Show the box, or show it no longer."""
         self.on = on
         if not on:
+            self._let_go()
             self._forget_pivot()
         self.follow()
 
@@ -129,6 +146,8 @@ class Boxing(QObject):
 
     def _begin(self, _handle: str) -> None:
         self._start()
+        if self.weight() > LIVE_WEIGHT:
+            self._outlines = self.outlines()
         self.began.emit()
 
     def _start(self) -> None:
@@ -137,7 +156,20 @@ class Boxing(QObject):
 
     def _drag(self, matrix: Matrix, kind: str, numbers: dict[str, float]) -> None:
         mirrored = kind == "scale" and min(numbers["sx"], numbers["sy"]) < 0
-        self._transform(matrix, kind_title(kind, mirrored))
+        name = kind_title(kind, mirrored)
+        if self._outlines is None:
+            self._transform(matrix, name)
+        else:
+            self._waiting = matrix, name
+
+    @property
+    def moving(self) -> list[Curve] | None:
+        """Where the outlines of what is boxed have come to, device, in a drag of so much that the document
+        only follows when it is let go; else None."""
+        if self._outlines is None:
+            return None
+        matrix = np.eye(3) if self._waiting is None else self._waiting[0]
+        return [line @ matrix[:2, :2].T + matrix[:2, 2] for line in self._outlines]
 
     def _transform(self, matrix: Matrix, name: str) -> None:
         """Show what was boxed when the gesture began under a matrix, device; the pivot goes with it."""
@@ -157,8 +189,16 @@ class Boxing(QObject):
         return self.gesture.show(edit, name)
 
     def _end(self) -> None:
+        waiting = self._let_go()
+        if waiting is not None:
+            self._transform(*waiting)
         self._finish()
         self.ended.emit()
+
+    def _let_go(self) -> tuple[Matrix, str] | None:
+        """What the document has still to follow, which nothing waits for any longer."""
+        waiting, self._waiting, self._outlines = self._waiting, None, None
+        return waiting
 
     def _finish(self) -> None:
         """Keep what the gesture made, and say what of it went into chains."""
@@ -168,6 +208,7 @@ class Boxing(QObject):
             self.said.emit(" ".join(sentences))
 
     def _cancel(self) -> None:
+        self._let_go()
         self.gesture.cancel()
         self._pivot, self._known = self._pivot_before, self.session.document
         self.ended.emit()

@@ -35,8 +35,8 @@ class FigurePanel(PlainPanel, QWidget):
     """Canvas, tools and card over one session. ``hover_text`` and ``zoom_text`` are for a status bar.
 
     A panel makes its card and what it shows, then calls ``begin``; it says in ``show_now`` what is shown,
-    and in ``describe`` what a cell is called. ``slug`` begins the names of its actions, ``first_tool`` is
-    what an empty sheet takes up; ``usual`` is what is stepped here at first. ``slug`` is the workspace's too.
+    and in ``describe`` what a cell is called. ``slug`` is its workspace's, and begins the names of its
+    actions; ``first_tool`` is what an empty sheet takes up, ``usual`` what is stepped here at first.
     ``transforms`` have a menu of their own, and the first one a button under the first tool.
     """
 
@@ -349,10 +349,9 @@ class FigurePanel(PlainPanel, QWidget):
 
     def _arrow(self, dx: int, dy: int, modifiers: Modifiers) -> None:
         """Arrows nudge what is selected; with nothing selected they step."""
-        if chosen := self.selected():
+        if ids := [figure.id for figure in self.selected()]:
             far = 10 if modifiers & Qt.KeyboardModifier.ShiftModifier else 1
             scale = device_map(self.session.sheet)
-            ids = [figure.id for figure in chosen]
             edit = move_figures(ids, dx * far / scale.sx, dy * far / scale.sy)
             self.apply(edit, _("Nudge"), f"{NUDGE} {' '.join(ids)}")
             self._nudging.start()

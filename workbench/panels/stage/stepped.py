@@ -19,6 +19,7 @@ from workbench.panels.stage.tools import FigureTool
 from workbench.panels.stage.transforming import BOX, MOTIONS, ON_CHAINS, transform_commands
 from workbench.panels.stage.view import FigureView
 from workbench.session.session import Session
+from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.surface import CanvasSurface
 
@@ -136,6 +137,9 @@ class SteppedPanel(FigurePanel):
 
     def show_now(self) -> None:
         """Canvases and card as the session is now, and what the panel shows beside them."""
+        if (moving := self.boxing.moving) is not None:
+            self.canvas.set_overlay(self.boxing.box.over(Overlay(outlined=tuple(moving))))
+            return
         self.boxing.follow()
         self.card.form.refresh(self.boxing.pivot_world)
         self.view.refresh(self.tool, self.handle_drag)
