@@ -59,7 +59,6 @@ class SteppedPanel(FigurePanel):
         self.card.folded.connect(self.leave_room)
         self.card.algorithm_chosen.connect(self._choose_algorithm)
         self.view.box = self.boxing.box
-        self.card.form.connect_to(self.boxing)
         self.card.chain.bake_wanted.connect(self.boxing.bake)
         self.card.chain.removal_wanted.connect(self.boxing.remove)
         self.boxing.said.connect(self.hover_text)
@@ -78,6 +77,7 @@ class SteppedPanel(FigurePanel):
             ],
         )
         self._actions[BOX].setCheckable(True)
+        self.card.form.connect_to(self.boxing, [self._actions[name] for name in MOTIONS])
 
     def _share_view(self, one: CanvasSurface, other: CanvasSurface, _percent: float) -> None:
         """Both pictures side by side show the same cells; the first one fits, with room for the card."""

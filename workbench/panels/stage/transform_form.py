@@ -1,8 +1,10 @@
 """The numbers of the box on the card: how far to move, turn, scale and shear, and about which point."""
 
+from collections.abc import Sequence
 from functools import partial
 
-from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from workbench.document.fields import numbers_of
 from workbench.document.transforms.links import Rotate, Scale, Shear, Translate
@@ -44,28 +46,37 @@ class TransformForm(QWidget):
             field.edited.connect(lambda _value: self._put_pivot())
             field.scrubbed.connect(lambda _value: self._put_pivot())
             grid.addWidget(field, len(_ROWS), column)
-        self.hint = QLabel(_("Drag the box, or type: each number acts once, about the pivot."))
+        self.hint = QLabel(_("Each number acts once, about the pivot."))
         self.hint.setWordWrap(True)
         self.hint.setProperty("role", "muted")
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(6)
+        self._buttons = QHBoxLayout()
+        self._buttons.setSpacing(4)
+        self._buttons.addStretch(1)
         whole.addWidget(self.hint)
         whole.addLayout(grid)
+        whole.addLayout(self._buttons)
         self.hide()
 
     def _field(self, link: type, name: str, step: float) -> NumberField:
         number = numbers_of(link)[name]
+        unit = "" if number.unit == "world" else number.unit
         meaning = number.label.capitalize()
-        field = NumberField(
-            number.symbol, number.unit, low=number.low, high=number.high, step=step, meaning=meaning
-        )
+        field = NumberField(number.symbol, unit, low=number.low, high=number.high, step=step, meaning=meaning)
         self.fields[name] = field
         return field
 
-    def connect_to(self, boxing: Boxing) -> None:
-        """Let the numbers do what they say."""
+    def connect_to(self, boxing: Boxing, actions: Sequence[QAction]) -> None:
+        """Let the numbers do what they say; ``actions`` have a button each under them."""
         self._boxing = boxing
+        for action in actions:
+            button = QToolButton()
+            button.setDefaultAction(action)
+            button.setFixedSize(32, 28)
+            button.setAccessibleName(action.text())
+            self._buttons.addWidget(button)
 
     def refresh(self, pivot: Point | None) -> None:
         """Show the pivot, world; without one there is nothing to transform."""
