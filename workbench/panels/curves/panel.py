@@ -261,8 +261,8 @@ class CurvesPanel(SteppedPanel):
         return super().gesturing or self.select.held
 
     def let_go(self) -> None:
-        """Escape: what is being drawn, else the chosen points, then as everywhere."""
-        if not self.gesturing and self.focus.points:
+        """Escape: what is being drawn, then the box, the chosen points, and on as everywhere."""
+        if not self.gesturing and self.focus.points and not self.boxing.on:
             self.focus.choose(())
         else:
             super().let_go()
