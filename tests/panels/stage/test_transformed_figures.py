@@ -138,4 +138,4 @@ def test_a_copy_keeps_the_chain_and_lies_beside_what_is_seen(qtbot, opened, chai
     ]
     assert not {link.id for link in copy.transforms} & {link.id for link in first.transforms}
     scale = figure_map(session.sheet, copy)
-    assert np.allclose([scale.point(p.x, p.y) for p in copy.points_world], ends + (1, -1))
+    assert np.allclose([scale.point(p.x, p.y) for p in copy.points_world], np.add(ends, (1, -1)))
