@@ -24,7 +24,7 @@ from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.transform_box import TransformBox
 
 _HALF_TURN = np.diag([-1.0, -1.0])
-LIVE_WEIGHT = 120
+LIVE_WEIGHT = 80
 """Up to so many points and figures, in their weight, each step of a drag changes the document at once."""
 _OF_A_FIGURE = 6
 QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])

@@ -64,7 +64,7 @@ class SteppedPanel(FigurePanel):
         self.boxing.said.connect(self.hover_text)
         self.boxing.began.connect(lambda: self._hold(True))
         self.boxing.ended.connect(self._after_boxing)
-        self.boxing.box.looks_changed.connect(self.refresh_soon)
+        self.boxing.box.looks_changed.connect(self._look_at_box)
         for one, other in ((self.canvas, self.second), (self.second, self.canvas)):
             one.view_changed.connect(partial(self._share_view, one, other))
         self.begin(
@@ -115,6 +115,11 @@ class SteppedPanel(FigurePanel):
         super()._after_gesture()
         if self.boxing.on:
             self.canvas.takes_handles = False
+
+    def _look_at_box(self) -> None:
+        """Show the box as it is, unless the document has changed with it, which is told and shown anyway."""
+        if not self.tool.busy or self.boxing.moving is not None:
+            self.refresh_soon()
 
     def _after_boxing(self) -> None:
         self._hold(False)
