@@ -31,7 +31,7 @@ QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
 """A quarter turn to the left, exactly."""
 
 
-def kind_title(kind: str, mirrored: bool = False) -> str:
+def step_name(kind: str, mirrored: bool = False) -> str:
     """The step of undo of a drag of this kind."""
     if mirrored:
         return _("Mirror and scale")
@@ -156,7 +156,7 @@ class Boxing(QObject):
 
     def _drag(self, matrix: Matrix, kind: str, numbers: dict[str, float]) -> None:
         mirrored = kind == "scale" and min(numbers["sx"], numbers["sy"]) < 0
-        name = kind_title(kind, mirrored)
+        name = step_name(kind, mirrored)
         if self._outlines is None:
             self._transform(matrix, name)
         else:
@@ -235,7 +235,7 @@ class Boxing(QObject):
             case _:
                 matrix = shear(first, second, x, y)
         device = _matrix_of(scale)
-        name = kind_title(kind, kind == "scale" and min(first, second) < 0)
+        name = step_name(kind, kind == "scale" and min(first, second) < 0)
         self._transform(device @ matrix @ np.linalg.inv(device), name)
         if not scrubbing:
             self._finish()
