@@ -28,6 +28,7 @@ from workbench.panels.fill.panel import FillPanel
 from workbench.rendering import figure_map
 from workbench.rendering.rounds import pieces_of_round
 from workbench.session.session import Session
+from workbench.widgets.canvas.drawing import Marker
 
 LEFT, SHIFT = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ShiftModifier
 
@@ -451,3 +452,24 @@ def test_the_frame_is_drawn_where_the_figures_have_come_to(qtbot, opened):
     low, high = points.min(axis=0), points.max(axis=0)
     assert np.allclose([box.box.width, box.box.height], high - low)
     assert box.handle_at(panel.canvas.widget_position(*high.tolist()) + QPointF(1, 1)) == "top right"
+
+
+def test_the_pivot_is_seen_to_go_with_what_is_moved_and_no_cell_is_pointed_at(qtbot, opened):
+    panel = opened(POLYGON)
+    canvas = panel.canvas
+
+    def ring():
+        return next((m.x, m.y) for m in canvas.overlay.drawn if isinstance(m, Marker) and m.shape == "ring")
+
+    cells = []
+    canvas.hovered.connect(lambda x, y: cells.append((x, y)))
+    canvas.hover_left.connect(lambda: cells.append(None))
+    qtbot.mouseMove(canvas, canvas.widget_position(30.0, 27.0).toPoint())
+    assert cells[-1] == (30, 27)
+    pivot = ring()
+    press(qtbot, panel, "move", (5, -4))
+    assert cells[-1] is None
+    assert ring() == pytest.approx(np.add(pivot, (5, -4)).tolist())
+    qtbot.keyClick(canvas, Qt.Key.Key_Escape)
+    settle()
+    assert ring() == pytest.approx(pivot)

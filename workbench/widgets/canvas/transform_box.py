@@ -97,6 +97,7 @@ class TransformBox(TransformFrame):
         if not handle:
             return False
         self._canvas.setFocus(Qt.FocusReason.MouseFocusReason)
+        self._canvas.forget_hover()  # what is beside the pointer now is how far it has come
         self._pressed_at = event.position()
         self._chosen = MOVE
         self._begin(handle, self._canvas.device_position(event.position()))
@@ -180,6 +181,7 @@ class TransformBox(TransformFrame):
         handle = self.handle_at(position)
         if not handle:
             return False
+        self._canvas.hover_at(*self._canvas.device_position(position))
         self._canvas.setCursor(self._cursor(handle))
         return True
 
