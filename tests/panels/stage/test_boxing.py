@@ -16,11 +16,13 @@ from workbench.document.model import (
     Ellipse,
     Line,
     Polygon,
+    Rectangle,
     SeedFill,
     WorldPoint,
 )
 from workbench.document.samples.examples import blank_sheet
 from workbench.document.transforms.links import Rotate, Scale, Shear
+from workbench.document.view_edits import set_window
 from workbench.geometry.transform_box import TURN, Box
 from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.draw.panel import DrawPanel
@@ -473,3 +475,16 @@ def test_the_pivot_is_seen_to_go_with_what_is_moved_and_no_cell_is_pointed_at(qt
     qtbot.keyClick(canvas, Qt.Key.Key_Escape)
     settle()
     assert ring() == pytest.approx(pivot)
+
+
+@pytest.mark.parametrize(("handle", "way"), [(TURN, (9, -7)), ("top right", (6, 4)), ("move", (5, -4))])
+def test_a_drag_is_its_matrix_on_the_device_where_the_world_is_of_another_scale(qtbot, opened, handle, way):
+    panel = opened(*MIXED)
+    session = panel.session
+    session.apply(set_window(session.sheet.first_view.id, Rectangle(5.0, -10.0, 90.0, 60.0)), "Window")
+    settle()
+    matrices = watch(panel)
+    old = {figure.id: seen(session.sheet, figure) for figure in session.sheet.figures}
+    drag(qtbot, panel, handle, way)
+    for figure in session.sheet.figures:
+        assert same_places(figure, seen(session.sheet, figure), moved(matrices[-1], old[figure.id]))
