@@ -48,7 +48,7 @@ class ClipView(FigureView):
         drawing = tool if isinstance(tool, FigureTool) else None
         self.canvas.set_picture(made.pixels, made.background)
         overlay = with_answer(overlay, session.run.answered)
-        self.canvas.set_overlay(replace(overlay, snap=drawing.snap if drawing else None))
+        self.put(replace(overlay, snap=drawing.snap if drawing else None))
         self.card.refresh(drawing, selected, "")
 
     def _own_call(self, number: int | None = None) -> OwnCall | None:

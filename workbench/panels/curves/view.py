@@ -97,7 +97,8 @@ class CurveView(FigureView):
             snap=self._snapped(),
         )
         overlay = with_asked(with_band(overlay, tool.band), session.state.pixel)
-        self.canvas.set_overlay(with_answer(overlay, session.run.answered))
+        overlay = with_answer(overlay, session.run.answered)
+        self.canvas.set_overlay(overlay if self.box is None else self.box.over(overlay))
         if not busy or not isinstance(tool, CurveSelectTool):
             self.card.refresh(tool if isinstance(tool, FigureTool) else None, selected, "")
         (self.docks.refresh_soon if busy else self.docks.refresh)()
