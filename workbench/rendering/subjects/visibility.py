@@ -1,0 +1,185 @@
+"""The scene of a sheet under a method for hidden surfaces, on a coarse picture, so that it can be stepped."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from workbench.algorithms import catalogue
+from workbench.document.fields import Number
+from workbench.document.model import Rectangle, Sheet
+from workbench.document.scene.model import Camera, Object, Scene
+from workbench.document.scene.viewing import view_matrix
+from workbench.document.subjects import Subject
+from workbench.geometry.meshes import Array, Mesh
+from workbench.language import _
+from workbench.rendering.mapping import Call
+from workbench.rendering.scene.render import DeviceTriangles, device_triangles, placed
+from workbench.rendering.subjects.registry import Given, SubjectKind, register
+
+KIND = "visibility"
+LEAST_COLUMNS, USUAL_COLUMNS, MOST_COLUMNS = 8, 48, 96
+NOT_ROUNDED = 0
+LEAST_BITS, MOST_BITS = 4, 32
+MOST_TRIANGLES = 4_000
+
+Size = tuple[int, int]
+
+
+def scene_size(sheet: Sheet, subject: Subject) -> Size:
+    """Columns and rows of the coarse picture, in the proportions of the sheet's window."""
+    columns, window = _number(subject, "columns", USUAL_COLUMNS), sheet.first_view.window_world
+    share = (window.ymax - window.ymin) / (window.xmax - window.xmin)
+    return columns, min(max(round(columns * share), 1), 2 * MOST_COLUMNS)
+
+
+def depth_bits(subject: Subject) -> int:
+    """How many bits the depth buffer has for a pixel; NOT_ROUNDED for depths as they are."""
+    bits = _number(subject, "bits", NOT_ROUNDED)
+    return bits if bits == NOT_ROUNDED else max(bits, LEAST_BITS)
+
+
+def farthest(subject: Subject) -> float:
+    """The depth that the buffer begins with: 1, or the largest whole number that its bits can hold."""
+    bits = depth_bits(subject)
+    return float(2**bits - 1) if bits else 1.0
+
+
+def backwards(subject: Subject) -> bool:
+    """Whether the surfaces are drawn the last one first."""
+    return bool(subject.arguments.get("backwards", False))
+
+
+def triangles_of(sheet: Sheet, subject: Subject) -> DeviceTriangles | None:
+    """The scene on the coarse picture, in the order in which it is drawn; None where nothing can be stepped.
+
+    z is as the depth buffer counts it, from 0 to ``farthest``.
+    """
+    if sheet.scene is None or fault_of(sheet):
+        return None
+    return _triangles(
+        sheet.scene,
+        scene_size(sheet, subject),
+        sheet.first_view.window_world,
+        farthest(subject),
+        backwards(subject),
+    )
+
+
+def fault_of(sheet: Sheet) -> str:
+    """Why the scene cannot be stepped, in a sentence; empty where it can."""
+    if sheet.scene is None:
+        return _("This sheet has no scene.")
+    try:
+        count = sum(len(cut) for _mesh, (cut, _faces), _material in placed(sheet.scene))
+        view_matrix(sheet.scene.camera)
+    except ValueError as problem:
+        return str(problem)
+    if count > MOST_TRIANGLES:
+        said = _("The scene has {count:,} triangles; up to {most:,} are stepped. Hide some of its objects.")
+        return said.format(count=count, most=MOST_TRIANGLES)
+    return ""
+
+
+def visible_objects(scene: Scene) -> tuple[Object, ...]:
+    """The objects that the numbers in ``DeviceTriangles.objects`` mean."""
+    return tuple(thing for thing in scene.objects if thing.visible)
+
+
+def depth_call(sheet: Sheet, subject: Subject) -> Call | None:
+    """The run of the depth buffer on the scene; None where nothing can be stepped."""
+    if sheet.scene is None or fault_of(sheet):
+        return None
+    return _depth_call(
+        sheet.scene,
+        scene_size(sheet, subject),
+        sheet.first_view.window_world,
+        depth_bits(subject),
+        backwards(subject),
+    )
+
+
+@lru_cache(maxsize=16)
+def _triangles(
+    scene: Scene, size: Size, window: Rectangle, largest: float, last_first: bool
+) -> DeviceTriangles:
+    device = device_triangles(placed(scene), scene.lights, scene.camera, size, window)
+    order = slice(None, None, -1 if last_first else 1)
+    corners = device.corners * (1.0, 1.0, largest)
+    return DeviceTriangles(corners, *(np.ascontiguousarray(column[order]) for column in device[1:]))
+
+
+@lru_cache(maxsize=16)
+def _depth_call(scene: Scene, size: Size, window: Rectangle, bits: int, last_first: bool) -> Call:
+    largest = 2**bits - 1 if bits else 1
+    device = _triangles(scene, size, window, float(largest), last_first)
+    image = np.zeros(size[::-1], np.int64)
+    # Into a buffer of whole numbers the text's own writing cuts a depth off, as a real one does.
+    depth = np.full(size[::-1], largest, np.int64 if bits else np.float64)
+    arguments = image, depth, device.corners, device.triangles, device.colours
+    return Call(catalogue.get("depth_buffer"), arguments)
+
+
+def _back_face_calls(sheet: Sheet) -> list[Call]:
+    """Each object's faces, one call for all that have equally many corners."""
+    if sheet.scene is None or fault_of(sheet):
+        return []
+    camera = sheet.scene.camera
+    eye, look_at = np.array(camera.eye.xyz), np.array(camera.look_at.xyz)
+    entry = catalogue.get("back_faces")
+    return [
+        Call(entry, (mesh.vertices, faces, eye, look_at))
+        for mesh, *_rest in placed(sheet.scene)
+        for faces in _by_corners(mesh)
+    ]
+
+
+def _by_corners(mesh: Mesh) -> list[Array]:
+    sizes = mesh.faces.sizes
+    return [
+        mesh.faces.corners[np.repeat(sizes == size, sizes)].reshape(-1, size) for size in np.unique(sizes)
+    ]
+
+
+def _from_a_point(camera: Camera) -> bool:
+    return camera.projection == "perspective"
+
+
+def _choices(sheet: Sheet, subject: Subject) -> tuple[str, ...]:
+    if sheet.scene is None:
+        return ()
+    return ("depth_buffer", "back_faces") if _from_a_point(sheet.scene.camera) else ("depth_buffer",)
+
+
+def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
+    if subject.entry == "back_faces":
+        return _back_face_calls(sheet)
+    call = depth_call(sheet, subject)
+    return [] if call is None else [call]
+
+
+def _number(subject: Subject, name: str, usual: int) -> int:
+    value = subject.arguments.get(name, usual)
+    assert isinstance(value, int)
+    return value
+
+
+register(
+    KIND,
+    SubjectKind(
+        title=_("How hidden surfaces are found"),
+        calls=_calls,
+        choices=_choices,
+        entries=("depth_buffer", "back_faces"),
+        arguments={
+            "columns": Given(
+                USUAL_COLUMNS,
+                Number(label=_("columns"), low=LEAST_COLUMNS, high=MOST_COLUMNS, whole=True, keyed=False),
+            ),
+            "bits": Given(
+                NOT_ROUNDED,
+                Number(label=_("depth bits"), low=NOT_ROUNDED, high=MOST_BITS, whole=True, keyed=False),
+            ),
+            "backwards": Given(False),
+        },
+    ),
+)
