@@ -48,7 +48,8 @@ def measured(call: Call, reverse: Call, unrounded: Call) -> DepthMeasures:
 def differing(call: Call, other: Call, count: int | None = None) -> NDArray[np.bool_]:
     """(height, width) which pixels show another triangle in one run than in the other after ``count``."""
     size = call.arguments[0].shape[::-1]
-    one, two = (fragments_of(each).upto(count).seen(size) for each in (call, other))
+    runs = (fragments_of(each) for each in (call, other))
+    one, two = ((run if count is None else run.upto(count)).seen(size) for run in runs)
     unlike: NDArray[np.bool_] = one != two
     return unlike
 
@@ -82,5 +83,5 @@ def least_distance(camera: Camera, share: float, bits: int) -> float:
     """
     near, far, steps = camera.near, camera.far, 2**bits - 1
     if camera.projection == "perspective":
-        return distance_of(camera, share) ** 2 * (far - near) / (far * near * steps)
-    return (far - near) / steps
+        return float(distance_of(camera, share) ** 2 * (far - near) / (far * near * steps))
+    return float((far - near) / steps)

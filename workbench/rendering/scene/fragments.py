@@ -1,7 +1,7 @@
 """The fragments of a depth buffer's run: what came to each pixel, in which order, and what was there."""
 
+from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,8 @@ NOTHING = -1
 """The surface of a pixel that none covers."""
 
 
-class Fragments(NamedTuple):
+@dataclass(frozen=True, slots=True, eq=False)
+class Fragments:
     """All fragments of a run, (n,) each, in the order of the run; step k of the run is fragment k - 1.
 
     ``surface`` is the number of the triangle, ``z`` its depth there, ``held`` that depth as the buffer can
@@ -36,7 +37,15 @@ class Fragments(NamedTuple):
 
     def upto(self, count: int) -> "Fragments":
         """The first ``count``."""
-        return Fragments._make(column[:count] for column in self)
+        return Fragments(
+            self.x[:count],
+            self.y[:count],
+            self.z[:count],
+            self.held[:count],
+            self.stored[:count],
+            self.won[:count],
+            self.surface[:count],
+        )
 
     def at(self, x: int, y: int) -> Index:
         """The numbers of those that came to a pixel."""
@@ -102,10 +111,7 @@ def _fragments(key: _SameCall) -> Fragments:
     z, won = rows[:, 2].astype(np.float64), rows[:, 3] > 0
     held = np.trunc(z) if depth.dtype.kind in "iu" else z
     stored = _stored(y * depth.shape[1] + x, held, won, depth)
-    fragments = Fragments(x, y, z, held, stored, won, np.repeat(*_lengths(call)))
-    for column in fragments:
-        column.setflags(write=False)
-    return fragments
+    return Fragments(x, y, z, held, stored, won, np.repeat(*_lengths(call)))
 
 
 def _lengths(call: Call) -> tuple[Index, Index]:

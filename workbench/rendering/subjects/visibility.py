@@ -1,10 +1,13 @@
 """The scene of a sheet under a method for hidden surfaces, on a coarse picture, so that it can be stepped."""
 
+from collections.abc import Iterable
 from functools import lru_cache
 
 import numpy as np
+from msgspec.structs import replace
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.marks import Frame, Mark
 from workbench.document.fields import Number
 from workbench.document.model import Rectangle, Sheet
 from workbench.document.scene.model import Camera, Object, Scene
@@ -13,6 +16,7 @@ from workbench.document.subjects import Subject
 from workbench.geometry.meshes import Array, Mesh
 from workbench.language import _
 from workbench.rendering.mapping import Call
+from workbench.rendering.marks import on_device
 from workbench.rendering.scene.render import DeviceTriangles, device_triangles, placed
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
@@ -21,15 +25,30 @@ LEAST_COLUMNS, USUAL_COLUMNS, MOST_COLUMNS = 8, 48, 96
 NOT_ROUNDED = 0
 LEAST_BITS, MOST_BITS = 4, 32
 MOST_TRIANGLES = 4_000
+_MOST_ROWS = 192
 
 Size = tuple[int, int]
 
 
+def window_of(sheet: Sheet) -> Rectangle | None:
+    """What is seen of the view plane; None, all of the scene, where nobody has chosen a window for it.
+
+    Of a sheet whose world is its pixels nobody has.
+    """
+    view = sheet.first_view
+    return None if view.window_world == view.viewport_device else view.window_world
+
+
 def scene_size(sheet: Sheet, subject: Subject) -> Size:
-    """Columns and rows of the coarse picture, in the proportions of the sheet's window."""
-    columns, window = _number(subject, "columns", USUAL_COLUMNS), sheet.first_view.window_world
-    share = (window.ymax - window.ymin) / (window.xmax - window.xmin)
-    return columns, min(max(round(columns * share), 1), 2 * MOST_COLUMNS)
+    """Columns and rows of the coarse picture, in the proportions of what is seen."""
+    return size_of(sheet, _number(subject, "columns", USUAL_COLUMNS))
+
+
+def size_of(sheet: Sheet, columns: int) -> Size:
+    """The size with so many columns."""
+    seen = window_of(sheet) or sheet.first_view.viewport_device
+    share = (seen.ymax - seen.ymin) / (seen.xmax - seen.xmin)
+    return columns, min(max(round(columns * share), 1), _MOST_ROWS)
 
 
 def depth_bits(subject: Subject) -> int:
@@ -59,7 +78,7 @@ def triangles_of(sheet: Sheet, subject: Subject) -> DeviceTriangles | None:
     return _triangles(
         sheet.scene,
         scene_size(sheet, subject),
-        sheet.first_view.window_world,
+        window_of(sheet),
         farthest(subject),
         backwards(subject),
     )
@@ -92,7 +111,7 @@ def depth_call(sheet: Sheet, subject: Subject) -> Call | None:
     return _depth_call(
         sheet.scene,
         scene_size(sheet, subject),
-        sheet.first_view.window_world,
+        window_of(sheet),
         depth_bits(subject),
         backwards(subject),
     )
@@ -100,7 +119,7 @@ def depth_call(sheet: Sheet, subject: Subject) -> Call | None:
 
 @lru_cache(maxsize=16)
 def _triangles(
-    scene: Scene, size: Size, window: Rectangle, largest: float, last_first: bool
+    scene: Scene, size: Size, window: Rectangle | None, largest: float, last_first: bool
 ) -> DeviceTriangles:
     device = device_triangles(placed(scene), scene.lights, scene.camera, size, window)
     order = slice(None, None, -1 if last_first else 1)
@@ -109,7 +128,7 @@ def _triangles(
 
 
 @lru_cache(maxsize=16)
-def _depth_call(scene: Scene, size: Size, window: Rectangle, bits: int, last_first: bool) -> Call:
+def _depth_call(scene: Scene, size: Size, window: Rectangle | None, bits: int, last_first: bool) -> Call:
     largest = 2**bits - 1 if bits else 1
     device = _triangles(scene, size, window, float(largest), last_first)
     image = np.zeros(size[::-1], np.int64)
@@ -157,6 +176,13 @@ def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
     return [] if call is None else [call]
 
 
+def _on_device(sheet: Sheet, subject: Subject, frame: Frame, marks: Iterable[Mark]) -> tuple[Mark, ...]:
+    """Marks of the device as they are, to the edge of the coarse picture; there is no place for others."""
+    width, height = scene_size(sheet, subject)
+    coarse = replace(sheet, width_px=width, height_px=height)
+    return on_device(coarse, frame, marks) if frame == "device" else ()
+
+
 def _number(subject: Subject, name: str, usual: int) -> int:
     value = subject.arguments.get(name, usual)
     assert isinstance(value, int)
@@ -169,6 +195,7 @@ register(
         title=_("How hidden surfaces are found"),
         calls=_calls,
         choices=_choices,
+        on_device=_on_device,
         entries=("depth_buffer", "back_faces"),
         arguments={
             "columns": Given(
