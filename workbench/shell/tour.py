@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from workbench.language import _
 from workbench.shell.tour_curves import curve_scenes
+from workbench.shell.tour_space import space_scenes
 from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
@@ -193,6 +194,7 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("clip-asked", _clip_asked),
         ("clip-empty", _clip_empty),
         *curve_scenes(),
+        *space_scenes(),
         ("display", _display),
         ("display-beam", _beam),
         ("palette", _palette),

@@ -1,0 +1,101 @@
+"""What is seen of the session's scene: looking around is its state, what is kept is the document."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from workbench.document.errors import DocumentError
+from workbench.document.scene.edits import set_camera
+from workbench.document.scene.looking import facing, orbited, projecting
+from workbench.document.scene.model import Camera, Scene
+from workbench.document.state import seen_scene, with_look
+from workbench.geometry.meshes import Array
+from workbench.language import _, reason_of
+from workbench.rendering.scene.render import placed
+from workbench.session.session import Session
+
+
+class Looking:
+    """The scene of a session as it is seen, and the ways to see it otherwise.
+
+    Each gives a sentence, empty where nothing was wrong.
+    """
+
+    def __init__(self, session: Session) -> None:
+        self.session = session
+
+    @property
+    def scene(self) -> Scene | None:
+        """The scene, with the camera that it is seen by now."""
+        return seen_scene(self.session.state, self.session.sheet)
+
+    @property
+    def camera(self) -> Camera:
+        """The camera that the scene is seen by now."""
+        scene = self.scene
+        return Camera() if scene is None else scene.camera
+
+    @property
+    def around(self) -> bool:
+        """Whether it is seen otherwise than the document says."""
+        scene = self.session.sheet.scene
+        return scene is not None and self.camera != scene.camera
+
+    @property
+    def radius(self) -> float:
+        """How far the scene reaches from what is looked at."""
+        points = points_of(self.scene)
+        if not len(points):
+            return 1.0
+        away = np.sqrt(((points - self.camera.look_at.xyz) ** 2).sum(axis=1))
+        return max(float(away.max()), 1e-6)
+
+    def look(self, camera: Camera | None) -> str:
+        """See the scene by another camera, with None by its own again; the document stays as it is."""
+        session = self.session
+        try:
+            session.update_state(looks=with_look(session.state, session.sheet, camera))
+        except DocumentError as problem:
+            return problem.short
+        return ""
+
+    def change(self, camera: Camera, name: str, merge: str = "") -> str:
+        """Give the document another camera, as one step of undo."""
+        sheet = self.session.sheet
+        try:
+            self.session.apply(set_camera(sheet.id, camera), name, merge)
+        except DocumentError as problem:
+            return problem.short
+        return self.look(None)
+
+    def keep(self) -> str:
+        """Write what is seen now into the document."""
+        return self.change(self.camera, _("Keep this view")) if self.around else ""
+
+    def orbit(self, d_theta: float, d_phi: float) -> str:
+        """Go round what is looked at, radians."""
+        return self._try(lambda: orbited(self.camera, d_theta, d_phi))
+
+    def face(self, side: str) -> str:
+        """Stand before one of the six sides."""
+        return self._try(lambda: facing(self.camera, side))
+
+    def choose(self, slug: str, name: str) -> str:
+        """Give the document another projection."""
+        try:
+            camera = projecting(self.camera, slug, self.radius)
+        except ValueError as error:
+            return reason_of(error)
+        return self.change(camera, name)
+
+    def _try(self, camera: Callable[[], Camera]) -> str:
+        try:
+            return self.look(camera())
+        except ValueError as error:
+            return reason_of(error)
+
+
+def points_of(scene: Scene | None) -> Array:
+    """All vertices (n, 3) of what is visible, world."""
+    meshes = [] if scene is None else [mesh.vertices for mesh, *_rest in placed(scene)]
+    return np.concatenate(meshes or [np.zeros((0, 3))])

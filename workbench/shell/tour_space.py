@@ -1,0 +1,33 @@
+"""The pictures of Space for the tour."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from workbench.shell.window import MainWindow
+
+
+def space_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
+    """Name of each picture, and what brings the window there."""
+    return [
+        ("space-perspective", lambda window: _open(window, "space-house")),
+        ("space-isometric", lambda window: _open(window, "space-isometric")),
+        ("space-cabinet", lambda window: _open(window, "space-cabinet")),
+        ("space-empty", _empty),
+    ]
+
+
+def _open(window: MainWindow, slug: str) -> None:
+    """An example, whose picture does not wait until the depth buffer is loaded."""
+    from workbench.algorithms.visibility import depth_buffer
+    from workbench.engine.warm import load
+
+    load(depth_buffer.__name__, lambda: False)
+    window.open_example(slug)
+
+
+def _empty(window: MainWindow) -> None:
+    window.session.new()
+    window.go("space")
