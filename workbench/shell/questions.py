@@ -28,6 +28,9 @@ def questions() -> tuple[Question, ...]:
             2,
             _("How does a depth buffer decide which surface is seen, and what does it cost?"),
             _("Surfaces"),
+            "space",
+            "overlapping-triangles",
+            684,
         ),
         Question(
             3,

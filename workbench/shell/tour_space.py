@@ -16,6 +16,9 @@ def space_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("space-isometric", lambda window: _open(window, "space-isometric")),
         ("space-cabinet", lambda window: _open(window, "space-cabinet")),
         ("space-empty", _empty),
+        ("space-visibility", lambda window: _visibility(window, "overlapping-triangles", 684)),
+        ("space-piercing", lambda window: _visibility(window, "piercing-planes", 860)),
+        ("space-fighting", _fighting),
     ]
 
 
@@ -26,6 +29,19 @@ def _open(window: MainWindow, slug: str) -> None:
 
     load(depth_buffer.__name__, lambda: False)
     window.open_example(slug)
+
+
+def _visibility(window: MainWindow, slug: str, step: int) -> None:
+    window.open_example(slug)
+    window.session.update_state(step=step)
+
+
+def _fighting(window: MainWindow) -> None:
+    """Two surfaces so close that eight bits do not tell them apart."""
+    from workbench.document.subjects import Subject
+
+    window.open_example("almost-one-plane")
+    window.session.update_state(subject=Subject("visibility", arguments={"bits": 8}), step=1796)
 
 
 def _empty(window: MainWindow) -> None:

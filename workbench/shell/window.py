@@ -301,13 +301,21 @@ class MainWindow(QMainWindow):
         """Open a built-in picture in its workspace."""
         from workbench.document.samples.examples import example
 
-        workspace = example(slug).workspace
-        self.files.example(slug, lambda: self.enter(workspace))
+        chosen = example(slug)
+        self.files.example(slug, lambda: self._enter_page(chosen.workspace, chosen.page))
+
+    def _enter_page(self, workspace: str, page: str) -> None:
+        """Show a workspace, and in it the page that an example is about."""
+        self.enter(workspace)
+        for panel in self.panels(workspace)[:1]:
+            panel.show_page(page)
 
     def open_question(self, question: Question) -> None:
         """Open workspace, example and step of a question."""
+        from workbench.document.samples.examples import example
+
         self.files.example(question.example)
-        self.enter(question.workspace)
+        self._enter_page(question.workspace, example(question.example).page)
         self.session.update_state(step=question.step)
 
     def refresh_recent(self) -> None:

@@ -13,6 +13,7 @@ from workbench.document.samples.figures import (
 )
 from workbench.document.samples.fill import fill_examples
 from workbench.document.samples.space import space_examples
+from workbench.document.samples.visibility import visibility_examples
 from workbench.language import _
 
 __all__ = [
@@ -82,6 +83,7 @@ def examples() -> list[Example]:
         *clip_examples(),
         *curve_examples(),
         *space_examples(),
+        *visibility_examples(),
     ]
 
 

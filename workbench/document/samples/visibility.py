@@ -11,6 +11,7 @@ from workbench.document.scene.solids import Box, MeshSolid, PiercingPlanes
 from workbench.geometry.meshes import Faces, Mesh
 from workbench.language import _
 
+PAGE = "visibility"
 SIZE_PX = (48, 32)
 _NEAR, _FAR = 1.0, 11.0
 
@@ -24,6 +25,7 @@ def visibility_examples() -> list[Example]:
             _("At (23, 15) the second triangle comes in front of the first: 0.5075 against 0.52."),
             "space",
             _overlapping_triangles(),
+            PAGE,
         ),
         Example(
             "piercing-planes",
@@ -31,6 +33,7 @@ def visibility_examples() -> list[Example]:
             _("Three squares through one another: no order of painting is right, the depth buffer is."),
             "space",
             _piercing_planes(),
+            PAGE,
         ),
         Example(
             "almost-one-plane",
@@ -38,6 +41,7 @@ def visibility_examples() -> list[Example]:
             _("A box lies a little before a wall: with few bits for depth their surfaces fight."),
             "space",
             _almost_one_plane(),
+            PAGE,
         ),
     ]
 

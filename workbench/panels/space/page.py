@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QWidget
 
 from workbench.document.subjects import Subject
 from workbench.language import _
-from workbench.panels.panel import DockPart, Said
+from workbench.panels.panel import Cell, DockPart, Said
 from workbench.session.session import Session
 
 
@@ -37,6 +37,9 @@ class Page(Protocol):
 
     def said(self) -> Said:
         """What it says in the status bar."""
+
+    def point_at(self, cell: Cell | None) -> None:
+        """Show where a pixel is that the sentence names; None when no longer."""
 
 
 class PageRow(NamedTuple):
@@ -62,5 +65,11 @@ def pages() -> tuple[PageRow, ...]:
             _("Projection"),
             _("How the scene comes into the picture: projections, their matrices, vanishing points"),
             "workbench.panels.space.projection_page:ProjectionPage",
+        ),
+        PageRow(
+            "visibility",
+            _("Visibility"),
+            _("Which surface is seen: the depth buffer, fragment by fragment"),
+            "workbench.panels.space.visibility.page:VisibilityPage",
         ),
     )

@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
 from workbench.language import _
-from workbench.panels.panel import DockPart, PlainPanel, Said
+from workbench.panels.panel import Cell, DockPart, PlainPanel, Said
 from workbench.panels.space.page import Page, pages
 from workbench.session.session import Session
 
@@ -74,8 +74,8 @@ class SpacePanel(PlainPanel, QWidget):
         self._actions.append(action)
 
     def show_page(self, slug: str, *_checked: object) -> None:
-        """Show one of the pages, and step what was stepped there."""
-        self.page = slug
+        """Show one of the pages, by default the first, and step what was stepped there."""
+        self.page = slug = slug or self._rows[0].slug
         number = [row.slug for row in self._rows].index(slug)
         page = self._pages[slug]
         self.stack.setCurrentIndex(number)
@@ -96,6 +96,10 @@ class SpacePanel(PlainPanel, QWidget):
         """The run is that of the page."""
         super().showEvent(event)
         self._take_run()
+
+    def point_at(self, cell: Cell | None) -> None:
+        """Show on the page where a pixel is that the sentence names."""
+        self._pages[self.page].point_at(cell)
 
     # What the window places
 

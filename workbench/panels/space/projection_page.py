@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
 from workbench.document.scene.model import Scene
 from workbench.document.subjects import Subject
-from workbench.panels.panel import DockPart, Said
+from workbench.panels.panel import Cell, DockPart, Said
 from workbench.panels.space.eye_view import EyeView
 from workbench.panels.space.looking import Looking
 from workbench.rendering.scene.edge_picture import object_at
@@ -63,6 +63,9 @@ class ProjectionPage(QWidget):
     def said(self) -> Said:
         """What is said in passing, and the scale."""
         return Said(self.hover_text, self.zoom_text)
+
+    def point_at(self, cell: Cell | None) -> None:
+        """Its sentences name no pixels."""
 
     def _say(self, sentence: str) -> None:
         self.hover_text.emit(sentence)

@@ -47,15 +47,17 @@ class DepthRun(NamedTuple):
         """Those that have come."""
         return self.fragments.upto(self.reached)
 
-    def name_of(self, triangle: int) -> str:
-        """What the object is called that a triangle is a part of, and which of its triangles that is."""
+    def object_name(self, triangle: int) -> str:
+        """What the object is called that a triangle is a part of."""
         assert self.sheet.scene is not None
-        number = int(self.device.objects[triangle])
-        thing = visible_objects(self.sheet.scene)[number]
-        first = int((self.device.objects[: triangle + 1] == number).sum()) - 1
-        alone = int((self.device.objects == number).sum()) == 1
-        name = thing.name or thing.id
-        return name if alone else f"{name} {first}"
+        thing = visible_objects(self.sheet.scene)[int(self.device.objects[triangle])]
+        return thing.name or thing.id
+
+    def name_of(self, triangle: int) -> str:
+        """The same, with the number of the triangle where the object has several."""
+        alike = self.device.objects == self.device.objects[triangle]
+        name = self.object_name(triangle)
+        return name if alike.sum() == 1 else f"{name} {int(alike[:triangle].sum())}"
 
     def plane_of(self, triangle: int) -> tuple[float, float, float, float]:
         """A, B, C, D of the device plane of a triangle."""
