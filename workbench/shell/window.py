@@ -304,19 +304,22 @@ class MainWindow(QMainWindow):
         chosen = example(slug)
         self.files.example(slug, lambda: self._enter_page(chosen.workspace, chosen.page))
 
-    def _enter_page(self, workspace: str, page: str) -> None:
-        """Show a workspace, and in it the page that an example is about."""
-        self.enter(workspace)
-        for panel in self.panels(workspace)[:1]:
-            panel.show_page(page)
+    def _enter_page(self, workspace: str, page: str, step: int | None = None) -> None:
+        """Show a workspace, in it the page that an example is about, and there a step."""
+
+        def arrive() -> None:
+            self.panels(workspace)[0].show_page(page)
+            if step is not None:
+                self.session.update_state(step=step)
+
+        self.enter(workspace, arrive)
 
     def open_question(self, question: Question) -> None:
         """Open workspace, example and step of a question."""
         from workbench.document.samples.examples import example
 
         self.files.example(question.example)
-        self._enter_page(question.workspace, example(question.example).page)
-        self.session.update_state(step=question.step)
+        self._enter_page(question.workspace, example(question.example).page, question.step)
 
     def refresh_recent(self) -> None:
         """Show the recent files anew."""

@@ -135,7 +135,7 @@ def workspaces() -> tuple[Workspace, ...]:
             ("workbench.panels.space.panel:SpacePanel", inspector),
             steps=True,
             topics=("projection", "visibility"),
-            lower=("hand_table", "variables", "source", "about"),
+            lower=("hand_table", "fragments", "depth_cost", "variables"),
         ),
         Workspace(
             "display",

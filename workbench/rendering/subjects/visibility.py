@@ -11,12 +11,13 @@ from workbench.algorithms.marks import Frame, Mark
 from workbench.document.fields import Number
 from workbench.document.model import Rectangle, Sheet
 from workbench.document.scene.model import Camera, Object, Scene
-from workbench.document.scene.viewing import view_matrix
+from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.document.subjects import Subject
 from workbench.geometry.meshes import Array, Mesh
 from workbench.language import _
 from workbench.rendering.mapping import Call
 from workbench.rendering.marks import on_device
+from workbench.rendering.scene.fragments import fragments_of
 from workbench.rendering.scene.render import DeviceTriangles, device_triangles, placed
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
@@ -86,11 +87,15 @@ def triangles_of(sheet: Sheet, subject: Subject) -> DeviceTriangles | None:
 
 def fault_of(sheet: Sheet) -> str:
     """Why the scene cannot be stepped, in a sentence; empty where it can."""
-    if sheet.scene is None:
-        return _("This sheet has no scene.")
+    return _("This sheet has no scene.") if sheet.scene is None else _fault(sheet.scene)
+
+
+@lru_cache(maxsize=16)
+def _fault(scene: Scene) -> str:
     try:
-        count = sum(len(cut) for _mesh, (cut, _faces), _material in placed(sheet.scene))
-        view_matrix(sheet.scene.camera)
+        count = sum(len(cut) for _mesh, (cut, _faces), _material in placed(scene))
+        view_matrix(scene.camera)
+        projection_matrix(scene.camera)
     except ValueError as problem:
         return str(problem)
     if count > MOST_TRIANGLES:
@@ -183,6 +188,12 @@ def _on_device(sheet: Sheet, subject: Subject, frame: Frame, marks: Iterable[Mar
     return on_device(coarse, frame, marks) if frame == "device" else ()
 
 
+def _landmarks(sheet: Sheet, subject: Subject) -> tuple[int, ...]:
+    """The steps with which a surface begins, but the first."""
+    call = None if subject.entry == "back_faces" else depth_call(sheet, subject)
+    return () if call is None else tuple((fragments_of(call).begins[1:] + 1).tolist())
+
+
 def _number(subject: Subject, name: str, usual: int) -> int:
     value = subject.arguments.get(name, usual)
     assert isinstance(value, int)
@@ -196,6 +207,7 @@ register(
         calls=_calls,
         choices=_choices,
         on_device=_on_device,
+        landmarks=_landmarks,
         entries=("depth_buffer", "back_faces"),
         arguments={
             "columns": Given(

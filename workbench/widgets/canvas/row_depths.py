@@ -102,19 +102,16 @@ class RowDepths(QWidget):
         painter.setPen(QPen(colour(tokens().muted)))
         painter.drawText(above, centre, _("z along row {y}; lower is nearer").format(y=row.y))
         painter.drawText(below, centre, row.plane)
-        painter.setPen(QPen(colour(tokens().text)))
+        painter.setPen(QPen(row.surface))
         painter.drawText(above, right | centre, row.step)
 
     def _scale(self, painter: QPainter, box: QRectF, low: float, high: float) -> None:
         now, metrics = tokens(), QFontMetricsF(painter.font())
         painter.fillRect(QRectF(box.left() - 1, box.top(), 1, box.height()), colour(now.line))
         painter.setPen(QPen(colour(now.muted)))
-        for share in (0.0, 1.0):
-            text = f"{low + share * (high - low):.3g}"
-            y = box.bottom() - share * box.height()
+        for z, y, base in ((high, box.top(), metrics.ascent() + 1), (low, box.bottom(), -3.0)):
             painter.fillRect(QRectF(box.left(), y, box.width(), 1), colour(now.grid))
-            width = metrics.horizontalAdvance(text)
-            painter.drawText(QPointF(max(box.left() - 5 - width, 0), y + metrics.ascent() / 2 - 1), text)
+            painter.drawText(QPointF(box.left() + 4, y + base), f"{z:.3g}")
 
     def _stored(self, painter: QPainter, row: RowOfDepths, place: _Place) -> None:
         """A line through the stored depths; it breaks where nothing is, and where another surface begins."""
@@ -125,6 +122,9 @@ class RowDepths(QWidget):
             painter.drawLine(place(x - 0.3, here), place(x + 0.3, here))
             if x + 1 < len(row.stored) and np.isfinite(row.stored[x + 1]):
                 painter.drawLine(place(x + 0.3, here), place(x + 0.7, float(row.stored[x + 1])))
+        for x in known[-1:].tolist():
+            end = place(x + 1.0, float(row.stored[x]))
+            painter.drawText(end + QPointF(0, 4), _("stored z"))
 
     def _fragments(self, painter: QPainter, row: RowOfDepths, place: _Place) -> None:
         now = tokens()

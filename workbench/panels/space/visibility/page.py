@@ -142,7 +142,7 @@ class VisibilityPage(QWidget):
             ("depth_cost", _("Gains and costs"), self.cost, right),
         )
 
-    def actions(self) -> list[QAction]:
+    def commands(self) -> Sequence[QAction]:
         """Its commands."""
         return self._actions
 
@@ -165,6 +165,8 @@ class VisibilityPage(QWidget):
     def refresh(self) -> None:
         """Show the session as it is now."""
         self._waiting = False
+        if self.isVisible():
+            self.zoom_text.emit(f"{self.canvas.zoom_percent:.0f} %")
         run = self._run = depth_run(self.session)
         covered = run is not None and len(run.fragments) > 0
         fault = fault_of(self.session.sheet)
@@ -303,7 +305,6 @@ class VisibilityPage(QWidget):
         super().showEvent(event)
         for action in self._actions:
             action.setEnabled(True)
-        self.zoom_text.emit(f"{self.canvas.zoom_percent:.0f} %")
         self.refresh()
 
     def hideEvent(self, event: QHideEvent) -> None:
