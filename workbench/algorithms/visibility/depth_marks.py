@@ -33,4 +33,4 @@ def scan_line_marks(
 
 def depth_mark(x: int, y: int, z: float) -> Mark:
     """The depth of the triangle at the pixel."""
-    return Word(f"z = {z:.4g}", float(x), float(y), "text", 0, 1, carded=True)
+    return Word(f"z = {z:.6g}", float(x), float(y), "text", 0, 1, carded=True)

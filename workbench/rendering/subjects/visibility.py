@@ -11,7 +11,6 @@ from workbench.algorithms.marks import Frame, Mark
 from workbench.document.fields import Number
 from workbench.document.model import Rectangle, Sheet
 from workbench.document.scene.model import Camera, Object, Scene
-from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.document.subjects import Subject
 from workbench.geometry.meshes import Array, Mesh
 from workbench.language import _
@@ -94,8 +93,6 @@ def fault_of(sheet: Sheet) -> str:
 def _fault(scene: Scene) -> str:
     try:
         count = sum(len(cut) for _mesh, (cut, _faces), _material in placed(scene))
-        view_matrix(scene.camera)
-        projection_matrix(scene.camera)
     except ValueError as problem:
         return str(problem)
     if count > MOST_TRIANGLES:

@@ -157,8 +157,8 @@ class VisibilityCard(FoldingCard):
             lines = [text.format(n=int(counts.sum()), most=int(counts.max()))]
         if fighting:
             said = ngettext(
-                "{n} pixel shows the wrong surface: its depths are rounded to the same number.",
-                "{n} pixels show the wrong surface: their depths are rounded to the same number.",
+                "{n} pixel shows the wrong surface.",
+                "{n} pixels show the wrong surface.",
                 fighting,
             )
             lines.append(f'<span style="color:{now.error}">✗</span> {said.format(n=fighting)}')

@@ -129,7 +129,11 @@ def _other_order(found: DepthMeasures) -> str:
         return _("Drawn in the other order, all {covered:,} pixels are the same.").format(
             covered=found.covered
         )
-    text = _("Drawn in the other order, {n:,} of {covered:,} pixels differ: their depths are equal.")
+    text = ngettext(
+        "Drawn in the other order, {n:,} of {covered:,} pixels differs: its depths are equal.",
+        "Drawn in the other order, {n:,} of {covered:,} pixels differ: their depths are equal.",
+        found.other_order,
+    )
     return text.format(n=found.other_order, covered=found.covered)
 
 
