@@ -54,7 +54,7 @@ def scene_of(placed: Sequence[Placed], camera: Camera) -> Scene:
             links.append(Rotate3D(f"r{number}", angle=degrees))
         if any((x, y, z)):
             links.append(Translate3D(f"t{number}", tx=x, ty=y, tz=z))
-        materials.append(Material(f"m{number}", name=name, colour=colour))
+        materials.append(Material(f"m{number}", name=name, colour=colour, ambient=0.45, diffuse=0.6))
         objects.append(Object(f"o{number}", solid, f"m{number}", name, transforms=tuple(links)))
     return Scene(tuple(objects), tuple(materials), camera=camera)
 

@@ -1,5 +1,6 @@
 """A view of a scene: the picture that a worker draws, its zoom and pan, and the hand that turns it."""
 
+from contextlib import suppress
 from typing import Literal
 
 import numpy as np
@@ -23,7 +24,7 @@ from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
 from workbench.geometry.meshes import Array
 from workbench.panels.space.scene_worker import SceneJob, SceneWorker
-from workbench.rendering.scene.edge_picture import EdgePicture
+from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture
 from workbench.rendering.scene.viewpoint import Viewpoint
 from workbench.widgets.look.tokens import colour, theme, tokens
 
@@ -127,7 +128,13 @@ class SceneView(QWidget):
             job = SceneJob(self.scene, self.device_size, self.window_world, self.shows != "edges")
             if job != self._job:
                 self._job = job
+                if self._picture is None:  # lines are there at once, also while the faces' texts are loaded
+                    self._take_lines(job)
                 self.worker.ask(job)
+
+    def _take_lines(self, job: SceneJob) -> None:
+        with suppress(ValueError):
+            self._take(job, edge_picture(*job[:3], faces=False))
 
     def _take(self, job: SceneJob, picture: EdgePicture) -> None:
         self._picture, self._viewpoint = picture, job.viewpoint

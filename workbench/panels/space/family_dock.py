@@ -1,0 +1,63 @@
+"""The family of projections as a tree: which is a kind of which; the present one is marked."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QTreeWidget, QTreeWidgetItem, QWidget
+
+from workbench.document.scene.looking import kinds
+from workbench.language import _
+from workbench.panels.space.camera_card import families
+
+_SLUG = Qt.ItemDataRole.UserRole
+
+
+def _meanings() -> dict[str, str]:
+    return {
+        "parallel": _("The projectors are parallel: their centre is at infinity"),
+        "orthographic": _("The projectors are perpendicular to the view plane"),
+        "axonometric": _("Orthographic, with three sides seen at once"),
+        "oblique": _("The projectors meet the view plane at an angle"),
+        "perspective": _("All projectors meet at the eye, the centre of projection"),
+        "general": _("Any matrix with a picture"),
+    }
+
+
+class FamilyTree(QTreeWidget):
+    """``chosen`` sends the slug of the projection that was clicked, or entered by the keyboard."""
+
+    chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setHeaderHidden(True)
+        self.setAccessibleName(_("Family of projections"))
+        self._rows: dict[str, QTreeWidgetItem] = {}
+        parallel = self._branch(None, "parallel", _("Parallel"))
+        parents: dict[str, QTreeWidgetItem] = {}
+        for family, title in families().items():
+            inside = None if family in ("perspective", "general") else parallel
+            parents[family] = self._branch(inside, family, title)
+        for kind in kinds():
+            row = self._branch(parents[kind.family], "", kind.title)
+            row.setData(0, _SLUG, kind.slug)
+            self._rows[kind.slug] = row
+        self.expandAll()
+        self.itemClicked.connect(self._choose)
+        self.itemActivated.connect(self._choose)
+
+    def _branch(self, parent: QTreeWidgetItem | None, meaning: str, title: str) -> QTreeWidgetItem:
+        row = QTreeWidgetItem([title])
+        row.setToolTip(0, _meanings().get(meaning, title))
+        if parent is None:
+            self.addTopLevelItem(row)
+        else:
+            parent.addChild(row)
+        return row
+
+    def _choose(self, row: QTreeWidgetItem) -> None:
+        if slug := row.data(0, _SLUG):
+            self.chosen.emit(slug)
+
+    def show_kind(self, slug: str) -> None:
+        """Mark the present projection."""
+        if slug in self._rows and self.currentItem() is not self._rows[slug]:
+            self.setCurrentItem(self._rows[slug])
