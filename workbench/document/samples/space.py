@@ -69,7 +69,7 @@ def _house() -> Document:
     away = math.dist(eye.xyz, look_at.xyz)
     camera = Camera(eye=eye, look_at=look_at, near=0.1, far=4.0 * away, distance=3.0)
     placed = (
-        (_("House"), House(3.0, 2.2, 4.0, 1.5), (0.0, 0.0, 0.0), 0.0, 0x9CC8E6),
+        (_("House"), House(3.0, 2.2, 5.0, 1.5), (0.0, 0.0, 0.0), 0.0, 0x9CC8E6),
         (_("Chimney"), Box(0.5, 1.4, 0.5), (0.8, 3.1, -0.8), 0.0, 0xF0A878),
         (_("Shed"), Pyramid(4, 1.0, 1.4), (-2.6, 0.0, 1.4), 45.0, 0x8CCDB0),
     )

@@ -1,10 +1,13 @@
 """The family of projections as a tree: which is a kind of which; the present one is marked."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QTreeWidget, QTreeWidgetItem, QWidget
+from PySide6.QtWidgets import QLabel, QSplitter, QTreeWidget, QTreeWidgetItem, QWidget
 
+from workbench.algorithms.projection import classify
 from workbench.document.scene.looking import kinds
-from workbench.language import _
+from workbench.document.scene.model import Camera
+from workbench.document.scene.viewing import projection_matrix, view_matrix
+from workbench.language import _, reason_of
 from workbench.panels.space.camera_card import families
 
 _SLUG = Qt.ItemDataRole.UserRole
@@ -61,3 +64,29 @@ class FamilyTree(QTreeWidget):
         """Mark the present projection."""
         if slug in self._rows and self.currentItem() is not self._rows[slug]:
             self.setCurrentItem(self._rows[slug])
+
+
+class FamilyDock(QSplitter):
+    """The tree, and under it what kind of projection the scene is seen by, read off its matrix, in words."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(Qt.Orientation.Vertical, parent)
+        self.setChildrenCollapsible(False)
+        self.tree = FamilyTree()
+        self.words = QLabel()
+        self.words.setWordWrap(True)
+        self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.words.setContentsMargins(10, 6, 10, 6)
+        self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.addWidget(self.tree)
+        self.addWidget(self.words)
+
+    def show_camera(self, camera: Camera, slug: str) -> None:
+        """Mark the projection of a camera, and say what its matrix tells."""
+        self.tree.show_kind(slug)
+        try:
+            view = view_matrix(camera)
+            words = classify(projection_matrix(camera) @ view, view).words
+        except ValueError as error:
+            words = reason_of(error)
+        self.words.setText(words.replace("-", "−"))

@@ -1,12 +1,12 @@
-"""The matrices below the picture: M = P V with live numbers, any of M to be changed, and M in words."""
+"""The matrices below the picture: M = P V with live numbers, any of M to be changed."""
 
 import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
-from workbench.algorithms.projection import classify, vanishing_points
+from workbench.algorithms.projection import vanishing_points
 from workbench.document.scene.model import Camera
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.exchange.formulas.terms import Sign, Term, matrix
@@ -29,7 +29,7 @@ _PERSPECTIVE = (
     ("0", "0", "f/((f-n)d)", "-n f/((f-n)d)"),
     ("0", "0", "1/d", "0"),
 )
-_WIDE_PX, _WORDS_PX, _WITH_WORDS_PX = 560, 240, 900
+_WIDE_PX = 560
 
 
 class MatrixStrip(QWidget):
@@ -46,21 +46,10 @@ class MatrixStrip(QWidget):
         self.row.edited.connect(self._edit)
         self.row.edit_ended.connect(looking.session.end_merge)
         self.row.copied.connect(self.said)
-        self.words = QLabel()
-        self.words.setWordWrap(True)
-        self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.words.setContentsMargins(8, 6, 8, 6)
-        self._scroll = QScrollArea()
-        self._scroll.setWidgetResizable(True)
-        self._scroll.setFrameShape(QFrame.Shape.NoFrame)
-        self._scroll.setWidget(self.words)
-        self._scroll.setFixedWidth(_WORDS_PX)
         line = QHBoxLayout(self)
         line.setContentsMargins(4, 0, 4, 0)
         line.setSpacing(8)
         line.addWidget(self.row, 1)
-        line.addWidget(self._scroll)
 
     def show_camera(self, camera: Camera) -> None:
         """Show the matrices of a camera; where it sees nothing, why."""
@@ -76,15 +65,13 @@ class MatrixStrip(QWidget):
         try:
             view, plane = view_matrix(camera), projection_matrix(camera)
         except ValueError as error:
-            self.words.setText(reason_of(error))
+            self.said.emit(reason_of(error))
             return
         whole = plane @ view
         self.row.set_terms(self._terms(camera, whole, plane, view))
         self.row.set_highlights(
             [Highlight(0, 3, axis, f"data{INKS[axis] + 1}") for axis in self._columns(whole)]
         )
-        self.words.setText(classify(whole, view).words)
-        self.words.setToolTip(self.words.text())
 
     @staticmethod
     def _columns(whole: Array) -> list[int]:
@@ -119,7 +106,6 @@ class MatrixStrip(QWidget):
             self._show()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Narrow, only M; wide, its kind in words too."""
+        """Narrow, only M."""
         super().resizeEvent(event)
-        self._scroll.setVisible(self.width() >= _WITH_WORDS_PX)
         self._show()

@@ -16,7 +16,7 @@ from workbench.panels.panel import DockPart, Said
 from workbench.panels.space.camera_card import CameraCard
 from workbench.panels.space.empty import EmptyScene
 from workbench.panels.space.eye_view import EyeView, Vertex
-from workbench.panels.space.family_dock import FamilyTree
+from workbench.panels.space.family_dock import FamilyDock
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.matrix_strip import MatrixStrip
 from workbench.panels.space.objects_dock import ObjectsDock
@@ -52,7 +52,7 @@ class ProjectionPage(QWidget):
         self.card = CameraCard(self.looking, self.eye)
         self.card.move(_CARD_GAP_PX, _CARD_GAP_PX)
         self.objects = ObjectsDock(session)
-        self.family = FamilyTree()
+        self.family = FamilyDock()
         self.tables = PolygonTablesView()
         self.empty = EmptyScene(self.eye, partial(self.objects.add_solid, offers()[0]))
         self.beside = "both"
@@ -68,6 +68,9 @@ class ProjectionPage(QWidget):
         self.views.setChildrenCollapsible(False)
         self.views.addWidget(self.eye)
         self.views.addWidget(self.outside)
+        self.views.setSizes([1000, 1000])
+        for at in (0, 1):
+            self.views.setStretchFactor(at, 1)
         bar = QFrame()
         bar.setFixedWidth(_BAR_PX)
         column = QVBoxLayout(bar)
@@ -144,7 +147,7 @@ class ProjectionPage(QWidget):
         )
         eye.view_changed.connect(self._view_changed)
         self.card.chosen.connect(self.choose)
-        self.family.chosen.connect(self.choose)
+        self.family.tree.chosen.connect(self.choose)
         for part in (self.card, self.strip, self.objects):
             part.said.connect(self.hover_text)
         self.objects.added.connect(lambda _id: self.eye.fit())
@@ -226,8 +229,9 @@ class ProjectionPage(QWidget):
         upright = area.height() > area.width()
         area.setOrientation(Qt.Orientation.Vertical if upright else Qt.Orientation.Horizontal)
         alone = self.beside == "both" and area.width() < _LEAST_BESIDE_PX and not upright
-        self.eye.setVisible(self.beside != "outside")
-        self.outside.setVisible(self.beside == "outside" or (self.beside == "both" and not alone))
+        empty = not self.eye.scene.objects
+        self.eye.setVisible(empty or self.beside != "outside")
+        self.outside.setVisible(not empty and self.beside != "eye" and not alone)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Arrange the views anew."""
@@ -259,12 +263,13 @@ class ProjectionPage(QWidget):
         self._show_outside()
         self.strip.show_camera(scene.camera)
         self.card.show_camera(scene.camera, self.looking.around)
-        self.family.show_kind(self.card.kind.currentData() or "")
+        self.family.show_camera(scene.camera, self.card.kind.currentData() or "")
         self.objects.show_scene(scene, chosen)
         self.tables.show_object(next((each for each in scene.objects if each.id == chosen), None))
         self.empty.setVisible(not scene.objects)
         self.strip.setVisible(bool(scene.objects))
         self.card.setVisible(bool(scene.objects))
+        self._arrange()
 
     def _show_outside(self) -> None:
         eye = self.eye

@@ -1,10 +1,9 @@
 """A view of a scene: the picture that a worker draws, its zoom and pan, and the hand that turns it."""
 
-from contextlib import suppress
 from typing import Literal
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
     QImage,
@@ -23,6 +22,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
 from workbench.geometry.meshes import Array
+from workbench.language import reason_of
 from workbench.panels.space.scene_worker import SceneJob, SceneWorker
 from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture
 from workbench.rendering.scene.viewpoint import Viewpoint
@@ -86,12 +86,17 @@ class SceneView(QWidget):
         self._job: SceneJob | None = None
         self._picture: EdgePicture | None = None
         self._image = QImage()
+        self._image_came = False
         self._viewpoint: Viewpoint | None = None
         self._press: QPointF | None = None
         self._last = QPointF()
         self._moving = False
         self._grip: object | None = None
         theme.changed.connect(self.update)
+
+    def sizeHint(self) -> QSize:
+        """Any two share their room in halves."""
+        return QSize(400, 300)
 
     # What is shown
 
@@ -128,18 +133,24 @@ class SceneView(QWidget):
             job = SceneJob(self.scene, self.device_size, self.window_world, self.shows != "edges")
             if job != self._job:
                 self._job = job
-                if self._picture is None:  # lines are there at once, also while the faces' texts are loaded
+                if not (job.faces and self._image_came):  # until faces can be drawn, lines are
                     self._take_lines(job)
-                self.worker.ask(job)
+                if job.faces:
+                    self.worker.ask(job)
 
     def _take_lines(self, job: SceneJob) -> None:
-        with suppress(ValueError):
+        try:
             self._take(job, edge_picture(*job[:3], faces=False))
+        except ValueError as error:
+            self._refuse(job, reason_of(error))
 
     def _take(self, job: SceneJob, picture: EdgePicture) -> None:
+        if job.faces and self.shows == "edges" and picture.pixels is not None:
+            return  # switched meanwhile
         self._picture, self._viewpoint = picture, job.viewpoint
         self._image = QImage()
         if picture.pixels is not None:
+            self._image_came = True
             flipped = np.ascontiguousarray(picture.pixels[::-1])
             height, width = flipped.shape
             form = QImage.Format.Format_ARGB32
@@ -236,7 +247,7 @@ class SceneView(QWidget):
         now = tokens()
         ids = [thing.id for thing in self.scene.objects]
         chosen = ids.index(self.chosen) if self.chosen in ids else -1
-        if self.shows == "edges":
+        if picture.pixels is None:
             self._lines(painter, picture.seen[picture.seen_of != chosen], QPen(colour(now.muted), 1))
             self._lines(painter, picture.seen[picture.seen_of == chosen], QPen(colour(now.accent), 2))
             return
