@@ -25,7 +25,7 @@ from workbench.panels.space.looking import Looking
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
 
-_WIDTH_PX, _FOLDED_PX = 330, 206
+_WIDTH_PX, _FOLDED_PX = 330, 240
 _FOR = {
     "perspective": ("distance",),
     "oblique": ("oblique_alpha", "oblique_phi"),

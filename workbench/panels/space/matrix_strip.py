@@ -29,7 +29,7 @@ _PERSPECTIVE = (
     ("0", "0", "f/((f-n)d)", "-n f/((f-n)d)"),
     ("0", "0", "1/d", "0"),
 )
-_WIDE_PX = 560
+_WIDE_PX = 640
 
 
 class MatrixStrip(QWidget):
@@ -106,6 +106,6 @@ class MatrixStrip(QWidget):
             self._show()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Narrow, only M."""
+        """Narrow, M stands alone."""
         super().resizeEvent(event)
         self._show()

@@ -66,7 +66,7 @@ class ObjectsDock(QWidget):
         self.list.setAccessibleName(_("Objects"))
         self.list.setIconSize(QSize(_SWATCH_PX, _SWATCH_PX))
         self.list.setToolTip(_("The check mark shows an object or hides it; F2 gives it another name"))
-        self.list.currentItemChanged.connect(self._choose)
+        self.list.itemSelectionChanged.connect(self._choose)
         self.list.itemChanged.connect(self._take_change)
         self.fields = ObjectFields(session)
         self.fields.said.connect(self.said)
@@ -169,9 +169,10 @@ class ObjectsDock(QWidget):
             return False
         return True
 
-    def _choose(self, row: QListWidgetItem | None) -> None:
+    def _choose(self) -> None:
+        rows = self.list.selectedItems()
         if not self._showing:
-            self._session.update_state(thing="" if row is None else row.data(_ID))
+            self._session.update_state(thing=rows[0].data(_ID) if rows else "")
 
     def _take_change(self, row: QListWidgetItem) -> None:
         """Another name, or shown and hidden."""

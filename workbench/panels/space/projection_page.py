@@ -249,6 +249,8 @@ class ProjectionPage(QWidget):
     def refresh(self) -> None:
         """Show the session as it is now."""
         self._waiting = False
+        if self.isVisible():
+            self._say_scale()
         scene = self.looking.scene or Scene()
         chosen = self.session.state.thing
         self.eye.vertex = self.vertex()
@@ -275,9 +277,12 @@ class ProjectionPage(QWidget):
         eye = self.eye
         self.outside.show_seen(eye.scene, eye.window_world, eye.vertex, eye.chosen)
 
-    def _view_changed(self, scale: float) -> None:
-        self.zoom_text.emit(_("{scale:.3g} px a unit").format(scale=scale))
+    def _view_changed(self, _scale: float) -> None:
+        self._say_scale()
         self._show_outside()
+
+    def _say_scale(self) -> None:
+        self.zoom_text.emit(_("{scale:.3g} px a unit").format(scale=self.eye.scale))
 
     def vertex(self) -> Vertex | None:
         """The vertex that is stepped, where it is in the world."""

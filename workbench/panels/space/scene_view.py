@@ -299,6 +299,7 @@ class SceneView(QWidget):
         painter.setPen(QPen(colour(ink), 1))
         painter.setBrush(colour(tokens().raised))
         painter.drawRoundedRect(box, 4, 4)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(colour(tokens().text))
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
