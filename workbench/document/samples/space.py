@@ -54,7 +54,7 @@ def scene_of(placed: Sequence[Placed], camera: Camera) -> Scene:
             links.append(Rotate3D(f"r{number}", angle=degrees))
         if any((x, y, z)):
             links.append(Translate3D(f"t{number}", tx=x, ty=y, tz=z))
-        materials.append(Material(f"m{number}", name=name, colour=colour))
+        materials.append(Material(f"m{number}", name=name, colour=colour, ambient=0.45, diffuse=0.6))
         objects.append(Object(f"o{number}", solid, f"m{number}", name, transforms=tuple(links)))
     return Scene(tuple(objects), tuple(materials), camera=camera)
 
@@ -69,7 +69,7 @@ def _house() -> Document:
     away = math.dist(eye.xyz, look_at.xyz)
     camera = Camera(eye=eye, look_at=look_at, near=0.1, far=4.0 * away, distance=3.0)
     placed = (
-        (_("House"), House(3.0, 2.2, 4.0, 1.5), (0.0, 0.0, 0.0), 0.0, 0x9CC8E6),
+        (_("House"), House(3.0, 2.2, 5.0, 1.5), (0.0, 0.0, 0.0), 0.0, 0x9CC8E6),
         (_("Chimney"), Box(0.5, 1.4, 0.5), (0.8, 3.1, -0.8), 0.0, 0xF0A878),
         (_("Shed"), Pyramid(4, 1.0, 1.4), (-2.6, 0.0, 1.4), 45.0, 0x8CCDB0),
     )

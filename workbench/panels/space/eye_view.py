@@ -17,6 +17,7 @@ from workbench.rendering.scene.render import placed
 from workbench.widgets.look.tokens import colour, tokens
 
 AXES = "xyz"
+_FARTHEST_VANISHING = 3.2  # times as wide as the scene, and its vanishing points are in the picture too
 INKS = (1, 3, 2)
 """Which data colour stands for the world's x, y and z."""
 
@@ -55,7 +56,13 @@ class EyeView(SceneView):
         w, z = placed_points[:, 3], placed_points[:, 2]
         before = (w > 1e-9) & (z >= 0) & (z <= w)
         flat: Array = placed_points[before, :2] / w[before, None]
-        return flat
+        vanishing = [point for point in vanishing_points(self.matrix) if point is not None]
+        if not (len(flat) and vanishing):
+            return flat
+        both = np.concatenate([flat, vanishing])
+        return (
+            both if (np.ptp(both, axis=0) <= _FARTHEST_VANISHING * np.ptp(flat, axis=0).max()).all() else flat
+        )
 
     def vanishing(self) -> list[tuple[int, tuple[float, float]]]:
         """Axis and place on the view plane of each principal vanishing point of the picture shown."""

@@ -3,11 +3,14 @@
 from collections.abc import Callable
 
 import numpy as np
+from msgspec.structs import replace
 
+from workbench.algorithms.projection import vanishing_points, with_vanishing_point, with_vanishing_points
 from workbench.document.errors import DocumentError
 from workbench.document.scene.edits import set_camera
 from workbench.document.scene.looking import facing, orbited, projecting
-from workbench.document.scene.model import Camera, Scene
+from workbench.document.scene.model import Camera, Point3D, Scene
+from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.document.state import seen_scene, with_look
 from workbench.geometry.meshes import Array
 from workbench.language import _, reason_of
@@ -79,6 +82,29 @@ class Looking:
     def face(self, side: str) -> str:
         """Stand before one of the six sides."""
         return self._try(lambda: facing(self.camera, side))
+
+    def vanish(self, axis: int, at: tuple[float, float], pinned: bool) -> str:
+        """Turn so that the lines along an axis run together at a place of the view plane.
+
+        ``pinned``: that of another axis stays where it is, which takes another distance of the plane.
+        """
+        camera = self.camera
+        try:
+            if pinned and (other := self._other_vanishing(axis)) is not None:
+                eye, up, d = with_vanishing_points(
+                    camera.eye.xyz, camera.look_at.xyz, camera.up.xyz, other, (axis, at)
+                )
+            else:
+                d = camera.distance
+                eye, up = with_vanishing_point(camera.eye.xyz, camera.look_at.xyz, camera.up.xyz, axis, at, d)
+        except ValueError as error:
+            return reason_of(error)
+        return self.look(replace(camera, eye=Point3D(*eye), up=Point3D(*up), distance=d))
+
+    def _other_vanishing(self, axis: int) -> tuple[int, tuple[float, float]] | None:
+        """The first vanishing point of another axis."""
+        points = vanishing_points(projection_matrix(self.camera) @ view_matrix(self.camera))
+        return next(((k, point) for k, point in enumerate(points) if point and k != axis), None)
 
     def choose(self, slug: str, name: str) -> str:
         """Give the document another projection."""

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QStackedWi
 
 from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, PlainPanel, Said
+from workbench.panels.space.mesh_import import MeshImport
 from workbench.panels.space.page import Page, pages
 from workbench.session.session import Session
 
@@ -26,6 +27,8 @@ class SpacePanel(PlainPanel, QWidget):
         super().__init__(parent)
         self.title = _("Space")
         self.session = session
+        self.meshes = MeshImport(session, self)
+        self.meshes.said.connect(self.hover_text)
         self._rows = pages()
         self._pages: dict[str, Page] = {}
         self._actions: list[QAction] = []

@@ -3,7 +3,7 @@
 from typing import Literal
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
     QImage,
@@ -22,8 +22,9 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
 from workbench.geometry.meshes import Array
+from workbench.language import reason_of
 from workbench.panels.space.scene_worker import SceneJob, SceneWorker
-from workbench.rendering.scene.edge_picture import EdgePicture
+from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture
 from workbench.rendering.scene.viewpoint import Viewpoint
 from workbench.widgets.look.tokens import colour, theme, tokens
 
@@ -85,12 +86,17 @@ class SceneView(QWidget):
         self._job: SceneJob | None = None
         self._picture: EdgePicture | None = None
         self._image = QImage()
+        self._image_came = False
         self._viewpoint: Viewpoint | None = None
         self._press: QPointF | None = None
         self._last = QPointF()
         self._moving = False
         self._grip: object | None = None
         theme.changed.connect(self.update)
+
+    def sizeHint(self) -> QSize:
+        """Any two share their room in halves."""
+        return QSize(400, 300)
 
     # What is shown
 
@@ -127,12 +133,24 @@ class SceneView(QWidget):
             job = SceneJob(self.scene, self.device_size, self.window_world, self.shows != "edges")
             if job != self._job:
                 self._job = job
-                self.worker.ask(job)
+                if not (job.faces and self._image_came):  # until faces can be drawn, lines are
+                    self._take_lines(job)
+                if job.faces:
+                    self.worker.ask(job)
+
+    def _take_lines(self, job: SceneJob) -> None:
+        try:
+            self._take(job, edge_picture(*job[:3], faces=False))
+        except ValueError as error:
+            self._refuse(job, reason_of(error))
 
     def _take(self, job: SceneJob, picture: EdgePicture) -> None:
+        if job.faces and self.shows == "edges" and picture.pixels is not None:
+            return  # switched meanwhile
         self._picture, self._viewpoint = picture, job.viewpoint
         self._image = QImage()
         if picture.pixels is not None:
+            self._image_came = True
             flipped = np.ascontiguousarray(picture.pixels[::-1])
             height, width = flipped.shape
             form = QImage.Format.Format_ARGB32
@@ -229,7 +247,7 @@ class SceneView(QWidget):
         now = tokens()
         ids = [thing.id for thing in self.scene.objects]
         chosen = ids.index(self.chosen) if self.chosen in ids else -1
-        if self.shows == "edges":
+        if picture.pixels is None:
             self._lines(painter, picture.seen[picture.seen_of != chosen], QPen(colour(now.muted), 1))
             self._lines(painter, picture.seen[picture.seen_of == chosen], QPen(colour(now.accent), 2))
             return
@@ -281,6 +299,7 @@ class SceneView(QWidget):
         painter.setPen(QPen(colour(ink), 1))
         painter.setBrush(colour(tokens().raised))
         painter.drawRoundedRect(box, 4, 4)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(colour(tokens().text))
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
