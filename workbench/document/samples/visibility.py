@@ -81,12 +81,15 @@ def _even(colour: int, identity: str = "m1") -> Material:
 
 
 def _piercing_planes() -> Document:
-    scene = Scene(
-        (Object("o1", PiercingPlanes(3.0), "m1", _("Planes")),),
-        (Material("m1", colour=0x56B4E9),),
-        (),
-        Camera(eye=Point3D(4.0, 3.0, 6.0), near=4.0, far=12.0, distance=5.0),
+    vertices, faces = PiercingPlanes(3.0).mesh(())
+    squares = [Mesh(vertices, faces.chosen(np.arange(len(faces)) == k)) for k in range(len(faces))]
+    objects = tuple(
+        Object(f"o{k}", MeshSolid(blob_of(square)), f"m{k}", _("Square {n}").format(n=k))
+        for k, square in enumerate(squares, 1)
     )
+    materials = tuple(_even(PALETTE[k], f"m{k}") for k in range(1, len(squares) + 1))
+    camera = Camera(eye=Point3D(4.0, 3.0, 6.0), near=4.0, far=12.0, distance=5.0)
+    scene = Scene(objects, materials, (), camera)
     return _document(_("Piercing planes"), scene, Rectangle(-1.8, -1.2, 1.8, 1.2))
 
 

@@ -40,7 +40,7 @@ class SpacePanel(PlainPanel, QWidget):
         for number, row in enumerate(self._rows, 1):
             page = self._pages[row.slug] = row.make(session)
             self.stack.addWidget(page.widget)
-            self._connect(page)
+            self._connect(row.slug, page)
             self._add_switch(number, row.slug, row.title, row.tooltip)
         self.switch.addStretch(1)
         whole = QVBoxLayout(self)
@@ -53,12 +53,12 @@ class SpacePanel(PlainPanel, QWidget):
         self.show_page(self._rows[0].slug)
         session.path_changed.connect(self._take_run)
 
-    def _connect(self, page: Page) -> None:
+    def _connect(self, slug: str, page: Page) -> None:
         said = page.said()
         if said.hover is not None:
             said.hover.connect(self.hover_text)
         if said.zoom is not None:
-            said.zoom.connect(self.zoom_text)
+            said.zoom.connect(lambda text: self.zoom_text.emit(text) if self.page == slug else None)
 
     def _add_switch(self, number: int, slug: str, title: str, tooltip: str) -> None:
         button = QPushButton(title)

@@ -5,6 +5,7 @@ from typing import NamedTuple
 from workbench.algorithms.visibility.device_plane import corners_of, plane
 from workbench.document.model import Sheet
 from workbench.document.subjects import Subject
+from workbench.language import _
 from workbench.rendering.mapping import Call
 from workbench.rendering.scene.fragments import Fragments, fragments_of
 from workbench.rendering.scene.render import DeviceTriangles
@@ -54,10 +55,11 @@ class DepthRun(NamedTuple):
         return thing.name or thing.id
 
     def name_of(self, triangle: int) -> str:
-        """The same, with the number of the triangle where the object has several."""
-        alike = self.device.objects == self.device.objects[triangle]
+        """The same, with the number of the triangle, as the text counts, where the object has several."""
         name = self.object_name(triangle)
-        return name if alike.sum() == 1 else f"{name} {int(alike[:triangle].sum())}"
+        if (self.device.objects == self.device.objects[triangle]).sum() == 1:
+            return name
+        return _("{name}, triangle {n}").format(name=name, n=triangle)
 
     def plane_of(self, triangle: int) -> tuple[float, float, float, float]:
         """A, B, C, D of the device plane of a triangle."""

@@ -115,8 +115,7 @@ class VisibilityPage(QWidget):
         canvas.hovered.connect(self._point)
         canvas.cursor_moved.connect(self._point)
         canvas.hover_left.connect(self._leave)
-        canvas.view_changed.connect(lambda percent: self.zoom_text.emit(f"{percent:.0f} %"))
-        canvas.view_changed.connect(lambda _percent: self._show_lens())
+        canvas.view_changed.connect(self.refresh_soon)
         canvas.set_describer(self.describe)
         self.card.folded.connect(self._leave_room)
 
