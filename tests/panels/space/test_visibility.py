@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 from tests.panels.by_hand import recorded, settle
 from workbench.document.samples.examples import example
+from workbench.document.subjects import Subject
 from workbench.panels.space.visibility.depth_run import depth_run
 from workbench.panels.space.visibility.page import VisibilityPage
 from workbench.panels.stage.picture import packed
@@ -309,3 +310,34 @@ def test_pointing_names_the_depth_and_its_surface(qtbot, page, session):
     go(qtbot, session, TELLING)
     assert page.describe(23, 15) == "(23, 15) depth 0.5075, Triangle 1"
     assert page.describe(0, 0) == "(0, 0) depth 1.0000, empty"
+
+
+def test_back_faces_are_told_one_after_the_other(qtbot, page, session):
+    session.open_example("almost-one-plane")
+    session.visit("visibility", page.usual)
+    recorded(qtbot, session)
+    choose(qtbot, page.card.method, "back_faces")
+    recorded(qtbot, session)
+    assert session.run.entry.slug == "back_faces"
+    assert session.run.total_steps == 12
+    assert not page.plot.isVisible()
+    assert page.card.bits.isHidden()
+    go(qtbot, session, 12)
+    # Of each box, turned by 20 degrees and seen from in front, two sides are seen.
+    assert page.card.legend.text() == "4 faces seen, 8 turned away (dotted)."
+    choose(qtbot, page.card.method, "depth_buffer")
+    recorded(qtbot, session)
+    go(qtbot, session, 1796)
+    everything = shown(page)
+    choose(qtbot, page.card.method, "back_faces")
+    recorded(qtbot, session)
+    go(qtbot, session, 12)
+    # Two convex solids, one before the other: with the back faces gone the nearest of the rest is seen.
+    assert (shown(page) == everything).all()
+
+
+def test_parallel_projectors_leave_only_the_depth_buffer(page, session):
+    assert page.card.method.count() == 1
+    session.update_state(subject=Subject("visibility", entry="back_faces"))
+    settle()
+    assert session.run.entry.slug == "depth_buffer"

@@ -21,6 +21,7 @@ from workbench.rendering.scene.render import DeviceTriangles, device_triangles, 
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
 KIND = "visibility"
+DEPTH_BUFFER, BACK_FACES = "depth_buffer", "back_faces"
 LEAST_COLUMNS, USUAL_COLUMNS, MOST_COLUMNS = 8, 48, 96
 NOT_ROUNDED = 0
 LEAST_BITS, MOST_BITS = 4, 32
@@ -137,7 +138,7 @@ def _depth_call(scene: Scene, size: Size, window: Rectangle | None, bits: int, l
     # Into a buffer of whole numbers the text's own writing cuts a depth off, as a real one does.
     depth = np.full(size[::-1], largest, np.int64 if bits else np.float64)
     arguments = image, depth, device.corners, device.triangles, device.colours
-    return Call(catalogue.get("depth_buffer"), arguments)
+    return Call(catalogue.get(DEPTH_BUFFER), arguments)
 
 
 def _back_face_calls(sheet: Sheet) -> list[Call]:
@@ -146,7 +147,7 @@ def _back_face_calls(sheet: Sheet) -> list[Call]:
         return []
     camera = sheet.scene.camera
     eye, look_at = np.array(camera.eye.xyz), np.array(camera.look_at.xyz)
-    entry = catalogue.get("back_faces")
+    entry = catalogue.get(BACK_FACES)
     return [
         Call(entry, (mesh.vertices, faces, eye, look_at))
         for mesh, *_rest in placed(sheet.scene)
@@ -161,6 +162,17 @@ def _by_corners(mesh: Mesh) -> list[Array]:
     ]
 
 
+def faces_in_order(sheet: Sheet) -> list[tuple[int, int]]:
+    """The number of its object and its own of each face, in the order in which back faces are looked for."""
+    if sheet.scene is None:
+        return []
+    return [
+        (number, int(face))
+        for number, (mesh, *_rest) in enumerate(placed(sheet.scene))
+        for face in np.argsort(mesh.faces.sizes, kind="stable")
+    ]
+
+
 def _from_a_point(camera: Camera) -> bool:
     return camera.projection == "perspective"
 
@@ -168,11 +180,17 @@ def _from_a_point(camera: Camera) -> bool:
 def _choices(sheet: Sheet, subject: Subject) -> tuple[str, ...]:
     if sheet.scene is None:
         return ()
-    return ("depth_buffer", "back_faces") if _from_a_point(sheet.scene.camera) else ("depth_buffer",)
+    return (DEPTH_BUFFER, BACK_FACES) if _from_a_point(sheet.scene.camera) else (DEPTH_BUFFER,)
+
+
+def method_of(sheet: Sheet, subject: Subject) -> str:
+    """The slug that a subject is run under: the one it names where the camera allows it; empty: none."""
+    choices = _choices(sheet, subject)
+    return subject.entry if subject.entry in choices else next(iter(choices), "")
 
 
 def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
-    if subject.entry == "back_faces":
+    if method_of(sheet, subject) == BACK_FACES:
         return _back_face_calls(sheet)
     call = depth_call(sheet, subject)
     return [] if call is None else [call]
@@ -187,7 +205,7 @@ def _on_device(sheet: Sheet, subject: Subject, frame: Frame, marks: Iterable[Mar
 
 def _landmarks(sheet: Sheet, subject: Subject) -> tuple[int, ...]:
     """The steps with which a surface begins, but the first."""
-    call = None if subject.entry == "back_faces" else depth_call(sheet, subject)
+    call = None if method_of(sheet, subject) == BACK_FACES else depth_call(sheet, subject)
     return () if call is None else tuple((fragments_of(call).begins[1:] + 1).tolist())
 
 
@@ -205,7 +223,7 @@ register(
         choices=_choices,
         on_device=_on_device,
         landmarks=_landmarks,
-        entries=("depth_buffer", "back_faces"),
+        entries=(DEPTH_BUFFER, BACK_FACES),
         arguments={
             "columns": Given(
                 USUAL_COLUMNS,

@@ -7,12 +7,14 @@ from msgspec.structs import replace
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QLabel, QToolButton, QWidget
 
+from workbench.algorithms import catalogue
 from workbench.document.errors import DocumentError
 from workbench.document.fields import numbers_of
 from workbench.document.scene.edits import set_camera
 from workbench.document.scene.model import Camera
 from workbench.document.subjects import Argument
 from workbench.language import _, ngettext
+from workbench.panels.space.visibility.back_face_run import BackFaceRun
 from workbench.panels.space.visibility.depth_run import DepthRun
 from workbench.panels.space.visibility.picture import Shown, surface_colours
 from workbench.panels.stage.card import number_field
@@ -22,6 +24,7 @@ from workbench.rendering.subjects.visibility import (
     USUAL_COLUMNS,
     backwards,
     depth_bits,
+    method_of,
     scene_size,
     size_of,
 )
@@ -44,9 +47,10 @@ class VisibilityCard(FoldingCard):
         super().__init__(canvas, WIDTH_PX)
         self._session = session
         self.shown: Shown = "colour"
-        self.title.setText(_("Depth buffer"))
-        self.size_box, self.bits = QComboBox(), QComboBox()
+        self.title.setText(_("Visibility"))
+        self.method, self.size_box, self.bits = QComboBox(), QComboBox(), QComboBox()
         for box, name, tip in (
+            (self.method, _("Method"), _("How hidden surfaces are found")),
             (
                 self.size_box,
                 _("Size of the picture"),
@@ -57,6 +61,7 @@ class VisibilityCard(FoldingCard):
             box.setAccessibleName(name)
             box.setToolTip(tip)
             self.body.addWidget(box)
+        self.method.activated.connect(lambda k: session.choose(self.method.itemData(k)))
         self.size_box.activated.connect(lambda k: self._give("columns", self.size_box.itemData(k)))
         self.bits.activated.connect(lambda k: self._give("bits", self.bits.itemData(k)))
         self._add_shown()
@@ -111,29 +116,43 @@ class VisibilityCard(FoldingCard):
         self.shown = shown
         self.shown_changed.emit()
 
-    def refresh(self, run: DepthRun | None, fighting: int) -> None:
-        """Show what is set, and what the colours mean; ``fighting`` pixels show the wrong surface now."""
+    def refresh(self, run: DepthRun | None, fighting: int, told: BackFaceRun | None) -> None:
+        """Show what is set, and what the colours mean; ``fighting`` pixels show the wrong surface now.
+
+        ``told`` is how far back faces were looked for, where that is stepped.
+        """
         session = self._session
         scene = session.sheet.scene
         self.setVisible(scene is not None)
         if scene is None:
             return
         subject = session.subject
+        slugs = session.choices_of()
+        titles = [(slug, _(catalogue.get(slug).title)) for slug in slugs]
+        fill_choices(self.method, titles, method_of(session.sheet, subject))
+        for widget in (self.backwards, *self.buttons.buttons()):
+            widget.setVisible(told is None)
         sizes = [size_of(session.sheet, columns) for columns in COLUMNS]
         choices = [(columns, f"{columns} × {rows} px") for columns, rows in sizes]
         columns = scene_size(session.sheet, subject)[0]
         if columns not in COLUMNS:
             choices.insert(0, (columns, _("{columns} px wide").format(columns=columns)))
         fill_choices(self.size_box, choices, columns)
-        titles = [(n, _("{n} bits for z").format(n=n) if n else _("z not rounded")) for n in BITS]
+        roundings = [(n, _("{n} bits for z").format(n=n) if n else _("z not rounded")) for n in BITS]
         bits = depth_bits(subject)
         if bits not in BITS:
-            titles.insert(0, (bits, _("{n} bits for z").format(n=bits)))
-        fill_choices(self.bits, titles, bits)
+            roundings.insert(0, (bits, _("{n} bits for z").format(n=bits)))
+        fill_choices(self.bits, roundings, bits)
+        self.bits.setVisible(told is None)
         self.backwards.setChecked(backwards(subject))
         for name, field in self.planes.items():
             field.set_value(round(getattr(scene.camera, name), 6))
-        self.legend.setText("" if run is None else self._legend(run, fighting))
+        if told is not None:
+            seen, back = told.counts
+            text = _("{seen} faces seen, {back} turned away (dotted).")
+            self.legend.setText(text.format(seen=seen, back=back))
+        else:
+            self.legend.setText("" if run is None else self._legend(run, fighting))
         self.legend.setVisible(bool(self.legend.text()))
         self._fit()
 

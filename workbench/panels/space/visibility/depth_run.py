@@ -73,15 +73,19 @@ class DepthRun(NamedTuple):
 
 
 def depth_run(session: Session) -> DepthRun | None:
-    """The run that is stepped now; None where it is none of the depth buffer's."""
+    """The depth buffer's run on the scene; None where there is none, or something else is stepped.
+
+    While another method is stepped none of its fragments has come.
+    """
     subject, sheet, run = session.subject, session.sheet, session.run
-    if subject.kind != KIND or subject.entry not in ("", "depth_buffer"):
+    if subject.kind != KIND:
         return None
     call, device = depth_call(sheet, subject), triangles_of(sheet, subject)
     if call is None or device is None:
         return None
     count = 0
-    if run.subject is not None and run.subject.kind == KIND and run.moment is not None:
+    here = run.entry is not None and run.entry is call.entry
+    if here and run.moment is not None:
         count = run.passed + len(run.moment.emitted) if run.detail else run.number
     return DepthRun(
         sheet,

@@ -11,6 +11,12 @@ from workbench.document.errors import DocumentError
 from workbench.document.subjects import Subject
 from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, Said
+from workbench.panels.space.visibility.back_face_run import (
+    BackFaceRun,
+    back_face_picture,
+    back_face_run,
+    outlines,
+)
 from workbench.panels.space.visibility.card import VisibilityCard
 from workbench.panels.space.visibility.cost_view import CostView
 from workbench.panels.space.visibility.depth_run import DepthRun, depth_run
@@ -27,7 +33,15 @@ from workbench.rendering.scene.depth_measures import differing
 from workbench.rendering.scene.fragments import NOTHING
 from workbench.rendering.scene.framing import framed
 from workbench.rendering.subjects.registry import marks_on_device
-from workbench.rendering.subjects.visibility import KIND, NOT_ROUNDED, depth_call, fault_of, size_of
+from workbench.rendering.subjects.visibility import (
+    BACK_FACES,
+    KIND,
+    NOT_ROUNDED,
+    depth_call,
+    fault_of,
+    method_of,
+    size_of,
+)
 from workbench.session.session import Session
 from workbench.widgets.canvas.drawing import Drawn, Marker
 from workbench.widgets.canvas.lens import Lens
@@ -172,10 +186,15 @@ class VisibilityPage(QWidget):
         self.nothing.sentence.setText(fault or _("This sheet has no scene."))
         self.nothing.setVisible(run is None)
         self.bare.setVisible(run is not None and not covered)
-        wrong = self._wrong_pixels(run) if run is not None and covered else []
-        self.card.refresh(run if covered else None, len(wrong))
+        told = None if run is None or not self._tests_faces else self._told(run)
+        wrong = self._wrong_pixels(run) if run is not None and covered and told is None else []
+        self.card.refresh(run if covered else None, len(wrong), told)
+        self.plot.setVisible(told is None)
         if run is None or not covered:
             self._show_empty()
+        elif told is not None:
+            self.canvas.set_picture(back_face_picture(told, tokens()))
+            self.canvas.set_overlay(Overlay(drawn=outlines(told)))
         else:
             now = tokens()
             self.canvas.set_picture(picture(run, self.card.shown, now))
@@ -184,6 +203,14 @@ class VisibilityPage(QWidget):
         self._show_lens()
         self.fragments.refresh(run)
         self.cost.refresh(run)
+
+    @property
+    def _tests_faces(self) -> bool:
+        """Whether back faces are looked for, rather than fragments compared."""
+        return method_of(self.session.sheet, self.session.subject) == BACK_FACES
+
+    def _told(self, run: DepthRun) -> BackFaceRun:
+        return back_face_run(run, self.session.sheet, self.session.run)
 
     def _show_empty(self) -> None:
         import numpy as np
@@ -226,7 +253,7 @@ class VisibilityPage(QWidget):
         if run is not None and middle is None and run.now is not None:
             middle = int(run.fragments.x[run.now]), int(run.fragments.y[run.now])
         covered = self._card_left + self.card.width()
-        if run is None or middle is None or not len(run.fragments):
+        if run is None or middle is None or not len(run.fragments) or self._tests_faces:
             self.lens.show_cells(None, covered)
         else:
             self.lens.show_cells(lens_cells(run, middle, _("Depth buffer"), tokens()), covered)
@@ -234,7 +261,8 @@ class VisibilityPage(QWidget):
     def describe(self, x: int, y: int) -> str:
         """A pixel, the depth stored there, and whose it is."""
         run = self._run
-        if run is None or not (0 <= x < run.size[0] and 0 <= y < run.size[1]):
+        inside = run is not None and 0 <= x < run.size[0] and 0 <= y < run.size[1]
+        if run is None or not inside or self._tests_faces:
             return f"({x}, {y})"
         z = run.depth_text(float(run.so_far.depths(run.size, run.farthest)[y, x]))
         surface = int(run.so_far.seen(run.size)[y, x])
@@ -254,6 +282,8 @@ class VisibilityPage(QWidget):
 
     def _clicked(self, x: int, y: int) -> None:
         """Go to the next fragment of the pixel, and list all that came to it."""
+        if self._tests_faces:
+            return
         self.session.update_state(pixel=(x, y))
         if not self.session.run.waiting and not self.session.run.run_to_pixel(x, y):
             self.hover_text.emit(_("No fragment comes to ({x}, {y}).").format(x=x, y=y))
@@ -261,7 +291,9 @@ class VisibilityPage(QWidget):
     def ask_why(self) -> None:
         """List what came to the pixel that is pointed at."""
         cell = self.canvas.pointed_cell
-        if cell is None:
+        if self._tests_faces:
+            self.hover_text.emit(_("Back faces are told of faces, not of pixels: choose the depth buffer."))
+        elif cell is None:
             self.hover_text.emit(_("Point at a pixel first, then ask why it is as it is."))
         else:
             self.session.update_state(pixel=cell)

@@ -38,12 +38,13 @@ def picture(run: DepthRun, shown: Shown, now: Tokens) -> Pixels:
     if shown == "depth":
         return _greys(run, paper)
     colours = surface_colours(run, now)
-    _paint(paper, _first_to_come(run), colours, _PALE)
-    _paint(paper, so_far.seen(run.size), colours, 1.0)
+    paint_surfaces(paper, _first_to_come(run), colours, _PALE)
+    paint_surfaces(paper, so_far.seen(run.size), colours, 1.0)
     return paper
 
 
-def _paint(paper: Pixels, surfaces: Index, colours: NDArray[np.uint32], share: float) -> None:
+def paint_surfaces(paper: Pixels, surfaces: Index, colours: NDArray[np.uint32], share: float) -> None:
+    """Paint the surfaces (h, w), but NOTHING, over ``paper`` with a share of their colours."""
     covered = surfaces != NOTHING
     under, over = paper[covered], colours[surfaces[covered]]
     mixed = np.zeros(len(under), np.uint32)
