@@ -85,7 +85,7 @@ class EyeView(SceneView):
         foot = middle - (a * middle[0] + b * middle[1] + c) / (a * a + b * b) * np.array([a, b])
         along = np.array([-b, a]) / np.hypot(a, b) * 4 * max(self.width(), self.height()) / self.scale
         start, end = self.on_screen(np.stack([foot - along, foot + along]))
-        self.line(painter, start, end, QPen(colour(tokens().agreement), 1, Qt.PenStyle.DashLine))
+        self.lines(painter, start[None], end[None], QPen(colour(tokens().agreement), 1, Qt.PenStyle.DashLine))
 
     def paint_over(self, painter: QPainter) -> None:
         """Vanishing points, what runs together there, and the vertex that is projected."""
@@ -93,8 +93,9 @@ class EyeView(SceneView):
         for axis, point in self.vanishing():
             ink = colour(tokens().data[INKS[axis]])
             (at,) = self.on_screen(np.array([point]))
-            for corner in self._outermost(corners, at):
-                self.line(painter, corner, at, QPen(ink, 1.2, Qt.PenStyle.DotLine))
+            outermost = self._outermost(corners, at)
+            pen = QPen(ink, 1.2, Qt.PenStyle.DotLine)
+            self.lines(painter, outermost, np.broadcast_to(at, outermost.shape), pen)
             painter.setPen(QPen(ink, 1))
             painter.setBrush(ink)
             self._marker(painter, axis, QPointF(*np.clip(at, -1e5, 1e5).tolist()))

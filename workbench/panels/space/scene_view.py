@@ -38,6 +38,7 @@ _SHIFT_PER_KEY_PX = 24.0
 _ZOOM_PER_NOTCH = 1.2
 _MARGIN_PX = 44
 _LEAST_SCALE, _MOST_SCALE = 1e-6, 1e9
+_FAR_PX = 1e5
 _SIDES = {
     Qt.Key.Key_1: ("front", "back"),
     Qt.Key.Key_3: ("right", "left"),
@@ -55,9 +56,9 @@ class SceneView(QWidget):
     """Where ``middle`` of the view plane is in the middle, ``scale`` logical pixels a unit; it keeps them
     while the camera turns, and fits the scene anew when it ``keeps_fit`` and something else has changed.
 
-    ``turned`` sends by how much (theta, phi), radians, ``turn_ended`` follows a drag; ``faced`` the side to
-    look at, ``switched`` that perspective and parallel are to be exchanged; ``clicked`` where, and
-    ``view_changed`` the scale.
+    ``dragging`` tells whether it is being turned or a mark of it moved. ``turned`` sends by how much (theta,
+    phi), radians, ``turn_ended`` follows a drag; ``faced`` the side to look at, ``switched`` that perspective
+    and parallel are to be exchanged; ``clicked`` where, and ``view_changed`` the scale.
     """
 
     turned = Signal(float, float)
@@ -88,6 +89,7 @@ class SceneView(QWidget):
         self._image = QImage()
         self._image_came = False
         self._viewpoint: Viewpoint | None = None
+        self.dragging = False
         self._press: QPointF | None = None
         self._last = QPointF()
         self._moving = False
@@ -274,13 +276,12 @@ class SceneView(QWidget):
     def paint_over(self, painter: QPainter) -> None:
         """What lies over the picture."""
 
-    def line(self, painter: QPainter, start: Array, end: Array, pen: QPen) -> None:
-        """A line between two places of the widget, where both are numbers."""
-        if np.isfinite(start).all() and np.isfinite(end).all():
-            far = 1e5
-            start, end = np.clip(start, -far, far), np.clip(end, -far, far)
-            painter.setPen(pen)
-            painter.drawLine(QPointF(*start.tolist()), QPointF(*end.tolist()))
+    def lines(self, painter: QPainter, starts: Array, ends: Array, pen: QPen) -> None:
+        """Lines between places (n, 2) of the widget, where both are numbers."""
+        whole = np.isfinite(starts).all(axis=1) & np.isfinite(ends).all(axis=1)
+        rows = np.clip(np.concatenate([starts, ends], axis=1)[whole], -_FAR_PX, _FAR_PX)
+        painter.setPen(pen)
+        painter.drawLines([QLineF(*row) for row in rows.tolist()])
 
     def outline(self, painter: QPainter, corners: Array) -> None:
         """A polygon (n, 2) of places of the widget, where all are numbers."""
@@ -332,7 +333,7 @@ class SceneView(QWidget):
             return
         if not self._moving and (position - self._press).manhattanLength() <= SLACK_PX:
             return
-        self._moving = True
+        self._moving = self.dragging = True
         delta, self._last = position - self._last, position
         if self._grip is not None:
             self.drag_grip(self._grip, position, event.modifiers())
@@ -346,6 +347,7 @@ class SceneView(QWidget):
         if self._press is None:
             return
         grip, self._grip, self._press = self._grip, None, None
+        self.dragging = False
         if grip is not None and self._moving:
             self.release_grip(grip)
         elif self._moving:
