@@ -41,7 +41,6 @@ def page(qtbot: QtBot) -> Iterator[ProjectionPage]:
     assert isinstance(page, ProjectionPage)
     settle(qtbot, page)
     yield page
-    settle(qtbot, page)
     session.close()
 
 
@@ -275,14 +274,16 @@ def test_a_parallel_projection_has_no_vanishing_point_to_take_hold_of(
 
 def test_a_click_chooses_an_object_and_a_vertex_is_stepped(qtbot: QtBot, page: ProjectionPage) -> None:
     eye, session = page.eye, page.session
-    eye.zoom(3.0)
-    settle(qtbot, page)
     scene = scene_of(page)
-    top = scene.objects[1].mesh.vertices.max(axis=0)
-    (middle,) = eye.projected(np.array([[0.8, 3.1 + top[1] / 2, -0.8]]))  # in the chimney, above the roof
+    inside = np.array([[0.8, 3.5, -0.8]])  # in the chimney, above the roof
+    eye.zoom(4.0, QPointF(*eye.projected(inside)[0]))
+    settle(qtbot, page)
+    (middle,) = eye.projected(inside)
     qtbot.mouseClick(eye, LEFT, pos=QPoint(*map(round, middle)))
     settle(qtbot, page)
     assert session.state.thing == "o2"
+    eye.fit()
+    settle(qtbot, page)
     house = scene.objects[0]
     (corner,) = eye.projected(house.mesh.vertices[[7]])
     qtbot.mouseClick(eye, LEFT, pos=QPoint(*map(round, corner)))

@@ -17,6 +17,7 @@ from workbench.rendering.scene.render import placed
 from workbench.widgets.look.tokens import colour, tokens
 
 AXES = "xyz"
+_VERTEX_PX = 8.0
 _FARTHEST_VANISHING = 3.2  # times as wide as the scene, and its vanishing points are in the picture too
 INKS = (1, 3, 2)
 """Which data colour stands for the world's x, y and z."""
@@ -170,7 +171,7 @@ class EyeView(SceneView):
 
     def vertex_at(self, position: QPointF) -> Vertex | None:
         """The corner of a visible object that is nearest to a place, within reach."""
-        best, reach = None, REACH_PX
+        best, reach = None, _VERTEX_PX
         visible = [thing for thing in self.scene.objects if thing.visible]
         for thing, (mesh, *_rest) in zip(visible, placed(self.scene), strict=True):
             away = np.hypot(*(self.projected(mesh.vertices) - [position.x(), position.y()]).T)
