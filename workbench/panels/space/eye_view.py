@@ -13,6 +13,7 @@ from workbench.geometry.meshes import Array
 from workbench.language import _
 from workbench.panels.space.looking import points_of
 from workbench.panels.space.scene_view import REACH_PX, SceneView
+from workbench.panels.space.strokes import label, lines
 from workbench.rendering.scene.render import placed
 from workbench.widgets.look.tokens import colour, tokens
 
@@ -86,7 +87,7 @@ class EyeView(SceneView):
         foot = middle - (a * middle[0] + b * middle[1] + c) / (a * a + b * b) * np.array([a, b])
         along = np.array([-b, a]) / np.hypot(a, b) * 4 * max(self.width(), self.height()) / self.scale
         start, end = self.on_screen(np.stack([foot - along, foot + along]))
-        self.lines(painter, start[None], end[None], QPen(colour(tokens().agreement), 1, Qt.PenStyle.DashLine))
+        lines(painter, start[None], end[None], QPen(colour(tokens().agreement), 1, Qt.PenStyle.DashLine))
 
     def paint_over(self, painter: QPainter) -> None:
         """Vanishing points, what runs together there, and the vertex that is projected."""
@@ -96,14 +97,14 @@ class EyeView(SceneView):
             (at,) = self.on_screen(np.array([point]))
             outermost = self._outermost(corners, at)
             pen = QPen(ink, 1.2, Qt.PenStyle.DotLine)
-            self.lines(painter, outermost, np.broadcast_to(at, outermost.shape), pen)
+            lines(painter, outermost, np.broadcast_to(at, outermost.shape), pen)
             painter.setPen(QPen(ink, 1))
             painter.setBrush(ink)
             self._marker(painter, axis, QPointF(*np.clip(at, -1e5, 1e5).tolist()))
             if self.rect().contains(QPointF(*np.clip(at, -1e5, 1e5)).toPoint()):
                 x, y = point
                 text = f"VP{AXES[axis]} ({x:.3g}, {y:.3g})".replace("-", "−")
-                self.label(painter, at, text, tokens().data[INKS[axis]])
+                label(painter, self.size(), at, text, tokens().data[INKS[axis]])
             painter.setBrush(Qt.BrushStyle.NoBrush)
         if self.vertex is not None:
             (at,) = self.projected(np.array([self.vertex.place]))
@@ -112,7 +113,7 @@ class EyeView(SceneView):
                 painter.setBrush(colour(tokens().canvas))
                 painter.drawEllipse(QPointF(*at.tolist()), 5, 5)
                 painter.setBrush(Qt.BrushStyle.NoBrush)
-                self.label(painter, at, f"R{self.vertex.number}", tokens().accent)
+                label(painter, self.size(), at, f"R{self.vertex.number}", tokens().accent)
 
     def _marker(self, painter: QPainter, axis: int, at: QPointF) -> None:
         """A triangle for x, a diamond for y, a square for z."""

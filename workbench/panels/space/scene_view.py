@@ -12,7 +12,6 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPen,
-    QPolygonF,
     QResizeEvent,
     QShowEvent,
     QWheelEvent,
@@ -38,7 +37,6 @@ _SHIFT_PER_KEY_PX = 24.0
 _ZOOM_PER_NOTCH = 1.2
 _MARGIN_PX = 44
 _LEAST_SCALE, _MOST_SCALE = 1e-6, 1e9
-_FAR_PX = 1e5
 _SIDES = {
     Qt.Key.Key_1: ("front", "back"),
     Qt.Key.Key_3: ("right", "left"),
@@ -275,34 +273,6 @@ class SceneView(QWidget):
 
     def paint_over(self, painter: QPainter) -> None:
         """What lies over the picture."""
-
-    def lines(self, painter: QPainter, starts: Array, ends: Array, pen: QPen) -> None:
-        """Lines between places (n, 2) of the widget, where both are numbers."""
-        whole = np.isfinite(starts).all(axis=1) & np.isfinite(ends).all(axis=1)
-        rows = np.clip(np.concatenate([starts, ends], axis=1)[whole], -_FAR_PX, _FAR_PX)
-        painter.setPen(pen)
-        painter.drawLines([QLineF(*row) for row in rows.tolist()])
-
-    def outline(self, painter: QPainter, corners: Array) -> None:
-        """A polygon (n, 2) of places of the widget, where all are numbers."""
-        if np.isfinite(corners).all():
-            painter.drawPolygon(QPolygonF([QPointF(*each) for each in corners.tolist()]))
-
-    def label(self, painter: QPainter, at: Array, text: str, ink: str) -> None:
-        """Words on a small card beside a place, within the widget."""
-        if not np.isfinite(at).all():
-            return
-        metrics = painter.fontMetrics()
-        width, height = metrics.horizontalAdvance(text) + 10, metrics.height() + 4
-        x = min(max(float(at[0]) + 8, 2.0), self.width() - width - 2.0)
-        y = min(max(float(at[1]) - height - 6, 2.0), self.height() - height - 2.0)
-        box = QRectF(x, y, width, height)
-        painter.setPen(QPen(colour(ink), 1))
-        painter.setBrush(colour(tokens().raised))
-        painter.drawRoundedRect(box, 4, 4)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(colour(tokens().text))
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
     # The hand
 
