@@ -116,7 +116,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
     steps = [(theme, name, act) for theme in themes for name, act in scenes()]
 
     def leave() -> None:
-        theme, name, _act = steps[0]
+        theme, name, _act = steps.pop(0)
         path = folder / f"{name}-{theme}-{size[0]}x{size[1]}@{scale:g}.png"
         try:
             replace_file(path, _png(window.grab()))
@@ -127,7 +127,6 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
             application.exit(1)
             return
         patience.start()
-        del steps[0]
         visit()
 
     def visit() -> None:
@@ -135,6 +134,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
             application.quit()
             return
         theme, _name, act = steps[0]
+        window.arriving = None  # a scene finds the panels made once it has entered their workspace
         window.messages.dismiss()
         if window.views.swapped:
             window.views.swap()
@@ -185,14 +185,14 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("fill-overflow", lambda window: _fill(window, "overflow", 1500)),
         ("fill-depth", _depth),
         ("fill-why", _why),
-        ("fill-empty", _fill_empty),
+        ("fill-empty", lambda window: _empty_in(window, "fill")),
         ("fill-compare", _fill_compared),
         ("clip-lines", lambda window: _clip(window, "clip", 1)),
         ("clip-interval", lambda window: _clip(window, "clip", 3, 3, "liang_barsky")),
         ("clip-fork", lambda window: _clip(window, "clip-fork", 14)),
         ("clip-lab", lambda window: _clip(window, "clip-lab", 0)),
         ("clip-asked", _clip_asked),
-        ("clip-empty", _clip_empty),
+        ("clip-empty", lambda window: _empty_in(window, "clip")),
         *curve_scenes(),
         *space_scenes(),
         ("display", _display),
@@ -309,14 +309,9 @@ def _why(window: MainWindow) -> None:
     window.session.update_state(pixel=(8, 6))
 
 
-def _fill_empty(window: MainWindow) -> None:
+def _empty_in(window: MainWindow, slug: str) -> None:
     window.session.new()
-    window.go("fill")
-
-
-def _clip_empty(window: MainWindow) -> None:
-    window.session.new()
-    window.go("clip")
+    window.go(slug)
 
 
 def _hint(window: MainWindow) -> None:

@@ -24,10 +24,12 @@ def space_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
 
 def _open(window: MainWindow, slug: str) -> None:
     """An example, whose picture does not wait until the depth buffer is loaded."""
-    from workbench.algorithms.visibility import depth_buffer
-    from workbench.engine.warm import load
+    from workbench.document.samples.examples import example
+    from workbench.rendering.scene import render_scene
 
-    load(depth_buffer.__name__, lambda: False)
+    scene = example(slug).document.sheets[0].scene
+    if scene is not None:
+        render_scene(scene, "depth_buffer", (16, 16))
     window.open_example(slug)
 
 

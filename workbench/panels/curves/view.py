@@ -266,7 +266,7 @@ class CurveView(FigureView):
 
     def on_paper(self, number: int | None = None) -> Composition:
         """What is shown, or one step of the run, in the light theme, with plain spots for the points."""
-        sheet, curve = self.sheet, self.focus.curve
+        sheet, curve = self.session.sheet, self.focus.curve
         shown = picture if "pixels" in self.focus.shown else pale_picture
         drawn = self.drawn(number, sheet)
         if curve is not None and "polygon" in self.focus.shown and len(curve.points_world) < MANY:

@@ -13,10 +13,12 @@ from workbench.geometry.meshes import Array
 from workbench.language import _
 from workbench.panels.space.looking import points_of
 from workbench.panels.space.scene_view import REACH_PX, SceneView
+from workbench.panels.space.strokes import label, lines
 from workbench.rendering.scene.render import placed
 from workbench.widgets.look.tokens import colour, tokens
 
 AXES = "xyz"
+_VERTEX_PX = 8.0
 _FARTHEST_VANISHING = 3.2  # times as wide as the scene, and its vanishing points are in the picture too
 INKS = (1, 3, 2)
 """Which data colour stands for the world's x, y and z."""
@@ -85,7 +87,7 @@ class EyeView(SceneView):
         foot = middle - (a * middle[0] + b * middle[1] + c) / (a * a + b * b) * np.array([a, b])
         along = np.array([-b, a]) / np.hypot(a, b) * 4 * max(self.width(), self.height()) / self.scale
         start, end = self.on_screen(np.stack([foot - along, foot + along]))
-        self.line(painter, start, end, QPen(colour(tokens().agreement), 1, Qt.PenStyle.DashLine))
+        lines(painter, start[None], end[None], QPen(colour(tokens().agreement), 1, Qt.PenStyle.DashLine))
 
     def paint_over(self, painter: QPainter) -> None:
         """Vanishing points, what runs together there, and the vertex that is projected."""
@@ -93,15 +95,16 @@ class EyeView(SceneView):
         for axis, point in self.vanishing():
             ink = colour(tokens().data[INKS[axis]])
             (at,) = self.on_screen(np.array([point]))
-            for corner in self._outermost(corners, at):
-                self.line(painter, corner, at, QPen(ink, 1.2, Qt.PenStyle.DotLine))
+            outermost = self._outermost(corners, at)
+            pen = QPen(ink, 1.2, Qt.PenStyle.DotLine)
+            lines(painter, outermost, np.broadcast_to(at, outermost.shape), pen)
             painter.setPen(QPen(ink, 1))
             painter.setBrush(ink)
             self._marker(painter, axis, QPointF(*np.clip(at, -1e5, 1e5).tolist()))
             if self.rect().contains(QPointF(*np.clip(at, -1e5, 1e5)).toPoint()):
                 x, y = point
                 text = f"VP{AXES[axis]} ({x:.3g}, {y:.3g})".replace("-", "−")
-                self.label(painter, at, text, tokens().data[INKS[axis]])
+                label(painter, self.size(), at, text, tokens().data[INKS[axis]])
             painter.setBrush(Qt.BrushStyle.NoBrush)
         if self.vertex is not None:
             (at,) = self.projected(np.array([self.vertex.place]))
@@ -110,7 +113,7 @@ class EyeView(SceneView):
                 painter.setBrush(colour(tokens().canvas))
                 painter.drawEllipse(QPointF(*at.tolist()), 5, 5)
                 painter.setBrush(Qt.BrushStyle.NoBrush)
-                self.label(painter, at, f"R{self.vertex.number}", tokens().accent)
+                label(painter, self.size(), at, f"R{self.vertex.number}", tokens().accent)
 
     def _marker(self, painter: QPainter, axis: int, at: QPointF) -> None:
         """A triangle for x, a diamond for y, a square for z."""
@@ -169,7 +172,7 @@ class EyeView(SceneView):
 
     def vertex_at(self, position: QPointF) -> Vertex | None:
         """The corner of a visible object that is nearest to a place, within reach."""
-        best, reach = None, REACH_PX
+        best, reach = None, _VERTEX_PX
         visible = [thing for thing in self.scene.objects if thing.visible]
         for thing, (mesh, *_rest) in zip(visible, placed(self.scene), strict=True):
             away = np.hypot(*(self.projected(mesh.vertices) - [position.x(), position.y()]).T)

@@ -1,5 +1,6 @@
 """What is seen of the session's scene: looking around is its state, what is kept is the document."""
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -102,9 +103,10 @@ class Looking:
         return self.look(replace(camera, eye=Point3D(*eye), up=Point3D(*up), distance=d))
 
     def _other_vanishing(self, axis: int) -> tuple[int, tuple[float, float]] | None:
-        """The first vanishing point of another axis."""
+        """The nearest vanishing point of another axis."""
         points = vanishing_points(projection_matrix(self.camera) @ view_matrix(self.camera))
-        return next(((k, point) for k, point in enumerate(points) if point and k != axis), None)
+        others = [(k, point) for k, point in enumerate(points) if point is not None and k != axis]
+        return min(others, key=lambda other: math.hypot(*other[1]), default=None)
 
     def choose(self, slug: str, name: str) -> str:
         """Give the document another projection."""

@@ -128,29 +128,26 @@ class ObjectsDock(QWidget):
     def show_scene(self, scene: Scene, chosen: str) -> None:
         """Show the objects of a scene, one of them chosen."""
         self._showing = True
-        materials = {material.id: material.colour for material in scene.materials}
-        rows = tuple(
-            (thing.id, title_of(thing), thing.visible, materials[thing.material], _size(thing))
-            for thing in scene.objects
-        )
-        if rows != self._shown:
-            self._shown = rows
-            self._fill(rows)
-        here = next((k for k, row in enumerate(rows) if row[0] == chosen), -1)
+        listed = scene.objects, scene.materials
+        if listed != self._shown:
+            self._shown = listed
+            self._fill(scene)
+        here = next((k for k, thing in enumerate(scene.objects) if thing.id == chosen), -1)
         self.list.setCurrentRow(here)
         self.fields.show_object(scene.objects[here] if here >= 0 else None)
         for tool in self.tools:
             tool.setEnabled(here >= 0)
         self._showing = False
 
-    def _fill(self, rows: tuple[tuple[str, str, bool, int, str], ...]) -> None:
+    def _fill(self, scene: Scene) -> None:
+        colours = {material.id: material.colour for material in scene.materials}
         self.list.clear()
-        for identity, title, visible, value, size in rows:
-            row = QListWidgetItem(_swatch(value), title)
-            row.setData(_ID, identity)
-            row.setToolTip(size)
+        for thing in scene.objects:
+            row = QListWidgetItem(_swatch(colours[thing.material]), title_of(thing))
+            row.setData(_ID, thing.id)
+            row.setToolTip(_size(thing))
             row.setFlags(row.flags() | Qt.ItemFlag.ItemIsEditable | Qt.ItemFlag.ItemIsUserCheckable)
-            row.setCheckState(Qt.CheckState.Checked if visible else Qt.CheckState.Unchecked)
+            row.setCheckState(Qt.CheckState.Checked if thing.visible else Qt.CheckState.Unchecked)
             self.list.addItem(row)
 
     # Changing
@@ -243,7 +240,7 @@ class ObjectsDock(QWidget):
             return
         old = next(each for each in sheet.scene.materials if each.id == thing.material)
         merge = "colour"
-        if self._apply(add_material(sheet.id, replace(old, colour=value)), _("Colour"), merge):
+        if self._apply(add_material(sheet.id, replace(old, id="", colour=value)), _("Colour"), merge):
             scene = self._session.sheet.scene
             assert scene is not None
             self._apply(set_material(thing.id, scene.materials[-1].id), _("Colour"), merge)

@@ -17,6 +17,7 @@ from workbench.language import _
 from workbench.panels.space.eye_view import EyeView, Vertex
 from workbench.panels.space.looking import points_of
 from workbench.panels.space.scene_view import SceneView
+from workbench.panels.space.strokes import label, lines, outline
 from workbench.rendering.scene.render import placed
 from workbench.rendering.scene.wireframe import edges_of
 from workbench.widgets.look.tokens import colour, tokens
@@ -119,10 +120,9 @@ class OutsideView(SceneView):
         reach = np.linspace(-_GRID, _GRID, _GRID + 1)
         ends = np.array([(-_GRID, _GRID)] * len(reach), float)
         across = np.stack([ends, np.zeros_like(ends), np.stack([reach, reach], axis=1)], axis=2)
-        for lines in (across, across[:, :, ::-1]):
-            for start, end in lines:
-                a, b = self.projected(np.array([start, end]))
-                self.line(painter, a, b, pen)
+        both = np.concatenate([across, across[:, :, ::-1]])
+        places = self.projected(both.reshape(-1, 3)).reshape(-1, 2, 2)
+        lines(painter, places[:, 0], places[:, 1], pen)
 
     def paint_over(self, painter: QPainter) -> None:
         """Plane, projectors, the picture on the plane, and the eye."""
@@ -134,14 +134,14 @@ class OutsideView(SceneView):
             corners = self.projected(plane)
             painter.setPen(QPen(colour(now.accent), 1.5))
             painter.setBrush(colour(now.accent, 30))
-            self.outline(painter, corners)
+            outline(painter, corners)
             painter.setBrush(Qt.BrushStyle.NoBrush)
             faint = QPen(colour(now.muted), 1, Qt.PenStyle.DashLine)
-            for corner in corners if central else ():
-                self.line(painter, eye, corner, faint)
+            if central:
+                lines(painter, np.broadcast_to(eye, corners.shape), corners, faint)
             self._paint_projectors(painter, eye if central else None)
             words = _("view plane, d = {d:.4g}").format(d=camera.distance)
-            self.label(painter, corners[corners[:, 1].argmin()], words, now.accent)
+            label(painter, self.size(), corners[corners[:, 1].argmin()], words, now.accent)
         if np.isfinite(eye).all() and (central or camera.projection == "orthographic"):
             painter.setPen(QPen(colour(now.text), 2))
             painter.setBrush(colour(now.canvas))
@@ -151,7 +151,7 @@ class OutsideView(SceneView):
             painter.setBrush(Qt.BrushStyle.NoBrush)
             x, y, z = camera.eye.xyz
             text = _("eye ({x:.3g}, {y:.3g}, {z:.3g})").format(x=x, y=y, z=z).replace("-", "−")
-            self.label(painter, eye + np.array([0.0, 34.0]), text, now.text)
+            label(painter, self.size(), eye + np.array([0.0, 34.0]), text, now.text)
 
     def _chosen_mesh(self) -> tuple[Mesh, Index] | None:
         """The mesh of the chosen object, else of the first, in the world, and its edges."""
@@ -172,18 +172,18 @@ class OutsideView(SceneView):
         image = self.projected(self._images(mesh.vertices))
         if len(mesh.vertices) <= _MOST_PROJECTORS:
             pen = QPen(colour(now.muted, 170), 1)
-            for start, end in zip(self.projected(mesh.vertices), image, strict=True):
-                self.line(painter, start, end if eye is None else eye, pen)
+            ends = image if eye is None else np.broadcast_to(eye, image.shape)
+            lines(painter, self.projected(mesh.vertices), ends, pen)
         pen = QPen(colour(now.data[0]), 1.5)
-        for first, second in edges[:_MOST_EDGES].tolist():
-            self.line(painter, image[first], image[second], pen)
+        edges = edges[:_MOST_EDGES]
+        lines(painter, image[edges[:, 0]], image[edges[:, 1]], pen)
         if self.vertex is not None:
             place = np.array([self.vertex.place])
-            (start,), (end,) = self.projected(place), self.projected(self._images(place))
-            self.line(painter, start, end if eye is None else eye, QPen(colour(now.accent), 2.5))
+            start, end = self.projected(place), self.projected(self._images(place))
+            lines(painter, start, end if eye is None else eye[None], QPen(colour(now.accent), 2.5))
             painter.setPen(QPen(colour(now.accent), 2))
             painter.setBrush(colour(now.canvas))
-            for at in (start, end):
+            for at in (start[0], end[0]):
                 if np.isfinite(at).all():
                     painter.drawEllipse(QPointF(*at.tolist()), 4.5, 4.5)
             painter.setBrush(Qt.BrushStyle.NoBrush)

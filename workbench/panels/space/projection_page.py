@@ -145,6 +145,7 @@ class ProjectionPage(QWidget):
         eye.vanishing_moved.connect(
             lambda axis, x, y, pinned: self.say(self.looking.vanish(axis, (x, y), pinned))
         )
+        eye.turn_ended.connect(self._follow)
         eye.view_changed.connect(self._view_changed)
         self.card.chosen.connect(self.choose)
         self.family.tree.chosen.connect(self.choose)
@@ -321,7 +322,7 @@ class ProjectionPage(QWidget):
         """The run goes through the matrices that the scene is seen by."""
         session = self.session
         subject, scene = session.state.subject, session.sheet.scene
-        if not self.isVisible() or subject.kind != KIND or scene is None:
+        if not self.isVisible() or self.eye.dragging or subject.kind != KIND or scene is None:
             return
         kept = {name: value for name, value in subject.arguments.items() if name == "vertex"}
         wanted = {**kept, **(seen_from(self.looking.camera) if self.looking.around else {})}

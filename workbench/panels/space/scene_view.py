@@ -12,7 +12,6 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPen,
-    QPolygonF,
     QResizeEvent,
     QShowEvent,
     QWheelEvent,
@@ -55,9 +54,9 @@ class SceneView(QWidget):
     """Where ``middle`` of the view plane is in the middle, ``scale`` logical pixels a unit; it keeps them
     while the camera turns, and fits the scene anew when it ``keeps_fit`` and something else has changed.
 
-    ``turned`` sends by how much (theta, phi), radians, ``turn_ended`` follows a drag; ``faced`` the side to
-    look at, ``switched`` that perspective and parallel are to be exchanged; ``clicked`` where, and
-    ``view_changed`` the scale.
+    ``dragging`` tells whether it is being turned or a mark of it moved. ``turned`` sends by how much (theta,
+    phi), radians, ``turn_ended`` follows a drag; ``faced`` the side to look at, ``switched`` that perspective
+    and parallel are to be exchanged; ``clicked`` where, and ``view_changed`` the scale.
     """
 
     turned = Signal(float, float)
@@ -88,6 +87,7 @@ class SceneView(QWidget):
         self._image = QImage()
         self._image_came = False
         self._viewpoint: Viewpoint | None = None
+        self.dragging = False
         self._press: QPointF | None = None
         self._last = QPointF()
         self._moving = False
@@ -274,35 +274,6 @@ class SceneView(QWidget):
     def paint_over(self, painter: QPainter) -> None:
         """What lies over the picture."""
 
-    def line(self, painter: QPainter, start: Array, end: Array, pen: QPen) -> None:
-        """A line between two places of the widget, where both are numbers."""
-        if np.isfinite(start).all() and np.isfinite(end).all():
-            far = 1e5
-            start, end = np.clip(start, -far, far), np.clip(end, -far, far)
-            painter.setPen(pen)
-            painter.drawLine(QPointF(*start.tolist()), QPointF(*end.tolist()))
-
-    def outline(self, painter: QPainter, corners: Array) -> None:
-        """A polygon (n, 2) of places of the widget, where all are numbers."""
-        if np.isfinite(corners).all():
-            painter.drawPolygon(QPolygonF([QPointF(*each) for each in corners.tolist()]))
-
-    def label(self, painter: QPainter, at: Array, text: str, ink: str) -> None:
-        """Words on a small card beside a place, within the widget."""
-        if not np.isfinite(at).all():
-            return
-        metrics = painter.fontMetrics()
-        width, height = metrics.horizontalAdvance(text) + 10, metrics.height() + 4
-        x = min(max(float(at[0]) + 8, 2.0), self.width() - width - 2.0)
-        y = min(max(float(at[1]) - height - 6, 2.0), self.height() - height - 2.0)
-        box = QRectF(x, y, width, height)
-        painter.setPen(QPen(colour(ink), 1))
-        painter.setBrush(colour(tokens().raised))
-        painter.drawRoundedRect(box, 4, 4)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(colour(tokens().text))
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
-
     # The hand
 
     def grip_at(self, position: QPointF) -> object | None:
@@ -332,7 +303,7 @@ class SceneView(QWidget):
             return
         if not self._moving and (position - self._press).manhattanLength() <= SLACK_PX:
             return
-        self._moving = True
+        self._moving = self.dragging = True
         delta, self._last = position - self._last, position
         if self._grip is not None:
             self.drag_grip(self._grip, position, event.modifiers())
@@ -346,6 +317,7 @@ class SceneView(QWidget):
         if self._press is None:
             return
         grip, self._grip, self._press = self._grip, None, None
+        self.dragging = False
         if grip is not None and self._moving:
             self.release_grip(grip)
         elif self._moving:

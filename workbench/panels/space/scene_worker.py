@@ -1,7 +1,9 @@
 """Draws scenes on a thread of its own, one at a time; of those asked for meanwhile only the last is drawn."""
 
+from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
+from queue import SimpleQueue
 from typing import NamedTuple
 
 import numpy as np
@@ -40,7 +42,10 @@ class SceneWorker(QObject):
         super().__init__(parent)
         self._drawing: SceneJob | None = None
         self._next: SceneJob | None = None
+        self._jobs: SimpleQueue[SceneJob | None] = SimpleQueue()
+        self._began = False
         self._done.connect(self._take)
+        self.destroyed.connect(partial(self._jobs.put, None))
 
     @property
     def busy(self) -> bool:
@@ -51,21 +56,13 @@ class SceneWorker(QObject):
         """Draw this, as soon as what is being drawn is done."""
         if self._drawing is None:
             self._drawing = job
-            background.thread(partial(self._work, job), "scene").start()
+            if not self._began:
+                self._began = True
+                work = partial(_work, self._jobs, self._done.emit)
+                background.thread(work, "scene", partial(self._jobs.put, None)).start()
+            self._jobs.put(job)
         else:
             self._next = job
-
-    def _work(self, job: SceneJob) -> None:
-        picture, problem = None, ""
-        try:
-            picture = edge_picture(*job)
-        except ValueError as error:
-            problem = reason_of(error)
-        except MemoryError:
-            problem = _("This scene needs more memory than there is; make the picture or a solid smaller.")
-        finally:
-            with suppress(RuntimeError):  # whoever asked is gone
-                self._done.emit(job, picture, problem)
 
     def _take(self, job: SceneJob, picture: EdgePicture | None, problem: str) -> None:
         self._drawing = None
@@ -76,3 +73,20 @@ class SceneWorker(QObject):
             self.drawn.emit(job, picture)
         elif problem:
             self.failed.emit(job, problem)
+
+
+def _work(jobs: "SimpleQueue[SceneJob | None]", done: Callable[..., object]) -> None:
+    """Draw one after the other, until there is to be no further one."""
+    while (job := jobs.get()) is not None:
+        picture, problem = None, ""
+        try:
+            picture = edge_picture(*job)
+        except ValueError as error:
+            problem = reason_of(error)
+        except MemoryError:
+            problem = _("This scene needs more memory than there is; make the picture or a solid smaller.")
+        except Exception:
+            done(job, None, _("Something in the program failed while this scene was drawn."))
+            raise
+        with suppress(RuntimeError):  # whoever asked is gone
+            done(job, picture, problem)

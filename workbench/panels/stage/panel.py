@@ -35,8 +35,8 @@ class FigurePanel(PlainPanel, QWidget):
     """Canvas, tools and card over one session. ``hover_text`` and ``zoom_text`` are for a status bar.
 
     A panel makes its card and what it shows, then calls ``begin``; it says in ``show_now`` what is shown,
-    and in ``describe`` what a cell is called. ``slug`` begins the names of its actions, ``first_tool`` is
-    what an empty sheet takes up; ``usual`` is what is stepped here at first. ``slug`` is the workspace's too.
+    and in ``describe`` what a cell is called. ``slug`` is its workspace's, and begins the names of its
+    actions; ``first_tool`` is what an empty sheet takes up, ``usual`` what is stepped here at first.
     """
 
     hover_text = Signal(str)

@@ -125,10 +125,11 @@ class FigureView:
         return slug if fits else ""
 
     def on_paper(self, number: int | None = None) -> Composition:
-        """What is shown, or one step of the run, in the light theme and without handles."""
+        """The whole sheet, or one step of the run, in the light theme and without handles."""
         run = self.stepped_run()
         progress = self.progress() if number is None or run is None else progress_at(run, number)
-        made = compose(self.sheet, self.active, progress, self.compared(), LIGHT)
+        session = self.session
+        made = compose(session.sheet, session.active_figure, progress, self.compared(), LIGHT)
         return self.completed(made, progress, number)
 
     def answer(self, cell: Cell) -> bool:

@@ -3,7 +3,7 @@
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
@@ -92,11 +92,15 @@ class Plot(QWidget):
                 self._cursor_line.setValue(x)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Ask for the library when the plot is seen for the first time."""
+        """Ask for the library once the plot stays to be seen, not only while docks are placed."""
         super().showEvent(event)
         if self._plot is None:
-            library.ask()
+            QTimer.singleShot(0, self, self._ask)
         self.shown.emit()
+
+    def _ask(self) -> None:
+        if self._plot is None and self.isVisible():
+            library.ask()
 
     def _make(self) -> None:
         """The plot, unless another dock has come before it meanwhile."""
