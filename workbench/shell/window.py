@@ -299,27 +299,15 @@ class MainWindow(QMainWindow):
 
     def open_example(self, slug: str) -> None:
         """Open a built-in picture in its workspace."""
-        from workbench.document.samples.examples import example
+        from workbench.shell import opening
 
-        chosen = example(slug)
-        self.files.example(slug, lambda: self._enter_page(chosen.workspace, chosen.page))
-
-    def _enter_page(self, workspace: str, page: str, step: int | None = None) -> None:
-        """Show a workspace, in it the page that an example is about, and there a step."""
-
-        def arrive() -> None:
-            self.panels(workspace)[0].show_page(page)
-            if step is not None:
-                self.session.update_state(step=step)
-
-        self.enter(workspace, arrive)
+        opening.open_example(self, slug)
 
     def open_question(self, question: Question) -> None:
         """Open workspace, example and step of a question."""
-        from workbench.document.samples.examples import example
+        from workbench.shell import opening
 
-        self.files.example(question.example)
-        self._enter_page(question.workspace, example(question.example).page, question.step)
+        opening.open_question(self, question)
 
     def refresh_recent(self) -> None:
         """Show the recent files anew."""
