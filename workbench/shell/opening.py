@@ -11,10 +11,10 @@ if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
 
 
-def open_example(window: MainWindow, slug: str) -> None:
-    """Open a built-in picture in its workspace."""
+def open_example(window: MainWindow, slug: str, step: int | None = None) -> None:
+    """Open a built-in picture in its workspace, at a step if one is given."""
     chosen = example(slug)
-    window.files.example(slug, lambda: _enter(window, chosen.workspace, chosen))
+    window.files.example(slug, lambda: _enter(window, chosen.workspace, chosen, step))
 
 
 def open_question(window: MainWindow, question: Question) -> None:
@@ -23,7 +23,7 @@ def open_question(window: MainWindow, question: Question) -> None:
     _enter(window, question.workspace, example(question.example), question.step)
 
 
-def _enter(window: MainWindow, workspace: str, chosen: Example, step: int | None = None) -> None:
+def _enter(window: MainWindow, workspace: str, chosen: Example, step: int | None) -> None:
     """Show a workspace, in it the page that an example is about, and there a step."""
 
     def arrive() -> None:

@@ -34,15 +34,16 @@ def _open(window: MainWindow, slug: str) -> None:
 
 
 def _visibility(window: MainWindow, slug: str, step: int) -> None:
-    window.open_example(slug)
-    window.session.update_state(step=step)
+    from workbench.shell.opening import open_example
+
+    open_example(window, slug, step)
 
 
 def _fighting(window: MainWindow) -> None:
     """Two surfaces so close that eight bits do not tell them apart."""
     from workbench.document.subjects import Subject
 
-    window.open_example("almost-one-plane")
+    _visibility(window, "almost-one-plane", 0)
     window.session.update_state(subject=Subject("visibility", arguments={"bits": 8}), step=1796)
 
 

@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.marks import Frame, Mark
+from workbench.algorithms.visibility import back_faces, depth_buffer
 from workbench.document.fields import Number
 from workbench.document.model import Rectangle, Sheet
 from workbench.document.scene.model import Camera, Object, Scene
@@ -21,7 +22,7 @@ from workbench.rendering.scene.render import DeviceTriangles, device_triangles, 
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
 KIND = "visibility"
-DEPTH_BUFFER, BACK_FACES = "depth_buffer", "back_faces"
+DEPTH_BUFFER, BACK_FACES = depth_buffer.__name__, back_faces.__name__
 LEAST_COLUMNS, USUAL_COLUMNS, MOST_COLUMNS = 8, 48, 96
 NOT_ROUNDED = 0
 LEAST_BITS, MOST_BITS = 4, 32
