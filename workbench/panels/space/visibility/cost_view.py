@@ -47,7 +47,9 @@ class CostView(QScrollArea):
         if run is None or not len(run.fragments):
             self._question += 1
             self._asked = self.measures = None
-            self.words.setText(_("No surface covers a pixel, so there is nothing to measure."))
+            nothing = _("No surface covers a pixel, so there is nothing to measure.")
+            elsewhere = _("On the page Visibility the depth buffer is measured on this scene.")
+            self.words.setText(elsewhere if run is None else nothing)
         elif self.isVisible() and run.call is not self._asked:
             self._ask(run)
         else:

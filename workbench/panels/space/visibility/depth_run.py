@@ -10,7 +10,6 @@ from workbench.rendering.mapping import Call
 from workbench.rendering.scene.fragments import Fragments, fragments_of
 from workbench.rendering.scene.render import DeviceTriangles
 from workbench.rendering.subjects.visibility import (
-    KIND,
     Size,
     depth_bits,
     depth_call,
@@ -73,13 +72,11 @@ class DepthRun(NamedTuple):
 
 
 def depth_run(session: Session) -> DepthRun | None:
-    """The depth buffer's run on the scene; None where there is none, or something else is stepped.
+    """The depth buffer's run on the scene; None where there is no scene that can be stepped.
 
     While another method is stepped none of its fragments has come.
     """
     subject, sheet, run = session.subject, session.sheet, session.run
-    if subject.kind != KIND:
-        return None
     call, device = depth_call(sheet, subject), triangles_of(sheet, subject)
     if call is None or device is None:
         return None

@@ -339,7 +339,9 @@ class VisibilityPage(QWidget):
         self.refresh()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """And only then."""
+        """And only then; its docks have nothing to tell meanwhile."""
         super().hideEvent(event)
+        self.fragments.refresh(None)
+        self.cost.refresh(None)
         for action in self._actions:
             action.setEnabled(False)
