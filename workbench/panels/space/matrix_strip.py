@@ -51,10 +51,12 @@ class MatrixStrip(QWidget):
         line.setSpacing(8)
         line.addWidget(self.row, 1)
 
-    def show_camera(self, camera: Camera) -> None:
-        """Show the matrices of a camera; where it sees nothing, why."""
+    def show_camera(self, camera: Camera, anew: bool) -> None:
+        """Show the matrices of a camera; ``anew`` they take no more room than their own numbers need."""
         if camera == self._camera:
             return
+        if anew:
+            self.row.set_terms(())
         self._camera = camera
         self._show()
 

@@ -260,14 +260,15 @@ class ProjectionPage(QWidget):
         self.eye.vertex = self.vertex()
         self.eye.show_scene(scene, chosen)
         kept = self.session.sheet.scene
-        if kept is not self._kept:
+        anew = kept is not self._kept
+        if anew:
             self._kept = kept
             if self.eye.keeps_fit:
                 self.eye.fit()
             self._show_outside()
             self.outside.stand_aside()
         self._show_outside()
-        self.strip.show_camera(scene.camera)
+        self.strip.show_camera(scene.camera, anew)
         self.card.show_camera(scene.camera, self.looking.around)
         self.family.show_camera(scene.camera, self.card.kind.currentData() or "")
         self.objects.show_scene(scene, chosen)

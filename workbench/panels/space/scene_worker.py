@@ -1,6 +1,5 @@
 """Draws scenes on a thread of its own, one at a time; of those asked for meanwhile only the last is drawn."""
 
-from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
 from queue import SimpleQueue
@@ -8,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
+from shiboken6 import isValid
 
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
@@ -58,8 +58,7 @@ class SceneWorker(QObject):
             self._drawing = job
             if not self._began:
                 self._began = True
-                work = partial(_work, self._jobs, self._done.emit)
-                background.thread(work, "scene", partial(self._jobs.put, None)).start()
+                background.thread(self._work, "scene", partial(self._jobs.put, None)).start()
             self._jobs.put(job)
         else:
             self._next = job
@@ -74,19 +73,24 @@ class SceneWorker(QObject):
         elif problem:
             self.failed.emit(job, problem)
 
+    def _work(self) -> None:
+        """Draw one after the other, until there is to be no further one."""
+        while (job := self._jobs.get()) is not None:
+            picture, problem = None, ""
+            try:
+                picture = edge_picture(*job)
+            except ValueError as error:
+                problem = reason_of(error)
+            except MemoryError:
+                problem = _(
+                    "The scene takes more memory than there is; make the picture or a solid smaller."
+                )
+            except Exception:
+                self._tell(job, None, _("Something in the program failed while this scene was drawn."))
+                raise
+            self._tell(job, picture, problem)
 
-def _work(jobs: "SimpleQueue[SceneJob | None]", done: Callable[..., object]) -> None:
-    """Draw one after the other, until there is to be no further one."""
-    while (job := jobs.get()) is not None:
-        picture, problem = None, ""
-        try:
-            picture = edge_picture(*job)
-        except ValueError as error:
-            problem = reason_of(error)
-        except MemoryError:
-            problem = _("This scene needs more memory than there is; make the picture or a solid smaller.")
-        except Exception:
-            done(job, None, _("Something in the program failed while this scene was drawn."))
-            raise
+    def _tell(self, job: SceneJob, picture: EdgePicture | None, problem: str) -> None:
         with suppress(RuntimeError):  # whoever asked is gone
-            done(job, picture, problem)
+            if isValid(self):
+                self._done.emit(job, picture, problem)
