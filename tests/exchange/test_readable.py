@@ -8,7 +8,7 @@ import trimesh
 from workbench.cli.conversions import _read
 from workbench.document import save
 from workbench.document.samples.examples import example_document
-from workbench.exchange.readable import OPENABLE, READABLE, SUFFIXES, kind_of
+from workbench.exchange.readable import READABLE, SUFFIXES, kind_of
 from workbench.exchange.reading import LIMITS
 from workbench.shell.files import _kinds
 
@@ -31,8 +31,7 @@ def test_what_the_table_names_is_read(tmp_path: Path, suffix: str) -> None:
     document, _said = _read(path, 1, None, None)
     (sheet,) = document.sheets
     assert len(sheet.figures) + len(sheet.scene.objects if sheet.scene else ()) == 1
-    openable = any(suffix in each.suffixes for each in OPENABLE)
-    assert sum(f"*{suffix}" in kind for kind in _kinds()) == (2 if openable else 0)
+    assert sum(f"*{suffix}" in kind for kind in _kinds()) == 2
 
 
 def test_every_kind_has_a_limit_and_no_suffix_is_there_twice() -> None:

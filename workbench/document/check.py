@@ -96,6 +96,12 @@ def check(document: Document, before: Document | None = None) -> Document:
     return document
 
 
+def check_part(part: Any, field: str) -> None:
+    """Raises DocumentError where a struct that stands outside of a document, at ``field``, is not sound."""
+    if fault := _look_at(type(part))(part, None, None):
+        raise refuse(*below(field, fault))
+
+
 # What the fields of a struct declare
 
 

@@ -5,11 +5,12 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec.structs import replace
 
-from workbench.document.check import number_problem, refuse
+from workbench.document.check import check_part, number_problem, refuse
 from workbench.document.faults import shown
 from workbench.document.fields import Number, numbers_of
 from workbench.document.identities import all_ids
-from workbench.document.model import MAX_SIDE_PX, Document
+from workbench.document.model import MAX_SIDE_PX, Document, Sheet
+from workbench.document.scene.model import Camera, Scene
 from workbench.document.subjects import Position, Subject, fault_in, is_word, missing
 from workbench.language import _
 
@@ -36,12 +37,21 @@ class TubeSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     time_s: Annotated[float, _drive(_("time"), 0.0, LONGEST_TIME_S, "s")] = 0.0
 
 
+class Look(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The camera that somebody looks around with, as long as that of the scene is still ``kept``."""
+
+    camera: Camera
+    kept: Camera
+
+
 class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Current sheet, selected and active figures (ids), the compared algorithm, the cursors, the tube.
 
     An empty ``sheet`` means the first one, an empty ``compare`` no comparison. ``workspace`` is the one that
     is stepped in, ``positions`` has what each of them steps, and where it stands. ``ask_first`` hides the
     next pixel until it was guessed. ``pixel`` (x, y) is the one that is asked about: why is it as it is.
+    ``thing`` is the chosen object of a scene, ``looks`` (by sheet) tell where somebody looks from instead of
+    the scene's camera.
     """
 
     sheet: str = ""
@@ -53,6 +63,8 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     ask_first: bool = False
     pixel: tuple[int, int] | None = None
     tube: TubeSettings = TubeSettings()
+    thing: str = ""
+    looks: dict[str, Look] = {}
 
     @property
     def position(self) -> Position:
@@ -73,6 +85,22 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def detail(self) -> bool:
         """Whether lines are counted in the present workspace."""
         return self.position.detail
+
+
+def seen_scene(state: SessionState, sheet: Sheet) -> Scene | None:
+    """The scene of ``sheet`` as it is seen now, with the camera of whoever looks around in it."""
+    scene, look = sheet.scene, state.looks.get(sheet.id)
+    if scene is None or look is None or look.kept != scene.camera:
+        return scene
+    return replace(scene, camera=look.camera)
+
+
+def with_look(state: SessionState, sheet: Sheet, camera: Camera | None) -> dict[str, Look]:
+    """The looks of ``state``, with ``camera`` at the scene of this sheet, or with None the scene's own."""
+    kept = {name: look for name, look in state.looks.items() if name != sheet.id}
+    if camera is None or sheet.scene is None or camera == sheet.scene.camera:
+        return kept
+    return {**kept, sheet.id: Look(camera, sheet.scene.camera)}
 
 
 def with_changes(state: SessionState, **changes: Any) -> SessionState:
@@ -109,6 +137,12 @@ def check_state(state: SessionState, document: Document) -> SessionState:
     if state.pixel is not None and not all(0 <= side < MAX_SIDE_PX for side in state.pixel):
         problem = _("is {value}; give a column and a row from 0")
         raise refuse("session.pixel", problem.format(value=shown(state.pixel)))
+    if state.thing and state.thing not in _objects(document):
+        raise refuse("session.thing", missing(state.thing))
+    for sheet_id, look in state.looks.items():
+        if all(sheet.id != sheet_id for sheet in document.sheets):
+            raise refuse("session.looks", missing(sheet_id))
+        check_part(look, f"session.looks.{sheet_id}")
     for workspace in (state.workspace, *state.positions):
         if workspace and not is_word(workspace):
             raise refuse("session.workspace", _("is no name of a workspace; give one such as draw"))
@@ -141,8 +175,28 @@ def cleaned(state: SessionState, document: Document) -> SessionState:
         workspace: there if ids.issuperset(there.subject.ids) else Position(replace(there.subject, ids=()))
         for workspace, there in state.positions.items()
     }
-    left = replace(state, sheet=sheet, selection=selection, active=active, positions=positions)
+    left = replace(
+        state,
+        sheet=sheet,
+        selection=selection,
+        active=active,
+        positions=positions,
+        thing=state.thing if not state.thing or state.thing in _objects(document) else "",
+        looks=_looks_on(state, document),
+    )
     return state if left == state else left
+
+
+def _objects(document: Document) -> frozenset[str]:
+    return frozenset(each.id for sheet in document.sheets if sheet.scene for each in sheet.scene.objects)
+
+
+def _looks_on(state: SessionState, document: Document) -> dict[str, Look]:
+    """The looks at the sheets that there are."""
+    if not state.looks:
+        return state.looks
+    sheets = {sheet.id for sheet in document.sheets}
+    return {sheet: look for sheet, look in state.looks.items() if sheet in sheets}
 
 
 def _ids_for(state: SessionState, document: Document) -> frozenset[str]:

@@ -1,7 +1,8 @@
 """Arguments of an algorithm in the one form that each of its compiled readings takes.
 
 Whole numbers become int, the others float, arrays C-contiguous: points float64 (n, 2), lists of whole numbers
-int64, pictures of integers as they are. Another form would be another signature, and so another compilation.
+int64, pictures of integers as they are, a depth buffer of integers int64. Another form would be another
+signature, and so another compilation.
 """
 
 import functools
@@ -167,8 +168,10 @@ def _formed(name: str, kind: Kind | None, value: Any, copied: bool) -> Any:
                 return float(value)
             case "bool":
                 return bool(value)
-            case "points" | "depth" | "floats":
+            case "points" | "floats":
                 return _array(value, np.float64, copied)
+            case "depth":
+                return _array(value, np.int64 if _are_whole(value) else np.float64, copied)
             case "matrix":
                 return _matrix(value, copied)
             case "ints":
@@ -205,6 +208,11 @@ def _whole(value: Any) -> int:
 
 def _array(value: Any, dtype: type[np.generic], copied: bool) -> NDArray[Any]:
     return _own(np.ascontiguousarray(value, dtype=dtype), value, copied)
+
+
+def _are_whole(value: Any) -> bool:
+    """Whether a depth buffer holds whole numbers: writing a depth into it then cuts off what lies between."""
+    return isinstance(value, np.ndarray) and value.dtype.kind in "iu"
 
 
 def _matrix(value: Any, copied: bool) -> NDArray[Any]:

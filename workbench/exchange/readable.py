@@ -30,9 +30,6 @@ READABLE = (
     Readable("mesh", (".obj", ".off", ".ply", ".stl", ".glb")),
 )
 SUFFIXES = tuple(suffix for each in READABLE for suffix in each.suffixes)
-# What the window opens; a mesh has no workspace there that shows it.
-OPENABLE = tuple(each for each in READABLE if each.kind != "mesh")
-OPENABLE_SUFFIXES = tuple(suffix for each in OPENABLE for suffix in each.suffixes)
 
 
 def kind_of(path: Path) -> str:

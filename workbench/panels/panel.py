@@ -54,6 +54,9 @@ class Panel(Protocol):
     def point_at(self, cell: Cell | None) -> None:
         """Show in the middle where such a pixel is."""
 
+    def show_page(self, slug: str) -> None:
+        """Show one of its pages, where it has several; an empty slug means the first."""
+
     @property
     def exporter(self) -> "Exporter | None":
         """What makes pages of its steps, if it shows any."""
@@ -104,6 +107,9 @@ class PlainPanel:
 
     def point_at(self, cell: Cell | None) -> None:
         """There is nothing to show it on."""
+
+    def show_page(self, slug: str) -> None:
+        """There is but one."""
 
     exporter: "Exporter | None" = None
 

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer
 
 from workbench.document.subjects import Subject
-from workbench.rendering.subjects.registry import calls_of, compared, own_entry, rivals
+from workbench.rendering.subjects.registry import calls_of, compared, kind_of, own_entry, rivals
 from workbench.session.run import Run
 
 if TYPE_CHECKING:
@@ -55,6 +55,7 @@ class Following(QObject):
         self._telling = True
         try:
             lead.follow(subject, calls_of(session.sheet, subject), self._size)
+            lead.landmarks = kind_of(subject).landmarks(session.sheet, subject)
             self.switch(stays=False)
             if subject.is_of(before[0]) and self._here == self._reached:
                 if lead.entry is not before[1]:  # another text on the same figure begins at its start

@@ -15,6 +15,7 @@ class Run(Cursor):
     """A run as a person steps it.
 
     ``played``: playing began or ended. ``asked``: asking was switched, or an answer was given or let go.
+    ``landmarks`` are steps with which a part of it begins; without any the decisions tell where it turns.
     """
 
     played = Signal(bool)
@@ -22,6 +23,7 @@ class Run(Cursor):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self.landmarks: tuple[int, ...] = ()
         self.ask_first = False
         self.right = 0
         self.wrong = 0

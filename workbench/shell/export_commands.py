@@ -2,6 +2,7 @@
 
 from workbench.language import _
 from workbench.shell.actions import Command
+from workbench.shell.scene_exports import export_mesh, export_scene_picture, export_wireframe
 
 
 def export_commands() -> tuple[Command, ...]:
@@ -66,6 +67,37 @@ def export_commands() -> tuple[Command, ...]:
             (),
             "dots-three",
             _("The chosen points, or all, as a list that can be imported again"),
+            "export",
+            "document",
+        ),
+        Command(
+            "export_scene",
+            _("Export the scene as PNG..."),
+            export_scene_picture,
+            (),
+            "cube",
+            _("The scene of Space as it is seen now, 1280 by 960 pixels"),
+            "export",
+            "document",
+            separated=True,
+        ),
+        Command(
+            "export_wireframe",
+            _("Export the edges of the scene as SVG..."),
+            export_wireframe,
+            (),
+            "line-segments",
+            _("Every edge of the scene as it is seen now, as lines"),
+            "export",
+            "document",
+        ),
+        Command(
+            "export_mesh",
+            _("Export the mesh..."),
+            export_mesh,
+            (),
+            "polygon",
+            _("The chosen object, or all of the scene, as OBJ, PLY or STL"),
             "export",
             "document",
         ),

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog
 
-from workbench.exchange.readable import OPENABLE, OPENABLE_SUFFIXES, kind_of
+from workbench.exchange.readable import READABLE, SUFFIXES, kind_of
 from workbench.language import _, legible
 from workbench.paths import home_folder
 from workbench.shell.exports import Exports
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 PROGRAM = "Graphics Workbench"
 SUFFIX = ".gwb"
-_IMPORTED = ("drawing", "points")  # what comes into a picture; another picture takes its place
+_IMPORTED = ("drawing", "points", "mesh")  # what comes into a picture; another picture takes its place
 
 
 class Files(QObject):
@@ -86,7 +86,7 @@ class Files(QObject):
         self.unless_unsaved(self._new)
 
     def open(self) -> None:
-        """Ask for a file and open it; a drawing or a list of points is brought into the open picture."""
+        """Ask for a file and open it; a drawing, a mesh or a list of points comes into the open picture."""
         self._ask_for_one(_("Open"), self.take)
 
     def bring_in(self) -> None:
@@ -100,7 +100,7 @@ class Files(QObject):
             then(Path(chosen))
 
     def take(self, path: Path) -> None:
-        """Open a picture, or bring what else it is into Curves."""
+        """Open a picture, or bring what else it is into Curves or Space."""
         if kind_of(path) in _IMPORTED:
             self._bring_in(path)
         else:
@@ -108,7 +108,9 @@ class Files(QObject):
 
     def _bring_in(self, path: Path) -> None:
         if kind_of(path) in _IMPORTED:
-            self._window.enter("curves", partial(self._into_curves, path))
+            mesh = kind_of(path) == "mesh"
+            place, bring = ("space", self._into_space) if mesh else ("curves", self._into_curves)
+            self._window.enter(place, partial(bring, path))
         else:
             from workbench.exchange.reading import Job
 
@@ -120,6 +122,11 @@ class Files(QObject):
         from workbench.panels.curves.panel import CurvesPanel
 
         panel_of(self._window.panels("curves"), CurvesPanel).exchange.take_file(path)
+
+    def _into_space(self, path: Path) -> None:
+        from workbench.panels.space.panel import SpacePanel
+
+        panel_of(self._window.panels("space"), SpacePanel).meshes.take_file(path)
 
     def _with_sheets(self, stored: Any) -> "Edit":
         """The edit by which the sheets of another picture come beside those of the open one."""
@@ -349,13 +356,13 @@ class Files(QObject):
             event.accept()
         elif event.mimeData().hasUrls():
             self._window.say_status(
-                _("Drop one file here: a picture, a drawing or a list of points ({endings}).").format(
-                    endings=", ".join(OPENABLE_SUFFIXES)
+                _("Drop one file here: a picture, a drawing, a mesh or a list of points ({endings}).").format(
+                    endings=", ".join(SUFFIXES)
                 )
             )
 
     def take_drop(self, event: QDropEvent) -> None:
-        """Open the picture that is dropped, or bring what it is into Curves."""
+        """Open the picture that is dropped, or bring what it is into Curves or Space."""
         self.offer_drop(event)
         path = self._dropped(event)
         if path is not None:
@@ -366,12 +373,12 @@ class Files(QObject):
         """The one file that is being dropped, when it is of a kind that can be taken."""
         urls = event.mimeData().urls()
         path = Path(urls[0].toLocalFile()) if len(urls) == 1 and urls[0].isLocalFile() else None
-        return path if path is not None and path.suffix.lower() in OPENABLE_SUFFIXES else None
+        return path if path is not None and path.suffix.lower() in SUFFIXES else None
 
 
 def _kinds() -> list[str]:
     """What can be opened or brought in, for the list of a dialog."""
-    each = [(readable.title, readable.suffixes) for readable in OPENABLE]
+    each = [(readable.title, readable.suffixes) for readable in READABLE]
     everything = (
         _("Everything that can be opened"),
         tuple(suffix for _title, suffixes in each for suffix in suffixes),

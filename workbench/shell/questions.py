@@ -23,11 +23,17 @@ def questions() -> tuple[Question, ...]:
             1,
             _("How does a scene in space become a flat picture, and why is it divided by depth?"),
             _("Projection"),
+            "space",
+            "space-house",
+            3,
         ),
         Question(
             2,
             _("How does a depth buffer decide which surface is seen, and what does it cost?"),
             _("Surfaces"),
+            "space",
+            "overlapping-triangles",
+            684,
         ),
         Question(
             3,
@@ -38,7 +44,13 @@ def questions() -> tuple[Question, ...]:
             4,
         ),
         Question(4, _("How does a window onto the world land in a viewport on the screen?"), _("Viewing")),
-        Question(5, _("What does perspective give up that parallel projection keeps?"), _("Projection")),
+        Question(
+            5,
+            _("What does perspective give up that parallel projection keeps?"),
+            _("Projection"),
+            "space",
+            "space-isometric",
+        ),
         Question(
             6,
             _("How does a cathode-ray tube turn a beam of electrons into light?"),

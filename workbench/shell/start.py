@@ -83,7 +83,7 @@ class Building(QObject):
         window.attach(session)
         yield
         if self._path is not None:
-            window.files.open_path(self._path)
+            window.files.take(self._path)
             yield
         problems = [window.settings.problem]
         beginning = session.autosave_failed.connect(problems.append)

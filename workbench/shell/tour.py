@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from workbench.language import _
 from workbench.shell.tour_curves import curve_scenes
+from workbench.shell.tour_space import space_scenes
 from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
@@ -184,15 +185,16 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("fill-overflow", lambda window: _fill(window, "overflow", 1500)),
         ("fill-depth", _depth),
         ("fill-why", _why),
-        ("fill-empty", _fill_empty),
+        ("fill-empty", lambda window: _empty_in(window, "fill")),
         ("fill-compare", _fill_compared),
         ("clip-lines", lambda window: _clip(window, "clip", 1)),
         ("clip-interval", lambda window: _clip(window, "clip", 3, 3, "liang_barsky")),
         ("clip-fork", lambda window: _clip(window, "clip-fork", 14)),
         ("clip-lab", lambda window: _clip(window, "clip-lab", 0)),
         ("clip-asked", _clip_asked),
-        ("clip-empty", _clip_empty),
+        ("clip-empty", lambda window: _empty_in(window, "clip")),
         *curve_scenes(),
+        *space_scenes(),
         ("display", _display),
         ("display-beam", _beam),
         ("palette", _palette),
@@ -307,14 +309,9 @@ def _why(window: MainWindow) -> None:
     window.session.update_state(pixel=(8, 6))
 
 
-def _fill_empty(window: MainWindow) -> None:
+def _empty_in(window: MainWindow, slug: str) -> None:
     window.session.new()
-    window.go("fill")
-
-
-def _clip_empty(window: MainWindow) -> None:
-    window.session.new()
-    window.go("clip")
+    window.go(slug)
 
 
 def _hint(window: MainWindow) -> None:

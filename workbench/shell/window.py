@@ -299,16 +299,15 @@ class MainWindow(QMainWindow):
 
     def open_example(self, slug: str) -> None:
         """Open a built-in picture in its workspace."""
-        from workbench.document.samples.examples import example
+        from workbench.shell import opening
 
-        workspace = example(slug).workspace
-        self.files.example(slug, lambda: self.enter(workspace))
+        opening.open_example(self, slug)
 
     def open_question(self, question: Question) -> None:
         """Open workspace, example and step of a question."""
-        self.files.example(question.example)
-        self.enter(question.workspace)
-        self.session.update_state(step=question.step)
+        from workbench.shell import opening
+
+        opening.open_question(self, question)
 
     def refresh_recent(self) -> None:
         """Show the recent files anew."""

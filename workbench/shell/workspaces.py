@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from workbench.panels.shared.inspector import InspectorPanel
     from workbench.panels.shared.tube_dock import TubePanel
     from workbench.panels.shared.why import WhyPanel
+    from workbench.panels.space.panel import SpacePanel
     from workbench.session.session import Session
 
     # Every panel there is conforms.
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
         DrawPanel,
         FillPanel,
         InspectorPanel,
+        SpacePanel,
         TubePanel,
         WhyPanel,
     )
@@ -124,6 +126,16 @@ def workspaces() -> tuple[Workspace, ...]:
             steps=True,
             topics=("curves", "lines"),
             lower=("basis", "insight", "kinds", "continuity", "curvature", "hodograph", "tube"),
+        ),
+        Workspace(
+            "space",
+            _("Space"),
+            _("A scene in three dimensions: projections, their matrices, and what the eye sees"),
+            "cube",
+            ("workbench.panels.space.panel:SpacePanel", inspector),
+            steps=True,
+            topics=("projection", "visibility"),
+            lower=("hand_table", "fragments", "depth_cost", "variables"),
         ),
         Workspace(
             "display",

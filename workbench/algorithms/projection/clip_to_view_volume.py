@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry, Law, Parameter, View
+from workbench.algorithms.entry import Entry, Law, Parameter
+from workbench.algorithms.projection.view_volume_views import VIEW_FUNCTIONS, VIEWS
 
 Array = NDArray[Any]
 
@@ -103,14 +104,6 @@ def clip_to_view_volume(
             yield ring, corner.x, corner.y, corner.z, corner.w
 
 
-_PLANES = ("near", "far", "left", "right", "bottom", "top")
-
-
-def plane_name(plane: int) -> str:
-    """What the course calls a plane of the view volume."""
-    return _PLANES[plane]
-
-
 _EXAMPLE = np.array([[-3.0, -1, -1, -0.5], [2, -1, 0.5, 1.5], [1, 2, 1.5, 1.25], [-0.5, 0.5, 0.25, 1]])
 
 
@@ -123,27 +116,6 @@ def _polygons_and_window(chance: Random) -> tuple[Any, ...]:
     ]
     vertices = np.array(corners, np.float64).reshape(-1, 4)
     return vertices, np.cumsum(counts), -1.0, -1.0, 1.0, float(chance.choice((1, 2)))
-
-
-_SIDE = "Clip the side that ends at this corner"
-_OPTIONS = "('in → in', 'in → out', 'out → in', 'out → out')"
-
-
-def _side_view(when: str, case: str, sentence: str) -> View:
-    """The view of one of the four cases."""
-    return View(
-        block=_SIDE,
-        when=when,
-        row=f"(ring, plane_name(plane), tuple(start), tuple(end), d_start, d_end, {case!r})",
-        tables={
-            "Corners taken": ("polygon", ("x", "y", "z", "w")),
-            "Corners handed on": ("clipped", ("x", "y", "z", "w")),
-        },
-        options=_OPTIONS,
-        answer=repr(case),
-        sentence=f"{{plane_name(plane)}} plane: the start is {{d_start}} inside and the end {{d_end}}: "
-        f"{sentence}",
-    )
 
 
 ENTRY = Entry(
@@ -165,34 +137,8 @@ ENTRY = Entry(
     emitted_columns=("polygon", "x", "y", "z", "w"),
     source="Hearn and Baker, Computer Graphics, C Version, section 12-5",
     columns=("polygon", "plane", "from", "to", "inside by, from", "inside by, to", "case"),
-    view_functions=(plane_name,),
-    views=(
-        View(
-            block="Take the whole polygon",
-            sentence="Polygon {ring} has {len(polygon)} corners; the near plane clips it first, so that what "
-            "is behind the eye is gone before the division.",
-        ),
-        _side_view("d_start >= 0.0 and d_end >= 0.0", "in → in", "hand on the end."),
-        _side_view("d_start >= 0.0", "in → out", "hand on the intersection, {tuple(clipped[-1])}."),
-        _side_view(
-            "d_end >= 0.0", "out → in", "hand on the intersection, {tuple(clipped[-2])}, and the end."
-        ),
-        _side_view("True", "out → out", "hand on nothing."),
-        View(
-            block="Hand the list on to the next plane",
-            sentence="The {plane_name(plane)} plane leaves {len(polygon)} corners.",
-        ),
-        View(
-            block="Emit the corners that are left",
-            when="not polygon",
-            sentence="Nothing of polygon {ring} is in the view volume.",
-        ),
-        View(
-            block="Emit the corners that are left",
-            sentence="{len(polygon)} corners of polygon {ring} are left; now w > 0, and they can be divided "
-            "by it.",
-        ),
-    ),
+    view_functions=VIEW_FUNCTIONS,
+    views=VIEWS,
     laws=(
         Law(
             "Every corner that is left lies in the view volume, but for rounding, and none behind the eye.",

@@ -15,15 +15,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Entry, Law, Parameter, View
+from workbench.algorithms.entry import Entry, Law, Parameter
 from workbench.algorithms.marks import Mark
 from workbench.algorithms.projection.axonometric import isometric
-from workbench.algorithms.projection.classification import classify
 from workbench.algorithms.projection.parallel import cabinet, cavalier, orthographic
 from workbench.algorithms.projection.perspective import perspective, perspective_depth, perspective_from_plane
+from workbench.algorithms.projection.projected_point_views import VIEW_FUNCTIONS, VIEWS
 from workbench.algorithms.projection.view import standard_view
 from workbench.algorithms.projection.view import view as view_from
-from workbench.algorithms.transforms.products import factors_text, matrix_mark, row_of
+from workbench.algorithms.transforms.products import matrix_mark
 
 Array = NDArray[Any]
 Column = tuple[float, float, float, float]
@@ -121,28 +121,6 @@ def marks(
     yield matrix_mark("P", arguments[2])
 
 
-def keeps_depth(projection: Array) -> bool:
-    """Whether z after the division tells the points of a line of sight apart."""
-    return classify(projection).keeps_depth
-
-
-_W = "factors_text(projection[3], (x_v, y_v, z_v, 1.0))"
-_OPTIONS = "('divide by w', 'nothing to divide: w is 1', 'no image: w is not positive')"
-
-
-def _projected_view(when: str, answer: str, sentence: str) -> View:
-    """The view of the projection's matrix, where w tells what is left to do."""
-    return View(
-        block="Multiply by the projection",
-        when=when,
-        row="('projection', x_h, y_h, z_h, w)",
-        options=_OPTIONS,
-        answer=repr(answer),
-        marks="(row_of('P', projection, 3),)",
-        sentence=f"The last row gives w = {{{_W}}} = {{w}}{sentence}",
-    )
-
-
 ENTRY = Entry(
     function=project_point,
     topic="projection",
@@ -160,49 +138,8 @@ ENTRY = Entry(
     emitted_columns=("x", "y", "z", "w"),
     source="Hearn and Baker, Computer Graphics, C Version, chapter 12",
     columns=("stage", "x", "y", "z", "w"),
-    view_functions=(factors_text, keeps_depth, row_of),
-    views=(
-        View(
-            block="Place the point in the world",
-            row="('world', x, y, z, one)",
-            sentence="The model's matrix takes the point to {x}, {y}, {z} in the world.",
-        ),
-        View(
-            block="Turn to view coordinates",
-            row="('view', x_v, y_v, z_v, one)",
-            sentence="Seen from the eye it is at {x_v}, {y_v}, {z_v}: right, up, and {z_v} into the picture.",
-        ),
-        _projected_view("w == 1.0", "nothing to divide: w is 1", ": the division changes nothing."),
-        _projected_view(
-            "w == 0.0",
-            "no image: w is not positive",
-            ": the point is level with the centre of projection, and its projector never meets the plane.",
-        ),
-        _projected_view(
-            "w < 0.0",
-            "no image: w is not positive",
-            ": the point is behind the centre of projection, and has to be clipped away before the division.",
-        ),
-        _projected_view("True", "divide by w", ": divide by it."),
-        View(
-            block="Divide by w",
-            when="keeps_depth(projection)",
-            row="('view plane', x_p, y_p, z_p, 1.0)",
-            sentence="x = {x_h}/{w} = {x_p}, y = {y_h}/{w} = {y_p}; z = {z_h}/{w} = {z_p} is left for "
-            "hidden surfaces.",
-        ),
-        View(
-            block="Divide by w",
-            row="('view plane', x_p, y_p, z_p, 1.0)",
-            sentence="x = {x_h}/{w} = {x_p}, y = {y_h}/{w} = {y_p}, z = {z_h}/{w} = {z_p}: on this line of "
-            "sight z comes out so at any depth, and says nothing of what hides what.",
-        ),
-        View(
-            block="Map to the viewport",
-            row="('device', x_d, y_d, z_p, 1.0)",
-            sentence="On the device that is {x_d}, {y_d}, in pixels.",
-        ),
-    ),
+    view_functions=VIEW_FUNCTIONS,
+    views=VIEWS,
     laws=(
         Law(
             "The point on the view plane is the product of all three matrices with the point, over its w.",

@@ -24,7 +24,7 @@ def scan_line_marks(
 ) -> tuple[Mark, ...]:
     """The triangle in hand, its scan line, and where that enters and leaves it."""
     return (
-        Stroke(closed(np.array([low[:2], middle[:2], high[:2]])), "accent", "medium"),
+        Stroke(closed(np.array([low[:2], middle[:2], high[:2]])), "accent", "thin"),
         Ray(0.0, float(y), 1.0, 0.0, "accent", "thin", "dash", both_ways=True),
         Spot(x_left, float(y), "data2", "ring"),
         Spot(x_right, float(y), "data2", "ring"),
@@ -33,4 +33,4 @@ def scan_line_marks(
 
 def depth_mark(x: int, y: int, z: float) -> Mark:
     """The depth of the triangle at the pixel."""
-    return Word(f"z = {z:.4g}", float(x), float(y), "text", 0, 1, carded=True)
+    return Word(f"z = {z:.6g}", float(x), float(y), "text", 0, 1, carded=True)

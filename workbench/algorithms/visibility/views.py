@@ -64,7 +64,7 @@ VIEWS = (
         options=_OPTIONS,
         answer="'nearer: write z and the colour'",
         sentence="At {(x, y)} z = {z} < {stored}, the depth stored there: it is nearer, so the depth "
-        "buffer takes z, and the pixel takes colour {surface_colour}.",
+        "buffer takes z, and the pixel takes the colour of triangle {face}.",
     ),
     View(
         block="Keep the nearer one",

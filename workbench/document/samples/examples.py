@@ -12,6 +12,8 @@ from workbench.document.samples.figures import (
     polyline,
 )
 from workbench.document.samples.fill import fill_examples
+from workbench.document.samples.space import space_examples
+from workbench.document.samples.visibility import visibility_examples
 from workbench.language import _
 
 __all__ = [
@@ -80,6 +82,8 @@ def examples() -> list[Example]:
         *fill_examples(),
         *clip_examples(),
         *curve_examples(),
+        *space_examples(),
+        *visibility_examples(),
     ]
 
 

@@ -27,13 +27,17 @@ Places = Sequence[tuple[float, float]]
 
 @dataclass(frozen=True, slots=True)
 class Example:
-    """A built-in document: ``slug`` names it in links, ``workspace`` is the one it opens in."""
+    """A built-in document: ``slug`` names it in links, ``workspace`` is the one it opens in.
+
+    ``page`` is the one of that workspace's pages, where it has several and this is not the first.
+    """
 
     slug: str
     title: str
     description: str
     workspace: str
     document: Document
+    page: str = ""
 
 
 def document_of(

@@ -1,6 +1,7 @@
 """What a camera does with points: the matrix from the world to view coordinates, and on to the view plane."""
 
 import math
+from functools import lru_cache
 
 import numpy as np
 
@@ -10,20 +11,43 @@ from workbench.document.scene.model import Camera
 from workbench.language import _
 
 _FLAT = 1e-12
+_KEPT = 64  # cameras whose matrices are at hand: one picture asks for them many times
 
 
 def view_matrix(camera: Camera) -> Matrix:
-    """From the world to view coordinates (4, 4). Raises: ValueError, a sentence."""
+    """From the world to view coordinates (4, 4), read-only. Raises: ValueError, a sentence."""
+    return _view(camera)
+
+
+@lru_cache(maxsize=_KEPT)
+def _view(camera: Camera) -> Matrix:
+    matrix = _seen_from(camera)
+    matrix.flags.writeable = False
+    return matrix
+
+
+def _seen_from(camera: Camera) -> Matrix:
     if camera.projection in ("axonometric", "isometric"):
         return _turned(camera)
     return projection.view(camera.eye.xyz, camera.look_at.xyz, camera.up.xyz)
 
 
 def projection_matrix(camera: Camera) -> Matrix:
-    """From view coordinates to the view plane (4, 4), depths 0 at ``near`` to 1 at ``far``.
+    """From view coordinates to the view plane (4, 4), read-only, depths 0 at ``near`` to 1 at ``far``.
 
     x, y and the depth are to be divided by w. Raises: ValueError, a sentence.
     """
+    return _projection(camera)
+
+
+@lru_cache(maxsize=_KEPT)
+def _projection(camera: Camera) -> Matrix:
+    matrix = _projected_by(camera)
+    matrix.flags.writeable = False
+    return matrix
+
+
+def _projected_by(camera: Camera) -> Matrix:
     d, near, far = camera.distance, camera.near, camera.far
     match camera.projection:
         case "perspective":

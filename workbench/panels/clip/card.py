@@ -13,6 +13,7 @@ from workbench.document.model import LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure,
 from workbench.language import _, ngettext
 from workbench.panels.clip.scene import Fate, degenerate_count, tally
 from workbench.panels.stage.card import ParameterCard
+from workbench.panels.stage.folding_card import fill_choices
 from workbench.panels.stage.tools import FigureTool
 from workbench.session.session import Session
 from workbench.widgets.canvas.drawing import ink_of
@@ -119,7 +120,7 @@ class ClipCard(ParameterCard):
         polygons = issubclass(kind, Polygon)
         slugs = POLYGON_CLIPPERS if polygons else LINE_CLIPPERS
         choices = [(slug, _(catalogue.get(slug).title)) for slug in slugs]
-        self._fill(
+        fill_choices(
             self.clipper, choices, sheet.polygons_clipped_with if polygons else sheet.lines_clipped_with
         )
         tip = _("The algorithm that clips polygons") if polygons else _("The algorithm that clips lines")

@@ -46,6 +46,7 @@ from workbench.panels.curves.names import (
 from workbench.panels.curves.pen import PenTool
 from workbench.panels.curves.shape import has_tangent
 from workbench.panels.stage.card import ParameterCard, number_field
+from workbench.panels.stage.folding_card import fill_choices
 from workbench.panels.stage.tools import FigureTool
 from workbench.rendering.curve_runs import construction_fault, construction_of, constructions_of
 from workbench.widgets.canvas.drawing import ink_of
@@ -274,7 +275,7 @@ class CurveCard(ParameterCard):
         self.count.setText(countings(curve))
         self.count.setVisible(True)
         texts = [(slug, _(catalogue.get(slug).title)) for slug in constructions_of(curve)]
-        self._fill(self.steps, texts, construction_of(curve, self._session.state.subject.entry))
+        fill_choices(self.steps, texts, construction_of(curve, self._session.state.subject.entry))
         fault = fault_of(curve) or ("" if texts else construction_fault(curve, construction_of(curve)))
         self.fault.setText(f"\N{WARNING SIGN} {escape(fault)}")
         self.fault.setVisible(bool(fault))

@@ -12,9 +12,9 @@ from workbench.document.model import AnyFigure
 from workbench.engine.observation import Steps
 from workbench.engine.pending import Depths, PixelTests
 from workbench.panels.fill.card import FillCard
-from workbench.panels.fill.scene import heat_words, heated
 from workbench.panels.fill.tools import InsideTool
 from workbench.panels.stage.compose import Composition, Progress
+from workbench.panels.stage.heat import heat_words, heated
 from workbench.panels.stage.view import FigureView
 from workbench.rendering.inside import Verdict, verdict
 from workbench.session.run import Run

@@ -3,17 +3,12 @@
 from collections.abc import Sequence
 from contextlib import suppress
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QFrame,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
-    QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -36,14 +31,13 @@ from workbench.document.model import (
 )
 from workbench.language import _, ngettext
 from workbench.panels.stage.chain_notes import ChainNotes
+from workbench.panels.stage.folding_card import FoldingCard, fill_choices
 from workbench.panels.stage.tools import FigureTool
 from workbench.panels.stage.transform_form import TransformForm
 from workbench.rendering import REACH_PX, reach_of
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField
-from workbench.widgets.look.icons import set_icon
 
-WIDTH_PX, NARROW_PX = 248, 640
 _MOST_POINTS = 6
 
 
@@ -96,32 +90,18 @@ def algorithm_choices(figure: AnyFigure | type[AnyFigure]) -> list[tuple[str, st
     return [(slug, _(known[slug].title)) for slug in figure.algorithms if slug in known]
 
 
-class ParameterCard(QFrame):
+class ParameterCard(FoldingCard):
     """Shows and edits the selection of a session; ``algorithm_chosen`` is for what is drawn next."""
 
     side_by_side_changed = Signal(bool)
     algorithm_chosen = Signal(str)
-    folded = Signal(bool)
 
     def __init__(self, session: Session, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setObjectName("card")
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._session = session
-        self._narrow = False
         self._shown: tuple[object, ...] = ()
         self._fields: dict[str, NumberField] = {}
         self._size: tuple[NumberField, NumberField] | None = None
-        self.title = QLabel()
-        self.title.setStyleSheet("font-weight: 600;")
-        self._fold = QToolButton()
-        self._fold.setFixedSize(22, 22)
-        set_icon(self._fold, "caret-up", "muted")
-        self._fold.setToolTip(_("Fold this card"))
-        self._fold.setAccessibleName(_("Fold this card"))
-        head = QHBoxLayout()
-        head.addWidget(self.title, 1)
-        head.addWidget(self._fold)
         self.algorithm = QComboBox()
         self.algorithm.setAccessibleName(_("Algorithm"))
         self.algorithm.setToolTip(_("The algorithm that draws it"))
@@ -144,24 +124,12 @@ class ParameterCard(QFrame):
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(12)
         self._grid.setVerticalSpacing(4)
-        self._body = QWidget()
-        self._fold.clicked.connect(lambda: self._set_open(self._body.isHidden()))
-        body = QVBoxLayout(self._body)
-        body.setContentsMargins(0, 0, 0, 0)
-        body.setSpacing(8)
-        body.addWidget(self.algorithm)
-        body.addLayout(self._grid)
+        self.body.addWidget(self.algorithm)
+        self.body.addLayout(self._grid)
         for widget in (self.form, self.chain, self.trouble, *self.more_rows()):
-            body.addWidget(widget)
+            self.body.addWidget(widget)
         for widget in (self.compare, self.side_by_side, self.summary):
-            body.addWidget(widget)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(12, 8, 8, 8)
-        whole.setSpacing(4)
-        whole.addLayout(head)
-        whole.addWidget(self._body)
-        self.setFixedWidth(WIDTH_PX)
-        parent.installEventFilter(self)
+            self.body.addWidget(widget)
 
     def more_rows(self) -> list[QWidget]:
         """What a panel adds under the numbers."""
@@ -170,36 +138,6 @@ class ParameterCard(QFrame):
     def numbers(self, sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
         """Address, label and meaning of each number of the one figure that is selected."""
         return parameters(sheet, figure)
-
-    def _set_open(self, open_: bool) -> None:
-        set_icon(self._fold, "caret-up" if open_ else "caret-down", "muted")
-        self._body.setVisible(open_)
-        self._fit()
-        self.folded.emit(not open_)
-
-    def _fit(self) -> None:
-        """As high as what it holds, whose words wrap at its width."""
-        layout = self.layout()
-        if layout is not None:
-            wraps = layout.hasHeightForWidth()
-            height = layout.totalHeightForWidth(WIDTH_PX) if wraps else layout.totalSizeHint().height()
-            self.resize(WIDTH_PX, height)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Over a narrow picture it is folded, until somebody opens it, so that the picture is seen."""
-        if isinstance(event, QResizeEvent):
-            narrow = event.size().width() < NARROW_PX
-            if narrow != self._narrow:
-                self._narrow = narrow
-                self._set_open(not narrow)
-        return False
-
-    def event(self, event: QEvent) -> bool:
-        """As large as what it holds."""
-        done = super().event(event)
-        if event.type() == QEvent.Type.LayoutRequest:
-            self._fit()
-        return done
 
     def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
         """Show ``figures``, or with none selected what ``tool`` draws next and the sheet's size."""
@@ -224,9 +162,9 @@ class ParameterCard(QFrame):
             self.title.setText(new)
         common = next(iter(kinds)) if len(kinds) == 1 else new_kind
         now = figures[0].drawn_with if figures else (tool.algorithm if tool is not None else "")
-        self._fill(self.algorithm, algorithm_choices(common) if common is not None else [], now)
+        fill_choices(self.algorithm, algorithm_choices(common) if common is not None else [], now)
         others = [c for c in algorithm_choices(one) if c[0] != one.drawn_with] if one is not None else []
-        self._fill(
+        fill_choices(
             self.compare,
             [("", _("Compare with nothing"))]
             + [(slug, _("Compare with {title}").format(title=title)) for slug, title in others]
@@ -268,15 +206,6 @@ class ParameterCard(QFrame):
                 "the most. Make it smaller, or bring it nearer."
             )
             self.trouble.setText(sentence.format(what=kind_title(figure).lower(), reach=reach, most=REACH_PX))
-
-    def _fill(self, box: QComboBox, choices: list[tuple[str, str]], now: str) -> None:
-        held = [(box.itemData(k), box.itemText(k)) for k in range(box.count())]
-        if held != choices:
-            box.clear()
-            for slug, title in choices:
-                box.addItem(title, slug)
-        box.setVisible(bool(choices))
-        box.setCurrentIndex(max(0, box.findData(now)))
 
     def _rebuild(
         self, sheet: Sheet, figures: Sequence[AnyFigure], numbers: Sequence[tuple[str, str, str]]

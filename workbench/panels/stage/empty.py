@@ -11,18 +11,25 @@ from workbench.language import _
 class EmptyState(QFrame):
     """One sentence and one button in the middle of ``canvas``; the pointer passes through the sentence."""
 
-    def __init__(self, canvas: QWidget, invitation: str, show_example: Callable[[], object]) -> None:
+    def __init__(
+        self,
+        canvas: QWidget,
+        invitation: str,
+        act: Callable[[], object],
+        button: str = "",
+        tip: str = "",
+    ) -> None:
         super().__init__(canvas)
         self.setObjectName("card")
-        sentence = QLabel(invitation)
-        sentence.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.button = QPushButton(_("Show an example"))
-        self.button.setToolTip(_("Open a picture that is already drawn"))
-        self.button.clicked.connect(lambda: show_example())
+        self.sentence = QLabel(invitation)
+        self.sentence.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.button = QPushButton(button or _("Show an example"))
+        self.button.setToolTip(tip or _("Open a picture that is already drawn"))
+        self.button.clicked.connect(lambda: act())
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 12, 16, 12)
         column.setSpacing(8)
-        column.addWidget(sentence)
+        column.addWidget(self.sentence)
         column.addWidget(self.button, 0, Qt.AlignmentFlag.AlignHCenter)
         canvas.installEventFilter(self)
         self.hide()

@@ -169,7 +169,7 @@ class FigurePanel(PlainPanel, QWidget):
         canvas.cursor_moved.connect(lambda x, y: self.hover_text.emit(self.describe(x, y)))
         canvas.arrow.connect(self._arrow)
         canvas.cancelled.connect(self.let_go)
-        canvas.view_changed.connect(lambda percent: self.zoom_text.emit(f"{percent:.0f} %"))
+        canvas.view_changed.connect(self.refresh_soon)
         canvas.set_describer(self.describe)
         for tool in (*self.tools, self.handle_drag):
             tool.failed.connect(self.hover_text)

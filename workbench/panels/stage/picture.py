@@ -29,9 +29,14 @@ def packed(name: str) -> int:
     return int(name.removeprefix("#"), 16)
 
 
+def data_colours(now: Tokens) -> dict[int, int]:
+    """The data colours as documents name them, 0xRRGGBB, and what each of them is in the theme."""
+    return {packed(light): packed(shown) for light, shown in zip(LIGHT.data, now.data, strict=True)}
+
+
 def themed(sheet: Sheet, now: Tokens) -> Sheet:
     """The sheet with the theme's canvas for paper, and the theme's data colours in its present ones."""
-    changed = {packed(light): packed(shown) for light, shown in zip(LIGHT.data, now.data, strict=True)}
+    changed = data_colours(now)
     palette = [changed.get(colour, colour) for colour in sheet.palette]
     palette[sheet.background % len(palette)] = packed(now.canvas)
     return replace(sheet, palette=tuple(palette))

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,19 @@ from workbench.rendering.scene.viewpoint import Size, Viewpoint
 from workbench.rendering.triangles import depth_buffer_triangles
 
 Picture = tuple[NDArray[np.uint32], NDArray[np.float64]]
+
+
+class DeviceTriangles(NamedTuple):
+    """A scene as all methods get it: corners (n, 3), x and y in pixels on a grid of 1/4096, z 0 to 1;
+    triangles (t, 3), and of each (t,) its colour, 0xRRGGBB, the number of its object among the visible ones,
+    and the number of its face there."""
+
+    corners: Array
+    triangles: Index
+    colours: Index
+    objects: Index
+    faces: Index
+
 
 METHODS: dict[str, Callable[..., Picture]] = {depth_buffer.__name__: depth_buffer_triangles}
 """How hidden surfaces are found, by slug: from device triangles, their colours and the size."""
@@ -92,25 +105,31 @@ def _rendered(
     if method not in METHODS:
         raise ValueError(_none_called(method, tuple(METHODS)))
     refuse_shading(shading)
+    device = device_triangles(parts, lights, camera, size, window)
+    return METHODS[method](device.corners, device.triangles, device.colours, size)
+
+
+def device_triangles(
+    parts: Sequence[Part],
+    lights: Sequence[Light],
+    camera: Camera,
+    size: Size,
+    window: Rectangle | None,
+) -> DeviceTriangles:
+    """What of ``parts`` lies before the camera, on a picture of ``size``. Raises: ValueError, a sentence."""
     every = np.concatenate([mesh.vertices for mesh, *_rest in parts] or [np.zeros((0, 3))])
     viewpoint = Viewpoint.of(camera, size, window, every)
-    corners: list[Array] = []
-    triangles: list[Index] = []
-    colours: list[NDArray[np.int64]] = []
+    nothing = np.zeros(0, np.int64)
+    pieces = [DeviceTriangles(np.zeros((0, 3)), nothing.reshape(0, 3), nothing, nothing, nothing)]
     count = 0
-    for mesh, (cut, face_of), material in parts:
+    for number, (mesh, (cut, face_of), material) in enumerate(parts):
         drawn = viewpoint.drawn(mesh.vertices, cut)
-        of_faces = flat_colours(*mesh, material, lights, viewpoint.viewer)
-        corners.append(drawn.corners)
-        triangles.append(drawn.triangles + count)
-        colours.append(of_faces[face_of[drawn.owners]])
+        faces = face_of[drawn.owners]
+        colours = flat_colours(*mesh, material, lights, viewpoint.viewer)[faces]
+        numbers = np.full(len(faces), number)
+        pieces.append(DeviceTriangles(drawn.corners, drawn.triangles + count, colours, numbers, faces))
         count += len(drawn.corners)
-    return METHODS[method](
-        np.concatenate(corners or [np.zeros((0, 3))]),
-        np.concatenate(triangles or [np.zeros((0, 3), np.int64)]),
-        np.concatenate(colours or [np.zeros(0, np.int64)]),
-        size,
-    )
+    return DeviceTriangles(*map(np.concatenate, zip(*pieces, strict=True)))
 
 
 def refuse_shading(name: str) -> None:

@@ -59,6 +59,11 @@ class Viewpoint(NamedTuple):
         place[3] = 0.0
         return -place if z @ place > 0 else place
 
+    @property
+    def device(self) -> Array:
+        """From the view plane to pixels (3, 3)."""
+        return window_to_viewport(_sides(self.window), _sides(whole_sheet(*self.size)), True)
+
     def homogeneous(self, points_world: Array) -> Array:
         """Points (n, 3) on the view plane, as (x, y, z, w) before the division."""
         placed: Array = points_world @ self.matrix[:, :3].T + self.matrix[:, 3]
@@ -75,7 +80,7 @@ class Viewpoint(NamedTuple):
         used, number = np.unique(parts, return_inverse=True)
         points, parts = points[used], number.reshape(-1, 3)
         corners = points[:, :3] / points[:, 3:]
-        device = window_to_viewport(_sides(self.window), _sides(whole_sheet(*self.size)), True)
+        device = self.device
         for axis in (0, 1):
             placed = corners[:, axis] * device[axis, axis] + device[axis, 2]
             corners[:, axis] = np.floor(placed * _SNAP + 0.5) / _SNAP

@@ -52,6 +52,11 @@ def mapped(sheet: Sheet, subject: Subject, frame: Frame, marks: Iterable[Mark]) 
     return on_device(sheet, frame, marks)
 
 
+def no_landmarks(sheet: Sheet, subject: Subject) -> tuple[int, ...]:
+    """None: where a decision changed is marked."""
+    return ()
+
+
 def painted_by_calls(sheet: Sheet, subject: Subject) -> Cells:
     """The pixels (n, 2) of the picture that the calls of a subject emit, in their order."""
     whole = 0, sheet.width_px - 1, 0, sheet.height_px - 1
@@ -85,8 +90,9 @@ class SubjectKind:
     none where there is nothing to run; an empty ``entry`` of a subject is its own one. ``choices`` are the
     slugs that it can be run under, its own first. ``choose`` is the edit by which the document names another;
     None where the subject does. ``entries`` are all slugs that a subject may name, ``arguments`` what it may
-    be given. ``on_device`` brings marks from the frame of the entry to the device. ``compared_as`` is another
-    kind, of the same ids, that is compared in place of this one.
+    be given. ``on_device`` brings marks from the frame of the entry to the device. ``landmarks`` are steps
+    with which a part of the run begins, which are marked rather than each change of a decision.
+    ``compared_as`` is another kind, of the same ids, that is compared in place of this one.
     """
 
     title: str
@@ -96,6 +102,7 @@ class SubjectKind:
     entries: tuple[str, ...] = ()
     arguments: Mapping[str, Given] = field(default_factory=dict)
     on_device: Callable[[Sheet, Subject, Frame, Iterable[Mark]], tuple[Mark, ...]] = mapped
+    landmarks: Callable[[Sheet, Subject], tuple[int, ...]] = no_landmarks
     comparing: Comparing = Comparing()
     compared_as: str = ""
 

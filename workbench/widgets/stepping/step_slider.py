@@ -1,4 +1,4 @@
-"""A slider over the run, with a mark where a decision changed."""
+"""A slider over the run, with a mark where a decision changed or a part of it begins."""
 
 from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent
@@ -23,7 +23,7 @@ class StepSlider(QSlider):
         self._places: list[float] = []
         self._drawn: tuple[object, ...] = ()
         self.setAccessibleName(_("Position in the run"))
-        self.setToolTip(_("Drag to any step; marks show where the decision changed"))
+        self.setToolTip(_("Drag to any step; marks show where the decision changed or a part begins"))
         self.setMinimumWidth(90)
         self.setFixedHeight(32)
         self.setPageStep(10)
@@ -54,7 +54,10 @@ class StepSlider(QSlider):
             self.setValue(run.number)
         self.blockSignals(False)
         many = run.steps is not None and len(run.steps) > _MOST_MARKED
-        if run.steps is None or many or not run.done or run.ask_first or run.in_stretches:
+        if run.landmarks:
+            self._search.stop()
+            self._marks = run.landmarks
+        elif run.steps is None or many or not run.done or run.ask_first or run.in_stretches:
             self._search.stop()
             self._marks = ()
         elif run.steps.judged < len(run.steps) or len(self._marks) != len(run.steps.find_decisions(0)):
@@ -74,7 +77,7 @@ class StepSlider(QSlider):
 
     @property
     def marks(self) -> tuple[int, ...]:
-        """Steps where the decision changed."""
+        """Steps where the decision changed, or where a part of the run begins."""
         return self._marks
 
     def _moved_by_hand(self, value: int) -> None:
@@ -143,6 +146,8 @@ class StepSlider(QSlider):
             return []
         places = [-9.0]
         for number in self._marks:
+            if number - self._run.passed > len(steps):
+                continue  # not recorded yet, or no more
             value = steps.span(number)[0] if self._run.detail else number
             x = left + width * (value - self.minimum()) / span
             if x - places[-1] >= 3:

@@ -1,4 +1,4 @@
-"""What the Fill canvas shows of a fill beside its steps: how often each pixel was tested."""
+"""How often each pixel was touched, as colours from pale to full and as numbers."""
 
 import numpy as np
 from numpy.typing import NDArray

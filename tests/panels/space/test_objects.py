@@ -1,0 +1,143 @@
+"""Objects of a scene: chosen, added, changed in the list and in fields, listed in tables."""
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from pytestqt.qtbot import QtBot
+
+from tests.panels.space.by_hand import LEFT, scene_of, settle, shown
+from workbench.document.samples.examples import blank_sheet
+from workbench.document.scene.edits import add_link
+from workbench.document.scene.links import Translate3D
+from workbench.document.scene.model import Object
+from workbench.document.subjects import Subject
+from workbench.panels.space.projection_page import ProjectionPage
+from workbench.panels.space.solids_offered import offers
+
+
+@pytest.fixture
+def page(qtbot: QtBot) -> Iterator[ProjectionPage]:
+    yield from shown(qtbot)
+
+
+def test_a_click_chooses_an_object_and_a_vertex_is_stepped(qtbot: QtBot, page: ProjectionPage) -> None:
+    eye, session = page.eye, page.session
+    scene = scene_of(page)
+    inside = np.array([[0.8, 3.5, -0.8]])  # in the chimney, above the roof
+    eye.zoom(4.0, QPointF(*eye.projected(inside)[0]))
+    settle(qtbot, page)
+    (middle,) = eye.projected(inside)
+    qtbot.mouseClick(eye, LEFT, pos=QPoint(*map(round, middle)))
+    settle(qtbot, page)
+    assert session.state.thing == "o2"
+    eye.fit()
+    settle(qtbot, page)
+    house = scene.objects[0]
+    (corner,) = eye.projected(house.mesh.vertices[[7]])
+    qtbot.mouseClick(eye, LEFT, pos=QPoint(*map(round, corner)))
+    settle(qtbot, page)
+    assert session.subject == Subject("projection", ("o1",), arguments={"vertex": 7})
+    assert page.eye.vertex is not None
+    assert page.eye.vertex.place == pytest.approx(tuple(house.mesh.vertices[7]))
+
+
+def test_objects_are_added_renamed_hidden_copied_moved_and_deleted(
+    qtbot: QtBot, page: ProjectionPage
+) -> None:
+    dock, session = page.objects, page.session
+
+    def names() -> list[str]:
+        settle(qtbot, page)
+        return [thing.name for thing in scene_of(page).objects]
+
+    dock.add_solid(offers()[4])
+    assert names() == ["House", "Chimney", "Shed", "Sphere"]
+    assert dock.chosen is not None
+    assert dock.chosen.name == "Sphere"
+    session.undo_stack.undo()
+    assert names() == ["House", "Chimney", "Shed"]  # with its material, in one step
+    assert len(scene_of(page).materials) == 3
+    dock.list.setCurrentRow(1)
+    assert dock.chosen is not None
+    assert dock.chosen.name == "Chimney"
+    dock.list.item(1).setText("Stack")
+    assert names() == ["House", "Stack", "Shed"]
+    dock.list.item(1).setCheckState(Qt.CheckState.Unchecked)
+    settle(qtbot, page)
+    assert not scene_of(page).objects[1].visible
+    dock.shift(1)
+    assert names() == ["House", "Shed", "Stack"]
+    dock.duplicate()
+    assert names() == ["House", "Shed", "Stack", "Stack"]
+    dock.delete()
+    assert names() == ["House", "Shed", "Stack"]
+
+
+def test_a_colour_is_the_object_s_own(qtbot: QtBot, page: ProjectionPage) -> None:
+    dock = page.objects
+    dock.list.setCurrentRow(0)
+    dock.duplicate()
+    settle(qtbot, page)
+    first, second = scene_of(page).objects[:2]
+    assert first.material == second.material
+    dock.colour.menu().actions()[3].trigger()
+    settle(qtbot, page)
+    colours = {material.id: material.colour for material in scene_of(page).materials}
+    first, second = scene_of(page).objects[:2]
+    assert colours[first.material] != colours[second.material]
+    page.session.undo_stack.undo()
+    settle(qtbot, page)
+    first, second = scene_of(page).objects[:2]
+    assert first.material == second.material
+
+
+def test_solids_and_transforms_are_numbers_in_fields(qtbot: QtBot, page: ProjectionPage) -> None:
+    dock = page.objects
+    dock.list.setCurrentRow(0)
+    settle(qtbot, page)
+    fields = dock.fields
+
+    def house() -> Object:
+        settle(qtbot, page)
+        return scene_of(page).objects[0]
+
+    fields.fields["width"].edited.emit(4.5)
+    assert np.ptp(house().mesh.vertices[:, 0]) == 4.5
+    page.session.apply(add_link("o1", Translate3D("")), "")
+    link = house().transforms[0].id
+    settle(qtbot, page)
+    fields.fields[f"{link}/ty"].edited.emit(2.0)
+    matrix = house().matrix
+    assert matrix is not None
+    assert matrix[:3, 3].tolist() == [0.0, 2.0, 0.0]
+    field = fields.fields["width"]
+    field.field.selectAll()
+    qtbot.keyClicks(field.field, "-1")
+    qtbot.keyClick(field.field, Qt.Key.Key_Return)
+    assert "too small" in field.complaint.text()
+
+
+def test_tables_have_the_chosen_object_in_the_world(qtbot: QtBot, page: ProjectionPage) -> None:
+    page.tables.show()
+    page.objects.list.setCurrentRow(1)  # the chimney, a box of 0.5 x 1.4 x 0.5 around (0.8, 3.1, -0.8)
+    settle(qtbot, page)
+    tables = dict(page.tables.content())
+    assert [len(table.rows) for table in tables.values()] == [8, 12, 6, 6]
+    vertices = np.array([row[1:] for row in tables["Vertices"].rows], float)
+    assert np.allclose(vertices.min(axis=0), (0.55, 2.4, -1.05))
+    for _face, a, b, c, d in tables["Planes, in the world"].rows:
+        assert a * 0.8 + b * 3.1 + c * -0.8 + d < 0  # the middle is inside
+
+
+def test_an_empty_scene_offers_a_house(qtbot: QtBot, page: ProjectionPage) -> None:
+    page.session.new(blank_sheet())
+    settle(qtbot, page)
+    assert page.empty.isVisible()
+    assert not page.strip.isVisible()
+    qtbot.mouseClick(page.empty.button, LEFT)
+    settle(qtbot, page)
+    assert not page.empty.isVisible()
+    assert [thing.name for thing in scene_of(page).objects] == ["House"]
+    assert page.eye.vanishing()

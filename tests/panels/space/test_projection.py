@@ -1,0 +1,283 @@
+"""The page Projection as a person uses it: dragged, clicked, typed into, undone."""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from tests.panels.space.by_hand import (
+    CONTROL,
+    LEFT,
+    MIDDLE,
+    NONE,
+    SHIFT,
+    camera_of,
+    drag,
+    scene_of,
+    settle,
+    shown,
+)
+from workbench.algorithms.projection import vanishing_points
+from workbench.document.scene.looking import kind_of, kinds
+from workbench.document.scene.viewing import projection_matrix, view_matrix
+from workbench.panels.space.projection_page import ProjectionPage
+
+
+@pytest.fixture
+def page(qtbot: QtBot) -> Iterator[ProjectionPage]:
+    yield from shown(qtbot)
+
+
+# Looking around
+
+
+def test_a_drag_looks_around_and_keep_writes_it_down(qtbot: QtBot, page: ProjectionPage) -> None:
+    before = camera_of(page)
+    drag(qtbot, page.eye, (20, 300), (60, -30))
+    seen = page.looking.camera
+    assert seen != before
+    assert camera_of(page) == before  # the document stays as it was
+    assert not page.session.dirty
+    assert math.dist(seen.eye.xyz, seen.look_at.xyz) == pytest.approx(
+        math.dist(before.eye.xyz, before.look_at.xyz)
+    )
+    assert page.card.keep.isVisible()
+    qtbot.mouseClick(page.card.keep, LEFT)
+    settle(qtbot, page)
+    assert camera_of(page) == seen
+    assert not page.card.keep.isVisible()
+    page.session.undo_stack.undo()
+    settle(qtbot, page)
+    assert page.looking.camera == before
+
+
+def test_home_goes_back_to_the_view_of_the_document(qtbot: QtBot, page: ProjectionPage) -> None:
+    drag(qtbot, page.eye, (20, 300), (60, -30), MIDDLE)
+    assert page.looking.around
+    page.go_home()
+    settle(qtbot, page)
+    assert page.looking.camera == camera_of(page)
+
+
+def test_shift_pans_the_wheel_zooms_at_the_pointer_and_neither_turns(
+    qtbot: QtBot, page: ProjectionPage
+) -> None:
+    eye = page.eye
+    place = QPointF(120, 200)
+    held = eye.on_plane(place)
+    where = eye.mapToGlobal(place)
+    wheel = QWheelEvent(
+        place, where, QPoint(), QPoint(0, 240), NONE, Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase, False,
+    )  # fmt: skip
+    scale = eye.scale
+    QApplication.sendEvent(eye, wheel)
+    assert eye.scale == pytest.approx(scale * 1.44)
+    assert eye.on_plane(place) == pytest.approx(held)
+    drag(qtbot, eye, (120, 200), (40, 12), LEFT, SHIFT)
+    assert eye.on_plane(place + QPointF(40, 12)) == pytest.approx(held)
+    assert not page.looking.around
+    eye.fit()
+    assert eye.scale == pytest.approx(scale)
+
+
+def test_keys_look_from_the_sides_in_the_view_that_has_the_focus(qtbot: QtBot, page: ProjectionPage) -> None:
+    page.looking.choose("orthographic", "")
+    settle(qtbot, page)
+    expected = {"1": "front", "3": "right", "7": "top"}
+    opposite = {"1": "back", "3": "left", "7": "bottom"}
+    page.eye.setFocus()
+    for key in "137":
+        qtbot.keyClick(page.eye, key)
+        assert kind_of(page.looking.camera) == expected[key]
+        qtbot.keyClick(page.eye, key, CONTROL)
+        assert kind_of(page.looking.camera) == opposite[key]
+    qtbot.keyClick(page.eye, "5")
+    assert page.looking.camera.projection == "perspective"
+    qtbot.keyClick(page.eye, "5")
+    before = page.looking.camera
+    assert before.projection == "orthographic"
+    page.outside.setFocus()
+    qtbot.keyClick(page.outside, Qt.Key.Key_Right, SHIFT)
+    assert page.looking.camera == before  # the outside view has an eye of its own
+    page.eye.setFocus()
+    qtbot.keyClick(page.eye, Qt.Key.Key_Right, SHIFT)
+    assert page.looking.camera != before
+
+
+# Projections
+
+
+def test_every_projection_is_chosen_shown_and_undone(qtbot: QtBot, page: ProjectionPage) -> None:
+    before = camera_of(page)
+    for slug in (kind.slug for kind in kinds()):
+        page.card.kind.activated.emit(page.card.kind.findData(slug))
+        page.session.flush()
+        QApplication.processEvents()
+        if slug == "orthographic":  # the same from where one stands
+            continue
+        assert kind_of(camera_of(page)) == slug
+        assert page.card.kind.currentData() == slug
+        assert page.family.tree.currentItem().data(0, Qt.ItemDataRole.UserRole) == slug
+        words = page.family.words.text()
+        assert ("Perspective" in words) == (slug in ("one-point", "two-point", "three-point", "matrix"))
+    while page.session.undo_stack.canUndo():
+        page.session.undo_stack.undo()
+    settle(qtbot, page)
+    assert camera_of(page) == before
+    assert page.card.kind.currentData() == "two-point"
+
+
+def test_numbers_are_typed_and_bad_ones_are_refused_in_the_field(qtbot: QtBot, page: ProjectionPage) -> None:
+    page.card.set_open(True)
+
+    def type_in(name: str, text: str) -> None:
+        field = page.card.fields[name].field
+        field.selectAll()
+        qtbot.keyClicks(field, text)
+        qtbot.keyClick(field, Qt.Key.Key_Return)
+        settle(qtbot, page)
+
+    type_in("distance", "3/2")
+    assert camera_of(page).distance == 1.5
+    before = camera_of(page)
+    type_in("far", "0.05")
+    assert camera_of(page) == before
+    assert "near" in page.card.fields["far"].complaint.text()
+    for axis, value in zip("xz", ("0", "0"), strict=True):
+        type_in(f"eye.{axis}", value)
+    assert camera_of(page).eye.z != 0.0  # there the eye would be at what it looks at
+    assert "eye" in page.card.fields["eye.z"].complaint.text()
+
+
+# The matrices
+
+
+def test_a_number_of_m_makes_the_projection_a_matrix(qtbot: QtBot, page: ProjectionPage) -> None:
+    before = camera_of(page)
+    whole = projection_matrix(before) @ view_matrix(before)
+    page.strip.row.edited.emit(0, 3, 1, 0.125)
+    page.strip.row.edit_ended.emit()
+    settle(qtbot, page)
+    after = camera_of(page)
+    assert after.projection == "matrix"
+    whole = whole.copy()
+    whole[3, 1] = 0.125
+    assert np.allclose(projection_matrix(after) @ view_matrix(after), whole)
+    assert page.card.kind.currentData() == "matrix"
+    assert "three principal vanishing points" in page.family.words.text()
+    page.session.undo_stack.undo()
+    settle(qtbot, page)
+    assert camera_of(page) == before
+
+
+def test_a_singular_matrix_is_refused_in_words(qtbot: QtBot, page: ProjectionPage) -> None:
+    said: list[str] = []
+    page.hover_text.connect(said.append)
+    page.looking.choose("front", "")
+    settle(qtbot, page)
+    before = camera_of(page)
+    page.strip.row.edited.emit(0, 0, 0, 0.0)  # x of the picture is 0 everywhere
+    page.strip.row.edit_ended.emit()
+    assert camera_of(page) == before
+    assert any("singular" in sentence for sentence in said)
+
+
+# Vanishing points
+
+
+@pytest.mark.parametrize("pinned", [False, True])
+def test_a_vanishing_point_goes_where_it_is_dragged(qtbot: QtBot, page: ProjectionPage, pinned: bool) -> None:
+    eye = page.eye
+    points = dict(eye.vanishing())
+    (at,) = eye.on_screen(np.array([points[0]]))
+    assert eye.grip_at(QPointF(*at)) == 0
+    held = SHIFT if pinned else Qt.KeyboardModifier.NoModifier
+    drag(qtbot, eye, (at[0], at[1]), (24, 0), LEFT, held)
+    settle(qtbot, page)
+    camera = page.looking.camera
+    after = vanishing_points(projection_matrix(camera) @ view_matrix(camera))
+    wanted = eye.on_plane(QPointF(round(at[0]) + 24, round(at[1])))
+    assert after[0] == pytest.approx(wanted, abs=1e-9)
+    if pinned:
+        assert after[2] == pytest.approx(points[2])
+        assert camera.distance != camera_of(page).distance
+    else:
+        assert camera.distance == camera_of(page).distance
+
+
+def test_a_parallel_projection_has_no_vanishing_point_to_take_hold_of(
+    qtbot: QtBot, page: ProjectionPage
+) -> None:
+    page.looking.choose("isometric", "")
+    settle(qtbot, page)
+    assert page.eye.vanishing() == []
+
+
+# The view from outside
+
+
+@pytest.mark.parametrize("slug", ["two-point", "isometric", "cabinet"])
+def test_projectors_run_from_the_object_through_its_picture_on_the_plane(
+    qtbot: QtBot, page: ProjectionPage, slug: str
+) -> None:
+    """In space: eye, image and point on one line; or projectors that are all parallel."""
+    page.looking.choose(slug, "")
+    settle(qtbot, page)
+    camera = page.looking.camera
+    points = scene_of(page).objects[0].mesh.vertices
+    images = page.outside._images(points)
+    depths = (np.column_stack([images, np.ones(len(images))]) @ view_matrix(camera).T)[:, 2]
+    assert np.allclose(depths, camera.distance)  # all on the view plane
+    if camera.projection == "perspective":
+        eye = np.array(camera.eye.xyz)
+        across = np.cross(images - eye, points - eye)
+    else:
+        ways = images - points
+        across = np.cross(ways, ways[np.abs(ways).sum(axis=1).argmax()])
+    assert np.allclose(across, 0.0, atol=1e-9)
+
+
+def test_views_stand_side_by_side_and_either_alone(qtbot: QtBot, page: ProjectionPage) -> None:
+    eye, outside = page.eye, page.outside
+    assert eye.isVisible()
+    assert outside.isVisible()
+    assert page.views.orientation() == Qt.Orientation.Horizontal
+    page.show_beside("eye")
+    assert eye.isVisible()
+    assert not outside.isVisible()
+    page.show_beside("outside")
+    assert outside.isVisible()
+    assert not eye.isVisible()
+    page.show_beside("both")
+    panel = page.window()
+    panel.resize(700, 1100)
+    QApplication.processEvents()
+    assert page.views.orientation() == Qt.Orientation.Vertical
+    panel.resize(480, 420)
+    QApplication.processEvents()
+    assert eye.isVisible()
+    assert not outside.isVisible()
+
+
+# The run
+
+
+def test_the_run_takes_a_vertex_through_what_is_seen(qtbot: QtBot, page: ProjectionPage) -> None:
+    session = page.session
+    drag(qtbot, page.eye, (20, 300), (60, -30))
+    settle(qtbot, page)
+    run = session.run
+    qtbot.waitUntil(lambda: run.entry is not None and run.tellable == 5, timeout=10_000)
+    assert run.entry is not None
+    assert run.entry.slug == "project_point"
+    camera = page.looking.camera
+    assert session.subject.arguments["view"] == pytest.approx(view_matrix(camera).ravel())
+    page.go_home()
+    settle(qtbot, page)
+    assert "view" not in session.subject.arguments

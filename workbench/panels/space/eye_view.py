@@ -1,0 +1,185 @@
+"""What the eye sees: the picture on the view plane, with horizon and vanishing points to take hold of."""
+
+from typing import NamedTuple
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QPainter, QPen, QPolygonF
+from PySide6.QtWidgets import QWidget
+
+from workbench.algorithms.projection import vanishing_points
+from workbench.document.scene.viewing import projection_matrix, view_matrix
+from workbench.geometry.meshes import Array
+from workbench.language import _
+from workbench.panels.space.looking import points_of
+from workbench.panels.space.scene_view import REACH_PX, SceneView
+from workbench.panels.space.strokes import label, lines
+from workbench.rendering.scene.render import placed
+from workbench.widgets.look.tokens import colour, tokens
+
+AXES = "xyz"
+_VERTEX_PX = 8.0
+_FARTHEST_VANISHING = 3.2  # times as wide as the scene, and its vanishing points are in the picture too
+INKS = (1, 3, 2)
+"""Which data colour stands for the world's x, y and z."""
+
+
+class Vertex(NamedTuple):
+    """A corner of an object: its id, the number of the corner, and where it is in the world."""
+
+    thing: str
+    number: int
+    place: tuple[float, float, float]
+
+
+class EyeView(SceneView):
+    """``vanishing_moved`` sends axis, place on the view plane, and whether the other ones are pinned."""
+
+    vanishing_moved = Signal(int, float, float, bool)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.vertex: Vertex | None = None
+        self.setAccessibleName(_("Picture"))
+        self.setToolTip("")
+
+    @property
+    def matrix(self) -> Array:
+        """From the world to the view plane (4, 4), as it is now. Raises: ValueError."""
+        return projection_matrix(self.scene.camera) @ view_matrix(self.scene.camera)
+
+    def extent(self) -> Array:
+        """What of the scene is before the camera."""
+        points = points_of(self.scene)
+        try:
+            placed_points = points @ self.matrix[:, :3].T + self.matrix[:, 3]
+        except ValueError:
+            return np.zeros((0, 2))
+        w, z = placed_points[:, 3], placed_points[:, 2]
+        before = (w > 1e-9) & (z >= 0) & (z <= w)
+        flat: Array = placed_points[before, :2] / w[before, None]
+        vanishing = [point for point in vanishing_points(self.matrix) if point is not None]
+        if not (len(flat) and vanishing):
+            return flat
+        both = np.concatenate([flat, vanishing])
+        return (
+            both if (np.ptp(both, axis=0) <= _FARTHEST_VANISHING * np.ptp(flat, axis=0).max()).all() else flat
+        )
+
+    def vanishing(self) -> list[tuple[int, tuple[float, float]]]:
+        """Axis and place on the view plane of each principal vanishing point of the picture shown."""
+        if self._viewpoint is None:
+            return []
+        points = vanishing_points(self._viewpoint.matrix)
+        return [(axis, point) for axis, point in enumerate(points) if point is not None]
+
+    # Painting
+
+    def paint_under(self, painter: QPainter) -> None:
+        """The horizon: where the planes of equal height run together."""
+        if self._viewpoint is None:
+            return
+        columns = self._viewpoint.matrix[[0, 1, 3]]
+        a, b, c = np.cross(columns[:, 0], columns[:, 2])
+        if abs(a) + abs(b) < 1e-12 * abs(c) or not self.vanishing():
+            return
+        middle = np.array(self.middle)
+        foot = middle - (a * middle[0] + b * middle[1] + c) / (a * a + b * b) * np.array([a, b])
+        along = np.array([-b, a]) / np.hypot(a, b) * 4 * max(self.width(), self.height()) / self.scale
+        start, end = self.on_screen(np.stack([foot - along, foot + along]))
+        lines(painter, start[None], end[None], QPen(colour(tokens().agreement), 1, Qt.PenStyle.DashLine))
+
+    def paint_over(self, painter: QPainter) -> None:
+        """Vanishing points, what runs together there, and the vertex that is projected."""
+        corners = self._corners_of_chosen()
+        for axis, point in self.vanishing():
+            ink = colour(tokens().data[INKS[axis]])
+            (at,) = self.on_screen(np.array([point]))
+            outermost = self._outermost(corners, at)
+            pen = QPen(ink, 1.2, Qt.PenStyle.DotLine)
+            lines(painter, outermost, np.broadcast_to(at, outermost.shape), pen)
+            painter.setPen(QPen(ink, 1))
+            painter.setBrush(ink)
+            self._marker(painter, axis, QPointF(*np.clip(at, -1e5, 1e5).tolist()))
+            if self.rect().contains(QPointF(*np.clip(at, -1e5, 1e5)).toPoint()):
+                x, y = point
+                text = f"VP{AXES[axis]} ({x:.3g}, {y:.3g})".replace("-", "−")
+                label(painter, self.size(), at, text, tokens().data[INKS[axis]])
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+        if self.vertex is not None:
+            (at,) = self.projected(np.array([self.vertex.place]))
+            if np.isfinite(at).all():
+                painter.setPen(QPen(colour(tokens().accent), 2))
+                painter.setBrush(colour(tokens().canvas))
+                painter.drawEllipse(QPointF(*at.tolist()), 5, 5)
+                painter.setBrush(Qt.BrushStyle.NoBrush)
+                label(painter, self.size(), at, f"R{self.vertex.number}", tokens().accent)
+
+    def _marker(self, painter: QPainter, axis: int, at: QPointF) -> None:
+        """A triangle for x, a diamond for y, a square for z."""
+        x, y, r = at.x(), at.y(), 5.5
+        if axis == 0:
+            corners = [QPointF(x - r, y + r), QPointF(x + r, y + r), QPointF(x, y - r)]
+            painter.drawPolygon(QPolygonF(corners))
+        elif axis == 1:
+            corners = [QPointF(x - r, y), QPointF(x, y + r), QPointF(x + r, y), QPointF(x, y - r)]
+            painter.drawPolygon(QPolygonF(corners))
+        else:
+            painter.drawRect(QRectF(x - r + 1, y - r + 1, 2 * r - 2, 2 * r - 2))
+
+    def _corners_of_chosen(self) -> Array:
+        visible = [thing for thing in self.scene.objects if thing.visible]
+        for thing, (mesh, *_rest) in zip(visible, placed(self.scene), strict=True):
+            if thing.id == self.chosen or (not self.chosen and thing is visible[0]):
+                screen = self.projected(mesh.vertices)
+                corners: Array = screen[np.isfinite(screen).all(axis=1)]
+                return corners
+        return np.zeros((0, 2))
+
+    @staticmethod
+    def _outermost(corners: Array, at: Array) -> Array:
+        """The two corners between whose lines to ``at`` all others lie."""
+        if len(corners) < 2:
+            return corners
+        towards = corners.mean(axis=0) - at
+        way = corners - at
+        angles = np.arctan2(
+            towards[0] * way[:, 1] - towards[1] * way[:, 0], way @ towards
+        )  # within a half turn of the middle
+        return corners[[angles.argmin(), angles.argmax()]]
+
+    # The hand
+
+    def grip_at(self, position: QPointF) -> object | None:
+        """A vanishing point of a perspective, where one is within reach."""
+        if self.scene.camera.projection != "perspective":
+            return None
+        for axis, point in self.vanishing():
+            (at,) = self.on_screen(np.array([point]))
+            if abs(at - [position.x(), position.y()]).max() <= REACH_PX:
+                return axis
+        return None
+
+    def drag_grip(self, grip: object, position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
+        """Tell where the vanishing point is dragged."""
+        assert isinstance(grip, int)
+        x, y = self.on_plane(position)
+        self.vanishing_moved.emit(grip, x, y, bool(modifiers & Qt.KeyboardModifier.ShiftModifier))
+
+    def release_grip(self, _grip: object) -> None:
+        """What was dragged stays as it is."""
+        self.turn_ended.emit()
+
+    def vertex_at(self, position: QPointF) -> Vertex | None:
+        """The corner of a visible object that is nearest to a place, within reach."""
+        best, reach = None, _VERTEX_PX
+        visible = [thing for thing in self.scene.objects if thing.visible]
+        for thing, (mesh, *_rest) in zip(visible, placed(self.scene), strict=True):
+            away = np.hypot(*(self.projected(mesh.vertices) - [position.x(), position.y()]).T)
+            away = np.where(np.isfinite(away), away, np.inf)
+            if len(away) and away.min() < reach:
+                number = int(away.argmin())
+                reach = float(away[number])
+                x, y, z = mesh.vertices[number].tolist()
+                best = Vertex(thing.id, number, (x, y, z))
+        return best

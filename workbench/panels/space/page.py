@@ -1,0 +1,75 @@
+"""The pages of Space: what each is called, and the class that shows it.
+
+A page is one more row of ``pages()`` and a widget made with the session. Alt and its number in the table show
+it; the page switch at the top of the workspace has a button for it. What a page offers beside itself it says
+as a panel does, by ``docks()`` and ``commands()``; ``usual`` is the subject that is stepped on it at first,
+and each page has a position of its own. The scene as it is seen, with the camera of whoever looks around, is
+``seen_scene(session.state, session.sheet)``.
+"""
+
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from typing import NamedTuple, Protocol, cast
+
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QWidget
+
+from workbench.document.subjects import Subject
+from workbench.language import _
+from workbench.panels.panel import Cell, DockPart, Said
+from workbench.session.session import Session
+
+
+class Page(Protocol):
+    """What fills the workspace while it is chosen."""
+
+    usual: Subject
+
+    @property
+    def widget(self) -> QWidget:
+        """The page itself."""
+
+    def docks(self) -> Sequence[DockPart]:
+        """Its docks, which are there on every page."""
+
+    def commands(self) -> Sequence[QAction]:
+        """Its commands."""
+
+    def said(self) -> Said:
+        """What it says in the status bar."""
+
+    def point_at(self, cell: Cell | None) -> None:
+        """Show where a pixel is that the sentence names; None when no longer."""
+
+
+class PageRow(NamedTuple):
+    """``slug`` names the page and its position in the session, ``maker`` is "module:class"."""
+
+    slug: str
+    title: str
+    tooltip: str
+    maker: str
+
+    def make(self, session: Session) -> Page:
+        """The page, over a session."""
+        module, _colon, name = self.maker.partition(":")
+        made = cast("Callable[[Session], Page]", getattr(import_module(module), name))
+        return made(session)
+
+
+def pages() -> tuple[PageRow, ...]:
+    """In the order of the switch."""
+    return (
+        PageRow(
+            "space",
+            _("Projection"),
+            _("How the scene comes into the picture: projections, their matrices, vanishing points"),
+            "workbench.panels.space.projection_page:ProjectionPage",
+        ),
+        PageRow(
+            "visibility",
+            _("Visibility"),
+            _("Which surface is seen: the depth buffer, fragment by fragment"),
+            "workbench.panels.space.visibility.page:VisibilityPage",
+        ),
+    )

@@ -1,0 +1,181 @@
+"""What a depth buffer gives and what it costs: advantages and limits, each with a number of this scene."""
+
+from contextlib import suppress
+
+from msgspec.structs import replace
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
+
+from workbench.engine import background
+from workbench.language import _, ngettext
+from workbench.panels.space.visibility.depth_run import DepthRun
+from workbench.rendering.scene.depth_measures import DepthMeasures, distance_of, least_distance, measured
+from workbench.rendering.subjects.visibility import NOT_ROUNDED, backwards, depth_call
+
+_BYTE, _DOUBLE = 8, 64
+_SCREEN = 1920, 1080
+_FORMULA_BITS = 16
+
+
+class CostView(QScrollArea):
+    """Measures only while it is seen, on a thread of its own."""
+
+    _found = Signal(int, object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._question = 0
+        self._run: DepthRun | None = None
+        self._asked: object = None
+        self.measures: DepthMeasures | None = None
+        self.words = QLabel()
+        self.words.setWordWrap(True)
+        self.words.setContentsMargins(12, 8, 12, 8)
+        self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.words.setAccessibleName(_("Advantages and limits, measured"))
+        self.setWidget(self.words)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._found.connect(self._take)
+
+    def refresh(self, run: DepthRun | None) -> None:
+        """Follow the run."""
+        self._run = run
+        if run is None or not len(run.fragments):
+            self._question += 1
+            self._asked = self.measures = None
+            nothing = _("No surface covers a pixel, so there is nothing to measure.")
+            elsewhere = _("On the page Visibility the depth buffer is measured on this scene.")
+            self.words.setText(elsewhere if run is None else nothing)
+        elif self.isVisible() and run.call is not self._asked:
+            self._ask(run)
+        else:
+            self._tell()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Measure when it is seen."""
+        super().showEvent(event)
+        self.refresh(self._run)
+
+    def _ask(self, run: DepthRun) -> None:
+        self._question += 1
+        self._asked, self.measures = run.call, None
+        question, sheet, subject = self._question, run.sheet, run.subject
+        other = {"backwards": not backwards(subject)}, {"bits": NOT_ROUNDED}
+        calls = [
+            depth_call(sheet, replace(subject, arguments={**subject.arguments, **each})) for each in other
+        ]
+        reverse, unrounded = calls
+        assert reverse is not None
+        assert unrounded is not None
+        self.words.setText(_("Measuring…"))
+
+        def work() -> None:
+            found = measured(run.call, reverse, unrounded)
+            with suppress(RuntimeError):  # this view is gone
+                self._found.emit(question, found)
+
+        background.thread(work, "measures of a depth buffer").start()
+
+    def _take(self, question: int, measures: DepthMeasures) -> None:
+        if question == self._question:
+            self.measures = measures
+            self._tell()
+
+    def _tell(self) -> None:
+        if self._run is not None and self.measures is not None:
+            self.words.setText(_told(self._run, self.measures))
+
+
+def _told(run: DepthRun, found: DepthMeasures) -> str:
+    gives = (
+        (_("Any order"), _other_order(found)),
+        (_("Pierces rightly"), _piercing(found)),
+        (
+            _("Time about linear"),
+            _("{triangles} triangles, {fragments:,} fragments: one comparison each.").format(
+                triangles=found.triangles, fragments=found.fragments
+            ),
+        ),
+    )
+    costs = (
+        (_("Memory"), _memory(run)),
+        (_("Rounded depths"), _rounded(run, found)),
+        (
+            _("Work for nothing"),
+            _("{lost:,} of {writes:,} writes were written over; {refused:,} fragments were refused.").format(
+                lost=found.overwritten,
+                writes=found.overwritten + found.covered,
+                refused=found.fragments - found.overwritten - found.covered,
+            ),
+        ),
+        (
+            _("No transparency"),
+            _("{n:,} of {covered:,} covered pixels have more than one surface, and show one.").format(
+                n=found.layered, covered=found.covered
+            ),
+        ),
+    )
+    parts = []
+    for title, rows in ((_("Advantages"), gives), (_("Limits"), costs)):
+        lines = "".join(f"<p><b>{head}.</b> {text}</p>" for head, text in rows)
+        parts.append(f"<h4>{title}</h4>{lines}")
+    return "".join(parts)
+
+
+def _other_order(found: DepthMeasures) -> str:
+    if not found.other_order:
+        return _("Drawn in the other order, all {covered:,} pixels are the same.").format(
+            covered=found.covered
+        )
+    text = ngettext(
+        "Drawn in the other order, {n:,} of {covered:,} pixels differs: its depths are equal.",
+        "Drawn in the other order, {n:,} of {covered:,} pixels differ: their depths are equal.",
+        found.other_order,
+    )
+    return text.format(n=found.other_order, covered=found.covered)
+
+
+def _piercing(found: DepthMeasures) -> str:
+    text = ngettext(
+        "{n} pair of triangles pierces; each pixel shows the nearer one, and nothing was cut.",
+        "{n} pairs of triangles pierce; each pixel shows the nearer one, and nothing was cut.",
+        found.piercing,
+    )
+    return text.format(n=found.piercing) if found.piercing else _("No two triangles of this scene pierce.")
+
+
+def _memory(run: DepthRun) -> str:
+    width, height = run.size
+    bits = run.bits or _DOUBLE
+    here, screen = (-(-w * h * bits // _BYTE) for w, h in (run.size, _SCREEN))
+    text = _("{width} × {height} depths of {bits} bits are {here:,} bytes; {w} × {h} take {mb:.1f} MB.")
+    return text.format(
+        width=width, height=height, bits=bits, here=here, w=_SCREEN[0], h=_SCREEN[1], mb=screen / 1e6
+    )
+
+
+def _rounded(run: DepthRun, found: DepthMeasures) -> str:
+    """How many pixels are wrong, and the formula that says where."""
+    assert run.sheet.scene is not None
+    camera = run.sheet.scene.camera
+    bits = run.bits or _FORMULA_BITS
+    deepest = float(run.fragments.z.max()) / run.farthest
+    z, apart = distance_of(camera, deepest), least_distance(camera, deepest, bits)
+    formula = (
+        "Δz = z² (f − n) / (f n (2<sup>b</sup> − 1))"
+        if camera.projection == "perspective"
+        else "Δz = (f − n) / (2<sup>b</sup> − 1)"
+    )
+    wrong = (
+        _("With {bits} bits {n:,} of {covered:,} pixels show another triangle than without rounding.").format(
+            bits=bits, n=found.rounded, covered=found.covered
+        )
+        if run.bits
+        else _("Depths are not rounded now; with few bits, surfaces close to one another fight.")
+    )
+    where = _("{formula}: at z = {z:.4g}, b = {bits}, surfaces less than {apart:.3g} apart may fight.")
+    return f"{wrong} {where.format(formula=formula, z=z, bits=bits, apart=apart)}"

@@ -1,0 +1,85 @@
+"""A vertex of an object of the scene on its way into the picture, through the matrices of the camera."""
+
+import numpy as np
+
+from workbench.algorithms import catalogue
+from workbench.algorithms.projection import project_point
+from workbench.algorithms.viewing import window_to_viewport
+from workbench.document.fields import Number
+from workbench.document.model import Sheet, whole_sheet
+from workbench.document.scene.model import Camera, Object
+from workbench.document.scene.viewing import projection_matrix, view_matrix
+from workbench.document.subjects import Subject
+from workbench.geometry.meshes import Array
+from workbench.language import _
+from workbench.rendering.mapping import Call
+from workbench.rendering.scene.around import window_of
+from workbench.rendering.scene.render import placed
+from workbench.rendering.subjects.registry import Given, SubjectKind, register
+
+KIND = "projection"
+SLUG = project_point.__name__
+_MOST_VERTICES = 2**31
+
+
+def vertex_of(sheet: Sheet, subject: Subject) -> tuple[Object, int] | None:
+    """The object and the number of its vertex that are projected, by default the first of the front one.
+
+    None where nothing can be: there is no scene, or no object in it.
+    """
+    objects = sheet.scene.objects if sheet.scene else ()
+    thing = next((each for each in objects if each.id in subject.ids), next(iter(objects), None))
+    number = subject.arguments.get("vertex", 0)
+    if thing is None or not isinstance(number, int):
+        return None
+    return thing, min(number, len(thing.mesh.vertices) - 1)
+
+
+def seen_from(camera: Camera) -> dict[str, tuple[float, ...]]:
+    """The arguments by which a subject is seen otherwise than by the camera of its scene."""
+    view, plane = view_matrix(camera), projection_matrix(camera)
+    return {"view": tuple(map(float, view.ravel())), "projection": tuple(map(float, plane.ravel()))}
+
+
+def _matrix(subject: Subject, name: str, usual: Array) -> Array:
+    entries = subject.arguments.get(name, ())
+    return np.array(entries).reshape(4, 4) if isinstance(entries, tuple) and len(entries) == 16 else usual
+
+
+def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
+    chosen = vertex_of(sheet, subject)
+    if chosen is None or sheet.scene is None:
+        return []
+    thing, number = chosen
+    camera = sheet.scene.camera
+    model = np.eye(4) if thing.matrix is None else thing.matrix
+    size = sheet.width_px, sheet.height_px
+    every = np.concatenate([mesh.vertices for mesh, *_rest in placed(sheet.scene)] or [np.zeros((0, 3))])
+    window, whole = window_of(camera, size, every), whole_sheet(*size)
+    sides = [(each.xmin, each.ymin, each.xmax, each.ymax) for each in (window, whole)]
+    arguments = (
+        model,
+        _matrix(subject, "view", view_matrix(camera)),
+        _matrix(subject, "projection", projection_matrix(camera)),
+        window_to_viewport(sides[0], sides[1], True),
+        thing.mesh.vertices[number].copy(),
+    )
+    return [Call(catalogue.get(SLUG), arguments)]
+
+
+register(
+    KIND,
+    SubjectKind(
+        title=_("A vertex on its way into the picture"),
+        calls=_calls,
+        choices=lambda _sheet, _subject: (SLUG,),
+        entries=(SLUG,),
+        arguments={
+            "vertex": Given(
+                0, Number(label=_("vertex"), low=0, high=_MOST_VERTICES, whole=True, keyed=False)
+            ),
+            "view": Given((0.0,)),
+            "projection": Given((0.0,)),
+        },
+    ),
+)

@@ -1,0 +1,240 @@
+"""The scene of a sheet under a method for hidden surfaces, on a coarse picture, so that it can be stepped."""
+
+from collections.abc import Iterable
+from functools import lru_cache
+
+import numpy as np
+from msgspec.structs import replace
+
+from workbench.algorithms import catalogue
+from workbench.algorithms.marks import Frame, Mark
+from workbench.algorithms.visibility import back_faces, depth_buffer
+from workbench.document.fields import Number
+from workbench.document.model import Rectangle, Sheet
+from workbench.document.scene.model import Camera, Object, Scene
+from workbench.document.subjects import Subject
+from workbench.geometry.meshes import Array, Mesh
+from workbench.language import _
+from workbench.rendering.mapping import Call
+from workbench.rendering.marks import on_device
+from workbench.rendering.scene.fragments import fragments_of
+from workbench.rendering.scene.render import DeviceTriangles, device_triangles, placed
+from workbench.rendering.subjects.registry import Given, SubjectKind, register
+
+KIND = "visibility"
+DEPTH_BUFFER, BACK_FACES = depth_buffer.__name__, back_faces.__name__
+LEAST_COLUMNS, USUAL_COLUMNS, MOST_COLUMNS = 8, 48, 96
+NOT_ROUNDED = 0
+LEAST_BITS, MOST_BITS = 4, 32
+MOST_TRIANGLES = 2_500
+_MOST_ROWS = 192
+
+Size = tuple[int, int]
+
+
+def window_of(sheet: Sheet) -> Rectangle | None:
+    """What is seen of the view plane; None, all of the scene, where nobody has chosen a window for it.
+
+    Of a sheet whose world is its pixels nobody has.
+    """
+    view = sheet.first_view
+    return None if view.window_world == view.viewport_device else view.window_world
+
+
+def scene_size(sheet: Sheet, subject: Subject) -> Size:
+    """Columns and rows of the coarse picture, in the proportions of what is seen."""
+    return size_of(sheet, _number(subject, "columns", USUAL_COLUMNS))
+
+
+def size_of(sheet: Sheet, columns: int) -> Size:
+    """The size with so many columns."""
+    seen = window_of(sheet) or sheet.first_view.viewport_device
+    share = (seen.ymax - seen.ymin) / (seen.xmax - seen.xmin)
+    return columns, min(max(round(columns * share), 1), _MOST_ROWS)
+
+
+def depth_bits(subject: Subject) -> int:
+    """How many bits the depth buffer has for a pixel; NOT_ROUNDED for depths as they are."""
+    bits = _number(subject, "bits", NOT_ROUNDED)
+    return bits if bits == NOT_ROUNDED else max(bits, LEAST_BITS)
+
+
+def farthest(subject: Subject) -> float:
+    """The depth that the buffer begins with: 1, or the largest whole number that its bits can hold."""
+    bits = depth_bits(subject)
+    return float(2**bits - 1) if bits else 1.0
+
+
+def backwards(subject: Subject) -> bool:
+    """Whether the surfaces are drawn the last one first."""
+    return bool(subject.arguments.get("backwards", False))
+
+
+def triangles_of(sheet: Sheet, subject: Subject) -> DeviceTriangles | None:
+    """The scene on the coarse picture, in the order in which it is drawn; None where nothing can be stepped.
+
+    z is as the depth buffer counts it, from 0 to ``farthest``.
+    """
+    if sheet.scene is None or fault_of(sheet):
+        return None
+    return _triangles(
+        sheet.scene,
+        scene_size(sheet, subject),
+        window_of(sheet),
+        farthest(subject),
+        backwards(subject),
+    )
+
+
+def fault_of(sheet: Sheet) -> str:
+    """Why the scene cannot be stepped, in a sentence; empty where it can."""
+    return _("This sheet has no scene.") if sheet.scene is None else _fault(sheet.scene)
+
+
+@lru_cache(maxsize=16)
+def _fault(scene: Scene) -> str:
+    try:
+        count = sum(len(cut) for _mesh, (cut, _faces), _material in placed(scene))
+    except ValueError as problem:
+        return str(problem)
+    if count > MOST_TRIANGLES:
+        said = _("The scene has {count:,} triangles; up to {most:,} are stepped. Hide some of its objects.")
+        return said.format(count=count, most=MOST_TRIANGLES)
+    return ""
+
+
+def visible_objects(scene: Scene) -> tuple[Object, ...]:
+    """The objects that the numbers in ``DeviceTriangles.objects`` mean."""
+    return tuple(thing for thing in scene.objects if thing.visible)
+
+
+def depth_call(sheet: Sheet, subject: Subject) -> Call | None:
+    """The run of the depth buffer on the scene; None where nothing can be stepped."""
+    if sheet.scene is None or fault_of(sheet):
+        return None
+    return _depth_call(
+        sheet.scene,
+        scene_size(sheet, subject),
+        window_of(sheet),
+        depth_bits(subject),
+        backwards(subject),
+    )
+
+
+@lru_cache(maxsize=16)
+def _triangles(
+    scene: Scene, size: Size, window: Rectangle | None, largest: float, last_first: bool
+) -> DeviceTriangles:
+    device = device_triangles(placed(scene), scene.lights, scene.camera, size, window)
+    order = slice(None, None, -1 if last_first else 1)
+    corners = device.corners * (1.0, 1.0, largest)
+    return DeviceTriangles(corners, *(np.ascontiguousarray(column[order]) for column in device[1:]))
+
+
+@lru_cache(maxsize=16)
+def _depth_call(scene: Scene, size: Size, window: Rectangle | None, bits: int, last_first: bool) -> Call:
+    largest = 2**bits - 1 if bits else 1
+    device = _triangles(scene, size, window, float(largest), last_first)
+    image = np.zeros(size[::-1], np.int64)
+    # Into a buffer of whole numbers the text's own writing cuts a depth off, as a real one does.
+    depth = np.full(size[::-1], largest, np.int64 if bits else np.float64)
+    arguments = image, depth, device.corners, device.triangles, device.colours
+    return Call(catalogue.get(DEPTH_BUFFER), arguments)
+
+
+def _back_face_calls(sheet: Sheet) -> list[Call]:
+    """Each object's faces, one call for all that have equally many corners."""
+    if sheet.scene is None or fault_of(sheet):
+        return []
+    camera = sheet.scene.camera
+    eye, look_at = np.array(camera.eye.xyz), np.array(camera.look_at.xyz)
+    entry = catalogue.get(BACK_FACES)
+    return [
+        Call(entry, (mesh.vertices, faces, eye, look_at))
+        for mesh, *_rest in placed(sheet.scene)
+        for faces in _by_corners(mesh)
+    ]
+
+
+def _by_corners(mesh: Mesh) -> list[Array]:
+    sizes = mesh.faces.sizes
+    return [
+        mesh.faces.corners[np.repeat(sizes == size, sizes)].reshape(-1, size) for size in np.unique(sizes)
+    ]
+
+
+def faces_in_order(sheet: Sheet) -> list[tuple[int, int]]:
+    """The number of its object and its own of each face, in the order in which back faces are looked for."""
+    if sheet.scene is None:
+        return []
+    return [
+        (number, int(face))
+        for number, (mesh, *_rest) in enumerate(placed(sheet.scene))
+        for face in np.argsort(mesh.faces.sizes, kind="stable")
+    ]
+
+
+def _from_a_point(camera: Camera) -> bool:
+    return camera.projection == "perspective"
+
+
+def _choices(sheet: Sheet, subject: Subject) -> tuple[str, ...]:
+    if sheet.scene is None:
+        return ()
+    return (DEPTH_BUFFER, BACK_FACES) if _from_a_point(sheet.scene.camera) else (DEPTH_BUFFER,)
+
+
+def method_of(sheet: Sheet, subject: Subject) -> str:
+    """The slug that a subject is run under: the one it names where the camera allows it; empty: none."""
+    choices = _choices(sheet, subject)
+    return subject.entry if subject.entry in choices else next(iter(choices), "")
+
+
+def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
+    if method_of(sheet, subject) == BACK_FACES:
+        return _back_face_calls(sheet)
+    call = depth_call(sheet, subject)
+    return [] if call is None else [call]
+
+
+def _on_device(sheet: Sheet, subject: Subject, frame: Frame, marks: Iterable[Mark]) -> tuple[Mark, ...]:
+    """Marks of the device as they are, to the edge of the coarse picture; there is no place for others."""
+    width, height = scene_size(sheet, subject)
+    coarse = replace(sheet, width_px=width, height_px=height)
+    return on_device(coarse, frame, marks) if frame == "device" else ()
+
+
+def _landmarks(sheet: Sheet, subject: Subject) -> tuple[int, ...]:
+    """The steps with which a surface begins, but the first."""
+    call = None if method_of(sheet, subject) == BACK_FACES else depth_call(sheet, subject)
+    return () if call is None else tuple((fragments_of(call).begins[1:] + 1).tolist())
+
+
+def _number(subject: Subject, name: str, usual: int) -> int:
+    value = subject.arguments.get(name, usual)
+    assert isinstance(value, int)
+    return value
+
+
+register(
+    KIND,
+    SubjectKind(
+        title=_("How hidden surfaces are found"),
+        calls=_calls,
+        choices=_choices,
+        on_device=_on_device,
+        landmarks=_landmarks,
+        entries=(DEPTH_BUFFER, BACK_FACES),
+        arguments={
+            "columns": Given(
+                USUAL_COLUMNS,
+                Number(label=_("columns"), low=LEAST_COLUMNS, high=MOST_COLUMNS, whole=True, keyed=False),
+            ),
+            "bits": Given(
+                NOT_ROUNDED,
+                Number(label=_("depth bits"), low=NOT_ROUNDED, high=MOST_BITS, whole=True, keyed=False),
+            ),
+            "backwards": Given(False),
+        },
+    ),
+)

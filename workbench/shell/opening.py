@@ -1,0 +1,34 @@
+"""Opening what is built in: an example or a question, in its workspace, on its page, at its step."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from workbench.document.samples.examples import Example, example
+
+if TYPE_CHECKING:
+    from workbench.shell.questions import Question
+    from workbench.shell.window import MainWindow
+
+
+def open_example(window: MainWindow, slug: str, step: int | None = None) -> None:
+    """Open a built-in picture in its workspace, at a step if one is given."""
+    chosen = example(slug)
+    window.files.example(slug, lambda: _enter(window, chosen.workspace, chosen, step))
+
+
+def open_question(window: MainWindow, question: Question) -> None:
+    """Open workspace, example and step of a question."""
+    window.files.example(question.example)
+    _enter(window, question.workspace, example(question.example), question.step)
+
+
+def _enter(window: MainWindow, workspace: str, chosen: Example, step: int | None) -> None:
+    """Show a workspace, in it the page that an example is about, and there a step."""
+
+    def arrive() -> None:
+        window.panels(workspace)[0].show_page(chosen.page if workspace == chosen.workspace else "")
+        if step is not None:
+            window.session.update_state(step=step)
+
+    window.enter(workspace, arrive)

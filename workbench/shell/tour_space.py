@@ -1,0 +1,52 @@
+"""The pictures of Space for the tour."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from workbench.shell.window import MainWindow
+
+
+def space_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
+    """Name of each picture, and what brings the window there."""
+    return [
+        ("space-perspective", lambda window: _open(window, "space-house")),
+        ("space-isometric", lambda window: _open(window, "space-isometric")),
+        ("space-cabinet", lambda window: _open(window, "space-cabinet")),
+        ("space-empty", _empty),
+        ("space-visibility", lambda window: _visibility(window, "overlapping-triangles", 684)),
+        ("space-piercing", lambda window: _visibility(window, "piercing-planes", 860)),
+        ("space-fighting", _fighting),
+    ]
+
+
+def _open(window: MainWindow, slug: str) -> None:
+    """An example, whose picture does not wait until the depth buffer is loaded."""
+    from workbench.document.samples.examples import example
+    from workbench.rendering.scene import render_scene
+
+    scene = example(slug).document.sheets[0].scene
+    if scene is not None:
+        render_scene(scene, "depth_buffer", (16, 16))
+    window.open_example(slug)
+
+
+def _visibility(window: MainWindow, slug: str, step: int) -> None:
+    from workbench.shell.opening import open_example
+
+    open_example(window, slug, step)
+
+
+def _fighting(window: MainWindow) -> None:
+    """Two surfaces so close that eight bits do not tell them apart."""
+    from workbench.document.subjects import Subject
+
+    _visibility(window, "almost-one-plane", 0)
+    window.session.update_state(subject=Subject("visibility", arguments={"bits": 8}), step=1796)
+
+
+def _empty(window: MainWindow) -> None:
+    window.session.new()
+    window.go("space")
