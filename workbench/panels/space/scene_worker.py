@@ -82,9 +82,7 @@ class SceneWorker(QObject):
             except ValueError as error:
                 problem = reason_of(error)
             except MemoryError:
-                problem = _(
-                    "The scene takes more memory than there is; make the picture or a solid smaller."
-                )
+                problem = _("The scene takes more memory than there is; make the picture or a solid smaller.")
             except Exception:
                 self._tell(job, None, _("Something in the program failed while this scene was drawn."))
                 raise
