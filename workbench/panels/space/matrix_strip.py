@@ -29,7 +29,7 @@ _PERSPECTIVE = (
     ("0", "0", "f/((f-n)d)", "-n f/((f-n)d)"),
     ("0", "0", "1/d", "0"),
 )
-_WIDE_PX = 640
+_ONE_LINE_PX = 150
 
 
 class MatrixStrip(QWidget):
@@ -41,6 +41,7 @@ class MatrixStrip(QWidget):
         super().__init__(parent)
         self._looking = looking
         self._camera: Camera | None = None
+        self._alone = False
         self.row = MatrixRow()
         self.row.set_shows("numbers")
         self.row.edited.connect(self._edit)
@@ -56,6 +57,7 @@ class MatrixStrip(QWidget):
         if camera == self._camera:
             return
         if anew:
+            self._alone = False
             self.row.set_terms(())
         self._camera = camera
         self._show()
@@ -71,6 +73,9 @@ class MatrixStrip(QWidget):
             return
         whole = plane @ view
         self.row.set_terms(self._terms(camera, whole, plane, view))
+        if not self._alone and self.row.heightForWidth(self.row.width()) > _ONE_LINE_PX:
+            self._alone = True  # for as long as this scene and this width are shown, so that nothing jumps
+            self.row.set_terms(self._terms(camera, whole, plane, view))
         self.row.set_highlights(
             [Highlight(0, 3, axis, f"data{INKS[axis] + 1}") for axis in self._columns(whole)]
         )
@@ -83,7 +88,7 @@ class MatrixStrip(QWidget):
     def _terms(self, camera: Camera, whole: Array, plane: Array, view: Array) -> list[Term]:
         central = camera.projection == "perspective"
         product = matrix(whole, name="M", editable=True)
-        if self.width() < _WIDE_PX:
+        if self._alone:
             return [product]
         return [
             product,
@@ -108,6 +113,7 @@ class MatrixStrip(QWidget):
             self._show()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Narrow, M stands alone."""
+        """M stands alone where all three have no room in one line."""
         super().resizeEvent(event)
+        self._alone = False
         self._show()
