@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from workbench.panels.shared.inspector import InspectorPanel
     from workbench.panels.shared.tube_dock import TubePanel
     from workbench.panels.shared.why import WhyPanel
+    from workbench.panels.transform.panel import TransformPanel
     from workbench.session.session import Session
 
     # Every panel there is conforms.
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
         DrawPanel,
         FillPanel,
         InspectorPanel,
+        TransformPanel,
         TubePanel,
         WhyPanel,
     )
@@ -114,6 +116,16 @@ def workspaces() -> tuple[Workspace, ...]:
             steps=True,
             topics=("clipping", "lines", "polygons"),
             lower=("compare", "tube"),
+        ),
+        Workspace(
+            "transform",
+            _("Transform"),
+            _("Figures moved, turned, scaled, mirrored and sheared, and the matrices that do it"),
+            "arrows-clockwise",
+            ("workbench.panels.transform.panel:TransformPanel", inspector, why, tube),
+            steps=True,
+            topics=("transforms",),
+            lower=("hand_table", "source", "variables", "about", "why"),
         ),
         Workspace(
             "curves",
