@@ -122,10 +122,10 @@ def workspaces() -> tuple[Workspace, ...]:
             _("Transform"),
             _("Figures moved, turned, scaled, mirrored and sheared, and the matrices that do it"),
             "arrows-clockwise",
-            ("workbench.panels.transform.panel:TransformPanel", inspector, why, tube),
+            ("workbench.panels.transform.panel:TransformPanel", inspector, tube),
             steps=True,
             topics=("transforms",),
-            lower=("hand_table", "source", "variables", "about", "why"),
+            lower=("hand_table", "source", "about"),
         ),
         Workspace(
             "curves",

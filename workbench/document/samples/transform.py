@@ -21,7 +21,7 @@ def transform_examples() -> list[Example]:
             _("A turn about a point"),
             _("A triangle turned by 45° about (3, 3): to the origin, turned, and back, matrix by matrix."),
             "transform",
-            _document(_("A turn about a point"), (-5, -3, 12, 8), [_triangle()]),
+            _document(_("A turn about a point"), (-4, -3, 12, 7), [_triangle()]),
         ),
         Example(
             "transform-clock",

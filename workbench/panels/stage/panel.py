@@ -108,10 +108,6 @@ class FigurePanel(PlainPanel, QWidget):
         """What is said of a cell that is pointed at."""
         return f"({x}, {y})"
 
-    def zoom_words(self) -> str:
-        """How large the picture is shown."""
-        return f"{self.canvas.zoom_percent:.0f} %"
-
     def clicked(self, x: int, y: int) -> None:
         """A cell was clicked."""
 
@@ -170,7 +166,7 @@ class FigurePanel(PlainPanel, QWidget):
         canvas.cursor_moved.connect(lambda x, y: self.hover_text.emit(self.describe(x, y)))
         canvas.arrow.connect(self._arrow)
         canvas.cancelled.connect(self.let_go)
-        canvas.view_changed.connect(lambda _percent: self.zoom_text.emit(self.zoom_words()))
+        canvas.view_changed.connect(lambda _percent: self.zoom_text.emit(canvas.zoom_words))
         canvas.set_describer(self.describe)
         for tool in (*self.tools, self.handle_drag):
             tool.failed.connect(self.hover_text)
@@ -205,7 +201,7 @@ class FigurePanel(PlainPanel, QWidget):
         """Show the session as it is now."""
         self._waiting = False
         if self.isVisible():
-            self.zoom_text.emit(self.zoom_words())
+            self.zoom_text.emit(self.canvas.zoom_words)
         self.show_now()
         self.empty.setVisible(not self.session.sheet.figures and not self.gesturing)
         for name in ("delete", "duplicate", "forwards", "backwards"):

@@ -9,16 +9,13 @@ from workbench.document.model import AnyFigure
 from workbench.language import _
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.tools import FigureTool
-from workbench.session.session import Session
 
 
 class TransformCard(ParameterCard):
     """Shows and edits the numbers of what is selected; ``switched``: something else is to be shown."""
 
     switched = Signal()
-
-    def __init__(self, session: Session, parent: QWidget) -> None:
-        super().__init__(session, parent)
+    offers_algorithms = False
 
     def more_rows(self) -> list[QWidget]:
         """Points or axes, ghosts, the chain the other way round."""
@@ -53,8 +50,8 @@ class TransformCard(ParameterCard):
     def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
         """Show what is selected, or what ``tool`` draws next."""
         super().refresh(tool, figures, summary)
-        for widget in (self.algorithm, self.compare, *(self._size or ())):
-            widget.hide()
+        for field in self._size or ():
+            field.hide()
         if not figures and tool is None:
             self.title.setText(_("Nothing selected"))
         self._fit()

@@ -145,9 +145,7 @@ class ChainDock(_Ground):
             card.show_link(link, own, len(acting), lit)
         whole = figure is not None and is_singular(figure.matrix) and not any(map(complaint_of, chain))
         self.trouble.setText(
-            _(
-                "The links together flatten the figure, and no handle can bring it back: change or switch off one."
-            )
+            _("Together the links flatten the figure, so handles are gone; change or switch off one.")
             if whole
             else ""
         )

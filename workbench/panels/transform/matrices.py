@@ -14,6 +14,8 @@ from workbench.widgets.formulas.matrix_row import MatrixRow
 from workbench.widgets.formulas.row_surface import Highlight
 from workbench.widgets.look.tokens import colour, tokens
 
+_UPRIGHT_PX = 1
+
 
 class _Ground(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -41,7 +43,7 @@ class Matrices(QScrollArea):
         self.setAccessibleName(_("Matrices of the chain"))
         ground = _Ground()
         self._column = QVBoxLayout(ground)
-        self._column.setContentsMargins(8, 4, 8, 4)
+        self._column.setContentsMargins(8, 2, 8, 2)
         self._column.setSpacing(0)
         self._column.addStretch(1)
         self.setWidget(ground)
@@ -49,6 +51,7 @@ class Matrices(QScrollArea):
         self.views: list[MatrixRow] = []
         self._rows: list[Row] = []
         self._current = -1
+        self._with_symbols = True
 
     @property
     def rows(self) -> list[Row]:
@@ -64,11 +67,11 @@ class Matrices(QScrollArea):
             view.hide()
             view.set_terms(())
         high = [view.heightForWidth(view.width()) for view in self.views]
-        for view, row in zip(self.views, rows, strict=False):
+        for k, (view, row) in enumerate(zip(self.views, rows, strict=False)):
             view.set_shows(row.shows)
             view.set_terms(row.terms)
             view.set_highlights((*_lights(row, lit), *row.highlights))
-            view.show()
+            view.setVisible(k > 0 or self._with_symbols)
         current = next((k for k, row in enumerate(rows) if row.highlights), -1)
         if current >= 0 and current != self._current:
             self.ensureWidgetVisible(self.views[current], 0, 0)
@@ -77,7 +80,7 @@ class Matrices(QScrollArea):
             self.fit_wanted.emit()
 
     def _add(self) -> None:
-        number, view = len(self.views), MatrixRow()
+        number, view = len(self.views), MatrixRow(upright=_UPRIGHT_PX)
         view.edited.connect(partial(self._take, number))
         view.edit_ended.connect(self.entry_ended)
         view.cell_hovered.connect(partial(self._point, number))
@@ -111,10 +114,10 @@ class Matrices(QScrollArea):
         width = max(self.viewport().width() - margins.left() - margins.right(), 1)
         heights = [view.heightForWidth(width) for view in self.views[: len(self._rows)]]
         whole = sum(heights) + edges
-        symbols = whole <= room or len(heights) < 2
-        if self.views and self._rows:
-            self.views[0].setVisible(symbols)
-        return min(whole if symbols else whole - heights[0], max(room, 0))
+        self._with_symbols = whole <= room or len(heights) < 2
+        if self._rows:
+            self.views[0].setVisible(self._with_symbols)
+        return min(whole if self._with_symbols else whole - heights[0], max(room, 0))
 
     def event(self, event: QEvent) -> bool:
         """Rows that were laid out anew may need another height."""

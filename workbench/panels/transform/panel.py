@@ -77,6 +77,11 @@ class TransformPanel(SteppedPanel):
             ],
         )
 
+        # No pixels are seen here.
+        for taken in (self.canvas, self):
+            taken.removeAction(self._actions["why"])
+        del self._actions["why"]
+
     def begin(
         self, middle: QWidget, card: QWidget, invitation: str, commands: Sequence[PanelCommand]
     ) -> None:
@@ -99,10 +104,9 @@ class TransformPanel(SteppedPanel):
 
     # What is shown
 
-    def zoom_words(self) -> str:
-        """How many logical pixels a unit of the world is wide."""
-        wide = abs(device_map(self.session.sheet).sx) * self.canvas.view.cell
-        return _("{pixels:.3g} px per unit").format(pixels=wide / self.canvas.devicePixelRatioF())
+    def leave_room(self, folded: bool) -> None:
+        """The picture stays beside the card, folded or not, for it would cover the figure."""
+        super().leave_room(False)
 
     def showEvent(self, event: QShowEvent) -> None:
         """The figure that is worked on shows its box."""

@@ -1,4 +1,4 @@
-"""The rows of matrices of a chain: its product with symbols, then every product with numbers, step by step."""
+"""The rows of matrices of a chain: its product with symbols, then every product with numbers."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -19,7 +19,7 @@ _CELLS = 9
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """How far the products have come: ``known`` cells of product ``number`` (from 0), and the ``current`` one.
+    """How far the products are: ``known`` cells of product ``number`` (from 0), and the ``current`` one.
 
     ``asked`` is a cell whose number is asked for. ``point``: a point is multiplied, ``known`` of its rows.
     """
@@ -45,15 +45,25 @@ class Row:
 
 
 def rows(
-    chain: Sequence[Stage], progress: Progress | None = None, point: tuple[float, float] | None = None
+    chain: Sequence[Stage],
+    progress: Progress | None = None,
+    point: tuple[float, float] | None = None,
+    notes: bool = True,
 ) -> list[Row]:
-    """Every row of a chain that has a stage; the last one takes ``point`` through it, where there is one."""
+    """Every row of a chain that has a stage; the last one takes ``point`` through it, where there is one.
+
+    Without ``notes`` nothing small stands behind a row.
+    """
     made = products(list(chain))
     count = len(chain)
     listed = [_symbols(chain, made[-1]), *(_product(chain, made, k, progress) for k in range(count - 1))]
     if point is not None:
         listed.append(_point(made[-1], point, progress, count))
-    return listed
+    return listed if notes else [replace(row, terms=_without_notes(row.terms)) for row in listed]
+
+
+def _without_notes(terms: tuple[Term, ...]) -> tuple[Term, ...]:
+    return tuple(term for term in terms if not (isinstance(term, Phrase) and term.note))
 
 
 def _factor(stage: Stage) -> Matrix:

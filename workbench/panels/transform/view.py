@@ -38,6 +38,7 @@ from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.look.tokens import LIGHT, tokens
 
 _PAPER_PX = 760.0
+_NOTES_FROM_PX = 660
 
 
 class TransformView(FigureView):
@@ -86,6 +87,7 @@ class TransformView(FigureView):
         if chosen and active is not None:
             overlay = with_fields(overlay, handles=tuple(_points(sheet, active, drag.held)))
         overlay = with_band(self.box.over(overlay), tool.band)
+        self.canvas.cells_per_unit = abs(device_map(sheet).sx)
         self.canvas.set_picture(_blank(sheet), packed(tokens().canvas))
         self.canvas.set_overlay(with_fields(overlay, snap=drawing.snap if drawing else None))
         self._show_beside(sheet, active)
@@ -138,7 +140,8 @@ class TransformView(FigureView):
         ):
             vertex = active.points_world[self.vertex]
             point = vertex.x, vertex.y
-        self.matrices.show_rows(rows(chain, progress, point), self.lit)
+        notes = self.matrices.viewport().width() >= _NOTES_FROM_PX
+        self.matrices.show_rows(rows(chain, progress, point, notes), self.lit)
 
     def chain_progress(self, number: int | None = None) -> Progress | None:
         """How far the run has come; None before its first step, when everything is shown."""

@@ -45,6 +45,7 @@ class CanvasSurface(QWidget):
         self._keeps_fit = True
         self._covered = 0
         self.worthwhile = WORTHWHILE
+        self.cells_per_unit = 1.0
         self._stale = True
         self._frame = QImage()
         self._kept: tuple[tuple[object, ...], QImage] | None = None
@@ -123,6 +124,14 @@ class CanvasSurface(QWidget):
     def zoom_percent(self) -> float:
         """100 is one cell on one pixel of the screen."""
         return self._view.cell * 100
+
+    @property
+    def zoom_words(self) -> str:
+        """How large the picture is shown; of a plane, how many logical pixels one unit of it is wide."""
+        if self._overlay.plane:
+            wide = self._view.cell * self.cells_per_unit / self.devicePixelRatioF()
+            return _("{pixels:.3g} px per unit").format(pixels=wide)
+        return f"{self.zoom_percent:.0f} %"
 
     def fit(self) -> None:
         """The whole picture, as large as whole cells allow; stays so when the widget is resized.

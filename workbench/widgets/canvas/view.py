@@ -105,7 +105,7 @@ class CanvasView:
 def fitted(
     area: Area, width: int, height: int, margin: int, largest: int = MAGNIFIED[-1], in_cells: bool = True
 ) -> CanvasView:
-    """The whole picture in the middle of ``area``, as large as whole cells allow, or not ``in_cells`` as fits."""
+    """The whole picture in the middle of ``area``, as large as whole cells or, else, the room allow."""
     room = min((area.width - 2 * margin) / width, (area.height - 2 * margin) / height)
     if not in_cells:
         return centred(area, width, height, min(float(largest), max(room, LEVELS[0])))
