@@ -125,7 +125,7 @@ def workspaces() -> tuple[Workspace, ...]:
             ("workbench.panels.transform.panel:TransformPanel", inspector, tube),
             steps=True,
             topics=("transforms",),
-            lower=("hand_table", "source", "about"),
+            lower=("hand_table", "source", "about", "whole", "tube"),
         ),
         Workspace(
             "curves",

@@ -108,6 +108,10 @@ class FigurePanel(PlainPanel, QWidget):
         """What is said of a cell that is pointed at."""
         return f"({x}, {y})"
 
+    def _say_zoom(self, *_percent: float) -> None:
+        if self.isVisible():
+            self.zoom_text.emit(self.canvas.zoom_words)
+
     def clicked(self, x: int, y: int) -> None:
         """A cell was clicked."""
 
@@ -166,7 +170,7 @@ class FigurePanel(PlainPanel, QWidget):
         canvas.cursor_moved.connect(lambda x, y: self.hover_text.emit(self.describe(x, y)))
         canvas.arrow.connect(self._arrow)
         canvas.cancelled.connect(self.let_go)
-        canvas.view_changed.connect(lambda _percent: self.zoom_text.emit(canvas.zoom_words))
+        canvas.view_changed.connect(self._say_zoom)
         canvas.set_describer(self.describe)
         for tool in (*self.tools, self.handle_drag):
             tool.failed.connect(self.hover_text)
@@ -200,8 +204,7 @@ class FigurePanel(PlainPanel, QWidget):
     def refresh(self) -> None:
         """Show the session as it is now."""
         self._waiting = False
-        if self.isVisible():
-            self.zoom_text.emit(self.canvas.zoom_words)
+        self._say_zoom()
         self.show_now()
         self.empty.setVisible(not self.session.sheet.figures and not self.gesturing)
         for name in ("delete", "duplicate", "forwards", "backwards"):
@@ -214,9 +217,8 @@ class FigurePanel(PlainPanel, QWidget):
 
     def _take_tool_when_empty(self) -> None:
         """An empty sheet asks for something to be drawn, so that is what a drag does."""
-        if self.session.sheet.figures or self.gesturing or not self.isVisible():
-            return
-        if isinstance(self.tool, SelectTool):
+        asks = self.isVisible() and not self.gesturing and not self.session.sheet.figures
+        if asks and isinstance(self.tool, SelectTool):
             self.choose_tool(self.first_tool)
 
     def _press(self, x: float, y: float, modifiers: Modifiers) -> None:
@@ -270,10 +272,7 @@ class FigurePanel(PlainPanel, QWidget):
     def _hold(self, on: bool) -> None:
         """The recording waits while something is being drawn or dragged."""
         for run in (self.session.run, *self.session.followers):
-            if on:
-                run.hold()
-            else:
-                run.go_on()
+            (run.hold if on else run.go_on)()
 
     @property
     def _answering(self) -> bool:

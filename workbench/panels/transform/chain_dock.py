@@ -5,7 +5,6 @@ from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -15,7 +14,6 @@ from PySide6.QtWidgets import (
     QScrollArea,
     QToolButton,
     QVBoxLayout,
-    QWidget,
 )
 
 from workbench.document.building import Edit
@@ -33,10 +31,11 @@ from workbench.document.transforms.links import Affine, AnyLink, Reflect, Rotate
 from workbench.document.transforms.names import undo_names
 from workbench.document.transforms.stages import stages
 from workbench.language import _
+from workbench.panels.transform.ground import Ground
 from workbench.panels.transform.link_card import LinkCard, complaint_of
 from workbench.session.session import Session
 from workbench.widgets.look.icons import set_icon
-from workbench.widgets.look.tokens import colour, theme, tokens
+from workbench.widgets.look.tokens import tokens
 
 Pivot = tuple[float, float]
 
@@ -61,12 +60,7 @@ def offers() -> list[tuple[str, Callable[[Pivot], AnyLink]]]:
     ]
 
 
-class _Ground(QWidget):
-    def paintEvent(self, event: QPaintEvent) -> None:
-        QPainter(self).fillRect(event.rect(), colour(tokens().surface))
-
-
-class ChainDock(_Ground):
+class ChainDock(Ground):
     """Shows and edits the chain of a figure. ``stage_pointed`` sends a stage or None, ``said`` a sentence."""
 
     stage_pointed = Signal(object)
@@ -102,7 +96,7 @@ class ChainDock(_Ground):
         self.trouble = QLabel()
         self.trouble.setWordWrap(True)
         self.trouble.setProperty("role", "error")
-        ground = _Ground()
+        ground = Ground()
         self._column = QVBoxLayout(ground)
         self._column.setContentsMargins(8, 4, 8, 8)
         self._column.setSpacing(6)
@@ -121,7 +115,6 @@ class ChainDock(_Ground):
         head.setContentsMargins(12, 2, 12, 2)
         whole.addLayout(head)
         whole.addWidget(scroll, 1)
-        theme.changed.connect(self.update)
         self.follow(None, None)
 
     def follow(self, figure: AnyFigure | None, lit: int | None) -> None:

@@ -118,7 +118,7 @@ class LinkCard(QFrame):
         head.addWidget(self.bin)
         self.body = QWidget()
         inner = QVBoxLayout(self.body)
-        inner.setContentsMargins(4, 0, 4, 0)
+        inner.setContentsMargins(2, 0, 2, 0)
         inner.setSpacing(2)
         self.fields = self._make_fields(inner)
         self.complaint = QLabel()

@@ -5,21 +5,17 @@ from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
 
 from workbench.language import _
+from workbench.panels.transform.ground import Ground
 from workbench.panels.transform.rows import Row
 from workbench.widgets.formulas.matrix_row import MatrixRow
 from workbench.widgets.formulas.row_surface import Highlight
-from workbench.widgets.look.tokens import colour, tokens
+from workbench.widgets.look.tokens import CAPTION_PX
 
-_UPRIGHT_PX = 1
-
-
-class _Ground(QWidget):
-    def paintEvent(self, event: QPaintEvent) -> None:
-        QPainter(self).fillRect(event.rect(), colour(tokens().surface))
+_UPRIGHT_PX, _NARROW_PX = 1, 660
 
 
 class Matrices(QScrollArea):
@@ -41,7 +37,7 @@ class Matrices(QScrollArea):
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
         self.setAccessibleName(_("Matrices of the chain"))
-        ground = _Ground()
+        ground = Ground()
         self._column = QVBoxLayout(ground)
         self._column.setContentsMargins(8, 2, 8, 2)
         self._column.setSpacing(0)
@@ -66,6 +62,7 @@ class Matrices(QScrollArea):
         for view in self.views[len(rows) :]:
             view.hide()
             view.set_terms(())
+        self._choose_type()
         high = [view.heightForWidth(view.width()) for view in self.views]
         for k, (view, row) in enumerate(zip(self.views, rows, strict=False)):
             view.set_shows(row.shows)
@@ -78,6 +75,19 @@ class Matrices(QScrollArea):
         self._current = current
         if high != [view.heightForWidth(view.width()) for view in self.views]:
             self.fit_wanted.emit()
+
+    @property
+    def narrow(self) -> bool:
+        """Whether notes are left out and the type is that of captions."""
+        return self.viewport().width() < _NARROW_PX
+
+    def _choose_type(self) -> None:
+        font = QFont(self.font())
+        if self.narrow:
+            font.setPixelSize(CAPTION_PX)
+        for view in self.views:
+            if view.font() != font:
+                view.setFont(font)
 
     def _add(self) -> None:
         number, view = len(self.views), MatrixRow(upright=_UPRIGHT_PX)

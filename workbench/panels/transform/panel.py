@@ -11,18 +11,24 @@ from workbench.document.subjects import Subject
 from workbench.document.transforms.edits import extend
 from workbench.document.transforms.links import Translate
 from workbench.document.transforms.names import title
+from workbench.exchange.diagrams import Derivation
+from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.panel import DockPart
 from workbench.panels.stage.actions import PanelCommand
+from workbench.panels.stage.card import kind_title
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.panel import NUDGE
 from workbench.panels.stage.stepped import SteppedPanel
 from workbench.panels.stage.tools import CircleTool, EllipseTool, LineTool, PolygonTool, PolylineTool
 from workbench.panels.transform.card import TransformCard
 from workbench.panels.transform.chain_dock import ChainDock
+from workbench.panels.transform.derivation import derivation
 from workbench.panels.transform.matrices import Matrices
+from workbench.panels.transform.tables import points_table
 from workbench.panels.transform.tools import ChainSelectTool, PointDrag
 from workbench.panels.transform.view import TransformView
+from workbench.panels.transform.whole import WholeDock
 from workbench.rendering.mapping import device_map
 from workbench.rendering.subjects.chain import KIND, POINT, PRODUCT, VERTEX
 from workbench.session.session import Session
@@ -47,11 +53,13 @@ class TransformPanel(SteppedPanel):
         self.handle_drag = PointDrag(session)
         self.canvas.worthwhile = 0.7
         self.card = TransformCard(session, self.canvas)
-        self.chain, self.matrices = ChainDock(session), Matrices()
-        self.view = TransformView(session, self.canvas, self.second, self.card, self.chain, self.matrices)
+        self.chain, self.matrices, self.whole = ChainDock(session), Matrices(), WholeDock()
+        self.view = TransformView(
+            session, self.canvas, self.second, self.card, self.chain, self.matrices, self.whole
+        )
         self.chain.pivot = lambda: self.view.box.pivot
         self.card.switched.connect(self.refresh_soon)
-        for view in (self.chain, self.matrices):
+        for view in (self.chain, self.matrices, self.whole):
             view.said.connect(self.hover_text)
         for pointed in (self.chain.stage_pointed, self.matrices.stage_pointed, self.view.legend.pointed):
             pointed.connect(self._light)
@@ -95,8 +103,25 @@ class TransformPanel(SteppedPanel):
         super().begin(both, card, invitation, commands)
 
     def docks(self) -> list[DockPart]:
-        """The chain."""
-        return [("chain", _("Chain"), self.chain, Qt.DockWidgetArea.RightDockWidgetArea)]
+        """The chain, and what it comes to."""
+        right = Qt.DockWidgetArea.RightDockWidgetArea
+        return [
+            ("chain", _("Chain"), self.chain, right),
+            ("whole", _("Inverse and parts"), self.whole, right),
+        ]
+
+    def derivation(self) -> Derivation | None:
+        """The page of the figure that is worked on."""
+        figure = self.session.active_figure
+        if figure is None or not figure.points_world:
+            return None
+        return derivation(self.session.sheet, figure, figure.name or kind_title(figure), self.view.vertex)
+
+    def tables(self) -> list[tuple[str, Table]]:
+        """The figure's points at every stage."""
+        figure = self.session.active_figure
+        chain = () if figure is None else figure.transforms
+        return [(_("Points at every stage"), points_table(figure))] if figure is not None and chain else []
 
     def show_example(self) -> None:
         """Open the triangle that is turned about a point."""

@@ -206,14 +206,14 @@ def _arc(stage: Stage, start: Points) -> Points:
     return math.hypot(x, y) * np.stack([np.cos(turns), np.sin(turns)], axis=1)
 
 
-def arrow(points: Points, unit: float) -> Iterator[Drawn]:
+def arrow(points: Points, unit: float, ink: Ink = "text") -> Iterator[Drawn]:
     """A line with a head at its end."""
     if not np.isfinite(points).all():
         return
     length = float(np.hypot(*np.diff(points, axis=0).T).sum())
     if length < 1.5 * _HEAD_PX * unit:
         return
-    yield PenStroke(points, "text", 1.25)
+    yield PenStroke(points, ink, 1.25)
     tip, way = points[-1], points[-1] - points[-2]
     angle = math.atan2(way[1], way[0])
     size = _HEAD_PX * unit
@@ -221,7 +221,7 @@ def arrow(points: Points, unit: float) -> Iterator[Drawn]:
         (tip[0] - size * math.cos(angle + turn), tip[1] - size * math.sin(angle + turn))
         for turn in (_HEAD_ANGLE, -_HEAD_ANGLE)
     ]
-    yield Tint(np.array([tuple(tip), *sides], np.float64), "text", 255)
+    yield Tint(np.array([tuple(tip), *sides], np.float64), ink, 255)
 
 
 def moved_axes(sheet: Sheet, figure: AnyFigure, shows: Shows, unit: float) -> Iterator[Drawn]:
@@ -241,7 +241,7 @@ def moved_axes(sheet: Sheet, figure: AnyFigure, shows: Shows, unit: float) -> It
         )
         device = scale.points(ends)
         yield PenStroke(device, "data2", 1.75, "dash")
-        yield from arrow(np.array([device.mean(axis=0), device[1]]), unit)
+        yield from arrow(np.array([device.mean(axis=0), device[1]]), unit, "data2")
         tip_x, tip_y = device[1].tolist()
         yield Word(name, tip_x, tip_y, "data2", 1, 1, False, True)
     origin_x, origin_y = scale.points(transformed(matrix, np.zeros((1, 2))))[0].tolist()

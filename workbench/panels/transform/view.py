@@ -29,6 +29,7 @@ from workbench.panels.transform.scene import (
     plane,
 )
 from workbench.panels.transform.told import place_text
+from workbench.panels.transform.whole import WholeDock
 from workbench.rendering.mapping import device_map
 from workbench.rendering.subjects.chain import PRODUCT, vertex_of
 from workbench.session.session import Session
@@ -38,7 +39,6 @@ from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.look.tokens import LIGHT, tokens
 
 _PAPER_PX = 760.0
-_NOTES_FROM_PX = 660
 
 
 class TransformView(FigureView):
@@ -57,9 +57,10 @@ class TransformView(FigureView):
         card: TransformCard,
         chain: ChainDock,
         matrices: Matrices,
+        whole: WholeDock,
     ) -> None:
         super().__init__(session, canvas, second, card)
-        self.chain, self.matrices = chain, matrices
+        self.chain, self.matrices, self.whole = chain, matrices, whole
         self.box = ChainBox(session, canvas)
         self.legend = Legend(canvas)
         self.lit: int | None = None
@@ -94,7 +95,16 @@ class TransformView(FigureView):
         self.card.refresh(drawing, selected, "")
         self.chain.follow(active, self.lit)
         self.legend.follow(acting if works else (), self.card.ghosts.isChecked(), self.lit)
+        if self.whole.isVisible():
+            self._show_whole(active, list(acting))
         self._show_matrices(active, list(acting), tool.busy or drag.busy or self.box.busy)
+
+    def _show_whole(self, active: AnyFigure | None, chain: list[Stage]) -> None:
+        point = None
+        if active is not None and active.points_world:
+            vertex = active.points_world[self.vertex]
+            point = vertex.x, vertex.y
+        self.whole.follow(chain, point)
 
     def _drawn(
         self, sheet: Sheet, active: AnyFigure | None, area: Area, unit: float, lit: bool = True
@@ -140,7 +150,7 @@ class TransformView(FigureView):
         ):
             vertex = active.points_world[self.vertex]
             point = vertex.x, vertex.y
-        notes = self.matrices.viewport().width() >= _NOTES_FROM_PX
+        notes = not self.matrices.narrow
         self.matrices.show_rows(rows(chain, progress, point, notes), self.lit)
 
     def chain_progress(self, number: int | None = None) -> Progress | None:
