@@ -131,6 +131,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
             application.quit()
             return
         theme, _name, act = steps[0]
+        window.arriving = None  # what is shot is there at once
         window.messages.dismiss()
         if window.views.swapped:
             window.views.swap()
