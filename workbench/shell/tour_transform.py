@@ -22,7 +22,7 @@ def transform_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("transform-leaf", partial(_transform, slug="leaf")),
         ("transform-clock", partial(_transform, slug="clock", figure=-2)),
         ("transform-shear", partial(_transform, slug="shear")),
-        ("transform-asked", partial(_transform, slug="pivot", step=4, asks=True)),
+        ("transform-asked", partial(_transform, slug="pivot", asks=True)),
         ("transform-empty", _empty),
     ]
 

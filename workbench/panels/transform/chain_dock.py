@@ -188,15 +188,15 @@ class ChainDock(Ground):
             link = make(self.pivot())
             self._apply(add_transform(self._figure.id, link), undo_names()["add_transform"])
 
-    def _address(self, link: str) -> str:
+    def _address(self, link: str, attribute: str = "on") -> str:
         assert self._figure is not None
-        return f"{self._session.sheet.id}/{self._figure.id}/{link}"
+        return f"{self._session.sheet.id}/{self._figure.id}/{link}/{attribute}"
 
     def set_number(self, link: str, attribute: str, value: float, merge: str = "") -> str:
         """Set a number of a link; the sentence that says why it was refused, or an empty one."""
         if self._figure is None or not np.isfinite(value):
             return _("Type a number.")
-        address = f"{self._address(link)}/{attribute}"
+        address = self._address(link, attribute)
         return self._apply(set_attribute(address, value), _("Change value"), merge and f"{merge} {address}")
 
     def _set(self, card: LinkCard, attribute: str, value: float, scrubbed: bool) -> None:

@@ -144,8 +144,9 @@ class LinkCard(QFrame):
         for k, name in enumerate(self.shape):
             number = numbers[name]
             unit = number.unit if number.unit == "°" else ""
+            mirror = name == "angle" and self.kind is Reflect  # as its matrix has it
             field = NumberField(
-                number.symbol,
+                "φ" if mirror else number.symbol,
                 unit,
                 low=number.low,
                 high=number.high,
