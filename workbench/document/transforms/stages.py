@@ -5,6 +5,7 @@ Stage 0 is the figure as it was drawn; stage k is what the first k elementary tr
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -49,7 +50,11 @@ class Stage(NamedTuple):
 
 def stages(chain: Iterable[AnyLink]) -> list[Stage]:
     """The stages of the links that are on, in the order in which they act."""
-    acting = [link for link in chain if link.on]
+    return list(_stages(tuple(link for link in chain if link.on)))
+
+
+@lru_cache(maxsize=256)
+def _stages(acting: tuple[AnyLink, ...]) -> tuple[Stage, ...]:
     kinds = Counter(type(link) for link in acting)
     seen: Counter[type] = Counter()
     made: list[Stage] = []
@@ -61,7 +66,7 @@ def stages(chain: Iterable[AnyLink]) -> list[Stage]:
             zip(parts, _symbolic(link, index), strict=True)
         ):
             made.append(Stage(len(made) + 1, link, part, len(parts), elementary, symbols, entries))
-    return made
+    return tuple(made)
 
 
 def products(of: list[Stage]) -> list[Matrix]:

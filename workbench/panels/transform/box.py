@@ -56,7 +56,7 @@ class ChainBox(QObject):
         self._pivots: dict[str, tuple[float, float]] = {}
         self._gesture = Gesture(session)
         self._gesture.failed.connect(self.failed)
-        self._moving_pivot = False
+        self._moving_pivot = self._following = False
         self.box = _PointsFirst(canvas)
         self.box.began.connect(self._begin)
         self.box.changed.connect(self._change)
@@ -88,7 +88,9 @@ class ChainBox(QObject):
             return
         box = None if figure is None or is_singular(figure.matrix) else self._around(figure)
         scale = device_map(self._session.sheet)
+        self._following = True  # whoever asked for it paints it
         self.box.set_box(box, scale.point(*self.pivot) if box is not None else None)
+        self._following = False
 
     def _around(self, figure: AnyFigure) -> Box | None:
         sheet = self._session.sheet
@@ -165,7 +167,8 @@ class ChainBox(QObject):
         if self._moving_pivot and not self.box.dragging:
             self._moving_pivot = False
             self._end()
-        self.looks_changed.emit()
+        if not self._following:
+            self.looks_changed.emit()
 
 
 def _last_of(figure: AnyFigure) -> AnyLink | None:
