@@ -12,6 +12,7 @@ from workbench.document.curves.pieces import fault_of, pieces_of
 from workbench.document.edits import set_algorithm
 from workbench.document.model import AnyFigure, Circle, Curve, Ellipse, Line, Polygon, Polyline, SeedFill
 from workbench.document.samples.examples import PALETTE, blank_sheet, example, example_document, examples
+from workbench.rendering import figure_map
 
 KINDS: list[type[AnyFigure]] = [Line, Polyline, Polygon, Circle, Ellipse, SeedFill]
 
@@ -39,8 +40,9 @@ def test_every_example_is_sound_and_in_its_picture(slug: str) -> None:
     for sheet in one.document.sheets:
         for figure in sheet.figures:
             for point in figure.points_world:
-                assert 0 <= point.x < sheet.width_px
-                assert 0 <= point.y < sheet.height_px
+                x, y = figure_map(sheet, figure).point(point.x, point.y)
+                assert 0 <= x < sheet.width_px
+                assert 0 <= y < sheet.height_px
 
 
 def test_there_is_no_example_of_another_name() -> None:

@@ -121,6 +121,14 @@ class Exports(QObject):
         else:
             self._window.say_status(_("Select a curve in Curves first, to export its points."))
 
+    def derivation(self) -> None:
+        """The page of formulas that derives what the workspace shows."""
+        made = next((page for panel in self._panels() if (page := panel.derivation()) is not None), None)
+        if made is None:
+            self._window.say_status(_("Go to Transform and select a figure with a chain first."))
+        else:
+            self.writing.ask("derivation", _("derivation"), lambda: made)
+
     def hand_table(self) -> None:
         """The hand table of the run."""
         if not self._hand_rows():
@@ -171,7 +179,9 @@ class Exports(QObject):
         for panel in self._panels():
             if panel.exporter is not None:
                 return panel.exporter
-        self._window.say_status(_("Go to Draw, Fill, Clip or Curves first, where steps are shown."))
+        self._window.say_status(
+            _("Go first to Draw, Fill, Clip, Transform or Curves, where steps are shown.")
+        )
         return None
 
 

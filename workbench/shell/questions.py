@@ -82,7 +82,14 @@ def questions() -> tuple[Question, ...]:
             "slopes",
             1,
         ),
-        Question(12, _("How is a picture turned about a point that is not the origin?"), _("Transformation")),
+        Question(
+            12,
+            _("How is a picture turned about a point that is not the origin?"),
+            _("Transformation"),
+            "transform",
+            "transform-pivot",
+            15,
+        ),
     )
 
 

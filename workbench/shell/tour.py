@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, NoReturn
 from workbench.language import _
 from workbench.shell.tour_curves import curve_scenes
 from workbench.shell.tour_space import space_scenes
+from workbench.shell.tour_transform import transform_scenes
 from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
@@ -55,12 +56,8 @@ def main(argv: Sequence[str]) -> int:
     try:
         given.folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        sys.stderr.write(
-            _("tour: the folder {path} cannot be made: {error}").format(
-                path=given.folder, error=error.strerror
-            )
-        )
-        sys.stderr.write("\n")
+        said = _("tour: the folder {path} cannot be made: {error}")
+        sys.stderr.write(said.format(path=given.folder, error=error.strerror) + "\n")
         return 2
     try:
         for scale in given.scale:
@@ -193,6 +190,7 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("clip-lab", lambda window: _clip(window, "clip-lab", 0)),
         ("clip-asked", _clip_asked),
         ("clip-empty", lambda window: _empty_in(window, "clip")),
+        *transform_scenes(),
         *curve_scenes(),
         *space_scenes(),
         ("display", _display),

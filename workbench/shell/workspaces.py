@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from workbench.panels.shared.tube_dock import TubePanel
     from workbench.panels.shared.why import WhyPanel
     from workbench.panels.space.panel import SpacePanel
+    from workbench.panels.transform.panel import TransformPanel
     from workbench.session.session import Session
 
     # Every panel there is conforms.
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
         FillPanel,
         InspectorPanel,
         SpacePanel,
+        TransformPanel,
         TubePanel,
         WhyPanel,
     )
@@ -116,6 +118,16 @@ def workspaces() -> tuple[Workspace, ...]:
             steps=True,
             topics=("clipping", "lines", "polygons"),
             lower=("compare", "tube"),
+        ),
+        Workspace(
+            "transform",
+            _("Transform"),
+            _("Figures moved, turned, scaled, mirrored and sheared, and the matrices that do it"),
+            "arrows-clockwise",
+            ("workbench.panels.transform.panel:TransformPanel", inspector, tube),
+            steps=True,
+            topics=("transforms",),
+            lower=("hand_table", "source", "about", "whole", "tube"),
         ),
         Workspace(
             "curves",

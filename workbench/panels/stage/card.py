@@ -95,6 +95,7 @@ class ParameterCard(FoldingCard):
 
     side_by_side_changed = Signal(bool)
     algorithm_chosen = Signal(str)
+    offers_algorithms = True
 
     def __init__(self, session: Session, parent: QWidget) -> None:
         super().__init__(parent)
@@ -162,8 +163,10 @@ class ParameterCard(FoldingCard):
             self.title.setText(new)
         common = next(iter(kinds)) if len(kinds) == 1 else new_kind
         now = figures[0].drawn_with if figures else (tool.algorithm if tool is not None else "")
-        fill_choices(self.algorithm, algorithm_choices(common) if common is not None else [], now)
-        others = [c for c in algorithm_choices(one) if c[0] != one.drawn_with] if one is not None else []
+        offered = common is not None and self.offers_algorithms
+        fill_choices(self.algorithm, algorithm_choices(common) if offered and common else [], now)
+        compares = one is not None and self.offers_algorithms
+        others = [c for c in algorithm_choices(one) if c[0] != one.drawn_with] if compares and one else []
         fill_choices(
             self.compare,
             [("", _("Compare with nothing"))]

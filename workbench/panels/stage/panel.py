@@ -111,6 +111,10 @@ class FigurePanel(PlainPanel, QWidget):
         """What is said of a cell that is pointed at."""
         return f"({x}, {y})"
 
+    def _say_zoom(self, *_percent: float) -> None:
+        if self.isVisible():
+            self.zoom_text.emit(self.canvas.zoom_words)
+
     def clicked(self, x: int, y: int) -> None:
         """A cell was clicked."""
 
@@ -203,8 +207,7 @@ class FigurePanel(PlainPanel, QWidget):
     def refresh(self) -> None:
         """Show the session as it is now."""
         self._waiting = False
-        if self.isVisible():
-            self.zoom_text.emit(f"{self.canvas.zoom_percent:.0f} %")
+        self._say_zoom()
         self.show_now()
         self.empty.setVisible(not self.session.sheet.figures and not self.gesturing)
         for name in ("delete", "duplicate", "forwards", "backwards"):
@@ -217,9 +220,8 @@ class FigurePanel(PlainPanel, QWidget):
 
     def _take_tool_when_empty(self) -> None:
         """An empty sheet asks for something to be drawn, so that is what a drag does."""
-        if self.session.sheet.figures or self.gesturing or not self.isVisible():
-            return
-        if isinstance(self.tool, SelectTool):
+        asks = self.isVisible() and not self.gesturing and not self.session.sheet.figures
+        if asks and isinstance(self.tool, SelectTool):
             self.choose_tool(self.first_tool)
 
     def _press(self, x: float, y: float, modifiers: Modifiers) -> None:
@@ -273,10 +275,7 @@ class FigurePanel(PlainPanel, QWidget):
     def _hold(self, on: bool) -> None:
         """The recording waits while something is being drawn or dragged."""
         for run in (self.session.run, *self.session.followers):
-            if on:
-                run.hold()
-            else:
-                run.go_on()
+            (run.hold if on else run.go_on)()
 
     @property
     def _answering(self) -> bool:

@@ -28,12 +28,14 @@ class SteppedPanel(FigurePanel):
     """Adds a second canvas for what is compared, the commands of export, answers by clicks, and the box that
     transforms what is selected, which is there instead of single handles while it is switched on.
 
-    A panel makes its ``card`` and ``view`` and then calls ``start``.
+    A panel makes its ``card`` and ``view`` and then calls ``start``. One that has a box of its own, which
+    writes chains, sets ``moves_points`` to False.
     """
 
     card: ParameterCard
     view: FigureView
     exporter: Exporter
+    moves_points = True
 
     def __init__(self, session: Session, tools: Sequence[Tool], parent: QWidget | None = None) -> None:
         super().__init__(session, tools, parent)
@@ -41,7 +43,8 @@ class SteppedPanel(FigurePanel):
         self.second = PixelCanvas()
         self.second.hide()
         self.boxing = self.make_boxing()
-        self.transforms = transform_commands(self.boxing, self.toggle_box)
+        commands = transform_commands(self.boxing, self.toggle_box)
+        self.transforms = [each for each in commands if self.moves_points or each[0] in ON_CHAINS]
 
     def make_boxing(self) -> Boxing:
         """What transforms what is selected here, by whole pixels where it is only moved."""
@@ -58,7 +61,7 @@ class SteppedPanel(FigurePanel):
         self.card.side_by_side_changed.connect(self.refresh_soon)
         self.card.folded.connect(self.leave_room)
         self.card.algorithm_chosen.connect(self._choose_algorithm)
-        self.view.box = self.boxing.box
+        self.view.box = self.boxing.box if self.moves_points else None
         self.card.chain.bake_wanted.connect(self.boxing.bake)
         self.card.chain.removal_wanted.connect(self.boxing.remove)
         self.boxing.said.connect(self.hover_text)
@@ -76,8 +79,9 @@ class SteppedPanel(FigurePanel):
                 *commands,
             ],
         )
-        self._actions[BOX].setCheckable(True)
-        self.card.form.connect_to(self.boxing, [self._actions[name] for name in MOTIONS])
+        if self.moves_points:
+            self._actions[BOX].setCheckable(True)
+            self.card.form.connect_to(self.boxing, [self._actions[name] for name in MOTIONS])
 
     def _share_view(self, one: CanvasSurface, other: CanvasSurface, _percent: float) -> None:
         """Both pictures side by side show the same cells; the first one fits, with room for the card."""
@@ -133,10 +137,11 @@ class SteppedPanel(FigurePanel):
         """As everywhere; only what is selected can be transformed."""
         super().refresh()
         chosen, on = self.selected(), self.isVisible()
-        self._actions[BOX].setChecked(self.boxing.on)
-        self._actions[self.tools[0].name].setChecked(self.tool is self.tools[0] and not self.boxing.on)
-        for name in MOTIONS:
-            self._actions[name].setEnabled(on and bool(chosen))
+        if self.moves_points:
+            self._actions[BOX].setChecked(self.boxing.on)
+            self._actions[self.tools[0].name].setChecked(self.tool is self.tools[0] and not self.boxing.on)
+            for name in MOTIONS:
+                self._actions[name].setEnabled(on and bool(chosen))
         for name in ON_CHAINS:
             self._actions[name].setEnabled(on and any(figure.transforms for figure in chosen))
 

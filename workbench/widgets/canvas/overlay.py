@@ -46,7 +46,7 @@ class Overlay:
     ``rendering.comparing`` has it. ``ideal`` are open polylines, each (n, 2), thin in muted; ``outlined`` the
     same in accent for what is selected. ``snap`` is the cell the pointer has snapped to. ``drawn`` lies under
     these and over the picture: the marks of a step, and what a panel draws of figures; ``still`` lies under
-    it.
+    it. A ``plane`` has no cells to see: no grid and no numbers of them, no edge, and ground all around.
     """
 
     candidates: tuple[Cell, ...] = ()
@@ -62,3 +62,4 @@ class Overlay:
     snap: Cell | None = None
     drawn: tuple[Drawn, ...] = ()
     still: Still | None = None
+    plane: bool = False

@@ -96,7 +96,9 @@ def paint_scene(painter: QPainter, picture: Picture, scene: Scene) -> None:
     clip = QRect(area.left, area.top, area.width, area.height)
     painter.save()
     painter.setClipRect(clip)
-    seen = scene.view.visible(area, *scene.size)
+    seen = None if scene.overlay.plane else scene.view.visible(area, *scene.size)
+    if scene.overlay.plane:
+        painter.fillRect(clip, colour(scene.tokens.canvas))
     if seen is not None:
         if scene.vector:
             _paint_cells(painter, picture, scene, seen)
@@ -105,7 +107,8 @@ def paint_scene(painter: QPainter, picture: Picture, scene: Scene) -> None:
         if scene.overlay.classes is not None:
             _paint_classes(painter, scene.overlay.classes, scene, seen)
         _paint_grid(painter, scene, seen)
-    _paint_edge(painter, scene)
+    if not scene.overlay.plane:
+        _paint_edge(painter, scene)
     painter.restore()
     paint_over(painter, scene)
 
@@ -247,6 +250,8 @@ def ruler_sizes(scene_font: QFont, size: tuple[int, int], unit: float) -> tuple[
 
 def paint_rulers(painter: QPainter, scene: Scene, pointed: tuple[int, int] | None) -> None:
     """Axis numbers below and left of ``scene.area``; those of the ``pointed`` cell are emphasised."""
+    if scene.overlay.plane:
+        return
     area, view, tokens = scene.area, scene.view, scene.tokens
     font = scene.caption()
     painter.setFont(font)

@@ -45,6 +45,7 @@ class CanvasSurface(QWidget):
         self._keeps_fit = True
         self._covered = 0
         self.worthwhile = WORTHWHILE
+        self.cells_per_unit = 1.0
         self._stale = True
         self._frame = QImage()
         self._kept: tuple[tuple[object, ...], QImage] | None = None
@@ -73,7 +74,10 @@ class CanvasSurface(QWidget):
 
     def set_overlay(self, overlay: Overlay) -> None:
         """Show other marks."""
+        other_ground = overlay.plane != self._overlay.plane
         self._overlay = overlay
+        if other_ground and self._keeps_fit:
+            self.fit()
         self.repaint_soon()
 
     def set_describer(self, describe: Callable[[int, int], str] | None) -> None:
@@ -121,6 +125,14 @@ class CanvasSurface(QWidget):
         """100 is one cell on one pixel of the screen."""
         return self._view.cell * 100
 
+    @property
+    def zoom_words(self) -> str:
+        """How large the picture is shown; of a plane, how many logical pixels one unit of it is wide."""
+        if self._overlay.plane:
+            wide = self._view.cell * self.cells_per_unit / self.devicePixelRatioF()
+            return _("{pixels:.3g} px per unit").format(pixels=wide)
+        return f"{self.zoom_percent:.0f} %"
+
     def fit(self) -> None:
         """The whole picture, as large as whole cells allow; stays so when the widget is resized.
 
@@ -129,9 +141,10 @@ class CanvasSurface(QWidget):
         """
         self._keeps_fit = True
         area, margin = self.area, round(MARGIN * self.devicePixelRatioF())
-        whole = fitted(area, *self._picture.size, margin)
+        plane = self._overlay.plane
+        whole = fitted(area, *self._picture.size, margin, in_cells=not plane)
         covered = min(area.right - 1, area.left + round(self._covered * self.devicePixelRatioF()))
-        beside = fitted(replace(area, left=covered), *self._picture.size, margin)
+        beside = fitted(replace(area, left=covered), *self._picture.size, margin, in_cells=not plane)
         if beside.cell < self.worthwhile * whole.cell:
             # As far from what is covered as the picture can go and be seen whole
             room = area.right - margin - whole.left - round(whole.cell * self._picture.size[0])
@@ -183,6 +196,8 @@ class CanvasSurface(QWidget):
     def area(self) -> Area:
         """The part inside the rulers, in screen pixels of the widget."""
         unit = self.devicePixelRatioF()
+        if self._overlay.plane:
+            return Area(0, 0, round(self.width() * unit), round(self.height() * unit))
         ruler_width, ruler_height = ruler_sizes(self.font(), self._picture.size, unit)
         return Area(ruler_width, 0, round(self.width() * unit), round(self.height() * unit) - ruler_height)
 
@@ -322,7 +337,8 @@ class CanvasSurface(QWidget):
         """What the canvas shows now, without cursor and tag, in screen pixels."""
         scene = self.scene()
         area = scene.area
-        _ruler, ruler_height = ruler_sizes(self.font(), self._picture.size, scene.unit)
+        plane = scene.overlay.plane
+        ruler_height = 0 if plane else ruler_sizes(self.font(), self._picture.size, scene.unit)[1]
         image = QImage(area.right, area.bottom + ruler_height, QImage.Format.Format_RGB32)
         image.fill(QColor(scene.tokens.surface))
         painter = QPainter(image)

@@ -102,9 +102,13 @@ class CanvasView:
         return replace(self, left=left, bottom=bottom)
 
 
-def fitted(area: Area, width: int, height: int, margin: int, largest: int = MAGNIFIED[-1]) -> CanvasView:
-    """The whole picture, centred in ``area``, as large as whole cells allow."""
+def fitted(
+    area: Area, width: int, height: int, margin: int, largest: int = MAGNIFIED[-1], in_cells: bool = True
+) -> CanvasView:
+    """The whole picture in the middle of ``area``, as large as whole cells or, else, the room allow."""
     room = min((area.width - 2 * margin) / width, (area.height - 2 * margin) / height)
+    if not in_cells:
+        return centred(area, width, height, min(float(largest), max(room, LEVELS[0])))
     cell = float(min(largest, math.floor(room))) if room >= 1 else 1 / math.ceil(1 / max(room, 1 / 64))
     return centred(area, width, height, cell)
 

@@ -1,0 +1,57 @@
+"""The card of the Transform panel: the points as drawn, and what the canvas shows of the chain."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QHBoxLayout, QToolButton, QWidget
+
+from workbench.document.model import AnyFigure
+from workbench.language import _
+from workbench.panels.stage.card import ParameterCard
+from workbench.panels.stage.tools import FigureTool
+
+
+class TransformCard(ParameterCard):
+    """Shows and edits the numbers of what is selected; ``switched``: something else is to be shown."""
+
+    switched = Signal()
+    offers_algorithms = False
+
+    def more_rows(self) -> list[QWidget]:
+        """Points or axes, ghosts, the chain the other way round."""
+        both = QWidget()
+        row = QHBoxLayout(both)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(0)
+        self.points, self.axes = QToolButton(), QToolButton()
+        group = QButtonGroup(both)
+        for button, text, tip in (
+            (self.points, _("Move the points"), _("The chain moves the figure; the axes stay")),
+            (self.axes, _("the axes"), _("The chain moves the axes; the figure gets new coordinates")),
+        ):
+            button.setText(text)
+            button.setCheckable(True)
+            button.setToolTip(tip)
+            button.setAccessibleName(text if button is self.points else _("Move the axes"))
+            group.addButton(button)
+            row.addWidget(button)
+        row.addStretch(1)
+        self.points.setChecked(True)
+        group.buttonToggled.connect(lambda _button, on: self.switched.emit() if on else None)
+        self.ghosts = QCheckBox(_("Ghosts of every stage"))
+        self.ghosts.setChecked(True)
+        self.ghosts.setToolTip(_("The figure after each matrix of the chain, with its number"))
+        self.reversed = QCheckBox(_("The other order beside it"))
+        self.reversed.setToolTip(_("A second picture with the links of the chain in the opposite order"))
+        for box in (self.ghosts, self.reversed):
+            box.toggled.connect(self.switched)
+        return [both, self.ghosts, self.reversed]
+
+    def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
+        """Show what is selected, or what ``tool`` draws next."""
+        super().refresh(tool, figures, summary)
+        for field in self._size or ():
+            field.hide()
+        if not figures and tool is None:
+            self.title.setText(_("Nothing selected"))
+        self._fit()

@@ -1,0 +1,135 @@
+"""What the chain comes to as a whole: its inverse, the parts that it can be made of, one point in space."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout
+
+from workbench.algorithms import transforms
+from workbench.algorithms.transforms import Matrix, Parts
+from workbench.document.transforms.chains import is_singular
+from workbench.document.transforms.stages import Stage, products
+from workbench.exchange.formulas.terms import Phrase, Sign, Term, displayed, matrix
+from workbench.language import _
+from workbench.panels.transform.ground import Ground
+from workbench.panels.transform.homogeneous import HomogeneousView
+from workbench.panels.transform.told import place_text
+from workbench.widgets.formulas.matrix_row import MatrixRow
+
+MOST_FACTORS = 7
+
+
+def inverse_terms(chain: Sequence[Stage]) -> tuple[Term, ...]:
+    """The inverse of a chain, and the inverses of its matrices in the opposite order; none where singular."""
+    whole = products(list(chain))[-1]
+    if is_singular(whole):
+        return ()
+    terms: list[Term] = [Phrase("M^{−1}", strong=True), matrix(transforms.inverse(whole))]
+    if 1 < len(chain) <= MOST_FACTORS:
+        terms += [Sign("="), *(matrix(transforms.inverse(stage.elementary.matrix)) for stage in chain)]
+    return tuple(terms)
+
+
+def parts_terms(parts: Parts) -> tuple[Term, ...]:
+    """M = T R S Sh with numbers."""
+    return (
+        Phrase("M", strong=True),
+        Sign("="),
+        matrix(transforms.translation(parts.tx, parts.ty), name="T"),
+        matrix(transforms.rotation(parts.theta), name="R"),
+        matrix(transforms.scaling(parts.sx, parts.sy), name="S"),
+        matrix(transforms.shear(parts.sh, 0.0), name="Sh"),
+    )
+
+
+def parts_told(parts: Parts) -> str:
+    """The parts in words, and what is lost."""
+    told = _(
+        "First sheared by {sh} along x, then scaled by {sx} and {sy}, turned by {angle}°, and moved by {way}."
+    ).format(
+        sh=displayed(parts.sh),
+        sx=displayed(parts.sx),
+        sy=displayed(parts.sy),
+        angle=displayed(round(math.degrees(parts.theta), 4)),
+        way=place_text(parts.tx, parts.ty),
+    )
+    return " ".join(filter(None, (told, lost(parts))))
+
+
+def lost(parts: Parts) -> str:
+    """What cannot be seen any more of the figure; empty where nothing is lost."""
+    if parts.loss.rank == 0:
+        return _("Every point comes to lie on one place: nothing of the figure is left.")
+    if parts.loss.rank == 1:
+        return _("Every point comes to lie on one line: how far it lay from that line is lost.")
+    if parts.loss.mirrored:
+        return _("The factor of y is negative: the figure is mirrored, left and right have changed places.")
+    return ""
+
+
+class WholeDock(QScrollArea):
+    """The inverse, the parts, and homogeneous coordinates. ``said`` sends a sentence."""
+
+    said = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setWidgetResizable(True)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        ground = Ground()
+        self._column = QVBoxLayout(ground)
+        self._column.setContentsMargins(8, 4, 8, 8)
+        self._column.setSpacing(2)
+        self.inverse, self.parts = MatrixRow(upright=2), MatrixRow(upright=2)
+        self.backwards, self.told, self.space_told = QLabel(), QLabel(), QLabel()
+        self.space = HomogeneousView()
+        for heading, words, view in (
+            (_("Inverse: the chain run backwards"), self.backwards, self.inverse),
+            (_("Parts: M = T R S Sh"), self.told, self.parts),
+            (_("Homogeneous coordinates"), self.space_told, self.space),
+        ):
+            title = QLabel(heading)
+            title.setStyleSheet("font-weight: 600;")
+            words.setWordWrap(True)
+            for widget in (title, words, view):
+                self._column.addWidget(widget)
+        self._column.addStretch(1)
+        self.setWidget(ground)
+        for row in (self.inverse, self.parts):
+            row.copied.connect(self.said)
+
+    def follow(self, chain: Sequence[Stage], point: tuple[float, float] | None) -> None:
+        """Show the whole of a chain, and ``point`` under it."""
+        whole = products(list(chain))[-1] if chain else np.eye(3)
+        back = inverse_terms(chain) if chain else (Phrase("M^{−1}", strong=True), matrix(np.eye(3)))
+        self.inverse.set_terms(back)
+        self.inverse.setVisible(bool(back))
+        self.backwards.setText(_backwards(chain, bool(back)))
+        parts = transforms.decomposed(whole)
+        self.parts.set_terms(parts_terms(parts))
+        self.told.setText(parts_told(parts))
+        image = None if point is None else _image(whole, point)
+        self.space.show_points(point, image)
+        self.space_told.setText(
+            ""
+            if image is None or point is None
+            else _("{point} is written ({x}, {y}, 1), and so are all its multiples, (2x, 2y, 2) too.").format(
+                point=place_text(*point), x=displayed(point[0]), y=displayed(point[1])
+            )
+        )
+
+
+def _image(whole: Matrix, point: tuple[float, float]) -> tuple[float, float]:
+    x, y, _w = (whole @ (*point, 1.0)).tolist()
+    return x, y
+
+
+def _backwards(chain: Sequence[Stage], there: bool) -> str:
+    if not there:
+        return _("This chain flattens the figure: no matrix brings it back.")
+    if len(chain) > 1:
+        return _("The inverses of the matrices, the last one undone first.")
+    return ""

@@ -1,0 +1,55 @@
+"""The pictures of the Transform workspace on the tour."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from workbench.shell.workspaces import panel_of
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from workbench.shell.window import MainWindow
+
+
+def transform_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
+    """Name of each picture, and what brings the window there."""
+    return [
+        ("transform-pivot", partial(_transform, slug="pivot", step=15)),
+        ("transform-axes", partial(_transform, slug="pivot", axes=True, dock="whole")),
+        ("transform-order", partial(_transform, slug="order", beside=True)),
+        ("transform-leaf", partial(_transform, slug="leaf")),
+        ("transform-clock", partial(_transform, slug="clock", figure=-2)),
+        ("transform-shear", partial(_transform, slug="shear")),
+        ("transform-asked", partial(_transform, slug="pivot", asks=True)),
+        ("transform-empty", _empty),
+    ]
+
+
+def _transform(
+    window: MainWindow,
+    slug: str,
+    step: int = 0,
+    figure: int = -1,
+    axes: bool = False,
+    beside: bool = False,
+    asks: bool = False,
+    dock: str = "chain",
+) -> None:
+    from workbench.panels.transform.panel import TransformPanel
+
+    window.open_example(f"transform-{slug}")
+    session, panel = window.session, panel_of(window.panels("transform"), TransformPanel)
+    chosen = session.sheet.figures[figure].id
+    panel.choose_tool("select")
+    session.update_state(active=chosen, selection=(chosen,), step=step, ask_first=asks)
+    (panel.card.axes if axes else panel.card.points).setChecked(True)
+    panel.card.reversed.setChecked(beside)
+    window.arrangements.bring_forward(dock)
+
+
+def _empty(window: MainWindow) -> None:
+    window.session.update_state(ask_first=False)
+    window.session.new()
+    window.go("transform")
