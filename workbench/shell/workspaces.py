@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from workbench.panels.shared.inspector import InspectorPanel
     from workbench.panels.shared.tube_dock import TubePanel
     from workbench.panels.shared.why import WhyPanel
+    from workbench.panels.viewing.panel import ViewingPanel
     from workbench.session.session import Session
 
     # Every panel there is conforms.
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
         FillPanel,
         InspectorPanel,
         TubePanel,
+        ViewingPanel,
         WhyPanel,
     )
 
@@ -114,6 +116,16 @@ def workspaces() -> tuple[Workspace, ...]:
             steps=True,
             topics=("clipping", "lines", "polygons"),
             lower=("compare", "tube"),
+        ),
+        Workspace(
+            "view",
+            _("View"),
+            _("A window onto the world, and the viewport on the device that shows it"),
+            "browsers",
+            ("workbench.panels.viewing.panel:ViewingPanel", inspector, tube),
+            steps=True,
+            topics=("viewing", "clipping"),
+            lower=("hand_table", "point", "source", "variables", "about", "tube"),
         ),
         Workspace(
             "curves",

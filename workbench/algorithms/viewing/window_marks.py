@@ -1,4 +1,7 @@
-"""What is drawn of the window-to-viewport transformation of a point."""
+"""What is drawn of the window-to-viewport transformation of a point.
+
+The ink tells the plane: ``data2`` is for what lies on the device, the others for what lies in the world.
+"""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -6,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.marks import Mark, Points, Spot, Stroke, Word, closed
+from workbench.algorithms.marks import Ink, Mark, Points, Spot, Stroke, Word, closed
 
 
 def marks(
@@ -24,10 +27,10 @@ def marks(
     yield Word("P", x, y, "data1", -1, 1, True)
 
 
-def carried(x: float, y: float, width: float, height: float) -> Iterator[Mark]:
+def carried(x: float, y: float, width: float, height: float, ink: Ink) -> Iterator[Mark]:
     """The window with its corner at the origin, and its point, on the way to the viewport."""
-    yield Stroke(_frame(0.0, 0.0, width, height), "accent", "thin")
-    yield Spot(x, y, "accent", "dot")
+    yield Stroke(_frame(0.0, 0.0, width, height), ink, "thin")
+    yield Spot(x, y, ink, "dot")
 
 
 def _frame(xmin: float, ymin: float, xmax: float, ymax: float) -> Points:

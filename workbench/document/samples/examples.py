@@ -12,6 +12,7 @@ from workbench.document.samples.figures import (
     polyline,
 )
 from workbench.document.samples.fill import fill_examples
+from workbench.document.samples.viewing import viewing_examples
 from workbench.language import _
 
 __all__ = [
@@ -79,6 +80,7 @@ def examples() -> list[Example]:
         ),
         *fill_examples(),
         *clip_examples(),
+        *viewing_examples(),
         *curve_examples(),
     ]
 
