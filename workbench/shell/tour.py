@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from workbench.language import _
 from workbench.shell.tour_curves import curve_scenes
+from workbench.shell.tour_viewing import viewing_scenes
 from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
@@ -147,7 +148,11 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
         sys.stderr.write(_("tour: not done in time; the pictures so far are kept.") + "\n")
         application.exit(1)
 
-    building.built.connect(visit)
+    def begin() -> None:
+        window.arriving = None  # panels are made where they are asked for
+        visit()
+
+    building.built.connect(begin)
     window.first_frame.connect(building.start)
     patience = QTimer()
     patience.setSingleShot(True)
@@ -184,14 +189,15 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("fill-overflow", lambda window: _fill(window, "overflow", 1500)),
         ("fill-depth", _depth),
         ("fill-why", _why),
-        ("fill-empty", _fill_empty),
+        ("fill-empty", lambda window: _empty(window, "fill")),
         ("fill-compare", _fill_compared),
         ("clip-lines", lambda window: _clip(window, "clip", 1)),
         ("clip-interval", lambda window: _clip(window, "clip", 3, 3, "liang_barsky")),
         ("clip-fork", lambda window: _clip(window, "clip-fork", 14)),
         ("clip-lab", lambda window: _clip(window, "clip-lab", 0)),
         ("clip-asked", _clip_asked),
-        ("clip-empty", _clip_empty),
+        ("clip-empty", lambda window: _empty(window, "clip")),
+        *viewing_scenes(),
         *curve_scenes(),
         ("display", _display),
         ("display-beam", _beam),
@@ -307,16 +313,6 @@ def _why(window: MainWindow) -> None:
     window.session.update_state(pixel=(8, 6))
 
 
-def _fill_empty(window: MainWindow) -> None:
-    window.session.new()
-    window.go("fill")
-
-
-def _clip_empty(window: MainWindow) -> None:
-    window.session.new()
-    window.go("clip")
-
-
 def _hint(window: MainWindow) -> None:
     _draw(window)
     window.show_hints_again()
@@ -334,9 +330,9 @@ def _question(window: MainWindow) -> None:
     session.undo_stack.setClean()
 
 
-def _empty(window: MainWindow) -> None:
+def _empty(window: MainWindow, workspace: str = "draw") -> None:
     window.session.new()
-    window.go("draw")
+    window.go(workspace)
 
 
 def _display(window: MainWindow) -> None:

@@ -307,8 +307,7 @@ class MainWindow(QMainWindow):
     def open_question(self, question: Question) -> None:
         """Open workspace, example and step of a question."""
         self.files.example(question.example)
-        self.enter(question.workspace)
-        self.session.update_state(step=question.step)
+        self.enter(question.workspace, lambda: self.session.update_state(step=question.step))
 
     def refresh_recent(self) -> None:
         """Show the recent files anew."""

@@ -24,7 +24,7 @@ def viewing_examples() -> list[Example]:
             "view-numbers",
             _("Window to viewport by hand"),
             _(
-                "The numbers of the course, window (1, 1) to (4, 4), viewport (3, 2) to (6, 6): step each corner."
+                "The numbers of the course: window (1, 1) to (4, 4), viewport (3, 2) to (6, 6), stepped."
             ),
             "view",
             _numbers(),
