@@ -23,9 +23,7 @@ def viewing_examples() -> list[Example]:
         Example(
             "view-numbers",
             _("Window to viewport by hand"),
-            _(
-                "The numbers of the course: window (1, 1) to (4, 4), viewport (3, 2) to (6, 6), stepped."
-            ),
+            _("The numbers of the course: window (1, 1) to (4, 4), viewport (3, 2) to (6, 6), stepped."),
             "view",
             _numbers(),
         ),

@@ -54,6 +54,8 @@ from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import tokens
 
+LEAST_PX = 230
+
 
 def view_name(sheet: Sheet, view: View) -> str:
     """What a view is called: by its name, or by its number in the order of painting."""
@@ -69,6 +71,7 @@ class ViewCard(QScrollArea):
         super().__init__(parent)
         self.session = session
         self.setWidgetResizable(True)
+        self.setMinimumHeight(LEAST_PX)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         body = QWidget()
         body.setObjectName("pageBody")

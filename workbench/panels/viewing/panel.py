@@ -45,7 +45,8 @@ from workbench.widgets.look.tokens import theme_changed, tokens
 
 EXAMPLE = "view-house"
 TOOL_BAR_PX = 44
-LOW_PX, NARROW_PX = 420, 700
+LOW_PX, NARROW_PX = 420, 560
+MATRIX_PX = 12
 _ZOOM = 1.25
 _FINER = 10
 _ALT, _SHIFT = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ShiftModifier
@@ -78,6 +79,10 @@ class ViewingPanel(PlainPanel, QWidget):
         self.point = PointCard()
         self.symbols, self.numbers = MatrixRow(), MatrixRow()
         self.symbols.set_shows("symbols")
+        for row in (self.symbols, self.numbers):
+            font = row.font()
+            font.setPixelSize(MATRIX_PX)
+            row.setFont(font)
         self._held_view: View | None = None
         self._actions: dict[str, QAction] = {}
         self._lay_out()
@@ -259,6 +264,8 @@ class ViewingPanel(PlainPanel, QWidget):
                 tile.set_plane(plane_of(self._stages[slug], geometry, small=True))
         self.strip.show_open((self.left.stage.slug, self.right.stage.slug))
         self.card.refresh(before)
+        if self.isVisible():
+            self.zoom_text.emit("")
         terms = terms_of(view)
         cells = () if before is None else changed_cells(before, view)
         for row in (self.symbols, self.numbers):

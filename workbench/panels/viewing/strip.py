@@ -12,7 +12,7 @@ from workbench.widgets.canvas.plane import Plane, paint_plane, scene_of
 from workbench.widgets.canvas.view import Area
 from workbench.widgets.look.tokens import RADIUS, theme_changed, tokens
 
-HIGH_PX, LOW_PX = 104, 30
+HIGH_PX, LOW_PX = 98, 30
 _CAPTION_PX = 24
 _ARROW_PX = 16
 
