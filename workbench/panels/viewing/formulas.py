@@ -1,5 +1,7 @@
 """The matrices of a view as rows of terms, and what a changed number of theirs makes of the view."""
 
+from functools import lru_cache
+
 import numpy as np
 
 from workbench.algorithms.transforms.symbols import SymbolicMatrix, multiplied_out
@@ -26,6 +28,7 @@ def chain_of(view: View) -> tuple[SymbolicMatrix, ...]:
     return window_chain(box(view.window_world), box(view.viewport_device), view.mode)  # type: ignore[arg-type]
 
 
+@lru_cache(maxsize=8)
 def terms_of(view: View) -> tuple[Term, ...]:
     """M = T S T with symbols and numbers."""
     chain = chain_of(view)

@@ -252,16 +252,12 @@ class ViewingPanel(PlainPanel, QWidget):
             self._kept_box = world_box(sheet, view)
         geometry = Geometry(sheet, view, self._kept_box, tokens())
         world, device = parted(self._marks())
-        planes = {}
-        for slug, stage in self._stages.items():
-            marks = {"world": world, "device": device, "normalised": ()}[stage.frame]
-            own = marks if slug in ("window", "clip", "viewport") else ()
-            planes[slug] = plane_of(stage, geometry, own, self.gesture.held)
         for picture in (self.left, self.right):
-            picture.plane.set_plane(planes[picture.stage.slug])
-        if self.strip.pictured:
-            for slug, tile in self.strip.tiles.items():
-                tile.set_plane(plane_of(self._stages[slug], geometry, small=True))
+            stage = picture.stage
+            marks = {"world": world, "device": device, "normalised": ()}[stage.frame]
+            own = marks if stage.rectangle else ()
+            picture.plane.set_plane(plane_of(stage, geometry, own, self.gesture.held))
+        self.strip.show_geometry(geometry, at_leisure=before is not None)
         self.strip.show_open((self.left.stage.slug, self.right.stage.slug))
         self.card.refresh(before)
         if self.isVisible():

@@ -22,7 +22,7 @@ from workbench.panels.viewing.rectangles import Named, grips, rectangles
 from workbench.rendering.extent import world_extent
 from workbench.rendering.mapping import Box, DeviceMap, box, view_map
 from workbench.rendering.pipeline import colour_of
-from workbench.widgets.canvas.drawing import Drawn, PenStroke, Tint
+from workbench.widgets.canvas.drawing import Drawn, Pattern, PenStroke, Tint
 from workbench.widgets.canvas.overlay import Handle
 from workbench.widgets.canvas.plane import Plane
 from workbench.widgets.look.tokens import DARK, Tokens
@@ -188,8 +188,7 @@ def _in_the_world(stage: Stage, geometry: Geometry) -> Iterator[Drawn]:
     view = geometry.view
     if stage.slug == "window":
         yield Tint(_ring(view.window_world)[:4], "data1", 22)
-        for curve in geometry.whole:
-            yield PenStroke(curve.points, curve.ink, 1.25, "dot")
+        yield from _strokes(geometry.whole, 1.25, "dot")
     else:
         yield PenStroke(_ring(view.window_world), "muted", 1.0)
     yield from _strokes(geometry.left("world"), 2.0)
@@ -219,9 +218,9 @@ def framed(named: Named, rectangle: Rectangle, held: bool, small: bool) -> Itera
         yield Word(f"({displayed(x)}, {displayed(y)})", x, y, "text", right, up, True)
 
 
-def _strokes(curves: Sequence[Curve], width: float) -> Iterator[Drawn]:
-    for curve in curves:
-        yield PenStroke(curve.points, curve.ink, width)
+def _strokes(curves: Sequence[Curve], width: float, pattern: Pattern = "solid") -> Iterator[Drawn]:
+    for curve in sorted(curves, key=lambda curve: curve.ink):  # what is alike is painted at once
+        yield PenStroke(curve.points, curve.ink, width, pattern)
 
 
 def _ring(rectangle: Rectangle) -> Points:

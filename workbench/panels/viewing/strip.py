@@ -2,18 +2,19 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFont, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QHBoxLayout, QSizePolicy, QWidget
 
 from workbench.language import _
-from workbench.panels.viewing.stages import Stage
+from workbench.panels.viewing.stages import Geometry, Stage, plane_of
 from workbench.widgets.canvas.plane import Plane, paint_plane, scene_of
 from workbench.widgets.canvas.view import Area
 from workbench.widgets.look.tokens import RADIUS, theme_changed, tokens
 
 HIGH_PX, LOW_PX = 98, 30
 _CAPTION_PX = 24
+LEISURE_MS = 25
 _ARROW_PX = 16
 
 
@@ -157,7 +158,32 @@ class StageStrip(QWidget):
                 row.addWidget(_Arrow())
             row.addWidget(tile, 1)
             tile.chosen.connect(lambda right, slug=tile.stage.slug: self.opened.emit(slug, right))
+        self._geometry: Geometry | None = None
+        self._old: list[StageTile] = []
+        self._next = QTimer(self)
+        self._next.setInterval(LEISURE_MS)
+        self._next.timeout.connect(self._show_one)
         self.set_low(False)
+
+    def show_geometry(self, geometry: Geometry, at_leisure: bool) -> None:
+        """Show the stages of it: now, or while something is dragged one after the other."""
+        self._geometry = geometry
+        if not self.pictured:
+            return
+        self._old += [tile for tile in self.tiles.values() if tile not in self._old]
+        if at_leisure:
+            self._next.start()
+            return
+        while self._old:
+            self._show_one()
+
+    def _show_one(self) -> None:
+        """Bring the picture that is shown longest up to date."""
+        if not self._old or self._geometry is None:
+            self._next.stop()
+            return
+        tile = self._old.pop(0)
+        tile.set_plane(plane_of(tile.stage, self._geometry, small=True))
 
     def set_low(self, low: bool) -> None:
         """Names only, or pictures too."""
