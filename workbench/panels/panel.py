@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 from workbench.exchange.tables import Table
 
 if TYPE_CHECKING:
+    from workbench.exchange.diagrams import Derivation
     from workbench.panels.stage.export import Exporter
 
 # The name by which a dock is remembered, its title, what it holds, and where it begins.
@@ -64,6 +65,9 @@ class Panel(Protocol):
     def points(self) -> Sequence[tuple[float, float]]:
         """The points (world) of the curve that is worked on, if any."""
 
+    def derivation(self) -> "Derivation | None":
+        """The page that derives what is shown, if there is any."""
+
     def offer_export(self, menu: QMenu) -> None:
         """Let its own menus lead to what can be exported."""
 
@@ -111,6 +115,10 @@ class PlainPanel:
     def points(self) -> Sequence[tuple[float, float]]:
         """None."""
         return ()
+
+    def derivation(self) -> "Derivation | None":
+        """None."""
+        return None
 
     def offer_export(self, menu: QMenu) -> None:
         """It has no menu of its own."""

@@ -49,6 +49,16 @@ def export_commands() -> tuple[Command, ...]:
             "document",
         ),
         Command(
+            "export_derivation",
+            _("Export the derivation..."),
+            lambda w: w.files.exports.derivation(),
+            (),
+            "article",
+            _("A labelled drawing and its matrices, with symbols and numbers, as SVG or PDF"),
+            "export",
+            "document",
+        ),
+        Command(
             "export_hand",
             _("Export the hand table..."),
             lambda w: w.files.exports.hand_table(),

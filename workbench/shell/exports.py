@@ -121,6 +121,14 @@ class Exports(QObject):
         else:
             self._window.say_status(_("Select a curve in Curves first, to export its points."))
 
+    def derivation(self) -> None:
+        """The page of formulas that derives what the workspace shows."""
+        made = next((page for panel in self._panels() if (page := panel.derivation()) is not None), None)
+        if made is None:
+            self._window.say_status(_("Go to a workspace with matrices first, such as View."))
+        else:
+            self.writing.ask("derivation", _("derivation"), lambda: made)
+
     def hand_table(self) -> None:
         """The hand table of the run."""
         if not self._hand_rows():

@@ -4,7 +4,9 @@ from functools import partial
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QButtonGroup,
     QCheckBox,
     QComboBox,
@@ -54,7 +56,7 @@ from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import tokens
 
-LEAST_PX = 230
+NARROW_PX = 380
 
 
 def view_name(sheet: Sheet, view: View) -> str:
@@ -71,7 +73,6 @@ class ViewCard(QScrollArea):
         super().__init__(parent)
         self.session = session
         self.setWidgetResizable(True)
-        self.setMinimumHeight(LEAST_PX)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         body = QWidget()
         body.setObjectName("pageBody")
@@ -110,6 +111,7 @@ class ViewCard(QScrollArea):
         assert line is not None
         line.editingFinished.connect(self._rename)
         self.add = QPushButton(_("Add a view"))
+        self.add.setAccessibleName(_("Add a view"))
         self.add.setToolTip(_("One more viewport on this device, with the same window"))
         set_icon(self.add, "plus")
         self.add.clicked.connect(self.add_view)
@@ -128,9 +130,22 @@ class ViewCard(QScrollArea):
         row.addWidget(self.more)
         self._column.addLayout(row)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Narrow, the sides of a rectangle stand in two rows, and buttons have no words."""
+        super().resizeEvent(event)
+        narrow = event.size().width() < NARROW_PX
+        for fields in self.rectangles.values():
+            fields.set_narrow(narrow)
+        self.add.setText("" if narrow else _("Add a view"))
+        down, across = QBoxLayout.Direction.TopToBottom, QBoxLayout.Direction.LeftToRight
+        for row in (self._mode_row, self._device_row):
+            row.setDirection(down if narrow else across)
+
     def _make_modes(self) -> None:
-        row = QHBoxLayout()
-        row.setSpacing(0)
+        row = self._mode_row = QBoxLayout(QBoxLayout.Direction.LeftToRight)
+        row.setSpacing(12)
+        buttons = QHBoxLayout()
+        buttons.setSpacing(0)
         self.modes = QButtonGroup(self)
         words = (
             (_("Stretch"), _("Corners go to corners; the picture may be distorted")),
@@ -143,12 +158,13 @@ class ViewCard(QScrollArea):
             button.setProperty("low", True)
             button.setToolTip(tip)
             self.modes.addButton(button, number)
-            row.addWidget(button)
+            buttons.addWidget(button)
         self.modes.idClicked.connect(self._set_mode)
         self.factors = QLabel()
         self.factors.setTextFormat(Qt.TextFormat.RichText)
         self.factors.setAccessibleName(_("Scale factors"))
-        row.addSpacing(12)
+        buttons.addStretch(1)
+        row.addLayout(buttons)
         row.addWidget(self.factors, 1)
         self._column.addLayout(row)
         self.warning = QLabel()
@@ -186,13 +202,14 @@ class ViewCard(QScrollArea):
         self._column.addLayout(row)
 
     def _make_device(self) -> None:
+        whole = self._device_row = QBoxLayout(QBoxLayout.Direction.LeftToRight)
         row = QHBoxLayout()
         title = QLabel(_("Device"))
         bold = title.font()
         bold.setBold(True)
         title.setFont(bold)
-        row.addWidget(title)
-        row.addStretch(1)
+        whole.addWidget(title)
+        whole.addStretch(1)
         self.sizes: list[NumberField] = []
         for name, meaning in (
             (_("width"), _("width of the device")),
@@ -204,7 +221,8 @@ class ViewCard(QScrollArea):
             field.scrub_ended.connect(self.session.end_merge)
             self.sizes.append(field)
             row.addWidget(field)
-        self._column.addLayout(row)
+        whole.addLayout(row)
+        self._column.addLayout(whole)
 
     # What is shown
 

@@ -16,15 +16,18 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from workbench.algorithms.marks import Mark
+from workbench.algorithms.viewing.window_to_viewport_point import alike
 from workbench.document.errors import DocumentError
 from workbench.document.model import Rectangle, View
 from workbench.document.subjects import Subject
 from workbench.document.view_edits import set_window, zoom
+from workbench.exchange.diagrams import Derivation
 from workbench.language import _
 from workbench.panels.panel import DockPart, PlainPanel, Said
 from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.empty import EmptyState
-from workbench.panels.viewing.card import ViewCard
+from workbench.panels.viewing.card import ViewCard, factors_of
+from workbench.panels.viewing.derivation import derivation
 from workbench.panels.viewing.formulas import changed_cells, rewritten, terms_of
 from workbench.panels.viewing.gestures import Gesture, tools
 from workbench.panels.viewing.picture import StagePicture
@@ -46,7 +49,7 @@ from workbench.widgets.look.tokens import theme_changed, tokens
 EXAMPLE = "view-house"
 TOOL_BAR_PX = 44
 LOW_PX, NARROW_PX = 420, 560
-MATRIX_PX = 12
+MATRIX_PX, UPRIGHT_PX = 12, 3
 _ZOOM = 1.25
 _FINER = 10
 _ALT, _SHIFT = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ShiftModifier
@@ -77,7 +80,7 @@ class ViewingPanel(PlainPanel, QWidget):
         self.right = StagePicture(self._stages["viewport"])
         self.card = ViewCard(session)
         self.point = PointCard()
-        self.symbols, self.numbers = MatrixRow(), MatrixRow()
+        self.symbols, self.numbers = MatrixRow(upright=UPRIGHT_PX), MatrixRow(upright=UPRIGHT_PX)
         self.symbols.set_shows("symbols")
         for row in (self.symbols, self.numbers):
             font = row.font()
@@ -224,6 +227,10 @@ class ViewingPanel(PlainPanel, QWidget):
         """Open the house in two viewports."""
         self.session.open_example(EXAMPLE)
 
+    def derivation(self) -> Derivation:
+        """The view on a page: both pictures, its matrices, and the way of the point that is looked at."""
+        return derivation(self.session.sheet, self.view, self._point_now())
+
     def copy(self) -> bool:
         """Put both pictures on the clipboard, side by side as they are seen."""
         QGuiApplication.clipboard().setPixmap(self.grab())
@@ -261,7 +268,12 @@ class ViewingPanel(PlainPanel, QWidget):
         self.strip.show_open((self.left.stage.slug, self.right.stage.slug))
         self.card.refresh(before)
         if self.isVisible():
-            self.zoom_text.emit("")
+            sx, sy = factors_of(view)
+            self.zoom_text.emit(
+                _("{sx:.3g} × {sy:.3g} px per unit").format(sx=sx, sy=sy)
+                if not alike(sx, sy)
+                else _("{s:.3g} px per unit").format(s=sx)
+            )
         terms = terms_of(view)
         cells = () if before is None else changed_cells(before, view)
         for row in (self.symbols, self.numbers):

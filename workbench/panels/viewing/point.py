@@ -1,6 +1,7 @@
 """The point that is sent through: its way there, back, and by normalised coordinates, with the arithmetic."""
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from workbench.algorithms.viewing import normalised_to_viewport, window_to_normalised
@@ -12,6 +13,7 @@ from workbench.rendering.mapping import box, view_map
 from workbench.rendering.subjects.window import Point, landing
 from workbench.widgets.fields.number_field import NumberField
 
+NARROW_PX = 380
 Arithmetic = tuple[tuple[str, tuple[str, ...]], ...]
 
 
@@ -103,10 +105,11 @@ class PointCard(QScrollArea):
         column.addStretch(1)
         self._view: View | None = None
         self._point: Point = (0.0, 0.0)
+        self._clicked = False
 
     def show_point(self, view: View, point: Point | None, clicked: bool) -> None:
         """Show the way of a point; None asks for one. Only a ``clicked`` one can be let go."""
-        self._view = view
+        self._view, self._clicked = view, clicked
         self.missing.setVisible(point is None)
         self.inputs.setVisible(point is not None)
         self.way.setVisible(point is not None)
@@ -117,12 +120,22 @@ class PointCard(QScrollArea):
         there = view_map(view).point(*point)
         for name, value in zip(self.fields, (*point, *there), strict=True):
             self.fields[name].set_value(round(value, 6))
+        if self.width() < NARROW_PX:
+            ways = ("<br>".join((f"<b>{title}</b>", *lines)) for title, lines in arithmetic(view, point))
+            self.way.setText("<br>".join(ways))
+            return
         rows = "".join(
             f"<tr><td style='padding-right:12px'>{title if not k else ''}</td><td>{line}</td></tr>"
             for title, lines in arithmetic(view, point)
             for k, line in enumerate(lines)
         )
         self.way.setText(f"<table cellspacing='0'>{rows}</table>")
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Narrow, the titles stand above their lines."""
+        super().resizeEvent(event)
+        if self._view is not None and not self.way.isHidden():
+            self.show_point(self._view, self._point, self._clicked)
 
     def _typed(self, name: str, value: float) -> None:
         if self._view is None:

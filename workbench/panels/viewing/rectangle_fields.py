@@ -3,7 +3,7 @@
 from msgspec.structs import replace
 from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from workbench.document.fields import numbers_of
 from workbench.document.model import Rectangle
@@ -55,8 +55,9 @@ class RectangleFields(QWidget):
         self.heading.addWidget(_Line(named))
         self.heading.addWidget(title)
         self.heading.addStretch(1)
-        row = QHBoxLayout()
-        row.setSpacing(6)
+        self._grid = QGridLayout()
+        self._grid.setHorizontalSpacing(6)
+        self._grid.setVerticalSpacing(2)
         for side in SIDES:
             symbol = numbers_of(Rectangle)[side].symbol
             field = NumberField(
@@ -67,12 +68,23 @@ class RectangleFields(QWidget):
             field.scrubbed.connect(lambda value, side=side: self._set(side, value, f"scrub {named.slug}"))
             field.scrub_ended.connect(self.ended)
             self.fields[side] = field
-            row.addWidget(field)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
         column.addLayout(self.heading)
-        column.addLayout(row)
+        column.addLayout(self._grid)
+        self._narrow: bool | None = None
+        self.set_narrow(False)
+
+    def set_narrow(self, narrow: bool) -> None:
+        """The fields in two rows, or in one."""
+        if narrow == self._narrow:
+            return
+        self._narrow = narrow
+        columns = 2 if narrow else len(SIDES)
+        for number, field in enumerate(self.fields.values()):
+            self._grid.removeWidget(field)
+            self._grid.addWidget(field, number // columns, number % columns)
 
     def show_rectangle(self, rectangle: Rectangle, lit: frozenset[str]) -> None:
         """Show its sides; those in ``lit`` are the ones that a drag changes now."""

@@ -22,7 +22,7 @@ from workbench.exchange.formulas.terms import Cell, Matrix, Place, Shows
 from workbench.language import _
 from workbench.widgets.fields.number_field import SCRUB_PX
 from workbench.widgets.formulas.cell_editor import CellEditor
-from workbench.widgets.formulas.row_surface import RowSurface
+from workbench.widgets.formulas.row_surface import MARGIN, RowSurface
 from workbench.widgets.look.type_faces import code_font
 
 _SLACK_PX = 3
@@ -54,8 +54,8 @@ class MatrixRow(RowSurface):
     shows_changed = Signal(str)
     copied = Signal(str)
 
-    def __init__(self, parent: QWidget | None = None, step: float = 0.1) -> None:
-        super().__init__(parent)
+    def __init__(self, parent: QWidget | None = None, step: float = 0.1, upright: int = MARGIN) -> None:
+        super().__init__(parent, upright)
         self.step = step
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

@@ -36,10 +36,12 @@ class Highlight(NamedTuple):
 class RowSurface(QWidget):
     """A row of terms on the ground of a panel. It breaks into lines, and goes down to captions' type,
     before it needs more width than it has. While only numbers change nothing moves but to make room.
+    ``upright`` pixels are left free above and below it.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None, upright: int = MARGIN) -> None:
         super().__init__(parent)
+        self._upright = upright
         policy = QSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
@@ -141,7 +143,7 @@ class RowSurface(QWidget):
 
     @property
     def laid(self) -> LaidRow:
-        """The row as it is shown; its origin lies ``MARGIN`` inside the widget."""
+        """The row as it is shown; its origin lies ``MARGIN`` and ``upright`` inside the widget."""
         return self._laid(self.width())
 
     def _lay_out_anew(self) -> None:
@@ -156,12 +158,12 @@ class RowSurface(QWidget):
         """The widest term in the smallest type, and the height that the width there is asks for."""
         widest = widest_of(typesetter_of(self.font()), self._terms, self._shows, self._sizes[-1])
         high = self._laid(max(self.width(), widest + 2 * MARGIN)).height
-        return QSize(int(widest) + 1 + 2 * MARGIN, int(high) + 1 + 2 * MARGIN)
+        return QSize(int(widest) + 1 + 2 * MARGIN, int(high) + 1 + 2 * self._upright)
 
     def sizeHint(self) -> QSize:
         """One line."""
         laid = self._laid(_BEYOND)
-        return QSize(int(laid.width) + 1 + 2 * MARGIN, int(laid.height) + 1 + 2 * MARGIN)
+        return QSize(int(laid.width) + 1 + 2 * MARGIN, int(laid.height) + 1 + 2 * self._upright)
 
     def hasHeightForWidth(self) -> bool:
         """Narrow, it breaks into lines."""
@@ -169,7 +171,7 @@ class RowSurface(QWidget):
 
     def heightForWidth(self, width: int) -> int:
         """How high its lines are."""
-        return int(self._laid(width).height) + 1 + 2 * MARGIN
+        return int(self._laid(width).height) + 1 + 2 * self._upright
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Another width may take more lines."""
@@ -188,11 +190,11 @@ class RowSurface(QWidget):
 
     def cell_box(self, place: Place) -> QRectF:
         """Where a cell lies in the widget."""
-        return QRectF(*self.laid.cells[place]).translated(MARGIN, MARGIN)
+        return QRectF(*self.laid.cells[place]).translated(MARGIN, self._upright)
 
     def cell_at(self, position: QPointF) -> Place | None:
         """The cell under a position of the widget."""
-        x, y = position.x() - MARGIN, position.y() - MARGIN
+        x, y = position.x() - MARGIN, position.y() - self._upright
         for place, (left, top, width, height) in self.laid.cells.items():
             if left <= x < left + width and top <= y < top + height:
                 return place
@@ -225,7 +227,7 @@ class RowSurface(QWidget):
         painter = QPainter(self)
         painter.fillRect(event.rect(), QColor(now.surface))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        painter.translate(MARGIN, MARGIN)
+        painter.translate(MARGIN, self._upright)
         laid = self.laid
         if self._hovered in laid.cells and self._hovered is not None:
             box = QRectF(*laid.cells[self._hovered]).adjusted(1, 1, -1, -1)
