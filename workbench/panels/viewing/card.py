@@ -20,21 +20,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from workbench.algorithms import catalogue
 from workbench.algorithms.viewing import scale_factors
 from workbench.algorithms.viewing.window_to_viewport_point import alike
 from workbench.document.building import Edit
 from workbench.document.errors import DocumentError
 from workbench.document.model import (
-    LINE_CLIPPERS,
-    MAX_SIDE_PX,
     MODES,
-    POLYGON_CLIPPERS,
     Rectangle,
     Sheet,
     View,
 )
-from workbench.document.sheet_edits import set_clipper, set_sheet_size
 from workbench.document.view_edits import (
     add_view,
     remove_view,
@@ -47,12 +42,12 @@ from workbench.exchange.formulas.terms import displayed
 from workbench.language import _
 from workbench.panels.stage.extent import no_extent
 from workbench.panels.viewing.gestures import change_of
+from workbench.panels.viewing.painting_fields import PaintingFields
 from workbench.panels.viewing.rectangle_fields import RectangleFields
 from workbench.panels.viewing.rectangles import SIDES, Named, rectangles
 from workbench.rendering.mapping import box
 from workbench.rendering.subjects.window import in_view, view_of
 from workbench.session.session import Session
-from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import tokens
 
@@ -94,7 +89,8 @@ class ViewCard(QScrollArea):
         self._column.addWidget(self.complaint)
         self._make_modes()
         self._make_clipping()
-        self._make_device()
+        self.painting = PaintingFields(session, self.apply)
+        self._column.addWidget(self.painting)
         self._column.addStretch(1)
 
     # The parts
@@ -138,7 +134,7 @@ class ViewCard(QScrollArea):
             fields.set_narrow(narrow)
         self.add.setText("" if narrow else _("Add a view"))
         down, across = QBoxLayout.Direction.TopToBottom, QBoxLayout.Direction.LeftToRight
-        for row in (self._mode_row, self._device_row):
+        for row in (self._mode_row, self.painting.device_row):
             row.setDirection(down if narrow else across)
 
     def _make_modes(self) -> None:
@@ -182,47 +178,6 @@ class ViewCard(QScrollArea):
         self.clips.clicked.connect(self._clip_or_not)
         self._column.addWidget(self.clips)
         self._column.addWidget(self.rectangles["clip"])
-        row = QHBoxLayout()
-        row.setSpacing(6)
-        self.clippers: list[QComboBox] = []
-        for slugs, tip in (
-            (LINE_CLIPPERS, _("The algorithm that clips lines")),
-            (POLYGON_CLIPPERS, _("The algorithm that clips polygons")),
-        ):
-            chooser = QComboBox()
-            chooser.setAccessibleName(tip)
-            chooser.setToolTip(tip)
-            chooser.setMinimumContentsLength(6)
-            chooser.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            for slug in slugs:
-                chooser.addItem(_(catalogue.get(slug).title), slug)
-            chooser.activated.connect(partial(self._set_clipper, chooser))
-            self.clippers.append(chooser)
-            row.addWidget(chooser, 1)
-        self._column.addLayout(row)
-
-    def _make_device(self) -> None:
-        whole = self._device_row = QBoxLayout(QBoxLayout.Direction.LeftToRight)
-        row = QHBoxLayout()
-        title = QLabel(_("Device"))
-        bold = title.font()
-        bold.setBold(True)
-        title.setFont(bold)
-        whole.addWidget(title)
-        whole.addStretch(1)
-        self.sizes: list[NumberField] = []
-        for name, meaning in (
-            (_("width"), _("width of the device")),
-            (_("height"), _("height of the device")),
-        ):
-            field = NumberField(name, "px", low=1, high=MAX_SIDE_PX, integer=True, meaning=meaning)
-            field.edited.connect(self._set_size)
-            field.scrubbed.connect(partial(self._set_size, merge="scrub device"))
-            field.scrub_ended.connect(self.session.end_merge)
-            self.sizes.append(field)
-            row.addWidget(field)
-        whole.addLayout(row)
-        self._column.addLayout(whole)
 
     # What is shown
 
@@ -258,16 +213,7 @@ class ViewCard(QScrollArea):
         button = self.modes.button(MODES.index(view.mode))
         button.setChecked(True)
         self._show_factors(view, before)
-        for chooser, slug in zip(
-            self.clippers, (sheet.lines_clipped_with, sheet.polygons_clipped_with), strict=True
-        ):
-            chooser.setCurrentIndex(chooser.findData(slug))
-        for field, size in zip(self.sizes, (sheet.width_px, sheet.height_px), strict=True):
-            field.set_value(size)
-
-    def show_good(self) -> None:
-        """What was wrong is no longer."""
-        self._complain("", "")
+        self.painting.refresh()
 
     def _show_factors(self, view: View, before: View | None) -> None:
         now = tokens()
@@ -322,13 +268,6 @@ class ViewCard(QScrollArea):
     def _clip_or_not(self, on: bool) -> None:
         clip = self.view.window_world if on else None
         self.apply(set_clip(self.view.id, clip), _("Change the clip window"))
-
-    def _set_clipper(self, chooser: QComboBox, index: int) -> None:
-        self.apply(set_clipper(self.session.sheet.id, chooser.itemData(index)), _("Choose the clipper"))
-
-    def _set_size(self, _value: float, merge: str = "") -> None:
-        width, height = (round(field.value()) for field in self.sizes)
-        self.apply(set_sheet_size(self.session.sheet.id, width, height), _("Change the device"), merge)
 
     def _choose(self, index: int) -> None:
         sheet = self.session.sheet

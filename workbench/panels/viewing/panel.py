@@ -9,11 +9,10 @@ from PySide6.QtGui import (
     QGuiApplication,
     QHideEvent,
     QKeyEvent,
-    QKeySequence,
     QResizeEvent,
     QShowEvent,
 )
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
 from workbench.algorithms.marks import Mark
 from workbench.algorithms.viewing.window_to_viewport_point import alike
@@ -24,15 +23,14 @@ from workbench.document.view_edits import set_window, zoom
 from workbench.exchange.diagrams import Derivation
 from workbench.language import _
 from workbench.panels.panel import DockPart, PlainPanel, Said
-from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.empty import EmptyState
+from workbench.panels.viewing.actions import view_actions
 from workbench.panels.viewing.card import ViewCard, factors_of
 from workbench.panels.viewing.derivation import derivation
-from workbench.panels.viewing.formulas import changed_cells, rewritten, terms_of
 from workbench.panels.viewing.gestures import Gesture, tools
+from workbench.panels.viewing.matrices import Matrices
 from workbench.panels.viewing.picture import StagePicture
 from workbench.panels.viewing.point import PointCard
-from workbench.panels.viewing.rectangles import rectangles
 from workbench.panels.viewing.stages import Geometry, frame_map, plane_of, stages, world_box
 from workbench.panels.viewing.strip import StageStrip
 from workbench.rendering.emissions import emitted
@@ -41,15 +39,11 @@ from workbench.rendering.mapping import Box
 from workbench.rendering.subjects.registry import calls_of
 from workbench.rendering.subjects.window import KIND, Point, parted, point_of, view_of
 from workbench.session.session import Session
-from workbench.widgets.formulas.matrix_row import MatrixRow
-from workbench.widgets.formulas.row_surface import Highlight
-from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import theme_changed, tokens
 
 EXAMPLE = "view-house"
 TOOL_BAR_PX = 44
 LOW_PX, NARROW_PX = 420, 560
-MATRIX_PX, UPRIGHT_PX = 12, 3
 _ZOOM = 1.25
 _FINER = 10
 _ALT, _SHIFT = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ShiftModifier
@@ -80,25 +74,15 @@ class ViewingPanel(PlainPanel, QWidget):
         self.right = StagePicture(self._stages["viewport"])
         self.card = ViewCard(session)
         self.point = PointCard()
-        self.symbols, self.numbers = MatrixRow(upright=UPRIGHT_PX), MatrixRow(upright=UPRIGHT_PX)
-        self.symbols.set_shows("symbols")
-        for row in (self.symbols, self.numbers):
-            font = row.font()
-            font.setPixelSize(MATRIX_PX)
-            row.setFont(font)
-        self._held_view: View | None = None
-        self._actions: dict[str, QAction] = {}
+        self.matrices = Matrices(session, self.card)
         self._lay_out()
-        self._make_actions()
+        self._actions = view_actions(self, self._bar)
         self._connect()
         self.choose_tool("select")
 
     def _lay_out(self) -> None:
         self._bar = QFrame()
         self._bar.setFixedWidth(TOOL_BAR_PX)
-        self._bar_column = QVBoxLayout(self._bar)
-        self._bar_column.setContentsMargins(6, 8, 6, 8)
-        self._bar_column.setSpacing(4)
         split = QSplitter(Qt.Orientation.Horizontal)
         split.setChildrenCollapsible(False)
         split.addWidget(self.left)
@@ -109,8 +93,7 @@ class ViewingPanel(PlainPanel, QWidget):
         middle.setSpacing(0)
         middle.addWidget(self.strip)
         middle.addWidget(split, 1)
-        middle.addWidget(self.symbols)
-        middle.addWidget(self.numbers)
+        middle.addWidget(self.matrices)
         whole = QHBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
@@ -119,58 +102,6 @@ class ViewingPanel(PlainPanel, QWidget):
         self.setFocusProxy(self.left)
         self.empty = EmptyState(self.left.plane, _("Nothing in the world."), self.show_example)
         self.empty.button.setText(_("Show the house"))
-
-    # Commands
-
-    def _make_actions(self) -> None:
-        for tool in self._tools.values():
-            action = self._add(
-                (tool.name, tool.title, tool.icon, tool.key, partial(self.choose_tool, tool.name))
-            )
-            action.setCheckable(True)
-            action.setToolTip(f"{tool.tip} ({tool.key})")
-            self._bar_column.addWidget(self._button(action))
-        self._bar_column.addStretch(1)
-        commands: tuple[PanelCommand, ...] = (
-            (
-                "zoom_in",
-                _("Zoom in: a smaller window"),
-                "magnifying-glass-plus",
-                "Ctrl++",
-                lambda: self.zoom(1),
-            ),
-            (
-                "zoom_out",
-                _("Zoom out: a larger window"),
-                "magnifying-glass-minus",
-                "Ctrl+-",
-                lambda: self.zoom(-1),
-            ),
-            ("fit", _("A window around everything"), "frame-corners", "Ctrl+0", self.fit),
-        )
-        for command in commands:
-            self._bar_column.addWidget(self._button(self._add(command)))
-        self._add(("copy_picture", _("Copy picture"), "clipboard", "Ctrl+Shift+C", self.copy))
-
-    def _add(self, row: PanelCommand) -> QAction:
-        name, text, picture, key, do = row
-        action = QAction(text, self)
-        action.setObjectName(f"{self.slug}.{name}")
-        action.setShortcut(QKeySequence(key))
-        action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        action.setToolTip(f"{text} ({action.shortcut().toString()})")
-        action.triggered.connect(lambda _checked=False: do())
-        set_icon(action, picture)
-        self._actions[name] = action
-        self.addAction(action)
-        return action
-
-    def _button(self, action: QAction) -> QToolButton:
-        button = QToolButton()
-        button.setDefaultAction(action)
-        button.setFixedSize(32, 32)
-        button.setAccessibleName(action.text())
-        return button
 
     def _connect(self) -> None:
         session = self.session
@@ -196,10 +127,8 @@ class ViewingPanel(PlainPanel, QWidget):
             plane.addActions(list(self._actions.values()))
         self.gesture.failed.connect(self.hover_text)
         self.card.said.connect(self.hover_text)
-        self.numbers.edited.connect(self._rewrite)
-        self.numbers.edit_ended.connect(self._end_rewriting)
-        for row in (self.symbols, self.numbers):
-            row.copied.connect(self.hover_text)
+        self.matrices.copied.connect(self.hover_text)
+        self.matrices.changed.connect(self.refresh_soon)
         self.point.sent.connect(lambda x, y: self.gesture.send((x, y)))
         self.point.figure_wanted.connect(lambda: self.gesture.send(None))
 
@@ -254,7 +183,7 @@ class ViewingPanel(PlainPanel, QWidget):
         """Show the session as it is now."""
         self._waiting = False
         sheet, view = self.session.shown, view_of(self.session.shown, self.session.subject)
-        before = self.gesture.before if self.gesture.busy else self._held_view
+        before = self.gesture.before if self.gesture.busy else self.matrices.before
         if self._kept_box is None or before is None:
             self._kept_box = world_box(sheet, view)
         geometry = Geometry(sheet, view, self._kept_box, tokens())
@@ -274,11 +203,7 @@ class ViewingPanel(PlainPanel, QWidget):
                 if not alike(sx, sy)
                 else _("{s:.3g} px per unit").format(s=sx)
             )
-        terms = terms_of(view)
-        cells = () if before is None else changed_cells(before, view)
-        for row in (self.symbols, self.numbers):
-            row.set_terms(terms)
-            row.set_highlights(Highlight(*place) for place in cells)
+        self.matrices.refresh(view, before)
         clicked = point_of(self.session.subject)
         self.point.show_point(view, self._point_now(), clicked is not None)
         self.empty.setVisible(not sheet.figures and not self.gesture.busy)
@@ -292,7 +217,7 @@ class ViewingPanel(PlainPanel, QWidget):
     def _marks(self) -> tuple[Mark, ...]:
         """What the step, or the point that was clicked, draws in world and device."""
         session, run = self.session, self.session.run
-        dragging = self.gesture.busy or self._held_view is not None
+        dragging = self.gesture.busy or self.matrices.before is not None
         if self._stepping() and not dragging:
             return tuple(run.marks())
         calls = calls_of(session.sheet, session.subject)
@@ -414,27 +339,6 @@ class ViewingPanel(PlainPanel, QWidget):
         step = picture.plane.grid / (1 if keys & _SHIFT else _FINER)
         self.gesture.nudge(picture.stage, dx, dy, bool(keys & _ALT), step)
 
-    # Numbers of the matrices
-
-    def _rewrite(self, term: int, row: int, column: int, value: float) -> None:
-        if self._held_view is None:
-            self._held_view = self.view
-        view = self.view
-        try:
-            slug, rectangle = rewritten(view, (term, row, column), value)
-        except ValueError as problem:
-            self.card.refuse(str(problem))
-            self.refresh_soon()
-            return
-        named = rectangles()[slug]
-        self.card.apply(named.edit(view.id, rectangle), _("Change a number of the matrix"), "matrix in View")
-        self.refresh_soon()
-
-    def _end_rewriting(self) -> None:
-        self._held_view = None
-        self.session.end_merge("matrix in View")
-        self.refresh_soon()
-
     # The keys and the window
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -457,7 +361,7 @@ class ViewingPanel(PlainPanel, QWidget):
         super().resizeEvent(event)
         low = event.size().height() < LOW_PX
         self.strip.set_low(low)
-        self.symbols.setVisible(not low and event.size().width() >= NARROW_PX)
+        self.matrices.symbols.setVisible(not low and event.size().width() >= NARROW_PX)
         self.refresh_soon()
 
     def showEvent(self, event: QShowEvent) -> None:
