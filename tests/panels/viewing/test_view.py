@@ -206,3 +206,13 @@ def test_a_window_far_away_or_tiny_is_shown(qtbot, session, panel):
         corner = panel.left.plane.position(*sides[2:])
         assert QPointF(0, 0) != corner
         assert panel.left.plane.rect().contains(corner.toPoint())
+
+
+def test_the_window_over_the_pane_shows_the_same_house():
+    """What is seen of the outermost house in one view is what is seen of the next one in the other."""
+    (sheet,) = example("view-again").document.sheets
+    outer, inner = sheet.views
+    for figure, again in zip(sheet.figures[:12], sheet.figures[4:], strict=True):
+        for point, same in zip(figure.points_world, again.points_world, strict=True):
+            x, y = view_map(outer).point(point.x, point.y)
+            assert view_map(inner).point(same.x, same.y) == pytest.approx((x + 64.0, y))

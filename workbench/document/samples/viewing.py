@@ -99,13 +99,13 @@ def _circle() -> Document:
     return _document(_("A circle that becomes an ellipse"), (120, 60), figures, views)
 
 
-_AGAIN, _PANE = 0.2, (4.7, 2.05)
+_AGAIN, _PANE, _LEFT = 0.2, (4.7, 2.05), 1.0
 
 
 def _again() -> Document:
     """Four houses, each in the pane of the one before, a fifth as large."""
     figures: list[AnyFigure] = []
-    scale, x, y = 1.0, 0.0, 0.0
+    scale, x, y = 1.0, _LEFT, 0.0
     for _level in range(4):
 
         def at(
@@ -121,12 +121,10 @@ def _again() -> Document:
         ]
         x, y = x + scale * _PANE[0], y + scale * _PANE[1]
         scale *= _AGAIN
-    whole = Rectangle(-1.0, -0.5, 9.0, 10.0)
-    sides = (
-        _PANE[k % 2] + _AGAIN * side
-        for k, side in enumerate((whole.xmin, whole.ymin, whole.xmax, whole.ymax))
-    )
-    inner = Rectangle(*(round(side, 9) for side in sides))
+    whole = Rectangle(0.0, -0.5, 10.0, 10.0)
+    corner, sides = (_LEFT, 0.0), (whole.xmin, whole.ymin, whole.xmax, whole.ymax)
+    smaller = (corner[k % 2] + _PANE[k % 2] + _AGAIN * (side - corner[k % 2]) for k, side in enumerate(sides))
+    inner = Rectangle(*(round(side, 9) for side in smaller))
     views = [
         View("", whole, Rectangle(2.0, 4.0, 62.0, 67.0), _("The house"), mode="fit"),
         View("", inner, Rectangle(66.0, 4.0, 126.0, 67.0), _("Its pane"), mode="fit"),
