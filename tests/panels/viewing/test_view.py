@@ -11,9 +11,10 @@ from PySide6.QtWidgets import QApplication
 from tests.panels.by_hand import recorded, settle
 from tests.panels.viewing.hand import ALT, LEFT, NO_KEYS, SHIFT, drag, viewport, window
 from workbench.document.model import Rectangle
+from workbench.document.samples.examples import example
 from workbench.document.view_edits import set_window
 from workbench.rendering import frame_buffer
-from workbench.rendering.mapping import box
+from workbench.rendering.mapping import box, view_map
 from workbench.widgets.look.tokens import DARK
 
 
