@@ -13,7 +13,8 @@ from tests.document.made_documents import documents, figures, sound_edits
 from workbench.document import DocumentError, edits
 from workbench.document.addresses import resolve
 from workbench.document.building import without_ids
-from workbench.document.check import check, shown
+from workbench.document.check import check
+from workbench.document.faults import shown
 from workbench.document.model import Circle, Document, Line, Polygon, Rectangle, SeedFill, WorldPoint
 from workbench.document.samples.examples import blank_sheet, example, example_document
 from workbench.document.storage.files import Stored, encode

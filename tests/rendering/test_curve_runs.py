@@ -72,7 +72,7 @@ def test_where_all_points_are_in_one_place_the_range_has_no_length_and_every_sha
     assert isinstance(drawn, Curve)
     for call in curve_calls(sheet, drawn, "", 0.7):
         *_, last = call.entry.function(*call.arguments)
-        assert last == pytest.approx(device_points(sheet, [points])[0])
+        assert last == pytest.approx(device_points(sheet, [drawn], [points])[0])
 
 
 def a_curve(spline: str = "natural_cubic", **more: object) -> Curve:

@@ -296,7 +296,7 @@ def failing(n: int) -> Iterator[tuple[int, int]]:
 
 def own(function: Callable[..., Any], block: str) -> Entry:
     view = View(block=block, row="(x,)", chosen="((x, 0),)", sentence="x = {x}")
-    return Entry(function, "lines", "Own", "", (), "pixels", "", ("x",), (view,))
+    return Entry(function, "lines", "Own", "", (), "pixels", "", ("x",), views=(view,))
 
 
 def test_an_endless_text_ends_at_the_limit_and_says_so(make: Callable[..., Run]) -> None:

@@ -89,7 +89,7 @@ def test_another_document_another_window_and_another_panel_begin_anew(qtbot: QtB
     QApplication.processEvents()
     session.new(lines(3 * FEW))
     qtbot.waitUntil(lambda: session.shown is session.sheet, timeout=20_000)
-    session.apply(edits.set_window(session.sheet.id, Rectangle(0, 0, 32, 24)), "Window")
+    session.apply(edits.set_window(session.sheet.first_view.id, Rectangle(0, 0, 32, 24)), "Window")
     assert session.shown is not session.sheet
     qtbot.waitUntil(lambda: session.shown is session.sheet, timeout=20_000)
     session.unfolding.prepare_by(lambda _sheet, _figure: None)

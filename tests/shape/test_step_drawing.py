@@ -56,6 +56,8 @@ CHOSEN = {
         "dda_line_fixed",
         "liang_barsky",
     },
+    # What a command does unless it is told otherwise
+    "cli/commands.py": {"depth_buffer"},
     # Which text answers a question
     "rendering/inside.py": {"inside_outside"},
     "rendering/subjects/window.py": {"window_to_viewport_point"},

@@ -11,8 +11,9 @@ import numpy as np
 from msgspec.structs import replace
 
 from workbench.document.addresses import Address, figure_with, highest, new_ids, owner, view_with
-from workbench.document.check import check, shown
+from workbench.document.check import check
 from workbench.document.errors import DocumentError
+from workbench.document.faults import shown
 from workbench.document.fields import Choice, Number, fields_of, once_per_type, parts_of
 from workbench.document.model import (
     AnyFigure,

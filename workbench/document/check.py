@@ -1,8 +1,7 @@
 """What a document must hold to be worked with; edits and files are refused here, with the field's path.
 
 What a struct's fields declare is looked at by a function made once for each type of struct; what no field
-can say by itself stands in ``_LAWS``. All of them give the first fault: a path below the struct, empty for
-the struct itself, and what is said of it, which begins with a verb.
+can say by itself stands in ``laws``. All of them give the first fault.
 """
 
 import math
@@ -14,10 +13,10 @@ from typing import Any
 
 import msgspec
 
-from workbench.algorithms import catalogue
 from workbench.document.addresses import highest
 from workbench.document.differences import between
 from workbench.document.errors import DocumentError
+from workbench.document.faults import Fault, below, count_problem, shown
 from workbench.document.fields import (
     Choice,
     Number,
@@ -27,24 +26,16 @@ from workbench.document.fields import (
     structs_in,
 )
 from workbench.document.identities import are_ids, ids, ids_sound, new_ids_sound
+from workbench.document.laws import LAWS, misplaced, places_of
 from workbench.document.model import (
-    LINE_CLIPPERS,
     MAX_PALETTE,
-    POLYGON_CLIPPERS,
-    AnyFigure,
-    Curve,
     Document,
     Figure,
-    Polygon,
-    Rectangle,
     Sheet,
 )
-from workbench.document.scene import laws as scene_laws
 from workbench.document.storage.blobs import Blob
-from workbench.document.transforms.chains import LARGEST
-from workbench.language import _, ngettext
+from workbench.language import _
 
-MIN_EXTENT = 1e-6
 MAX_SHEETS = 1_000
 MAX_FIGURES = 100_000
 MAX_VIEWS = 64
@@ -52,12 +43,10 @@ MAX_LINKS = 200
 MAX_OBJECTS = 1_000
 MAX_LIGHTS = 8
 MAX_NAME = 200
-RING_LEAST = 3
 
 _ID = attrgetter("id")
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
-Fault = tuple[str, str]
 Look = Callable[[Any, Any, Any], Fault | None]  # the value, what it was before, the sheet around it
 
 
@@ -93,15 +82,6 @@ def refuse(field: str, problem: str) -> DocumentError:
     return DocumentError(field, f"{field} {problem}.", short)
 
 
-def shown(value: Any) -> str:
-    """``value`` as an error shows it: at most forty characters."""
-    try:
-        text = repr(value)
-    except ValueError:
-        return _("a number of thousands of digits")
-    return text if len(text) <= 40 else text[:39] + "…"
-
-
 def check(document: Document, before: Document | None = None) -> Document:
     """``document`` itself when it is sound; what it shares with the sound ``before`` is not looked at again.
 
@@ -129,8 +109,8 @@ def _look_at(kind: type) -> Look:
             numbers.append((name, holds.low, holds.high, types, holds))
         elif name != "id":
             others.append((name, _look_at_entries(kind, name, holds) if many else _look_at_value(holds)))
-    places = _places_of(kind)
-    laws = [law for base in reversed(kind.__mro__) for law in _LAWS.get(base, ())]
+    places = places_of(kind)
+    laws = [law for base in reversed(kind.__mro__) for law in LAWS.get(base, ())]
 
     def look_at_struct(struct: Any, before: Any, sheet: Any) -> Fault | None:
         for name, low, high, types, number in numbers:
@@ -140,8 +120,8 @@ def _look_at(kind: type) -> Look:
         sheet = struct if kind is Sheet else sheet
         for name, look in others:
             if fault := look(getattr(struct, name), getattr(before, name, None), sheet):
-                return _below(name, fault)
-        if places and (fault := _misplaced(struct, sheet)):
+                return below(name, fault)
+        if places and (fault := misplaced(struct, sheet)):
             return fault
         for law in laws:
             if fault := law(struct, before):
@@ -168,11 +148,6 @@ def _limits(kind: type, name: str) -> tuple[int, float, str]:
     }.get(name, (0, math.inf, ""))
 
 
-def _below(name: str, fault: Fault) -> Fault:
-    path, problem = fault
-    return f"{name}{path}" if path[:1] in ("", "[") else f"{name}.{path}", problem
-
-
 def _look_at_value(holds: Any) -> Look:
     if isinstance(holds, Number):
         return lambda value, *_others: ("", problem) if (problem := number_problem(holds, value)) else None
@@ -187,7 +162,7 @@ def _look_at_entries(kind: type, name: str, holds: Any) -> Look:
     look = _parts if holds is msgspec.Struct else _values(_look_at_value(holds))
 
     def look_at_list(values: Any, before: Any, sheet: Any) -> Fault | None:
-        if problem := _count(values, least, most, what):
+        if problem := count_problem(values, least, most, what):
             return "", problem
         return look(values, before, sheet)
 
@@ -200,7 +175,7 @@ def _values(look: Look) -> Look:
     def look_at_all(values: Any, before: Any, sheet: Any) -> Fault | None:
         for index, value in enumerate(values if values is not before else ()):
             if fault := look(value, None, sheet):
-                return _below(f"[{index}]", fault)
+                return below(f"[{index}]", fault)
         return None
 
     return look_at_all
@@ -215,7 +190,7 @@ def _parts(parts: Any, before: Any, sheet: Any) -> Fault | None:
         part = parts[index]
         old = known.get(part.id) if known else None
         if old is not part and (fault := _look_at(type(part))(part, old, sheet)):
-            return _below(f"[{index}]", fault)
+            return below(f"[{index}]", fault)
     return None
 
 
@@ -265,137 +240,6 @@ def _limit(limit: float) -> str:
 
 def _no_choice(value: Any, choices: tuple[str, ...]) -> str:
     return _("is {value}; choose one of {choices}").format(value=shown(value), choices=", ".join(choices))
-
-
-def _count(values: Any, least: int, most: float, what: str) -> str:
-    """What is wrong with a list of what is called ``what``; empty when nothing is."""
-    if not isinstance(values, tuple):
-        return _("is not a list; give one")
-    if len(values) < least:
-        problem = ngettext(
-            "has {count} of at least {least} {what}; add what is missing",
-            "has {count} of at least {least} {what}s; add what is missing",
-            least,
-        )
-        return problem.format(count=len(values), least=least, what=what)
-    if len(values) > most:
-        problem = _("has {count:,} entries of at most {most:,}; remove some")
-        return problem.format(count=len(values), most=most)
-    return ""
-
-
-# What no field can say by itself
-
-
-def _drawable(figure: AnyFigure, before: AnyFigure | None) -> Fault | None:
-    problem = _("is {value}, which cannot draw this figure; choose one of {choices}")
-    return _not_among(figure.algorithms, "algorithm", figure, before, problem)
-
-
-def _clippable(sheet: Sheet, before: Sheet | None) -> Fault | None:
-    lines = _("is {value}, which cannot clip lines; choose one of {choices}")
-    polygons = _("is {value}, which cannot clip polygons; choose one of {choices}")
-    return _not_among(LINE_CLIPPERS, "line_clipper", sheet, before, lines) or _not_among(
-        POLYGON_CLIPPERS, "polygon_clipper", sheet, before, polygons
-    )
-
-
-def _not_among(slugs: tuple[str, ...], name: str, struct: Any, before: Any, problem: str) -> Fault | None:
-    """A slug that the catalogue lacks may stay, but is never chosen."""
-    slug = getattr(struct, name)
-    chosen = before is not None and getattr(before, name) != slug
-    if slug in slugs or not (chosen or catalogue.known(slug)):
-        return None
-    return name, problem.format(value=shown(slug), choices=", ".join(slugs))
-
-
-def _misplaced(holder: Any, sheet: Sheet) -> Fault | None:
-    """The first number of ``holder`` that is a place in a list of the sheet, but not one that is there."""
-    for name, list_name in _places_of(type(holder)):
-        place, count = getattr(holder, name), len(getattr(sheet, list_name))
-        if not 0 <= place < count:
-            problem = _("is {value}, but the palette has the colours 0 to {last}; choose one of these")
-            return name, problem.format(value=shown(place), last=count - 1)
-    return None
-
-
-@once_per_type
-def _places_of(kind: type) -> tuple[tuple[str, str], ...]:
-    """Each number of a struct that is a place in a list of the sheet, and that list."""
-    return tuple((name, number.indexes) for name, number in numbers_of(kind).items() if number.indexes)
-
-
-def _held_colours(sheet: Sheet, before: Sheet | None) -> Fault | None:
-    """Every figure looks again at a palette that has become shorter."""
-    if before is None or len(sheet.palette) >= len(before.palette):
-        return None
-    for index, figure in enumerate(sheet.figures):
-        if fault := _misplaced(figure, sheet):
-            return _below(f"figures[{index}]", fault)
-    return None
-
-
-def _chain(figure: AnyFigure, _before: Any) -> Fault | None:
-    """What a chain makes of any point can still be drawn."""
-    matrix = figure.matrix
-    if matrix is None or all(-LARGEST <= number <= LARGEST for row in matrix.tolist() for number in row):
-        return None
-    problem = _("has a matrix with numbers beyond {most:g}; make a scale factor or a shear smaller")
-    return "transforms", problem.format(most=LARGEST)
-
-
-def _rings(polygon: Polygon, _before: Any) -> Fault | None:
-    start, last = 0, len(polygon.points_world)
-    for index, end in enumerate(polygon.ring_ends):
-        if end - start < RING_LEAST:
-            problem = _("has {count} of at least {least} points in ring {ring}; add what is missing")
-            count = max(end - start, 0)
-            return "ring_ends", problem.format(count=count, least=RING_LEAST, ring=index + 1)
-        start = end
-    if polygon.ring_ends and start != last:
-        problem = _("ends at {end}, but there are {count} points; end the last ring there")
-        return "ring_ends", problem.format(end=start, count=last)
-    return None
-
-
-def needed_knots(curve: Curve) -> int:
-    """How many knots points and degree ask for; of a closed curve those of one turn, both ends counted."""
-    return len(curve.points_world) + (1 if curve.closed else curve.degree + 1)
-
-
-def _knots(curve: Curve, _before: Any) -> Fault | None:
-    needed = needed_knots(curve) if curve.knot_rule == "free" else 0
-    if problem := _count(curve.knots, needed, needed, _("knot")):
-        return "knots", problem
-    for index in range(1, len(curve.knots)):
-        low, high = curve.knots[index - 1].u, curve.knots[index].u
-        if high < low:
-            problem = _(
-                "is {value}, less than the knot before it, {before}; knots may not decrease: raise it"
-            )
-            return f"knots[{index}].u", problem.format(value=shown(high), before=shown(low))
-    return None
-
-
-def _extent(rectangle: Rectangle, _before: Any) -> Fault | None:
-    for low, high, side in (("xmin", "xmax", _("width")), ("ymin", "ymax", _("height"))):
-        a, b = getattr(rectangle, low), getattr(rectangle, high)
-        if not b - a >= MIN_EXTENT:
-            problem = _(
-                "has no {side}: {low} is {a} and {high} is {b}; drag one of its sides, or type another value"
-            )
-            return "", problem.format(side=side, low=low, a=a, high=high, b=b)
-    return None
-
-
-_LAWS: dict[type, tuple[Callable[[Any, Any], Fault | None], ...]] = {
-    **scene_laws.LAWS,
-    Sheet: (_held_colours, _clippable),
-    Figure: (_drawable, _chain),
-    Polygon: (_rings,),
-    Curve: (_knots,),
-    Rectangle: (_extent,),
-}
 
 
 def _wrong_id(document: Document) -> DocumentError:

@@ -5,7 +5,8 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec.structs import replace
 
-from workbench.document.check import number_problem, refuse, shown
+from workbench.document.check import number_problem, refuse
+from workbench.document.faults import shown
 from workbench.document.fields import Number, numbers_of
 from workbench.document.identities import all_ids
 from workbench.document.model import MAX_SIDE_PX, Document

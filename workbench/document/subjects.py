@@ -8,7 +8,7 @@ import re
 
 import msgspec
 
-from workbench.document.check import shown
+from workbench.document.faults import shown
 from workbench.language import _
 
 MAX_STEP = 2**53

@@ -71,6 +71,9 @@ class Panel(Protocol):
     def offer_export(self, menu: QMenu) -> None:
         """Let its own menus lead to what can be exported."""
 
+    def transforming(self) -> Sequence[QAction]:
+        """Those of its commands that transform what is selected."""
+
     def copy(self) -> bool:
         """Put what is selected, or else the picture, on the clipboard; whether it has anything to copy."""
 
@@ -122,6 +125,10 @@ class PlainPanel:
 
     def offer_export(self, menu: QMenu) -> None:
         """It has no menu of its own."""
+
+    def transforming(self) -> Sequence[QAction]:
+        """None."""
+        return ()
 
     def copy(self) -> bool:
         """Nothing."""

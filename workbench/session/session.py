@@ -189,11 +189,9 @@ class Session(QObject):
         """
         subject = subject or self.subject
         choices = self.choices_of(subject)
-        if slug not in choices:
-            return
         if edit := kind_of(subject).choose(self.sheet, subject, slug):
             self.apply(edit, _("Change algorithm"))
-        else:
+        elif slug in choices:
             entry = "" if slug == choices[0] else slug
             self.update_state(subject=replace(self.state.subject, entry=entry), step=0)
 

@@ -339,7 +339,8 @@ def commands() -> tuple[Command, ...]:
 def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
     """Keys that one part of the window answers while it has the focus: part, key, what it does."""
     stepping = _("Step bar, or canvas with nothing selected")
-    canvas, curves, view = _("Canvas"), _("Canvas of Curves"), _("Pictures of View")
+    canvas, curves = _("Canvas"), _("Canvas of Curves")
+    box, view = _("Transform box"), _("Pictures of View")
     return (
         (stepping, "Space", _("Play or pause")),
         (stepping, "Left", _("Step back")),
@@ -356,6 +357,14 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (canvas, "C", _("Cursor of cells for the keyboard; Enter acts where it is")),
         (canvas, "Ctrl+D", _("Duplicate what is selected")),
         (canvas, "Ctrl+A", _("Select all")),
+        (canvas, "Ctrl+T", _("Box that moves, turns, scales and shears what is selected")),
+        (canvas, "Shift+H, Shift+V", _("Flip horizontally, vertically")),
+        (box, "], [", _("Turn by a degree; with Alt also Left and Right, with Alt and Shift by 15")),
+        (box, "Left, Right, Up, Down", _("Move by one unit; Shift by ten, Ctrl scales")),
+        (box, "Tab", _("Go to the next handle, which the arrows then drag")),
+        (box, "Shift", _("Held while dragging: 15 degrees, one ratio, one axis")),
+        (box, "Ctrl", _("Held while dragging: scale and shear about the pivot")),
+        (box, "Alt", _("Held while dragging a side: shear")),
         (canvas, "Ctrl+]", _("Bring forwards")),
         (canvas, "Ctrl+[", _("Send backwards")),
         (canvas, "Ctrl++", _("Zoom in, as the wheel does")),
@@ -379,6 +388,5 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (curves, "], [", _("Raise, lower the degree")),
         (curves, "Shift+C, Shift+S, Shift+Y", _("Make the joint a corner, smooth, symmetric")),
         (curves, "Shift+O, Shift+R", _("Close or open; reverse the direction")),
-        (curves, "Shift+H, Shift+V", _("Mirror left to right, upside down")),
         (curves, "U, K, N", _("Construction at u; curvature comb; snap to pixels")),
     )

@@ -99,6 +99,9 @@ class Menus(QObject):
             if command.id == "open":
                 self._recent = menu.addMenu(_("Open recent"))
                 self._recent.aboutToShow.connect(self._fill_recent)
+            if command.id == "paste":
+                self._transforms = menu.addMenu(_("Transform"))
+                self._transforms.aboutToShow.connect(self._fill_transforms)
             for inner, title, follows in submenu_titles():
                 if command.id == follows:
                     self.submenus[inner] = menu.addMenu(title)
@@ -112,6 +115,12 @@ class Menus(QObject):
         for offer in self._window.files.exports.tables():
             self._tables.addAction(offer.title, offer.ask)
         self._if_empty(self._tables, _("None here"))
+
+    def _fill_transforms(self) -> None:
+        self._transforms.clear()
+        for panel in self._window.panels(self._window.place)[:1]:
+            self._transforms.addActions(panel.transforming())
+        self._if_empty(self._transforms, _("None here"))
 
     def _fill_recent(self) -> None:
         window, menu = self._window, self._recent

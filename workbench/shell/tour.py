@@ -116,7 +116,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
     steps = [(theme, name, act) for theme in themes for name, act in scenes()]
 
     def leave() -> None:
-        theme, name, _act = steps[0]
+        theme, name, _act = steps.pop(0)
         path = folder / f"{name}-{theme}-{size[0]}x{size[1]}@{scale:g}.png"
         try:
             replace_file(path, _png(window.grab()))
@@ -127,7 +127,6 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
             application.exit(1)
             return
         patience.start()
-        del steps[0]
         visit()
 
     def visit() -> None:
@@ -135,6 +134,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
             application.quit()
             return
         theme, _name, act = steps[0]
+        window.arriving = None  # a scene finds the panels made once it has entered their workspace
         window.messages.dismiss()
         if window.views.swapped:
             window.views.swap()
@@ -148,11 +148,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
         sys.stderr.write(_("tour: not done in time; the pictures so far are kept.") + "\n")
         application.exit(1)
 
-    def begin() -> None:
-        window.arriving = None  # panels are made where they are asked for
-        visit()
-
-    building.built.connect(begin)
+    building.built.connect(visit)
     window.first_frame.connect(building.start)
     patience = QTimer()
     patience.setSingleShot(True)

@@ -6,9 +6,9 @@ import numpy as np
 from hypothesis import strategies as st
 
 from workbench.document.building import Edit
-from workbench.document.check import needed_knots
 from workbench.document.curves import edits as curve_edits
 from workbench.document.curves.knot_removal import remove_knot
+from workbench.document.laws import needed_knots
 from workbench.document.model import ENDS, JOINTS, KNOT_RULES, SPLINES, Curve, CurvePoint, Document, Knot
 from workbench.document.samples.figures import document_of
 

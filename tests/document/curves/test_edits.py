@@ -13,11 +13,12 @@ from tests.document.test_addresses import everything
 from workbench.document import DocumentError
 from workbench.document.addresses import changed, resolve
 from workbench.document.building import both
-from workbench.document.check import check, ids, needed_knots
+from workbench.document.check import check, ids
 from workbench.document.curves import edits as curve_edits
 from workbench.document.curves.paths import natural_joint, place
 from workbench.document.curves.pieces import fault_of, pieces_of, points_of
 from workbench.document.edits import add_figure, move_points, set_attribute
+from workbench.document.laws import needed_knots
 from workbench.document.model import Curve, CurvePoint, Document, Knot
 from workbench.document.samples.figures import document_of
 from workbench.document.storage.files import Stored, decode, encode

@@ -7,13 +7,15 @@ from msgspec.structs import replace
 
 from tests.document.curves.same_curve import dense, off, same, whole_curves
 from tests.document.curves.test_edits import curve_of, the_curve, where
+from workbench.algorithms.transforms import reflection
 from workbench.document import DocumentError
 from workbench.document.check import check
-from workbench.document.curves.joining import align, join, mirror, reverse
+from workbench.document.curves.joining import align, join, reverse
 from workbench.document.curves.paths import joints_of, natural_joint, place
 from workbench.document.curves.pieces import pieces_of
 from workbench.document.model import NEIGHBOUR_SPLINES, Curve, Document
 from workbench.document.samples.figures import document_of
+from workbench.document.transforms.edits import apply_matrix, apply_to_points
 
 
 @settings(max_examples=30)
@@ -88,15 +90,17 @@ def test_points_are_aligned_and_mirrored() -> None:
     assert where(left) == [(0, 0), (10, 20), (10, 5), (40, 40)]
     middle = align(["s1/f1/p2/x", "s1/f1/p3/x"], "middle")(document)
     assert where(middle) == [(0, 0), (10, 12.5), (30, 12.5), (40, 40)]
-    turned = mirror("f1", "x")(document)
-    assert where(turned) == [(40, 0), (30, 20), (10, 5), (0, 40)]
-    assert where(mirror("f1", "y", ["p1", "p2"])(document))[:2] == [(0, 20), (10, 0)]
-    assert mirror("f1", "x")(turned) == document
+    across, upright = reflection(20.0, 0.0, np.pi / 2), reflection(0.0, 10.0, 0.0)
+    turned = apply_matrix(["f1"], across)(document)
+    np.testing.assert_allclose(where(turned), [(40, 0), (30, 20), (10, 5), (0, 40)], atol=1e-12)
+    two = apply_to_points(["s1/f1/p1/x", "s1/f1/p2/x"], upright)(document)
+    np.testing.assert_allclose(where(two)[:2], [(0, 20), (10, 0)], atol=1e-12)
+    assert where(two)[2:] == where(document)[2:]
 
 
 def test_a_path_that_is_mirrored_keeps_its_joints() -> None:
     path = [(0, 0), (0, 20), (20, 30), (40, 30), (50, 30), (80, 20), (90, 0)]
     document = curve_of(path, spline="bezier_path")
-    for joint in joints_of(the_curve(mirror("f1", "y")(document)))[0]:
+    for joint in joints_of(the_curve(apply_matrix(["f1"], reflection(0.0, 15.0, 0.0))(document)))[0]:
         if joint.before and joint.after:
             assert natural_joint(place(joint.before), place(joint.at), place(joint.after)) == "smooth"

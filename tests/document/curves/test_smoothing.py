@@ -10,13 +10,16 @@ from numpy.typing import NDArray
 from tests.document.curves.same_curve import shares, whole_curves
 from tests.document.curves.test_edits import curve_of, the_curve
 from workbench.algorithms import curves
+from workbench.algorithms.transforms import reflection
 from workbench.document.curves.cutting import insert_on_curve
-from workbench.document.curves.joining import mirror
 from workbench.document.curves.paths import natural_joint, place
 from workbench.document.curves.pieces import parameter_at, pieces_of
 from workbench.document.curves.shaping import SMOOTHNESS, drag_curve, smooth_joint, smoothed, smoothing_moves
 from workbench.document.edits import set_attribute
 from workbench.document.model import Document
+from workbench.document.transforms.edits import apply_to_points
+
+flip = reflection(0.0, 10.0, 0.0)
 
 
 @settings(max_examples=30)
@@ -94,17 +97,23 @@ def test_a_joint_that_is_made_smooth_leaves_the_kind_of_the_others() -> None:
     document = set_attribute("s1/f1/p4/joint", "smooth")(document)
     curve = the_curve(document)
     assert natural_joint(*(place(curve.points_world[k]) for k in (2, 3, 4))) != "corner"
-    for edit in (smooth_joint("f1", 1, "G1"), mirror("f1", "x", ["p8"]), insert_on_curve("f1", 0.5)):
+    for edit in (
+        smooth_joint("f1", 1, "G1"),
+        apply_to_points(["s1/f1/p8/x"], flip),
+        insert_on_curve("f1", 0.5),
+    ):
         (joint,) = [p.joint for p in the_curve(edit(document)).points_world if p.id == "p4"]
         assert joint != "corner"
 
 
-def test_what_is_no_longer_smooth_becomes_a_corner() -> None:
+def test_handles_that_are_transformed_take_those_opposite_along() -> None:
     path = [(0, 0), (0, 20), (20, 30), (40, 30), (60, 30), (80, 20), (90, 0)]
     document = set_attribute("s1/f1/p4/joint", "symmetric")(curve_of(path, spline="bezier_path"))
-    for point, joint in (("p3", "corner"), ("p5", "corner"), ("p2", "symmetric")):
-        turned = mirror("f1", "y", ["p1", point])(document)
-        assert [p.joint for p in the_curve(turned).points_world if p.id == "p4"] == [joint]
+    for point in ("p3", "p5", "p2"):
+        made = the_curve(apply_to_points(["s1/f1/p1/x", f"s1/f1/{point}/x"], flip)(document))
+        before, at, after = (place(made.points_world[k]) for k in (2, 3, 4))
+        np.testing.assert_allclose(np.subtract(at, before), np.subtract(after, at), atol=1e-9)
+        assert made.points_world[3].joint == "symmetric"
 
 
 def test_g2_changes_the_lengths_of_both_handles_alone() -> None:

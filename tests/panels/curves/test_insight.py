@@ -17,6 +17,7 @@ from tests.panels.curves.by_hand import (
     the_curve,
 )
 from tests.panels.curves.docked import PLACES, with_docks
+from tests.widgets.plots import by_hand as plots
 from workbench.algorithms import marks
 from workbench.algorithms.curves import piece_points
 from workbench.document.curves.pieces import parameter_at, pieces_of
@@ -135,12 +136,26 @@ def test_pointing_at_a_function_rings_its_point_and_the_other_way_round(qtbot):
     assert panel.beside.basis.curves.lit == -1
 
 
+def test_basis_functions_and_curvature_share_their_axis(qtbot):
+    panel = with_docks(qtbot, curve_through(*ZIGZAG, spline="b_spline"))
+    basis, curvature = panel.beside.basis, panel.beside.curvature
+    curves = basis.curves
+    qtbot.waitUntil(lambda: curves._plot is not None and curvature._plot is not None, timeout=30_000)
+    assert curvature.range == curves.range == basis.knots.range
+    for one, other in ((curves, curvature), (curvature, curves)):
+        one.show_all()
+        one.show_view(0.2 * one.whole[1], 0.6 * one.whole[1])
+        settle()
+        assert other.range == one.range == basis.knots.range != one.whole
+        assert other.x_of(one.range[1]) - other.area.left() == pytest.approx(other.area.width())
+        assert other.area.left() == one.area.left()
+
+
 def test_u_is_dragged_in_the_plot(qtbot):
     panel = with_docks(qtbot, curve_through(*ZIGZAG))
     curves = panel.beside.basis.curves
-    qtbot.mouseClick(
-        curves, Qt.MouseButton.LeftButton, pos=QPoint(round(curves.x_of(0.5)), curves.height() // 2)
-    )
+    qtbot.waitUntil(lambda: curves._plot is not None, timeout=30_000)
+    plots.click(qtbot, curves, QPoint(round(curves.x_of(0.5)), curves.height() // 2))
     settle()
     assert panel.focus.u == pytest.approx(0.25, abs=0.02)
     assert "construction" in panel.focus.shown

@@ -119,9 +119,9 @@ def test_a_raised_degree_leaves_the_curve_and_a_lowered_one_tells_its_error(qtbo
 
 def test_mirrored_twice_is_as_before(qtbot):
     panel = opened(qtbot, curve_through(*SEVEN))
-    panel.commands.mirror("x")
+    panel.boxing.flip("x")
     assert places(panel) != list(SEVEN)
-    panel.commands.mirror("x")
+    panel.boxing.flip("x")
     assert places(panel) == pytest.approx(np.array(SEVEN))
 
 

@@ -166,7 +166,7 @@ def test_a_coordinate_is_in_pixels_where_the_world_is_and_a_radius_too(panel: Dr
 
     def fields() -> dict[str, tuple[str, str]]:
         settle()
-        kept = [field for field in panel.card.findChildren(NumberField) if not field.isHidden()]
+        kept = [field for field in panel.card.findChildren(NumberField) if field.isVisibleTo(panel.card)]
         return {field.label.text(): (field.unit.text(), field.field.accessibleName()) for field in kept}
 
     names = {"x": "x of the centre", "y": "y of the centre"}

@@ -38,16 +38,17 @@ def test_a_canvas_paints_what_is_shown(session: Session, qtbot: QtBot, kind: typ
     qtbot.waitUntil(lambda: session.run.done, timeout=10_000)
     session.run.go(5)
     QApplication.processEvents()
-    painted = panel.view.on_paper()
-    short = inked(painted.pixels, painted.background)
+    short = inked(panel.canvas.picture.pixels, panel.canvas.picture.background)
+    paper = panel.view.on_paper()
+    whole = inked(paper.pixels, paper.background)
     assert session.shown_figure is None
     assert session.active_figure is session.sheet.figures[-1]
     type(session).shown = session.sheet
     session.update_state(step=0)
     session.flush()
     panel.refresh()
-    painted = panel.view.on_paper()
-    assert 0 < short < inked(painted.pixels, painted.background)
+    assert 0 < short < inked(panel.canvas.picture.pixels, panel.canvas.picture.background)
+    assert short < whole
 
 
 def test_a_tube_glows_with_what_is_shown(

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
@@ -121,3 +122,20 @@ def test_a_figure_that_is_dragged_follows_the_pointer_through_its_chain(qtbot, o
     middle = ends.mean(axis=0)
     drag(qtbot, panel.canvas, tuple(middle.tolist()), tuple((middle + np.array([4, -6])).tolist()))
     assert np.allclose([seen(panel, 0), seen(panel, 1)], ends + np.array([4, -6]), atol=1e-6)
+
+
+@pytest.mark.parametrize("chain", [CHAIN, (Rotate("", angle=30.0, on=False), Translate("", tx=3.0))])
+def test_a_copy_keeps_the_chain_and_lies_beside_what_is_seen(qtbot, opened, chain):
+    panel = opened(DrawPanel, line(chain))
+    session = panel.session
+    ends = np.array([seen(panel, 0), seen(panel, 1)])
+    assert panel.copy()
+    assert panel.paste()
+    qtbot.waitUntil(lambda: len(session.sheet.figures) == 2, timeout=5000)
+    first, copy = session.sheet.figures
+    assert [replace(link, id="") for link in copy.transforms] == [
+        replace(link, id="") for link in first.transforms
+    ]
+    assert not {link.id for link in copy.transforms} & {link.id for link in first.transforms}
+    scale = figure_map(session.sheet, copy)
+    assert np.allclose([scale.point(p.x, p.y) for p in copy.points_world], np.add(ends, (1, -1)))

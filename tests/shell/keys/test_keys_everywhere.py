@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QLineEdit, QPlainTextEdit, QTableView, QToolButton
 
 from tests.shell.keys.focus import press, settle, work_in
 from workbench.shell.actions import commands
+from workbench.shell.command_palette import offers
 from workbench.shell.window import MainWindow
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.tube.view import TubeView
@@ -110,3 +111,33 @@ def test_a_panel_that_is_not_seen_answers_no_keys(window: MainWindow) -> None:
     press(seen.canvas, "Ctrl+D")
     settle()
     assert len(session.sheet.figures) == count + 1
+
+
+@pytest.mark.parametrize("place", ["draw", "fill", "clip", "curves"])
+def test_what_is_selected_is_transformed_from_the_menu_and_the_list_of_commands(
+    window: MainWindow, place: str
+) -> None:
+    work_in(window, place)
+    panel, session = window.panels(place)[0], window.session
+    panel.choose_tool("select")
+    figure = session.sheet.figures[0]
+    session.update_state(selection=(figure.id,), active=figure.id)
+    settle()
+    menu = window.menus._transforms
+    menu.aboutToShow.emit()
+    names = [action.text() for action in menu.actions()]
+    assert names[:3] == ["Transform box", "Rotate 90° left", "Rotate 90° right"]
+    assert [action.isEnabled() for action in menu.actions()] == [True] * 5 + [False] * 2
+    before = session.document
+    menu.actions()[1].trigger()
+    settle()
+    assert session.document != before
+    offered = {offer.text: offer for offer in offers(window)}
+    offered["Rotate 90° right"].act()
+    settle()
+    after = session.sheet.figures[0]
+    for old, new in zip(figure.points_world, after.points_world, strict=True):
+        assert (new.x, new.y) == pytest.approx((old.x, old.y))
+    window.go("home")
+    menu.aboutToShow.emit()
+    assert [action.isEnabled() for action in menu.actions()] == [False]

@@ -18,7 +18,6 @@ from workbench.widgets.canvas.lines import paint_lines
 from workbench.widgets.canvas.marks import GRAB
 from workbench.widgets.canvas.overlay import Handle, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
-from workbench.widgets.canvas.polygons import polygon, unbroken
 from workbench.widgets.look.tokens import DARK, LIGHT, theme
 
 LEFT = Qt.MouseButton.LeftButton
@@ -118,20 +117,6 @@ def test_lines_painted_at_once_look_as_one_after_the_other(scene, lines, pattern
     lines[long] = bernstein(len(lines[long]) - 1, np.linspace(0, 1, 300)) @ lines[long]
     one_by_one = painted_in([[line] for line in lines], scene, pattern=pattern)
     assert alike(painted_in([lines], scene, pattern=pattern), one_by_one)
-
-
-@given(st.lists(st.tuples(st.floats(-9, 9), st.floats(-9, 9) | st.just(math.nan)), max_size=9))
-def test_a_line_with_gaps_is_its_stretches(points):
-    x, y = np.array(points, float).reshape(-1, 2).T
-    told = [[(p.x(), p.y()) for p in part.toList()] for part in unbroken(x, y)]
-    wanted: list[list[tuple[float, float]]] = [[]]
-    for point in points:
-        if math.isnan(point[1]):
-            wanted.append([])
-        else:
-            wanted[-1].append(point)
-    assert told == [part for part in wanted if part]
-    assert len(polygon(x, y)) == len(points)
 
 
 # Grips

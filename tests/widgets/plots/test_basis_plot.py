@@ -8,9 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.widgets.plots.by_hand import click, drag, hover
 from workbench.algorithms.curves import basis_table
 from workbench.widgets.look.tokens import DARK, LIGHT, theme
 from workbench.widgets.plots.basis_plot import BasisPlot
@@ -34,6 +35,7 @@ def plot(qtbot: QtBot) -> BasisPlot:
     made.set_u(1.5)
     made.resize(420, 340)
     made.show()
+    qtbot.waitUntil(lambda: made.curves._plot is not None, timeout=30_000)
     QApplication.processEvents()
     return made
 
@@ -44,22 +46,6 @@ class Told:
     def __init__(self, signal):
         self.all = []
         signal.connect(lambda *sent: self.all.append(sent if len(sent) > 1 else sent[0]))
-
-
-def drag(qtbot: QtBot, part: QWidget, start: QPoint, *ends: QPoint) -> None:
-    qtbot.mousePress(part, LEFT, pos=start)
-    for end in ends:
-        qtbot.mouseMove(part, end)
-    qtbot.mouseRelease(part, LEFT, pos=ends[-1])
-
-
-def hover(part: QWidget, place: QPoint) -> None:
-    """Move the pointer with no button down, whatever a test before left down."""
-    spot, none = QPointF(place), Qt.MouseButton.NoButton
-    plain = Qt.KeyboardModifier.NoModifier
-    QApplication.sendEvent(
-        part, QMouseEvent(QEvent.Type.MouseMove, spot, part.mapToGlobal(spot), none, none, plain)
-    )
 
 
 # Functions and u
@@ -87,7 +73,7 @@ def test_u_stays_where_the_curve_is(qtbot: QtBot, plot: BasisPlot):
     told = Told(plot.u_dragged)
     for part in (plot.curves, plot.knots):
         for x in (part.x_of(0.4), part.x_of(4.6)):
-            qtbot.mouseClick(part, LEFT, pos=QPoint(round(x), 30))
+            click(qtbot, part, QPoint(round(x), 30))
     assert told.all == [1, 4, 1, 4]
 
 
@@ -98,7 +84,7 @@ def test_the_function_pointed_at_is_the_one_there(qapp, u, number):
     plot.set_functions(US, VALUES, NAMES)
     values = plot.curves.values_at(u)
     assert values == pytest.approx(basis_table(np.array(KNOTS), 3, np.array([u]))[0], abs=2e-3)
-    found = plot.curves.function_at(QPointF(plot.curves.x_of(u), plot.curves._y(float(values[number]))))
+    found = plot.curves.function_at(QPointF(plot.curves.x_of(u), plot.curves.y_of(float(values[number]))))
     if values[number] > 0:
         assert values[found] == pytest.approx(values[number], abs=1e-9)
     plot.deleteLater()
@@ -107,7 +93,7 @@ def test_the_function_pointed_at_is_the_one_there(qapp, u, number):
 def test_pointing_lights_up_function_and_weight_and_tells(qtbot: QtBot, plot: BasisPlot):
     told = Told(plot.hovered)
     curves = plot.curves
-    at_peak = QPointF(curves.x_of(1.0), curves._y(float(curves.values_at(1.0)[2]))).toPoint()
+    at_peak = QPointF(curves.x_of(1.0), curves.y_of(float(curves.values_at(1.0)[2]))).toPoint()
     dark = curves.grab().toImage()
     hover(curves, at_peak)
     assert told.all == [2]
@@ -315,17 +301,29 @@ def test_every_weight_is_in_sight_and_the_place_tells_it(qapp, weight, other):
 # The whole
 
 
-def test_nothing_is_painted_anew_for_nothing(plot: BasisPlot):
-    kept = plot.curves._kept
+def test_nothing_is_plotted_anew_for_nothing(plot: BasisPlot, monkeypatch: pytest.MonkeyPatch):
+    anew = []
+    monkeypatch.setattr(plot.curves._lines[0], "setData", lambda *_data: anew.append(1))
     plot.set_functions(US.copy(), VALUES.copy(), NAMES)
     plot.set_knots(list(zip(IDS, KNOTS, strict=True)))
     plot.set_u(2.5)
     plot.highlight(1)
-    QApplication.processEvents()
-    assert plot.curves._kept is kept
+    assert anew == []
     plot.set_functions(US, VALUES[:, :7], NAMES[:7])
-    QApplication.processEvents()
-    assert plot.curves._kept is not kept
+    assert anew == [1]
+
+
+def test_functions_and_knots_stand_on_one_axis_zoomed_or_not(qtbot: QtBot, plot: BasisPlot):
+    box = plot.curves._plot.getPlotItem().vb
+    for _zoom in range(3):
+        for u in (2.0, 3.0, 2.37):
+            painted = box.mapViewToScene(QPointF(u, 0)).x() + plot.curves._plot.x()
+            assert painted == pytest.approx(plot.curves.x_of(u), abs=0.6)
+            assert plot.knots.x_of(u) == pytest.approx(plot.curves.x_of(u), abs=1e-6)
+        qtbot.keyClick(plot.curves, Qt.Key.Key_Plus)
+    assert plot.knots.range != (0, 5)
+    qtbot.keyClick(plot.curves, Qt.Key.Key_0)
+    assert plot.knots.range == plot.curves.range == (0, 5)
 
 
 def test_without_a_curve_it_says_so_and_asks_for_nothing(qtbot: QtBot, plot: BasisPlot):
@@ -335,7 +333,7 @@ def test_without_a_curve_it_says_so_and_asks_for_nothing(qtbot: QtBot, plot: Bas
     assert plot.knots.isHidden()
     assert plot.weights.isHidden()
     told = Told(plot.u_dragged)
-    qtbot.mouseClick(plot.curves, LEFT, pos=QPoint(100, 40))
+    click(qtbot, plot.curves, QPoint(100, 40))
     for key in (RIGHT_KEY, Qt.Key.Key_Up):
         qtbot.keyClick(plot.curves, key)
     assert told.all == []

@@ -30,9 +30,9 @@ class HomogeneousPoint(NamedTuple):
 
 def corner_of(vertices: Array, k: int) -> HomogeneousPoint:
     """A row of ``vertices``."""
-    return HomogeneousPoint(
-        float(vertices[k, 0]), float(vertices[k, 1]), float(vertices[k, 2]), float(vertices[k, 3])
-    )
+    x, y = float(vertices[k, 0]), float(vertices[k, 1])
+    z, w = float(vertices[k, 2]), float(vertices[k, 3])
+    return HomogeneousPoint(x, y, z, w)
 
 
 def inside_by(plane: int, p: HomogeneousPoint, xmin: float, ymin: float, xmax: float, ymax: float) -> float:
@@ -53,12 +53,11 @@ def inside_by(plane: int, p: HomogeneousPoint, xmin: float, ymin: float, xmax: f
 def cut(inner: HomogeneousPoint, outer: HomogeneousPoint, d_inner: float, d_outer: float) -> HomogeneousPoint:
     """Where a side meets the plane, always reckoned from its inner end, as its other polygon does."""
     u = d_inner / (d_inner - d_outer)
-    return HomogeneousPoint(
-        inner.x + u * (outer.x - inner.x),
-        inner.y + u * (outer.y - inner.y),
-        inner.z + u * (outer.z - inner.z),
-        inner.w + u * (outer.w - inner.w),
-    )
+    x = inner.x + u * (outer.x - inner.x)
+    y = inner.y + u * (outer.y - inner.y)
+    z = inner.z + u * (outer.z - inner.z)
+    w = inner.w + u * (outer.w - inner.w)
+    return HomogeneousPoint(x, y, z, w)
 
 
 def clip_to_view_volume(

@@ -17,7 +17,7 @@ from workbench.document.building import (
     with_changed,
     with_figures,
 )
-from workbench.document.check import refuse, shown
+from workbench.document.check import refuse
 from workbench.document.curves.changes import changing, curve_with
 from workbench.document.curves.knots import closed, opened, refitted, with_points, without_point
 from workbench.document.curves.paths import (
@@ -41,6 +41,7 @@ from workbench.document.curves.settings import (
     set_spline,
     set_weights,
 )
+from workbench.document.faults import shown
 from workbench.document.model import Curve, CurvePoint, Document
 from workbench.language import _
 

@@ -21,7 +21,6 @@ from workbench.document.curves.paths import (
     points_from,
     refuse_waiting,
     sound,
-    with_sound_joints,
 )
 from workbench.document.curves.pieces import ends_steer, goes_round, knots_of, pieces_of
 from workbench.document.errors import DocumentError
@@ -215,31 +214,3 @@ def align(addresses: Iterable[Address | str], how: str) -> Edit:
 
 def _address(where: Address, point: str) -> Address:
     return replace(where, point=point, attribute="x")
-
-
-@checked
-def mirror(figure: str, axis: str, points: Iterable[str] = ()) -> Edit:
-    """Mirror a curve, or those of its points, by id: ``axis`` "x" left to right, "y" upside down.
-
-    The mirror stands in the middle of what is mirrored. Tangents are mirrored with their points.
-    """
-    chosen = frozenset(points)
-
-    def change(curve: Curve) -> Curve:
-        for identity in chosen:
-            point_with(curve, identity)
-        if axis not in ("x", "y"):
-            raise ValueError(_("Choose one of {choices}.").format(choices="x, y"))
-        which = [p for p in curve.points_world if not chosen or p.id in chosen]
-        values = [p.x if axis == "x" else p.y for p in which]
-        both = min(values) + max(values)
-        mirrored = {
-            p.id: replace(p, x=both - p.x, tangent_x=0.0 - p.tangent_x)
-            if axis == "x"
-            else replace(p, y=both - p.y, tangent_y=0.0 - p.tangent_y)
-            for p in which
-        }
-        made = replace(curve, points_world=tuple(mirrored.get(p.id, p) for p in curve.points_world))
-        return with_sound_joints(made, chosen)
-
-    return changing(figure, change)

@@ -4,8 +4,8 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from workbench.document.check import needed_knots
 from workbench.document.curves.pieces import b_spline_of, knots_of
+from workbench.document.laws import needed_knots
 from workbench.document.model import Curve, CurvePoint, Knot
 
 Array = NDArray[np.float64]

@@ -3,13 +3,12 @@
 from collections.abc import Callable
 from typing import Any
 
+from workbench.document.faults import Fault
 from workbench.document.scene.model import Camera, Object, Scene
 from workbench.document.scene.solids import MeshSolid
 from workbench.document.storage.blobs import Named
 from workbench.document.transforms.chains import LARGEST
 from workbench.language import _
-
-Fault = tuple[str, str]
 
 
 def _reason(error: ValueError) -> str:

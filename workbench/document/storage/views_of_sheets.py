@@ -12,7 +12,9 @@ _OF_A_VIEW = ("window_world", "viewport_device", "clip_world")
 
 def with_views(raw: dict[str, Any]) -> dict[str, Any]:
     """``raw``, the JSON values of a file of version 4, with a view for each sheet, and an id for each."""
-    document = raw["document"]
+    document = raw.get("document")
+    if not isinstance(document, dict) or not isinstance(document.get("sheets"), list):
+        return raw  # what is missing is said by whoever reads it
     taken = set(_ids(document))
     last = max(document.get("last_id", 0), *map(number_of, taken), 0)
     free = (f"v{k}" for k in count(last + 1 if last < _HIGHEST else 1))

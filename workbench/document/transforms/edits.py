@@ -27,6 +27,7 @@ from workbench.document.model import AnyFigure, Curve, Document
 from workbench.document.transforms.chains import inverse_of, read_only_reason
 from workbench.document.transforms.expressing import expressed, moved_points
 from workbench.document.transforms.links import Affine, AnyLink, Rotate, Scale, Shear, Translate
+from workbench.document.transforms.recognizing import link_of
 from workbench.language import _
 
 
@@ -126,6 +127,8 @@ def _merged(first: AnyLink, second: AnyLink) -> AnyLink | None:
         case Shear(), Shear() if (first.x_ref, first.y_ref) == (second.x_ref, second.y_ref):
             if first.sh_y == second.sh_y == 0.0 or first.sh_x == second.sh_x == 0.0:
                 return replace(first, sh_x=first.sh_x + second.sh_x, sh_y=first.sh_y + second.sh_y)
+        case Affine(), Affine():
+            return Affine.of(first.id, second.matrix @ first.matrix)
     return None
 
 
@@ -150,12 +153,13 @@ def applied(document: Document, figures: Iterable[str], matrix: Matrix) -> Appli
     """Figures, as they are seen, under an affine ``matrix`` (3, 3), world.
 
     Points and radii take it as far as they can express it; what they cannot, such as a turned ellipse, goes
-    to the end of the figure's chain, and is told. Raises: DocumentError, also for another last row.
+    to the end of the figure's chain as the plainest link, as ``extend`` does it, and is told. Raises:
+    DocumentError, also for another last row.
     """
     _refuse_other_than_affine(matrix)
     told: list[tuple[str, str]] = []
 
-    link = Affine.of("", matrix)
+    link = link_of(matrix)
 
     def edit(before: Document) -> Document:
         changed: list[AnyFigure] = []
@@ -164,7 +168,7 @@ def applied(document: Document, figures: Iterable[str], matrix: Matrix) -> Appli
             new = own if isinstance(own, str) else expressed(figure, own)
             if isinstance(new, str):
                 told.append((figure.id, new))
-                new = _with_chain(figure, (*figure.transforms, link))
+                new = _extended(figure, link)
             changed.append(new)
         return _with_new(before, changed)
 
@@ -212,6 +216,19 @@ def _with_points_moved(figure: AnyFigure, chosen: set[str], matrix: Matrix) -> A
         return after
     assert isinstance(figure, Curve)
     return moved(figure, with_followers(figure, {point.id: (point.x, point.y) for point in new.values()}))
+
+
+@checked
+def remove_transforms(figures: Iterable[str]) -> Edit:
+    """Take figures out of their chains, so that they are seen where their points are."""
+    wanted = tuple(dict.fromkeys(figures))
+
+    def edit(document: Document) -> Document:
+        chained = [figure for figure in figures_with(document, wanted) if figure.transforms]
+        bare = [_with_chain(figure, ()) for figure in chained]
+        return remembering(document, with_changed(document, bare)) if bare else document
+
+    return edit
 
 
 def bake(figures: Iterable[str]) -> Edit:

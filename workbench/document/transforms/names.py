@@ -25,10 +25,11 @@ def undo_names() -> dict[str, str]:
     return {
         "add_transform": _("Add transform"),
         "remove_transform": _("Remove transform"),
+        "remove_transforms": _("Remove transforms"),
         "reorder_transform": _("Change order of transforms"),
         "switch_transform": _("Switch transform"),
         "replace_transform": _("Replace transform"),
         "apply_matrix": _("Transform figures"),
         "apply_to_points": _("Transform points"),
-        "bake": _("Put transforms into points"),
+        "bake": _("Bake transforms"),
     }

@@ -6,7 +6,7 @@ import numpy as np
 
 from workbench.algorithms.clipping.cutting import bits
 from workbench.algorithms.clipping.edges import region_code
-from workbench.document.model import Sheet
+from workbench.document.model import AnyFigure, Sheet
 from workbench.engine.calls import OwnCall
 from workbench.language import _
 from workbench.panels.clip.card import ClipCard
@@ -37,7 +37,7 @@ class ClipView(FigureView):
         """Everything anew, from the session alone."""
         session, sheet = self.session, self.sheet
         busy = tool.busy or drag.busy
-        made = self._composed(session.shown, None if busy else self._own_call(), None, tokens())
+        made = self._composed(sheet, self.active, None if busy else self._own_call(), None, tokens())
         held = drag.held or (tool.side.held if isinstance(tool, ClipSelectTool) else "")
         chosen = set(session.state.selection)
         selected = [figure for figure in sheet.figures if figure.id in chosen]
@@ -48,7 +48,7 @@ class ClipView(FigureView):
         drawing = tool if isinstance(tool, FigureTool) else None
         self.canvas.set_picture(made.pixels, made.background)
         overlay = with_answer(overlay, session.run.answered)
-        self.canvas.set_overlay(replace(overlay, snap=drawing.snap if drawing else None))
+        self.put(replace(overlay, snap=drawing.snap if drawing else None))
         self.card.refresh(drawing, selected, "")
 
     def _own_call(self, number: int | None = None) -> OwnCall | None:
@@ -58,8 +58,14 @@ class ClipView(FigureView):
             return None
         return run.own_call(number)
 
-    def _composed(self, sheet: Sheet, call: OwnCall | None, number: int | None, now: Tokens) -> Composition:
-        active = self.active
+    def _composed(
+        self,
+        sheet: Sheet,
+        active: AnyFigure | None,
+        call: OwnCall | None,
+        number: int | None,
+        now: Tokens,
+    ) -> Composition:
         shown = picture(sheet, now)
         if call is not None and active is not None and not call.ended:
             nothing = np.empty((0, 2), np.int64)
@@ -70,9 +76,10 @@ class ClipView(FigureView):
         return Composition(shown, packed(now.canvas), Overlay(drawn=tuple(drawn)))
 
     def on_paper(self, number: int | None = None) -> Composition:
-        """What is shown, or one step of the run, in the light theme and without handles."""
+        """The whole sheet, or one step of the run, in the light theme and without handles."""
         call = self._own_call(number) if number != 0 else None
-        return self._composed(self.session.sheet, call, number, LIGHT)
+        session = self.session
+        return self._composed(session.sheet, session.active_figure, call, number, LIGHT)
 
     def describe(self, x: int, y: int) -> str:
         """A cell with its region code, and what painted it."""

@@ -1,6 +1,7 @@
 """The docks of the Curves panel: basis functions with knots and weights, curvature, hodograph, switches."""
 
 import time
+from collections.abc import Callable
 
 import numpy as np
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
@@ -9,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces, piece_points
 from workbench.document.curves.pieces import fault_of, parameter_at, share_at
-from workbench.document.model import B_SPLINES, Curve
+from workbench.document.model import B_SPLINES
 from workbench.language import _
 from workbench.panels.curves.basis import MOST, NOTHING, Basis, basis_of
 from workbench.panels.curves.compare import MEASURED_DEGREE, compared, measures, rows, why_none
@@ -59,10 +60,14 @@ class CurveDocks(QObject):
         self.measured = MeasureTable()
         self.measured.kind_activated.connect(self._choose_kind)
         self._basis: Basis = NOTHING
+        self._pieces: Pieces | None = None
+        self._u: float | None = None
         self._took_ms = 0.0
         self._made_for: tuple[object, ...] = ()
         for plot in (self.basis, self.curvature, self.hodograph):
             plot.u_dragged.connect(self._go_to)
+        self.basis.curves.view_changed.connect(self.curvature.show_view)
+        self.curvature.view_changed.connect(self.basis.curves.show_view)
         self.basis.hovered.connect(self._hover)
         self.basis.knot_dragged.connect(self.knot_dragged)
         self.basis.knot_released.connect(self.knot_released)
@@ -72,7 +77,11 @@ class CurveDocks(QObject):
         self.basis.weight_released.connect(lambda _number: self.weight_released.emit())
         self._later = QTimer(self)
         self._later.setSingleShot(True)
-        self._later.timeout.connect(self.refresh)
+        self._later.timeout.connect(self._refresh_in_turns)
+        self._parts_left: list[Callable[[], None]] = []
+        self._next = QTimer(self)
+        self._next.setSingleShot(True)
+        self._next.timeout.connect(self._show_next)
         self._kinds = QTimer(self)
         self._kinds.setSingleShot(True)
         self._kinds.setInterval(THROTTLE_MS)
@@ -104,27 +113,38 @@ class CurveDocks(QObject):
 
     def refresh(self) -> None:
         """Everything that can be seen, from the session alone."""
+        self._refresh_in_turns()
+        while self._parts_left:
+            self._show_next()
+
+    def _refresh_in_turns(self) -> None:
+        """Each part that can be seen in a turn of its own: a drag goes on between them."""
         self._later.stop()
         begun = time.perf_counter()
-        self._show_all()
-        self._took_ms = (time.perf_counter() - begun) * 1e3
-
-    def _show_all(self) -> None:
         curve = self.focus.curve
-        pieces = None if curve is None else device_pieces(self.focus.session.shown, curve)
-        u = None if curve is None or pieces is None else parameter_at(curve, self.focus.u)
-        if self.basis.isVisible():
-            self._show_basis(curve, u)
-        if self.curvature.isVisible():
-            self._show_curvature(pieces, u)
-        if self.hodograph.isVisible():
-            self._show_hodograph(pieces, u)
-        if self.continuity.isVisible():
-            self._show_joints(curve)
-        if self.measured.isVisible():
-            self._kinds.start()
-        if self.insight.isVisible():
-            self.insight.say(_measures(pieces, u))
+        self._pieces = None if curve is None else device_pieces(self.focus.session.shown, curve)
+        self._u = None if curve is None or self._pieces is None else parameter_at(curve, self.focus.u)
+        self._took_ms = (time.perf_counter() - begun) * 1e3
+        parts: tuple[tuple[QWidget, Callable[[], None]], ...] = (
+            (self.basis, self._show_basis),
+            (self.curvature, self._show_curvature),
+            (self.hodograph, self._show_hodograph),
+            (self.continuity, self._show_joints),
+            (self.measured, self._kinds.start),
+            (self.insight, self._show_measures),
+        )
+        self._parts_left = [show for part, show in parts if part.isVisible()]
+        self._next.start()
+
+    def _show_next(self) -> None:
+        begun = time.perf_counter()
+        if self._parts_left:
+            self._parts_left.pop(0)()
+        self._took_ms += (time.perf_counter() - begun) * 1e3
+        if self._parts_left:
+            self._next.start()
+        else:
+            self._next.stop()
 
     def _show_kinds(self) -> None:
         """The comparison has a turn of its own: it measures several curves, and takes as long as the rest."""
@@ -134,7 +154,8 @@ class CurveDocks(QObject):
         self.measured.set_rows(measures(), found, "" if found else why_none(curve))
         self._took_ms += (time.perf_counter() - begun) * 1e3
 
-    def _show_basis(self, curve: Curve | None, u: float | None) -> None:
+    def _show_basis(self) -> None:
+        curve, u = self.focus.curve, self._u
         # Of a curve of few points all functions are shown, and then they do not depend on u.
         few = curve is not None and len(curve.points_world) <= MOST
         key = (curve, None if few else round(self.focus.u, 2))
@@ -153,7 +174,8 @@ class CurveDocks(QObject):
         hovered = self.focus.hovered
         self.basis.highlight(self._basis.numbers.index(hovered) if hovered in self._basis.numbers else -1)
 
-    def _show_curvature(self, pieces: Pieces | None, u: float | None) -> None:
+    def _show_curvature(self) -> None:
+        pieces, u = self._pieces, self._u
         if pieces is None:
             self.curvature.set_curvature(np.zeros(0), np.zeros(0))
         else:
@@ -163,10 +185,12 @@ class CurveDocks(QObject):
                 curves.curvature(pieces, us),
                 _inner(pieces),
                 curves.inflections(pieces).tolist()[:_MOST_MARKS],
+                self.basis.curves.whole if self.basis.isVisible() else None,
             )
         self.curvature.set_u(u)
 
-    def _show_hodograph(self, pieces: Pieces | None, u: float | None) -> None:
+    def _show_hodograph(self) -> None:
+        pieces, u = self._pieces, self._u
         if pieces is None:
             self.hodograph.set_hodograph(np.zeros(0), np.zeros((0, 2)))
         else:
@@ -174,9 +198,12 @@ class CurveDocks(QObject):
             self.hodograph.set_hodograph(us, curves.derivatives(pieces, us, 1)[1])
         self.hodograph.set_u(u)
 
-    def _show_joints(self, curve: Curve | None) -> None:
-        found = [] if curve is None else joints(self.focus.session.shown, curve)
-        self.continuity.set_joints(found)
+    def _show_joints(self) -> None:
+        curve = self.focus.curve
+        self.continuity.set_joints([] if curve is None else joints(self.focus.session.shown, curve))
+
+    def _show_measures(self) -> None:
+        self.insight.say(_measures(self._pieces, self._u))
 
     def _go_to_joint(self, number: int) -> None:
         self._go_to(self.continuity.model.joints[number].u)

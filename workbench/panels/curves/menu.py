@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from workbench.language import _
 from workbench.panels.curves.insight import switches
+from workbench.panels.stage.transforming import BOX, MOTIONS, ON_CHAINS
 
 _PARTED = ""
 
@@ -49,7 +50,8 @@ def groups() -> list[tuple[str, tuple[str, ...]]]:
             ),
         ),
         (_("Joint"), ("make_G1", "make_C1", "make_G2", "make_C2")),
-        (_("Curve"), ("raise", "lower", "reverse", "mirror_x", "mirror_y", _PARTED, "forwards", "backwards")),
+        (_("Transform"), (BOX, _PARTED, *MOTIONS, _PARTED, *ON_CHAINS)),
+        (_("Curve"), ("raise", "lower", "reverse", _PARTED, "forwards", "backwards")),
         (
             _("Convert"),
             (

@@ -7,7 +7,7 @@ import numpy as np
 from workbench.document.curves.conversions import CONVERSIONS, TOLERANCE_WORLD, convert, converted
 from workbench.document.curves.cutting import insert_on_curve, insertion_note, split
 from workbench.document.curves.degrees import lower_degree, lowered, raise_degree
-from workbench.document.curves.joining import ALIGNMENTS, align, join, mirror, reverse
+from workbench.document.curves.joining import ALIGNMENTS, align, join, reverse
 from workbench.document.curves.knot_removal import knots_fault, remove_knot
 from workbench.document.curves.pieces import fault_of, goes_round, knots_of, parameter_at, pieces_of
 from workbench.document.curves.shaping import SMOOTHNESS, smooth_joint, smoothing_moves
@@ -52,14 +52,6 @@ class CurveOperations(CurveCommands):
             ("reverse", _("Reverse the direction"), "swap", "Shift+R", self.reverse),
             ("raise", _("Raise the degree"), "plus", "]", self.raise_degree),
             ("lower", _("Lower the degree"), "minus", "[", self.lower_degree),
-            (
-                "mirror_x",
-                _("Mirror left to right"),
-                "arrows-left-right",
-                "Shift+H",
-                partial(self.mirror, "x"),
-            ),
-            ("mirror_y", _("Mirror upside down"), "arrows-down-up", "Shift+V", partial(self.mirror, "y")),
             *(
                 (f"align_{how}", aligning[how], _ALIGN_ICONS[how], "", partial(self.align, how))
                 for how in ALIGNMENTS
@@ -178,15 +170,6 @@ class CurveOperations(CurveCommands):
                 self.said.emit(text.format(error=lowered(curve)[1]))
 
         self.with_curve(lower)
-
-    def mirror(self, axis: str) -> None:
-        """Mirror the chosen points, or with fewer than two the whole curve."""
-
-        def turn(curve: Curve) -> None:
-            points = self.chosen(curve)
-            self.apply(mirror(curve.id, axis, points if len(points) > 1 else ()), _("Mirror"))
-
-        self.with_curve(turn)
 
     def align(self, how: str) -> None:
         """Put the chosen points under one another, or side by side."""

@@ -12,6 +12,7 @@ from workbench.document.model import Curve
 from workbench.document.subjects import Subject
 from workbench.exchange.tables import Table
 from workbench.language import _
+from workbench.panels.curves.boxing import CurveBoxing
 from workbench.panels.curves.card import CurveCard
 from workbench.panels.curves.commands import NUDGE
 from workbench.panels.curves.docks import CurveDocks
@@ -93,6 +94,10 @@ class CurvesPanel(SteppedPanel):
             lambda place: canvas_menu(self._actions, canvas, self._export).popup(canvas.mapToGlobal(place))
         )
         canvas.double_clicked.connect(self._double_click)
+
+    def make_boxing(self) -> CurveBoxing:
+        """What transforms the chosen points, or what is selected."""
+        return CurveBoxing(self.focus, self.canvas, self.select)
 
     def docks(self) -> list[DockPart]:
         """Basis functions, switches, curvature, hodograph."""
@@ -256,8 +261,8 @@ class CurvesPanel(SteppedPanel):
         return super().gesturing or self.select.held
 
     def let_go(self) -> None:
-        """Escape: what is being drawn, else the chosen points, then as everywhere."""
-        if not self.gesturing and self.focus.points:
+        """Escape: what is being drawn, then the box, the chosen points, and on as everywhere."""
+        if not self.gesturing and self.focus.points and not self.boxing.on:
             self.focus.choose(())
         else:
             super().let_go()

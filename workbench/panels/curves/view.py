@@ -97,7 +97,8 @@ class CurveView(FigureView):
             snap=self._snapped(),
         )
         overlay = with_asked(with_band(overlay, tool.band), session.state.pixel)
-        self.canvas.set_overlay(with_answer(overlay, session.run.answered))
+        overlay = with_answer(overlay, session.run.answered)
+        self.canvas.set_overlay(overlay if self.box is None else self.box.over(overlay))
         if not busy or not isinstance(tool, CurveSelectTool):
             self.card.refresh(tool if isinstance(tool, FigureTool) else None, selected, "")
         (self.docks.refresh_soon if busy else self.docks.refresh)()
@@ -266,7 +267,7 @@ class CurveView(FigureView):
 
     def on_paper(self, number: int | None = None) -> Composition:
         """What is shown, or one step of the run, in the light theme, with plain spots for the points."""
-        sheet, curve = self.sheet, self.focus.curve
+        sheet, curve = self.session.sheet, self.focus.curve
         shown = picture if "pixels" in self.focus.shown else pale_picture
         drawn = self.drawn(number, sheet)
         if curve is not None and "polygon" in self.focus.shown and len(curve.points_world) < MANY:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QRect, Qt
 from PySide6.QtGui import QAction, QColor, QCursor, QIcon, QKeySequence, QPainter, QPen, QPixmap
+from PySide6.QtWidgets import QMenu
 
 from workbench.language import _
 from workbench.widgets.look.icons import set_icon
@@ -18,9 +19,13 @@ PanelCommand = tuple[str, str, str, str, Callable[[], object]]
 
 
 class FigureActions(QObject):
-    """Makes the actions of a panel: ``made`` has them by name. Commands are in the canvas's menu too."""
+    """Makes the actions of a panel: ``made`` has them by name. Commands are in the canvas's menu too, the
+    ``transforms`` in a menu of their own there.
+    """
 
-    def __init__(self, panel: "FigurePanel", commands: Sequence[PanelCommand]) -> None:
+    def __init__(
+        self, panel: "FigurePanel", commands: Sequence[PanelCommand], transforms: Sequence[PanelCommand]
+    ) -> None:
         super().__init__(panel)
         self._panel = panel
         self.made: dict[str, QAction] = {}
@@ -31,6 +36,10 @@ class FigureActions(QObject):
         panel.canvas.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         for row in (*self._commands(), *commands):
             panel.canvas.addAction(self._add(row))
+        if transforms:
+            menu = QMenu(_("Transform"), panel.canvas)
+            menu.addActions([self._add(row) for row in transforms])
+            panel.canvas.addAction(menu.menuAction())
 
     def _tools(self) -> list[PanelCommand]:
         panel = self._panel

@@ -35,7 +35,9 @@ from workbench.document.model import (
     WorldPoint,
 )
 from workbench.language import _, ngettext
+from workbench.panels.stage.chain_notes import ChainNotes
 from workbench.panels.stage.tools import FigureTool
+from workbench.panels.stage.transform_form import TransformForm
 from workbench.rendering import REACH_PX, reach_of
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField
@@ -137,6 +139,8 @@ class ParameterCard(QFrame):
         self.trouble = QLabel()
         self.trouble.setWordWrap(True)
         self.trouble.setProperty("role", "warn")
+        self.chain = ChainNotes()
+        self.form = TransformForm()
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(12)
         self._grid.setVerticalSpacing(4)
@@ -147,7 +151,9 @@ class ParameterCard(QFrame):
         body.setSpacing(8)
         body.addWidget(self.algorithm)
         body.addLayout(self._grid)
-        for widget in (self.trouble, *self.more_rows(), self.compare, self.side_by_side, self.summary):
+        for widget in (self.form, self.chain, self.trouble, *self.more_rows()):
+            body.addWidget(widget)
+        for widget in (self.compare, self.side_by_side, self.summary):
             body.addWidget(widget)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(12, 8, 8, 8)
@@ -202,11 +208,12 @@ class ParameterCard(QFrame):
         kinds = {type(figure) for figure in figures}
         one = figures[0] if len(figures) == 1 else None
         new_kind = tool.kind if tool is not None and not figures else None
-        numbers = tuple(self.numbers(sheet, one)) if one else ()
+        # While the box is there its own numbers take the place of those of the points.
+        numbers = tuple(self.numbers(sheet, one)) if one and self.form.isHidden() else ()
         shape = (sheet.id, tuple(f.id for f in figures), numbers, new_kind, state.compare, bool(summary))
         if shape != self._shown:
             self._shown = shape
-            self._rebuild(sheet, figures, one)
+            self._rebuild(sheet, figures, numbers)
         if one is not None:
             self.title.setText(one.name or kind_title(one))
         elif figures:
@@ -227,6 +234,7 @@ class ParameterCard(QFrame):
             else [],
             state.compare,
         )
+        self.chain.refresh(figures)
         self._say_trouble(sheet, figures)
         compared = bool(summary) and bool(others)
         self.side_by_side.setVisible(compared)
@@ -270,7 +278,9 @@ class ParameterCard(QFrame):
         box.setVisible(bool(choices))
         box.setCurrentIndex(max(0, box.findData(now)))
 
-    def _rebuild(self, sheet: Sheet, figures: Sequence[AnyFigure], one: AnyFigure | None) -> None:
+    def _rebuild(
+        self, sheet: Sheet, figures: Sequence[AnyFigure], numbers: Sequence[tuple[str, str, str]]
+    ) -> None:
         while self._grid.count():
             item = self._grid.takeAt(0)
             widget = item.widget() if item is not None else None
@@ -281,21 +291,20 @@ class ParameterCard(QFrame):
         self._fields, self._size = {}, None
         view = sheet.first_view
         pixels = view.window_world == view.viewport_device
-        if one is not None:
-            for k, (address, label, meaning) in enumerate(self.numbers(sheet, one)):
-                number = declared_at(self._session.document, address).kind
-                unit = ("px" if pixels else "") if number.unit == "world" else number.unit
-                field = NumberField(label, unit, meaning=meaning)
-                field.edited.connect(lambda value, a=address: self._set(a, value))
-                field.scrubbed.connect(lambda value, a=address: self._set(a, value, "scrub"))
-                field.scrub_ended.connect(self._session.end_merge)
-                self._fields[address] = field
-                self._grid.addWidget(field, k // 2, k % 2)
-        elif not figures:
-            numbers = numbers_of(Sheet)
+        for k, (address, label, meaning) in enumerate(numbers):
+            number = declared_at(self._session.document, address).kind
+            unit = ("px" if pixels else "") if number.unit == "world" else number.unit
+            field = NumberField(label, unit, meaning=meaning)
+            field.edited.connect(lambda value, a=address: self._set(a, value))
+            field.scrubbed.connect(lambda value, a=address: self._set(a, value, "scrub"))
+            field.scrub_ended.connect(self._session.end_merge)
+            self._fields[address] = field
+            self._grid.addWidget(field, k // 2, k % 2)
+        if not figures:
+            declared = numbers_of(Sheet)
             self._size = (
-                number_field(numbers["width_px"], _("Width of the sheet")),
-                number_field(numbers["height_px"], _("Height of the sheet")),
+                number_field(declared["width_px"], _("Width of the sheet")),
+                number_field(declared["height_px"], _("Height of the sheet")),
             )
             for k, field in enumerate(self._size):
                 field.edited.connect(lambda _value: self._set_size())

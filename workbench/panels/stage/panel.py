@@ -35,8 +35,9 @@ class FigurePanel(PlainPanel, QWidget):
     """Canvas, tools and card over one session. ``hover_text`` and ``zoom_text`` are for a status bar.
 
     A panel makes its card and what it shows, then calls ``begin``; it says in ``show_now`` what is shown,
-    and in ``describe`` what a cell is called. ``slug`` begins the names of its actions, ``first_tool`` is
-    what an empty sheet takes up; ``usual`` is what is stepped here at first. ``slug`` is the workspace's too.
+    and in ``describe`` what a cell is called. ``slug`` is its workspace's, and begins the names of its
+    actions; ``first_tool`` is what an empty sheet takes up, ``usual`` what is stepped here at first.
+    ``transforms`` have a menu of their own, and the first one a button under the first tool.
     """
 
     hover_text = Signal(str)
@@ -60,6 +61,7 @@ class FigurePanel(PlainPanel, QWidget):
         self._nudging.timeout.connect(self._end_nudging)
         self.canvas = PixelCanvas()
         self._actions: dict[str, QAction] = {}
+        self.transforms: list[PanelCommand] = []
 
     def begin(
         self, middle: QWidget, card: QWidget, invitation: str, commands: Sequence[PanelCommand]
@@ -84,9 +86,10 @@ class FigurePanel(PlainPanel, QWidget):
         whole.addWidget(self._bar)
         whole.addWidget(middle, 1)
         self.setFocusProxy(self.canvas)
-        self._actions = FigureActions(self, commands).made
-        for tool in self.tools:
-            column.addWidget(self._button(self._actions[tool.name]))
+        self._actions = FigureActions(self, commands, self.transforms).made
+        names = [tool.name for tool in self.tools]
+        for name in (*names[:1], *(row[0] for row in self.transforms[:1]), *names[1:]):
+            column.addWidget(self._button(self._actions[name]))
         column.addStretch(1)
         for name in ("zoom_in", "zoom_out", "fit"):
             column.addWidget(self._button(self._actions[name]))
@@ -332,12 +335,9 @@ class FigurePanel(PlainPanel, QWidget):
 
     def shift_order(self, by: int) -> None:
         """Move the selected figure one place to the front (or back)."""
-        chosen = self.selected()
-        if len(chosen) == 1:
-            figures = self.session.sheet.figures
-            place = figures.index(chosen[0]) + by
-            if 0 <= place < len(figures):
-                self.apply(reorder(chosen[0].id, place), _("Change order"))
+        chosen, figures = self.selected(), self.session.sheet.figures
+        if len(chosen) == 1 and 0 <= (place := figures.index(chosen[0]) + by) < len(figures):
+            self.apply(reorder(chosen[0].id, place), _("Change order"))
 
     def ask_why(self) -> None:
         """Ask why the pixel that is pointed at is as it is."""
@@ -349,10 +349,9 @@ class FigurePanel(PlainPanel, QWidget):
 
     def _arrow(self, dx: int, dy: int, modifiers: Modifiers) -> None:
         """Arrows nudge what is selected; with nothing selected they step."""
-        if chosen := self.selected():
+        if ids := [figure.id for figure in self.selected()]:
             far = 10 if modifiers & Qt.KeyboardModifier.ShiftModifier else 1
             scale = device_map(self.session.sheet)
-            ids = [figure.id for figure in chosen]
             edit = move_figures(ids, dx * far / scale.sx, dy * far / scale.sy)
             self.apply(edit, _("Nudge"), f"{NUDGE} {' '.join(ids)}")
             self._nudging.start()

@@ -1,27 +1,32 @@
-"""A panel of figures whose algorithms are stepped and compared: two canvases, export, *Ask first*."""
+"""A panel of figures whose algorithms are stepped and compared: two canvases, export, answers, the box."""
 
 from collections.abc import Sequence
 from functools import partial
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QSplitter, QWidget
 
 from workbench.language import _
 from workbench.panels.stage.actions import PanelCommand
+from workbench.panels.stage.boxing import Boxing
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.clipboard import copy_figures, paste_figures
 from workbench.panels.stage.export import Exporter
 from workbench.panels.stage.gesture import Tool
 from workbench.panels.stage.panel import FigurePanel
 from workbench.panels.stage.tools import FigureTool
+from workbench.panels.stage.transforming import BOX, MOTIONS, ON_CHAINS, transform_commands
 from workbench.panels.stage.view import FigureView
 from workbench.session.session import Session
+from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.surface import CanvasSurface
 
 
 class SteppedPanel(FigurePanel):
-    """Adds a second canvas for what is compared, the commands of export, and answers by clicks.
+    """Adds a second canvas for what is compared, the commands of export, answers by clicks, and the box that
+    transforms what is selected, which is there instead of single handles while it is switched on.
 
     A panel makes its ``card`` and ``view`` and then calls ``start``.
     """
@@ -35,6 +40,12 @@ class SteppedPanel(FigurePanel):
         self._sharing = False
         self.second = PixelCanvas()
         self.second.hide()
+        self.boxing = self.make_boxing()
+        self.transforms = transform_commands(self.boxing, self.toggle_box)
+
+    def make_boxing(self) -> Boxing:
+        """What transforms what is selected here, by whole pixels where it is only moved."""
+        return Boxing(self.session, self.canvas, self.tools[0], whole_moves=True)
 
     def start(self, invitation: str, commands: Sequence[PanelCommand] = ()) -> None:
         """Lay out and connect what the panel has made."""
@@ -47,6 +58,13 @@ class SteppedPanel(FigurePanel):
         self.card.side_by_side_changed.connect(self.refresh_soon)
         self.card.folded.connect(self.leave_room)
         self.card.algorithm_chosen.connect(self._choose_algorithm)
+        self.view.box = self.boxing.box
+        self.card.chain.bake_wanted.connect(self.boxing.bake)
+        self.card.chain.removal_wanted.connect(self.boxing.remove)
+        self.boxing.said.connect(self.hover_text)
+        self.boxing.began.connect(lambda: self._hold(True))
+        self.boxing.ended.connect(self._after_boxing)
+        self.boxing.box.looks_changed.connect(self._look_at_box)
         for one, other in ((self.canvas, self.second), (self.second, self.canvas)):
             one.view_changed.connect(partial(self._share_view, one, other))
         self.begin(
@@ -58,6 +76,8 @@ class SteppedPanel(FigurePanel):
                 *commands,
             ],
         )
+        self._actions[BOX].setCheckable(True)
+        self.card.form.connect_to(self.boxing, [self._actions[name] for name in MOTIONS])
 
     def _share_view(self, one: CanvasSurface, other: CanvasSurface, _percent: float) -> None:
         """Both pictures side by side show the same cells; the first one fits, with room for the card."""
@@ -70,8 +90,63 @@ class SteppedPanel(FigurePanel):
             other.look_like(one)
         self._sharing = False
 
+    # The box
+
+    def toggle_box(self) -> None:
+        """Take up the box around what is selected, or lay it down."""
+        on = not self.boxing.on
+        self.choose_tool(self.tools[0].name)
+        self.boxing.switch(on)
+        self.refresh()
+
+    def choose_tool(self, name: str) -> None:
+        """Take up the tool of this name; the box is laid down."""
+        self.boxing.switch(False)
+        super().choose_tool(name)
+
+    def let_go(self) -> None:
+        """Escape: as everywhere, but the box is laid down before what is selected is let go."""
+        if self.boxing.on and not self.gesturing:
+            self.choose_tool(self.tools[0].name)
+        else:
+            super().let_go()
+
+    def _after_gesture(self) -> None:
+        super()._after_gesture()
+        if self.boxing.on:
+            self.canvas.takes_handles = False
+
+    def _look_at_box(self) -> None:
+        """Show the box as it is, unless the document has changed with it, which is told and shown anyway."""
+        if not self.tool.busy or self.boxing.moving is not None:
+            self.refresh_soon()
+
+    def _after_boxing(self) -> None:
+        self._hold(False)
+        self._after_gesture()
+
+    def transforming(self) -> list[QAction]:
+        """The commands of the box, for a menu."""
+        return [self._actions[name] for name, *_rest in self.transforms]
+
+    def refresh(self) -> None:
+        """As everywhere; only what is selected can be transformed."""
+        super().refresh()
+        chosen, on = self.selected(), self.isVisible()
+        self._actions[BOX].setChecked(self.boxing.on)
+        self._actions[self.tools[0].name].setChecked(self.tool is self.tools[0] and not self.boxing.on)
+        for name in MOTIONS:
+            self._actions[name].setEnabled(on and bool(chosen))
+        for name in ON_CHAINS:
+            self._actions[name].setEnabled(on and any(figure.transforms for figure in chosen))
+
     def show_now(self) -> None:
         """Canvases and card as the session is now, and what the panel shows beside them."""
+        if (moving := self.boxing.moving) is not None:
+            self.canvas.set_overlay(self.boxing.box.over(Overlay(outlined=tuple(moving))))
+            return
+        self.boxing.follow()
+        self.card.form.refresh(self.boxing.pivot_world)
         self.view.refresh(self.tool, self.handle_drag)
 
     def copy(self) -> bool:

@@ -26,8 +26,9 @@ from workbench.rendering.comparing import Comparison, figure_pixels
 from workbench.rendering.subjects.registry import marks_on_device
 from workbench.session.run import Run
 from workbench.session.session import Session
-from workbench.widgets.canvas.overlay import Cell
+from workbench.widgets.canvas.overlay import Cell, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
+from workbench.widgets.canvas.transform_frame import TransformFrame
 from workbench.widgets.look.tokens import LIGHT, tokens
 
 
@@ -43,6 +44,7 @@ class FigureView:
         self.session = session
         self.canvas, self.second, self.card = canvas, second, card
         self.comparison: Comparison | None = None
+        self.box: TransformFrame | None = None
 
     @property
     def sheet(self) -> Sheet:
@@ -69,7 +71,7 @@ class FigureView:
         overlay = with_answer(with_asked(overlay, session.state.pixel), session.run.answered)
         snap = tool.snap if isinstance(tool, FigureTool) else None
         self.canvas.set_picture(made.pixels, made.background)
-        self.canvas.set_overlay(replace(overlay, snap=snap))
+        self.put(replace(overlay, snap=snap))
         self.second.setVisible(made.beside is not None)
         if made.beside is not None:
             self.second.set_picture(made.pixels, made.background)
@@ -77,6 +79,12 @@ class FigureView:
         self.card.refresh(tool if isinstance(tool, FigureTool) else None, selected, self.summary())
         if not tool.busy and not drag.busy:
             self.show_beside(active, compared, progress)
+
+    def put(self, overlay: Overlay) -> None:
+        """Show marks on the canvas; a box around what is selected lies over them, with the only handles."""
+        if self.box is not None and self.box.box is not None:
+            overlay = self.box.over(replace(overlay, handles=()))
+        self.canvas.set_overlay(overlay)
 
     def completed(
         self, made: Composition, progress: Progress | None, number: int | None = None
@@ -125,10 +133,11 @@ class FigureView:
         return slug if fits else ""
 
     def on_paper(self, number: int | None = None) -> Composition:
-        """What is shown, or one step of the run, in the light theme and without handles."""
+        """The whole sheet, or one step of the run, in the light theme and without handles."""
         run = self.stepped_run()
         progress = self.progress() if number is None or run is None else progress_at(run, number)
-        made = compose(self.sheet, self.active, progress, self.compared(), LIGHT)
+        session = self.session
+        made = compose(session.sheet, session.active_figure, progress, self.compared(), LIGHT)
         return self.completed(made, progress, number)
 
     def answer(self, cell: Cell) -> bool:

@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from workbench.algorithms import catalogue
 from workbench.algorithms.marks import Frame, Mark
 from workbench.document.building import Edit
-from workbench.document.check import number_problem, shown
+from workbench.document.check import number_problem
 from workbench.document.errors import DocumentError
+from workbench.document.faults import shown
 from workbench.document.fields import Number
 from workbench.document.model import Sheet
 from workbench.document.subjects import Argument, Subject

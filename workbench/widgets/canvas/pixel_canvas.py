@@ -121,7 +121,7 @@ class PixelCanvas(CanvasSurface):
         elif self._grabbed is not None:
             self.handle_dragged.emit(self._grabbed.id, x + self._grab_offset[0], y + self._grab_offset[1])
         else:
-            self._hover_at(x, y)
+            self.hover_at(x, y)
             if self._press is None:
                 over = self.takes_handles and self.handle_at(event.position()) is not None
                 self.setCursor(QCursor(Qt.CursorShape.SizeAllCursor) if over else self._shape)
@@ -140,7 +140,7 @@ class PixelCanvas(CanvasSurface):
         x, y = self.device_position(event.position())
         if grabbed is not None:
             self.handle_released.emit(grabbed.id)
-            self._hover_at(x, y)
+            self.hover_at(x, y)
         else:
             self.released.emit(x, y, event.modifiers())
         if (event.position() - press).manhattanLength() <= CLICK_SLACK and self._holds(x, y):
@@ -156,7 +156,8 @@ class PixelCanvas(CanvasSurface):
         width, height = self._picture.size
         return 0 <= round_half_up(x) < width and 0 <= round_half_up(y) < height
 
-    def _hover_at(self, x: float, y: float) -> None:
+    def hover_at(self, x: float, y: float) -> None:
+        """The pointer is over a device point."""
         cell = (round_half_up(x), round_half_up(y)) if self._holds(x, y) else None
         if cell != self._hover:
             self._hover = cell
@@ -168,6 +169,10 @@ class PixelCanvas(CanvasSurface):
         self.repaint_soon()
 
     def leaveEvent(self, event: QEvent) -> None:
+        """The pointer is elsewhere."""
+        self.forget_hover()
+
+    def forget_hover(self) -> None:
         """Nothing is pointed at any more."""
         if self._hover is not None:
             self._hover = None

@@ -1,6 +1,5 @@
 """Arrays of places as what Qt paints, without a Python object for each."""
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -20,11 +19,3 @@ def polygon(x: NDArray[np.float64], y: NDArray[np.float64]) -> QPolygonF:
         room = np.frombuffer(_pointer(made.data(), _POINT_BYTES * len(x), True)).reshape(-1, 2)
         room[:, 0], room[:, 1] = x, y
     return made
-
-
-def unbroken(x: NDArray[np.float64], y: NDArray[np.float64]) -> Iterator[QPolygonF]:
-    """The stretches of the polyline (x, y), both (n,), between places that are not finite."""
-    there = np.isfinite(x) & np.isfinite(y)
-    ends = np.flatnonzero(np.diff(there, prepend=False, append=False)).tolist()
-    for start, end in zip(ends[::2], ends[1::2], strict=True):
-        yield polygon(x[start:end], y[start:end])

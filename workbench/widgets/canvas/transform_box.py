@@ -8,6 +8,7 @@ import math
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QAccessible, QAccessibleEvent, QKeyEvent, QMouseEvent
 
+from workbench.geometry.conventions import round_half_up
 from workbench.geometry.transform_box import (
     MOVE,
     PIVOT,
@@ -50,8 +51,10 @@ class TransformBox(TransformFrame):
     cancelled = Signal()
     pivot_moved = Signal(float, float)
 
-    def __init__(self, canvas: PixelCanvas) -> None:
+    def __init__(self, canvas: PixelCanvas, whole_moves: bool = False) -> None:
+        """``whole_moves``: it moves by whole units only, as pixels do."""
         super().__init__(canvas)
+        self._whole_moves = whole_moves
         self._pressed_at = QPointF()
         self._pivot_before: Point = (0.0, 0.0)
         canvas.installEventFilter(self)
@@ -67,6 +70,9 @@ class TransformBox(TransformFrame):
                 return self._mouse(event)
             case QKeyEvent() if event.type() == QEvent.Type.KeyPress:
                 return self._key(event)
+            case QKeyEvent() if event.type() == QEvent.Type.ShortcutOverride and self._turns(event):
+                event.accept()  # a command may have the same key while there is no box
+                return True
         if event.type() in (QEvent.Type.FocusIn, QEvent.Type.FocusOut):
             self.looks_changed.emit()
         return False
@@ -91,6 +97,7 @@ class TransformBox(TransformFrame):
         if not handle:
             return False
         self._canvas.setFocus(Qt.FocusReason.MouseFocusReason)
+        self._canvas.forget_hover()  # what is beside the pointer now is how far it has come
         self._pressed_at = event.position()
         self._chosen = MOVE
         self._begin(handle, self._canvas.device_position(event.position()))
@@ -114,6 +121,9 @@ class TransformBox(TransformFrame):
     def _to(self, now: Point, keys: Keys) -> None:
         """The handle held is at another place."""
         assert self._box is not None
+        if self._whole_moves and self._held == MOVE:
+            x, y = self._start
+            now = x + round_half_up(now[0] - x), y + round_half_up(now[1] - y)
         self._now = now
         if self._held == PIVOT:
             self._put_pivot(now, keys)
@@ -171,6 +181,7 @@ class TransformBox(TransformFrame):
         handle = self.handle_at(position)
         if not handle:
             return False
+        self._canvas.hover_at(*self._canvas.device_position(position))
         self._canvas.setCursor(self._cursor(handle))
         return True
 
@@ -186,13 +197,17 @@ class TransformBox(TransformFrame):
         shift = bool(event.modifiers() & _Mods.ShiftModifier)
         if event.key() in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab):
             return self._choose_next(-1 if event.key() == Qt.Key.Key_Backtab or shift else 1)
-        if event.text() in ("[", "]"):
+        if self._turns(event):
             self._turn(_DEGREE if event.text() == "[" else -_DEGREE)
             return True
         if event.key() in ARROWS:
             self._arrow(*ARROWS[Qt.Key(event.key())], event.modifiers())
             return True
         return False
+
+    def _turns(self, event: QKeyEvent) -> bool:
+        """Whether a key turns by a degree."""
+        return event.text() in ("[", "]") and self._canvas.cursor_cell is None
 
     def _choose_next(self, step: int) -> bool:
         """Go to the next handle; past the last one the key is the window's."""

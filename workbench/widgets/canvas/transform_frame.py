@@ -125,7 +125,7 @@ class TransformFrame(QObject):
             spoke = np.array([self._now, self._pivot, self._start], np.float64)
             drawn.append(PenStroke(spoke, "muted", 1.0, "dash"))
         if PIVOT in places:
-            x, y = self._pivot
+            x, y = self._after(self._pivot)
             arm = _CROSS_PX * unit
             drawn.append(Marker(x, y, "accent", "ring", _RING_PX))
             for ends in ([(x - arm, y), (x + arm, y)], [(x, y - arm), (x, y + arm)]):

@@ -1,35 +1,34 @@
 """The basis functions of a curve over its parameter, each linked to its control point."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QFontMetricsF, QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtCore import QPointF, QSize, Qt, Signal
+from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QKeyEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from workbench.exchange.tables import typeset
+from workbench.exchange.tables import Table, typeset
 from workbench.language import _
 from workbench.widgets.canvas.drawing import DATA_INKS, PATTERNS, data_ink, ink_of
-from workbench.widgets.canvas.polygons import polygon
 from workbench.widgets.look.tokens import colour, tokens
-from workbench.widgets.plots.parameter_plot import (
-    LEFT_PX,
-    ROW_PX,
-    Array,
-    ParameterPlot,
-    number_text,
-    same,
-    tick_text,
-    ticks,
-)
+from workbench.widgets.plots.parameter_axis import ROW_PX, Array, number_text, same
+from workbench.widgets.plots.parameter_plot import ParameterPlot
+from workbench.widgets.plots.plot import pen_of
+from workbench.widgets.plots.scrubbed_plot import LINE_PX
 
 _NEAR_PX = 9
+_LIT_PX = 3.5
+_SPOT_PX, _LIT_SPOT_PX = 7, 10
+_GAP_PX = 4
 
 
 class BasisCurves(ParameterPlot):
     """``hovered`` sends the number of the function that is pointed at, or -1; Up and Down choose one too."""
 
     hovered = Signal(int)
+    head_px = 2
+    over_px = ROW_PX
 
     def __init__(self, parent: QWidget | None = None) -> None:
         self._us: Array = np.zeros(0)
@@ -37,9 +36,17 @@ class BasisCurves(ParameterPlot):
         self._names: tuple[str, ...] = ()
         self._inks: tuple[str, ...] = ()
         self._reach: list[tuple[int, int]] = []
+        self._peaks: list[float] = []
+        self._named: object = None
+        self._inked: object = None
+        self._brushes: list[QBrush] = []
         self._heights = (0.0, 1.0)
         self._lit = -1
         self._pointed = -1
+        self._lines: list[Any] = []
+        self._labels: list[Any] = []
+        self._bold: Any = None
+        self._value: Any = None
         super().__init__(_("Basis functions"), parent)
         self.setToolTip(
             _("Drag to move u; point at a function, or press Up and Down, to light it up with its point")
@@ -59,6 +66,7 @@ class BasisCurves(ParameterPlot):
         self._us, self._values = us, values
         self._names, self._inks = shown
         self._reach = [_extent(column) for column in values.T]
+        self._peaks = us[values.argmax(axis=0)].tolist() if values.size else []
         low, high = (float(values.min()), float(values.max())) if values.size else (0.0, 1.0)
         self._heights = min(0.0, low), max(1.0, high)
         self._lit = self._lit if self._lit < len(names) else -1
@@ -71,11 +79,11 @@ class BasisCurves(ParameterPlot):
 
     def highlight(self, number: int) -> None:
         """Light up a function; -1 lights up none."""
-        wanted = number if 0 <= number < len(self._names) else -1
-        if wanted != self._lit:
-            self._lit = wanted
+        lit = number if 0 <= number < len(self._names) else -1
+        if lit != self._lit:
+            self._lit = lit
+            self._mark()
             self.tell()
-            self.update()
 
     @property
     def ends(self) -> list[float]:
@@ -88,8 +96,8 @@ class BasisCurves(ParameterPlot):
         after = int(np.clip(np.searchsorted(us, u), 1, len(us) - 1))
         length = us[after] - us[after - 1]
         share = min(max((u - us[after - 1]) / length, 0.0), 1.0) if length > 0 else 1.0
-        found: Array = (1 - share) * self._values[after - 1] + share * self._values[after]
-        return found
+        between: Array = (1 - share) * self._values[after - 1] + share * self._values[after]
+        return between
 
     @property
     def empty(self) -> bool:
@@ -105,142 +113,165 @@ class BasisCurves(ParameterPlot):
     def reading(self) -> str:
         """u, and the function lit up with its value there."""
         said = super().reading
-        if self._lit < 0 or self.empty or self._u is None:
+        if self._lit < 0 or self.empty or self.u is None:
             return said
         return _("{name} is {value} at {u}").format(
             name=typeset(self._names[self._lit]),
-            value=number_text(float(self.values_at(self._u)[self._lit])),
+            value=number_text(float(self.values_at(self.u)[self._lit])),
             u=said,
         )
+
+    @property
+    def heading(self) -> str:
+        """Nothing: the names of the functions stand above them."""
+        return ""
 
     def sizeHint(self) -> QSize:
         """A thin plot."""
         return QSize(420, 110)
 
     @property
-    def area(self) -> QRectF:
-        """Room for the names above."""
-        return super().area.adjusted(0, ROW_PX - 4, 0, 0)
+    def heights(self) -> tuple[float, float]:
+        """From 0, or from the least value, to 1, or to the greatest."""
+        return self._heights
 
-    def _ys(self, values: Array) -> Array:
-        low, high = self._heights
-        area = self.area
-        placed: Array = area.bottom() - (values - low) / (high - low) * area.height()
-        return placed
+    def numbers(self) -> Table | None:
+        """The parameter and each function there."""
+        if self.empty:
+            return None
+        rows = [tuple(f"{value:.6g}" for value in row) for row in np.column_stack([self._us, self._values])]
+        return Table(("u", *map(typeset, self._names)), rows, formulas=False)
 
-    def _y(self, value: float) -> float:
-        return float(self._ys(np.array(value)))
+    def _begin(self) -> None:
+        import pyqtgraph
+
+        super()._begin()
+        self._bold = pyqtgraph.PlotCurveItem(antialias=True)
+        self._bold.setZValue(1)
+        self._value = pyqtgraph.TextItem()
+        self._value.setFont(self._font())
+        self._value.setZValue(3)
+        for item in (self._bold, self._value):
+            self._plot.addItem(item, ignoreBounds=True)
 
     def _pen(self, number: int, width: float) -> QPen:
         style = PATTERNS[("solid", "dash", "dot")[number // DATA_INKS % 3]]
-        return QPen(colour(ink_of(tokens(), self._inks[number])), width, style)
+        return pen_of(ink_of(tokens(), self._inks[number]), width, style)
 
-    def _line(self, painter: QPainter, number: int, width: float) -> None:
+    def _line_of(self, number: int) -> tuple[Array, Array]:
         first, last = self._reach[number]
-        if last - first > 1:
-            painter.setPen(self._pen(number, width))
-            us = self._us[first:last]
-            low, high = self.range
-            x = self.area.left() + (us - low) / (high - low) * self.area.width()
-            painter.drawPolyline(polygon(x, self._ys(self._values[first:last, number])))
+        return self._us[first:last], self._values[first:last, number]
 
-    def paint_kept(self, painter: QPainter) -> None:
-        """Axes, functions, their names where they peak."""
-        now, area = tokens(), self.area
-        self.paint_axis(painter)
-        low, high = self._heights
-        for level in ticks(low, high, max(2, int(area.height() / 22))):
-            y = self._y(level)
-            painter.setPen(QPen(colour(now.grid), 1))
-            painter.drawLine(QPointF(area.left(), round(y) + 0.5), QPointF(area.right(), round(y) + 0.5))
-            painter.setPen(colour(now.muted))
-            box = QRectF(0, y - ROW_PX / 2, LEFT_PX - 6, ROW_PX)
-            painter.drawText(
-                box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, tick_text(level)
-            )
-        for number in range(len(self._names)):
-            self._line(painter, number, 1.5)
-        self._paint_names(painter)
+    def _draw(self) -> None:
+        super()._draw()
+        self._take_items(len(self._names))
+        inked = self._inks, tokens()
+        if inked != self._inked:
+            self._inked = inked
+            self._brushes = [QBrush(QColor(ink_of(tokens(), ink))) for ink in self._inks]
+            self._spots.setPen(pen_of(tokens().surface, 1))
+            for number, line in enumerate(self._lines):
+                line.setPen(self._pen(number, LINE_PX))
+        for number, line in enumerate(self._lines):
+            line.setData(*self._line_of(number))
+        named = self._names, self._inks, self._view, self.size(), tokens(), self._peaks
+        if named != self._named:
+            self._named = named
+            self._place_names()
 
-    def _paint_names(self, painter: QPainter) -> None:
+    def _take_items(self, count: int) -> None:
+        """One line and one name for each function."""
+        import pyqtgraph
+
+        while len(self._lines) > count:
+            self._plot.removeItem(self._lines.pop())
+            self._plot.removeItem(self._labels.pop())
+        while len(self._lines) < count:
+            self._lines.append(pyqtgraph.PlotCurveItem(antialias=True))
+            self._labels.append(pyqtgraph.TextItem())
+            self._labels[-1].setFont(self._font())
+            self._labels[-1].textItem.document().setDocumentMargin(0)
+            for item in (self._lines[-1], self._labels[-1]):
+                self._plot.addItem(item, ignoreBounds=True)
+
+    def _place_names(self) -> None:
         """Each name above its peak, where there is room."""
-        metrics = QFontMetricsF(painter.font())
+        metrics, area, now = QFontMetricsF(self._font()), self.area, tokens()
         free = 0.0
-        peaks = self._us[self._values.argmax(axis=0)]
-        for number in np.argsort(peaks, kind="stable").tolist():
-            name = typeset(self._names[number])
-            wide = metrics.horizontalAdvance(name)
-            left = min(max(self.x_of(float(peaks[number])) - wide / 2, LEFT_PX), self.width() - wide - 2)
-            if left >= free:
-                painter.setPen(colour(ink_of(tokens(), self._inks[number])))
-                painter.drawText(QPointF(left, metrics.ascent() + 1), name)
-                free = left + wide + 4
+        for number in np.argsort(self._peaks, kind="stable").tolist():
+            name, label = typeset(self._names[number]), self._labels[number]
+            wide, x = metrics.horizontalAdvance(name), self.x_of(self._peaks[number])
+            left = min(max(x - wide / 2, area.left()), area.right() - wide)
+            fits = left >= free and area.left() - 1 <= x <= area.right() + 1
+            label.setVisible(fits)
+            if fits:
+                label.setText(name, QColor(ink_of(now, self._inks[number])))
+                label.setPos(self.u_at(left), self._top())
+                free = left + wide + _GAP_PX
 
-    def paint_marks(self, painter: QPainter) -> None:
-        """The function lit up, u, and where u meets the functions."""
-        if self._lit >= 0:
-            self._line(painter, self._lit, 3.5)
-        super().paint_marks(painter)
-        if self._u is None:
+    def _mark(self) -> None:
+        """The function lit up, and where u meets the functions."""
+        if self._bold is None or self.empty:
             return
-        values = self.values_at(self._u)
-        x, now = self.x_of(self._u), tokens()
-        for number in np.flatnonzero(values).tolist():
-            strong = number == self._lit
-            painter.setPen(QPen(colour(now.surface), 1))
-            painter.setBrush(colour(ink_of(now, self._inks[number])))
-            painter.drawEllipse(
-                QPointF(x, self._y(float(values[number]))), *((5, 5) if strong else (3.5, 3.5))
-            )
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        if self._lit >= 0:
-            self._paint_value(painter, x, float(values[self._lit]))
+        lit = self._lit >= 0
+        self._bold.setVisible(lit)
+        if lit:
+            self._bold.setData(*self._line_of(self._lit), pen=self._pen(self._lit, _LIT_PX))
+        values = np.zeros(0) if self.u is None else self.values_at(self.u)
+        there = np.flatnonzero(values).tolist()
+        self._spots.setData(
+            [self.u] * len(there),
+            values[there],
+            brush=[self._brushes[number] for number in there],
+            size=[_LIT_SPOT_PX if number == self._lit else _SPOT_PX for number in there],
+        )
+        self._value.setVisible(lit and self.u is not None)
+        if lit and self.u is not None:
+            self._place_value(self.u, float(values[self._lit]))
 
-    def _paint_value(self, painter: QPainter, x: float, value: float) -> None:
+    def _place_value(self, u: float, value: float) -> None:
         """The value of the function lit up, on the side of u where there is room."""
         text, now, area = number_text(value), tokens(), self.area
-        wide = painter.fontMetrics().horizontalAdvance(text) + 6
-        left = x + 8 if x + 8 + wide <= area.right() else x - 8 - wide
-        top = min(max(self._y(value) - ROW_PX / 2, area.top()), area.bottom() - ROW_PX)
-        box = QRectF(left, top, wide, ROW_PX)
-        painter.fillRect(box, colour(now.surface, 220))
-        painter.setPen(colour(now.text))
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+        wide = QFontMetricsF(self._font()).horizontalAdvance(text) + 2 * _LIT_SPOT_PX
+        self._value.setText(text, QColor(now.text))
+        self._value.fill.setColor(colour(now.surface, 220))
+        self._value.fill.setStyle(Qt.BrushStyle.SolidPattern)
+        right = self.x_of(u) + wide <= area.right()
+        self._value.setAnchor((-0.2 if right else 1.2, 0.5))
+        half = ROW_PX / 2
+        y = min(max(self.y_of(value), area.top() + half), area.bottom() - half)
+        low = self.heights[0]
+        self._value.setPos(u, low + (area.bottom() - y) / area.height() * (self._top() - low))
 
     def function_at(self, place: QPointF) -> int:
         """The function whose line is near a place of the widget; -1 if none is."""
         if self.empty or not self._us[0] <= self.u_at(place.x()) <= self._us[-1]:
             return -1
         values = self.values_at(self.u_at(place.x()))
-        away = np.where(values != 0, np.abs(self._ys(values) - place.y()), np.inf)
+        away = np.where(values != 0, np.abs(self.y_of(values) - place.y()), np.inf)
         nearest = int(away.argmin())
         return nearest if away[nearest] <= _NEAR_PX else -1
 
-    def _point_at(self, number: int) -> None:
+    def _point_at(self, place: QPointF | None) -> None:
+        super()._point_at(place)
+        self._tell_pointed(-1 if place is None else self.function_at(place))
+
+    def _tell_pointed(self, number: int) -> None:
         if number != self._pointed:
             self._pointed = number
             self.highlight(number)
             self.hovered.emit(number)
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Go on asking for u, or point at a function."""
-        super().mouseMoveEvent(event)
-        if not event.buttons():
-            self._point_at(self.function_at(event.position()))
-
-    def leaveEvent(self, event: QEvent) -> None:
-        """Nothing is pointed at any more."""
-        super().leaveEvent(event)
-        self._point_at(-1)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Up and Down light up the next function; Escape none."""
         steps = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}
         if event.key() in steps and not self.empty:
             step, count = steps[Qt.Key(event.key())], len(self._names)
-            self._point_at((self._lit + step) % count if self._lit >= 0 else (0 if step > 0 else count - 1))
+            self._tell_pointed(
+                (self._lit + step) % count if self._lit >= 0 else (0 if step > 0 else count - 1)
+            )
         elif event.key() == Qt.Key.Key_Escape and self._pointed >= 0:
-            self._point_at(-1)
+            self._tell_pointed(-1)
         else:
             super().keyPressEvent(event)
 

@@ -10,7 +10,7 @@ from workbench.language import _
 from workbench.widgets.look.tokens import colour, theme, tokens
 from workbench.widgets.plots.basis_curves import BasisCurves
 from workbench.widgets.plots.knot_bar import KnotBar, Knots
-from workbench.widgets.plots.parameter_plot import Array
+from workbench.widgets.plots.parameter_axis import Array
 from workbench.widgets.plots.weight_bars import WeightBars
 
 
@@ -47,6 +47,7 @@ class BasisPlot(QWidget):
         self.setFocusProxy(self.curves)
         for part in (self.curves, self.knots):
             part.u_dragged.connect(self.u_dragged)
+        self.curves.view_changed.connect(self.knots.set_range)
         for lit in (self.curves, self.weights):
             lit.hovered.connect(self._point_at)
         self.knots.knot_dragged.connect(self.knot_dragged)
@@ -68,6 +69,7 @@ class BasisPlot(QWidget):
         """Show knots (id, u), ascending; none hides the bar. ``movable``: whether they can be dragged."""
         self.knots.set_knots(knots, movable)
         self.knots.setVisible(bool(self.knots.knots))
+        self.curves.set_numbered(self.knots.isHidden())
         self._fit()
 
     def set_weights(
@@ -109,7 +111,6 @@ class BasisPlot(QWidget):
             ends += self.curves.ends
         if ends:
             self.curves.set_range(min(ends), max(ends))
-            self.knots.set_range(min(ends), max(ends))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """The ground of a panel."""

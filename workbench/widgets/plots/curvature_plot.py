@@ -1,26 +1,20 @@
 """The curvature of a curve over its parameter."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QPainter, QPen
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
+from workbench.exchange.tables import Table
 from workbench.language import _
-from workbench.widgets.canvas.polygons import unbroken
-from workbench.widgets.look.tokens import colour, tokens
-from workbench.widgets.plots.parameter_plot import (
-    LEFT_PX,
-    RIGHT_PX,
-    ROW_PX,
-    Array,
-    ParameterPlot,
-    number_text,
-    same,
-    tick_text,
-    ticks,
-)
+from workbench.widgets.look.tokens import tokens
+from workbench.widgets.plots.parameter_axis import Array, number_text, same
+from workbench.widgets.plots.parameter_plot import ParameterPlot
+from workbench.widgets.plots.plot import pen_of
+from workbench.widgets.plots.scrubbed_plot import LINE_PX
 
 _USUAL = 98
 _ROOM = 1.25
@@ -34,18 +28,30 @@ class CurvaturePlot(ParameterPlot):
         self._curvature: Array = np.zeros(0)
         self._joints: tuple[float, ...] = ()
         self._inflections: tuple[float, ...] = ()
-        self._limit = 1.0
+        self._limit_height = 1.0
         self._beyond = False
+        self._line: Any = None
+        self._zero: Any = None
+        self._joint_lines: Any = None
+        self._rings: Any = None
         super().__init__(_("Curvature"), parent)
         self.setToolTip(_("Curvature along the curve; drag to move u. Joints are dashed, inflections ringed"))
         self.setMinimumSize(160, 84)
 
     def set_curvature(
-        self, us: Array, values: Array, joints: Sequence[float] = (), inflections: Sequence[float] = ()
+        self,
+        us: Array,
+        values: Array,
+        joints: Sequence[float] = (),
+        inflections: Sequence[float] = (),
+        whole: tuple[float, float] | None = None,
     ) -> None:
         """Plot ``values`` (m,) in 1/px over ``us`` (m,) ascending; nan leaves a gap. A joint stands twice in
         ``us`` where the curvature jumps. ``joints`` and ``inflections`` are parameters. Kept, not copied.
+        The axis is that of ``us``, or ``whole``.
         """
+        if len(us) > 1:
+            self.set_range(*(whole or (float(us[0]), float(us[-1]))))
         marks = tuple(map(float, joints)), tuple(map(float, inflections))
         if (
             same(us, self._us)
@@ -59,10 +65,8 @@ class CurvaturePlot(ParameterPlot):
         usual = float(np.percentile(known, _USUAL)) * _ROOM if len(known) else 0.0
         greatest = float(known.max()) if len(known) else 0.0
         # One cusp must not make a line of all the rest.
-        self._limit = (greatest if greatest <= 2 * usual else usual) or 1.0
-        self._beyond = (bool(len(known)) and greatest > self._limit) or bool(np.isinf(values).any())
-        if len(us) > 1:
-            self.set_range(float(us[0]), float(us[-1]))
+        self._limit_height = (greatest if greatest <= 2 * usual else usual) or 1.0
+        self._beyond = (bool(len(known)) and greatest > self._limit_height) or bool(np.isinf(values).any())
         self.show_anew()
 
     @property
@@ -75,6 +79,11 @@ class CurvaturePlot(ParameterPlot):
         """What is said instead."""
         return _("Select a curve: its curvature is plotted here.")
 
+    @property
+    def heights(self) -> tuple[float, float]:
+        """As far to both sides of 0."""
+        return -self._limit_height, self._limit_height
+
     def curvature_at(self, u: float) -> float:
         """The curvature at u, between the given ones; nan where there is none."""
         return float(np.interp(u, self._us, self._curvature))
@@ -82,9 +91,9 @@ class CurvaturePlot(ParameterPlot):
     @property
     def reading(self) -> str:
         """u, the curvature there and its radius."""
-        if self.empty or self._u is None:
+        if self.empty or self.u is None:
             return super().reading
-        bent = self.curvature_at(self._u)
+        bent = self.curvature_at(self.u)
         if not np.isfinite(bent):
             return _("{u}: no curvature here").format(u=super().reading)
         radius = number_text(1 / abs(bent)) + " px" if bent else _("infinite")
@@ -98,61 +107,53 @@ class CurvaturePlot(ParameterPlot):
         said = self.reading or _("Curvature (1/px)")
         return _("{what}; peaks are cut off").format(what=said) if self._beyond else said
 
+    def numbers(self) -> Table | None:
+        """The parameter and the curvature there."""
+        if self.empty:
+            return None
+        rows = [(f"{u:.6g}", f"{value:.6g}") for u, value in zip(self._us, self._curvature, strict=True)]
+        return Table(("u", _("curvature (1/px)")), rows, formulas=False)
+
     def sizeHint(self) -> QSize:
         """A thin plot."""
         return QSize(420, 110)
 
-    @property
-    def area(self) -> QRectF:
-        """Room for the reading above and numbers below."""
-        return super().area.adjusted(0, ROW_PX, 0, -ROW_PX + 4)
+    def _begin(self) -> None:
+        import pyqtgraph
 
-    def _ys(self, values: Array) -> Array:
-        area = self.area
-        placed: Array = area.center().y() - np.clip(values / self._limit, -1, 1) * area.height() / 2
-        return placed
+        super()._begin()
+        self._zero = pyqtgraph.InfiniteLine(0, angle=0)
+        self._joint_lines = pyqtgraph.PlotCurveItem(connect="pairs")
+        self._line = pyqtgraph.PlotCurveItem(connect="finite", antialias=True)
+        self._rings = pyqtgraph.ScatterPlotItem(size=8)
+        for item in (self._zero, self._joint_lines, self._line, self._rings):
+            self._plot.addItem(item, ignoreBounds=True)
 
-    def paint_kept(self, painter: QPainter) -> None:
-        """Axes, joints, the line, inflections."""
-        now, area = tokens(), self.area
-        self.paint_axis(painter)
-        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        for level in ticks(-self._limit, self._limit, max(2, int(area.height() / 22))):
-            y = round(float(self._ys(np.array(level)))) + 0.5
-            painter.setPen(QPen(colour(now.muted if level == 0 else now.grid), 1))
-            painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
-            painter.setPen(colour(now.muted))
-            painter.drawText(QRectF(0, y - ROW_PX / 2, LEFT_PX - 5, ROW_PX), flags, tick_text(level))
-        for u in self.tick_values():
-            box = QRectF(self.x_of(u) - 30, area.bottom() + 1, 60, ROW_PX)
-            painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, tick_text(u))
-        painter.setPen(QPen(colour(now.field_edge), 1, Qt.PenStyle.DashLine))
-        for u in self._joints:
-            painter.drawLine(QPointF(self.x_of(u), area.top()), QPointF(self.x_of(u), area.bottom()))
-        painter.setPen(QPen(colour(now.data[0]), 1.6))
-        low, high = self.range
-        x = area.left() + (self._us - low) / (high - low) * area.width()
-        bounded = np.nan_to_num(self._curvature, nan=np.nan, posinf=2 * self._limit, neginf=-2 * self._limit)
-        for line in unbroken(x, self._ys(bounded)):
-            painter.drawPolyline(line)
-        painter.setPen(QPen(colour(now.text), 1.5))
-        painter.setBrush(colour(now.surface))
-        for u in self._inflections:
-            painter.drawEllipse(QPointF(self.x_of(u), float(self._ys(np.array(0.0)))), 4, 4)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-
-    def paint_marks(self, painter: QPainter) -> None:
-        """u, with the curvature there in words and as a spot."""
-        super().paint_marks(painter)
+    def _restyle(self) -> None:
         now = tokens()
-        said = self.heading
-        painter.setPen(colour(now.muted))
-        box = QRectF(6, 0, self.width() - 6 - RIGHT_PX, ROW_PX + 2)
-        said = painter.fontMetrics().elidedText(said, Qt.TextElideMode.ElideRight, int(box.width()))
-        painter.drawText(box, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, said)
-        if self._u is not None and np.isfinite(self.curvature_at(self._u)):
-            painter.setPen(QPen(colour(now.surface), 1))
-            painter.setBrush(colour(now.data[0]))
-            y = float(self._ys(np.array(self.curvature_at(self._u))))
-            painter.drawEllipse(QPointF(self.x_of(self._u), y), 4, 4)
-            painter.setBrush(Qt.BrushStyle.NoBrush)
+        self._zero.setPen(pen_of(now.muted))
+        self._joint_lines.setPen(pen_of(now.field_edge, 0, Qt.PenStyle.DashLine))
+        self._line.setPen(pen_of(now.data[0], LINE_PX))
+        self._rings.setPen(pen_of(now.text, 1.5))
+        self._rings.setBrush(QColor(now.surface))
+        self._spots.setPen(pen_of(now.surface, 1))
+        self._spots.setBrush(QColor(now.data[0]))
+        super()._restyle()
+
+    def _bounded(self, values: Array) -> Array:
+        """Within the heights; what is not a number stays none."""
+        bounded: Array = np.clip(values, *self.heights)
+        return bounded
+
+    def _draw(self) -> None:
+        super()._draw()
+        self._line.setData(self._us, self._bounded(self._curvature))
+        joints = np.repeat(np.array(self._joints), 2)
+        self._joint_lines.setData(joints, np.tile(np.array(self.heights), len(self._joints)))
+        self._rings.setData(np.array(self._inflections), np.zeros(len(self._inflections)))
+
+    def _mark(self) -> None:
+        if self._spots is None:
+            return
+        here = [] if self.empty or self.u is None else [(self.u, self.curvature_at(self.u))]
+        self._spots.setData(pos=[(u, self._bounded(np.array(bent))) for u, bent in here if np.isfinite(bent)])

@@ -1,31 +1,39 @@
 """The hodograph: the first derivative of a curve as a curve of its own."""
 
+from typing import Any
+
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QPainter, QPen
+from PySide6.QtCore import QPointF, QRectF, QSize
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
+from workbench.exchange.tables import Table
 from workbench.language import _
-from workbench.widgets.canvas.polygons import unbroken
-from workbench.widgets.look.tokens import colour, tokens
-from workbench.widgets.plots.parameter_plot import ROW_PX, Array, ParameterPlot, number_text, same, ticks
+from workbench.widgets.look.tokens import tokens
+from workbench.widgets.plots.parameter_axis import LEFT_PX, RIGHT_PX, ROW_PX, Array, number_text, same
+from workbench.widgets.plots.plot import pen_of
+from workbench.widgets.plots.scrubbed_plot import LINE_PX, ScrubbedPlot
 
 _ROOM = 1.1
-_TICKS_PX = 48
 _GRAB_PX = 8
+_SPOT_PX = 10
 
 
-class HodographPlot(ParameterPlot):
+class HodographPlot(ScrubbedPlot):
     """Its axes have one scale, their origin is marked; an arrow from there is the derivative at u.
 
     ``u_dragged`` sends the u of the place of the hodograph nearest to the pointer.
     """
 
+    marked_by_line = False
+
     def __init__(self, parent: QWidget | None = None) -> None:
         self._us: Array = np.zeros(0)
         self._points: Array = np.zeros((0, 2))
-        self._centre = (0.0, 0.0)
-        self._reach = (1.0, 1.0)
+        self._box = QRectF(-0.5, -0.5, 1.0, 1.0)
+        self._line: Any = None
+        self._arrow: Any = None
+        self._axes: list[Any] = []
         super().__init__(_("Hodograph"), parent)
         self.setToolTip(_("The first derivative as a curve; drag along it to move u"))
         self.setMinimumSize(140, 110)
@@ -39,10 +47,10 @@ class HodographPlot(ParameterPlot):
         self._us, self._points = us, points
         seen = np.vstack([points[np.isfinite(points).all(axis=1)], np.zeros((1, 2))])
         low, high = seen.min(axis=0), seen.max(axis=0)
-        self._centre = tuple(((low + high) / 2).tolist())
-        self._reach = tuple(np.maximum((high - low) * _ROOM, 1e-9).tolist())
+        reach = np.maximum((high - low) * _ROOM, 1e-9)
+        self._box = QRectF(*((low + high - reach) / 2).tolist(), *reach.tolist())
         if len(us) > 1:
-            self.set_range(float(us[0]), float(us[-1]))
+            self._whole = float(us[0]), float(us[-1])
         self.show_anew()
 
     @property
@@ -63,43 +71,76 @@ class HodographPlot(ParameterPlot):
     @property
     def reading(self) -> str:
         """u and the derivative there."""
-        if self.empty or self._u is None:
+        if self.empty or self.u is None:
             return super().reading
-        x, y = self.derivative_at(self._u)
+        x, y = self.derivative_at(self.u)
         return _("{u}: ({x}, {y}), speed {speed} px per unit of u").format(
             u=super().reading, x=number_text(x), y=number_text(y), speed=number_text(float(np.hypot(x, y)))
         )
+
+    @property
+    def heading(self) -> str:
+        """The reading, or the unit."""
+        return self.reading or _("First derivative (px per unit of u)")
+
+    def numbers(self) -> Table | None:
+        """The parameter and the derivative there."""
+        if self.empty:
+            return None
+        rows = [
+            (f"{u:.6g}", f"{x:.6g}", f"{y:.6g}")
+            for u, (x, y) in zip(self._us.tolist(), self._points.tolist(), strict=True)
+        ]
+        return Table(("u", "x'", "y'"), rows, formulas=False)
 
     def sizeHint(self) -> QSize:
         """About a square."""
         return QSize(220, 200)
 
+    # Places
+
     @property
     def area(self) -> QRectF:
-        """All but a line of words above."""
-        return QRectF(self.rect()).adjusted(6, ROW_PX + 4, -6, -6)
+        """All but the words above and the numbers of the axes."""
+        return QRectF(
+            LEFT_PX,
+            self.head_px,
+            max(1.0, self.width() - LEFT_PX - RIGHT_PX),
+            max(1.0, self.height() - self.head_px - ROW_PX),
+        )
+
+    @property
+    def _seen(self) -> QRectF:
+        """The derivatives in sight; y upwards."""
+        if self._plot is not None:
+            seen: QRectF = self._plot.getPlotItem().vb.viewRect()
+            return seen
+        scale = min(self.area.width() / self._box.width(), self.area.height() / self._box.height())
+        seen = QRectF(0, 0, self.area.width() / scale, self.area.height() / scale)
+        seen.moveCenter(self._box.center())
+        return seen
 
     @property
     def scale(self) -> float:
         """Logical pixels for one px per unit of u, the same on both axes."""
-        return min(self.area.width() / self._reach[0], self.area.height() / self._reach[1])
+        return self.area.width() / self._seen.width()
 
     def place_of(self, x: float, y: float) -> QPointF:
-        """Where a derivative is painted."""
-        middle, scale = self.area.center(), self.scale
-        return QPointF(middle.x() + (x - self._centre[0]) * scale, middle.y() - (y - self._centre[1]) * scale)
+        """Where a derivative is painted, in logical pixels of the widget."""
+        middle, scale, centre = self.area.center(), self.scale, self._seen.center()
+        return QPointF(middle.x() + (x - centre.x()) * scale, middle.y() - (y - centre.y()) * scale)
 
     def over_u(self, place: QPointF) -> bool:
         """Whether a place of the widget is over the tip of the arrow."""
-        if self._u is None or self.empty:
+        if self.u is None or self.empty:
             return False
-        return (self.place_of(*self.derivative_at(self._u)) - place).manhattanLength() <= _GRAB_PX
+        return (self.place_of(*self.derivative_at(self.u)) - place).manhattanLength() <= _GRAB_PX
 
     def u_under(self, place: QPointF) -> float:
         """The parameter of the nearest place of the hodograph."""
-        middle, scale = self.area.center(), self.scale
-        x = self._centre[0] + (place.x() - middle.x()) / scale
-        y = self._centre[1] - (place.y() - middle.y()) / scale
+        middle, scale, centre = self.area.center(), self.scale, self._seen.center()
+        x = centre.x() + (place.x() - middle.x()) / scale
+        y = centre.y() - (place.y() - middle.y()) / scale
         start, leg = self._points[:-1], np.diff(self._points, axis=0)
         length = np.maximum((leg**2).sum(axis=1), 1e-300)
         share = np.clip((((x, y) - start) * leg).sum(axis=1) / length, 0, 1)
@@ -107,54 +148,49 @@ class HodographPlot(ParameterPlot):
         nearest = int(np.where(np.isfinite(away), away, np.inf).argmin())
         return float(self._us[nearest] + share[nearest] * (self._us[nearest + 1] - self._us[nearest]))
 
-    def paint_kept(self, painter: QPainter) -> None:
-        """Grid, axes through the origin, the curve, its first end ringed."""
-        now, area = tokens(), self.area
-        painter.setClipRect(area)
-        half = area.width() / 2 / self.scale, area.height() / 2 / self.scale
-        count = max(2, int(min(area.width(), area.height()) / _TICKS_PX))
-        span = min(half)
-        steps = ticks(-span, span, count)
-        step = steps[1] - steps[0] if len(steps) > 1 else span
-        for axis, reach in enumerate(half):
-            middle = self._centre[axis]
-            for k in range(int(np.ceil((middle - reach) / step)), int((middle + reach) // step) + 1):
-                place = self.place_of(k * step, k * step)
-                painter.setPen(QPen(colour(now.muted if k == 0 else now.grid), 1))
-                if axis == 0:
-                    x = round(place.x()) + 0.5
-                    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
-                else:
-                    y = round(place.y()) + 0.5
-                    painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
-        painter.setPen(QPen(colour(now.data[0]), 1.6))
-        centre, scale = area.center(), self.scale
-        xs = centre.x() + (self._points[:, 0] - self._centre[0]) * scale
-        ys = centre.y() - (self._points[:, 1] - self._centre[1]) * scale
-        for line in unbroken(xs, ys):
-            painter.drawPolyline(line)
-        painter.setClipping(False)
-        self._paint_unit(painter, step)
+    # Drawing
 
-    def _paint_unit(self, painter: QPainter, step: float) -> None:
-        painter.setPen(colour(tokens().muted))
-        text = _("grid: {step} px per unit of u").format(step=number_text(step))
-        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
-        painter.drawText(self.area.adjusted(4, 0, -2, -1), flags, text)
+    def show_all(self) -> None:
+        """Undo every zoom."""
+        if self._plot is not None:
+            self._plot.setRange(self._box, padding=0)
 
-    def paint_u(self, painter: QPainter, u: float) -> None:
-        """An arrow from the origin to the derivative at u, and the reading."""
+    def _begin(self) -> None:
+        import pyqtgraph
+
+        super()._begin()
+        self._plot.setAspectLocked(True)
+        self._plot.setMouseEnabled(x=True, y=True)
+        self._plot.getAxis("left").setWidth(LEFT_PX)
+        self._plot.getAxis("bottom").setHeight(ROW_PX)
+        self._plot.showGrid(x=True, y=True, alpha=0.6)
+        for side in ("left", "bottom"):
+            self._plot.getAxis(side).setStyle(maxTickLevel=0)
+        self._axes = [pyqtgraph.InfiniteLine(0, angle=angle) for angle in (0, 90)]
+        self._line = pyqtgraph.PlotCurveItem(connect="finite", antialias=True)
+        self._arrow = pyqtgraph.PlotCurveItem(antialias=True)
+        self._spots.setSize(_SPOT_PX)
+        for item in (*self._axes, self._line, self._arrow):
+            self._plot.addItem(item, ignoreBounds=True)
+
+    def _restyle(self) -> None:
         now = tokens()
-        x, y = self.derivative_at(u)
-        if np.isfinite(x) and np.isfinite(y):
-            tip, origin = self.place_of(x, y), self.place_of(0.0, 0.0)
-            painter.setPen(QPen(colour(now.text), 1.5))
-            painter.drawLine(origin, tip)
-            painter.setPen(QPen(colour(now.surface), 1.5))
-            painter.setBrush(colour(now.text))
-            painter.drawEllipse(tip, 5, 5)
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(colour(now.muted))
-        box = QRectF(6, 0, self.width() - 12, ROW_PX + 2)
-        said = painter.fontMetrics().elidedText(self.reading, Qt.TextElideMode.ElideRight, int(box.width()))
-        painter.drawText(box, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, said)
+        for axis in self._axes:
+            axis.setPen(pen_of(now.muted))
+        self._line.setPen(pen_of(now.data[0], LINE_PX))
+        self._arrow.setPen(pen_of(now.text, LINE_PX))
+        self._spots.setPen(pen_of(now.surface, 1.5))
+        self._spots.setBrush(QColor(now.text))
+        super()._restyle()
+
+    def _draw(self) -> None:
+        self._line.setData(*self._points.T)
+        self.show_all()
+
+    def _mark(self) -> None:
+        if self._spots is None:
+            return
+        tip = np.full(2, np.nan) if self.empty or self.u is None else np.array(self.derivative_at(self.u))
+        there = np.array([[0.0, 0.0], tip]) if np.isfinite(tip).all() else np.zeros((0, 2))
+        self._arrow.setData(*there.T)
+        self._spots.setData(pos=there[1:])

@@ -1,136 +1,84 @@
-"""What plots over a curve's parameter share: one axis, and a marker at u that can be dragged."""
+"""A plot over a curve's parameter, on the axis that those above and below it have too."""
 
-import math
-from collections.abc import Iterable
+from typing import Any, overload
 
-import numpy as np
-from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QAccessible,
-    QAccessibleEvent,
-    QFocusEvent,
-    QFont,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QPixmap,
+from PySide6.QtCore import QPointF, QRectF, Signal
+from PySide6.QtGui import QColor, QPen
+from PySide6.QtWidgets import QWidget
+
+from workbench.widgets.look.tokens import tokens
+from workbench.widgets.plots.parameter_axis import (
+    GRAB_PX,
+    LEFT_PX,
+    RIGHT_PX,
+    ROW_PX,
+    TICKS_PX,
+    Array,
+    tick_text,
+    ticks,
 )
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from workbench.widgets.plots.plot import pen_of
+from workbench.widgets.plots.scrubbed_plot import ScrubbedPlot
 
-from workbench.language import _
-from workbench.widgets.look.tokens import CAPTION_PX, colour, theme, tokens
-
-Array = NDArray[np.float64]
-
-# The same in every plot, so that those above one another stand on one axis.
-LEFT_PX, RIGHT_PX = 40, 16
-ROW_PX = CAPTION_PX + 5
-_TICKS_PX = 60
-_NUDGES = 100
-_GRAB_PX = 6
-_EDGE = 1e-6
+_LEVELS_PX = 22
+_FOOT_PX = 5
 
 
-def number_text(value: float, digits: int = 3) -> str:
-    """A number to about so many digits, with a real minus sign; an en dash where there is none."""
-    if math.isnan(value):
-        return "\N{EN DASH}"
-    if math.isinf(value):
-        said = "\N{INFINITY}" if value > 0 else "-\N{INFINITY}"
-    elif value and not 1e-4 <= abs(value) < 1e6:
-        said = f"{value:.{max(digits - 2, 0)}e}".replace("e-0", "e-").replace("e+0", "e").replace("e+", "e")
-    else:
-        before = math.floor(math.log10(abs(value))) + 1 if value else 1
-        said = f"{value + 0.0:.{max(digits - before, 0)}f}"
-        said = said.rstrip("0").rstrip(".") if "." in said else said
-    return said.replace("-", "\N{MINUS SIGN}")
+class ParameterPlot(ScrubbedPlot):
+    """Its horizontal axis is u. ``view_changed`` sends the least and the greatest u in sight.
 
-
-def same(one: Array, other: Array) -> bool:
-    """Whether two arrays hold the same; nan is the same as nan."""
-    return one is other or np.array_equal(one, other, equal_nan=True)
-
-
-def tick_text(value: float) -> str:
-    """A round number on an axis."""
-    return number_text(value, 6)
-
-
-def ticks(low: float, high: float, most: int) -> list[float]:
-    """At most ``most`` round numbers from low to high, 1, 2 or 5 times a power of ten apart."""
-    if not high > low:
-        return [low]
-    power = 10.0 ** math.floor(math.log10((high - low) / max(most, 1)))
-    places = range(0)
-    step = power
-    for factor in (1, 2, 5, 10, 20):
-        step = factor * power
-        places = range(math.ceil(low / step - _EDGE), math.floor(high / step + _EDGE) + 1)
-        if len(places) <= most:
-            break
-    return [k * step for k in places]
-
-
-class ParameterPlot(QWidget):
-    """A plot whose horizontal axis is the parameter u. ``u_dragged`` sends the u that a hand asks for.
-
-    A press or a drag asks for the u under the pointer; so do arrows (Shift: ten times as far), Home and End.
-    The u shown changes only by ``set_u``. What does not move with u is painted once and kept.
+    Its range of heights is fixed by what is plotted, with ``over_px`` free above: only u is zoomed and moved.
     """
 
-    u_dragged = Signal(float)
+    view_changed = Signal(float, float)
+    over_px = 0
 
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setAccessibleName(name)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self.setMouseTracking(True)
-        self._range = (0.0, 1.0)
-        self._domain: tuple[float, float] | None = None
-        self._u: float | None = None
-        self._scrubbing = False
-        self._kept: QPixmap | None = None
-        theme.changed.connect(self.show_anew)
-
-    # What is shown
+        self._view = (0.0, 1.0)
+        self._numbered = True
+        self._shades: list[Any] = []
+        self._grid: Any = None
+        self._ruled: object = None
+        super().__init__(name, parent)
 
     @property
-    def empty(self) -> bool:
-        """Whether there is nothing to plot."""
-        return True
+    def heights(self) -> tuple[float, float]:
+        """The least and the greatest height plotted."""
+        return 0.0, 1.0
 
     @property
-    def words(self) -> str:
-        """What is said while there is nothing to plot."""
-        return ""
-
-    @property
-    def reading(self) -> str:
-        """What a screen reader says of it now."""
-        if self.empty:
-            return self.words
-        return "" if self._u is None else _("u = {u}").format(u=number_text(self._u, 4))
+    def whole(self) -> tuple[float, float]:
+        """The least and the greatest parameter there is to see."""
+        return self._whole
 
     @property
     def range(self) -> tuple[float, float]:
-        """The least and the greatest parameter shown."""
-        return self._range
+        """The least and the greatest parameter in sight."""
+        return self._view
 
     def set_range(self, low: float, high: float) -> None:
-        """Show the parameter from low to high."""
-        wanted = (low, high) if high > low else (low - 0.5, low + 0.5)
-        if wanted != self._range:
-            self._range = wanted
-            self.show_anew()
+        """There is something to see from low to high: show all of it, unless this is known."""
+        whole = (low, high) if high > low else (low - 0.5, low + 0.5)
+        if whole != self._whole:
+            self._whole = whole
+            if self._plot is not None:
+                self._limit()
+            self.show_all()
 
-    @property
-    def domain(self) -> tuple[float, float]:
-        """Where the curve is; u stays in it."""
-        return self._range if self._domain is None else self._domain
+    def show_view(self, low: float, high: float) -> None:
+        """Bring the parameters from low to high into sight, as far as there is something to see."""
+        least, greatest = self._whole
+        view = max(low, least), min(high, greatest)
+        if view == self._view or not view[1] > view[0]:
+            return
+        if self._plot is None:
+            self._see(view)
+        else:
+            self._plot.setXRange(*view, padding=0)
+
+    def show_all(self) -> None:
+        """Undo every zoom."""
+        self.show_view(*self._whole)
 
     def set_domain(self, domain: tuple[float, float] | None) -> None:
         """Where the curve is, when that is less than what is shown; what lies beyond is shaded."""
@@ -138,193 +86,118 @@ class ParameterPlot(QWidget):
             self._domain = domain
             self.show_anew()
 
-    @property
-    def u(self) -> float | None:
-        """The marked parameter."""
-        return self._u
+    def set_numbered(self, numbered: bool) -> None:
+        """Whether the axis has its numbers, when nothing below says them."""
+        if numbered != self._numbered:
+            self._numbered = numbered
+            self.show_anew()
 
-    def set_u(self, u: float | None) -> None:
-        """Mark a parameter; None marks none."""
-        if u != self._u:
-            self._u = u
-            self.tell()
-            self.update()
+    def _limit(self) -> None:
+        low, high = self._whole
+        self._plot.setLimits(xMin=low, xMax=high)
 
-    def show_anew(self) -> None:
-        """What is kept has changed: paint it anew."""
-        self._kept = None
-        self.tell()
-        self.update()
-
-    def tell(self) -> None:
-        """Tell a screen reader what changed, when it is the one listened to."""
-        if self.accessibleDescription() != self.reading:
-            self.setAccessibleDescription(self.reading)
-            if self.hasFocus():
-                QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.DescriptionChanged))
+    def _see(self, view: tuple[float, float]) -> None:
+        if view != self._view:
+            self._view = view
+            self.show_anew()
+            self.view_changed.emit(*view)
 
     # Places
 
     @property
     def area(self) -> QRectF:
         """Where the plot lies in the widget, in logical pixels."""
-        return QRectF(LEFT_PX, 6, max(1.0, self.width() - LEFT_PX - RIGHT_PX), max(1.0, self.height() - 12))
+        foot = ROW_PX if self._numbered else _FOOT_PX
+        return QRectF(
+            LEFT_PX,
+            self.head_px,
+            max(1.0, self.width() - LEFT_PX - RIGHT_PX),
+            max(1.0, self.height() - self.head_px - foot),
+        )
 
     def x_of(self, u: float) -> float:
         """The place of a parameter, in logical pixels of the widget."""
-        low, high = self._range
+        low, high = self._view
         return self.area.left() + (u - low) / (high - low) * self.area.width()
 
     def u_at(self, x: float) -> float:
         """The parameter at a place of the widget, wherever it lies."""
-        low, high = self._range
+        low, high = self._view
         return low + (x - self.area.left()) / self.area.width() * (high - low)
 
+    def _top(self) -> float:
+        """The height at the upper edge: that of ``over_px`` above the greatest."""
+        low, high = self.heights
+        tall = self.area.height()
+        return low + (high - low) * tall / max(tall - self.over_px, 1.0)
+
+    @overload
+    def y_of(self, height: float) -> float: ...
+    @overload
+    def y_of(self, height: Array) -> Array: ...
+    def y_of(self, height: float | Array) -> float | Array:
+        """The places of heights, in logical pixels of the widget."""
+        low = self.heights[0]
+        return self.area.bottom() - (height - low) / (self._top() - low) * self.area.height()
+
     def u_under(self, place: QPointF) -> float:
-        """The parameter that a place of the widget asks for."""
+        """The parameter at the pointer."""
         return self.u_at(place.x())
 
     def over_u(self, place: QPointF) -> bool:
-        """Whether a place of the widget is over the marker at u."""
-        return self._u is not None and not self.empty and abs(place.x() - self.x_of(self._u)) <= _GRAB_PX
+        """Whether a place of the widget is over the line at u."""
+        return self.u is not None and not self.empty and abs(place.x() - self.x_of(self.u)) <= GRAB_PX
 
-    # The hand
+    # Drawing
 
-    def ask(self, u: float) -> None:
-        """Ask for a parameter, as far as the curve goes."""
-        low, high = self.domain
-        wanted = min(max(u, low), high)
-        if wanted != self._u:
-            self.u_dragged.emit(wanted)
+    def _begin(self) -> None:
+        import pyqtgraph
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Ask for the u under the pointer."""
-        if event.button() == Qt.MouseButton.LeftButton and not self.empty:
-            self._scrubbing = True
-            self.ask(self.u_under(event.position()))
+        super()._begin()
+        self._plot.getAxis("left").setWidth(LEFT_PX)
+        self._plot.showGrid(x=False, y=False)
+        self._grid = pyqtgraph.PlotCurveItem(connect="pairs")  # the axes' own is drawn anew with every line
+        self._grid.setZValue(-2)
+        self._plot.addItem(self._grid, ignoreBounds=True)
+        self._shades = [pyqtgraph.LinearRegionItem(movable=False) for _side in range(2)]
+        for shade in self._shades:
+            shade.setZValue(-1)
+            self._plot.addItem(shade, ignoreBounds=True)
+        self._limit()
+        self._plot.setXRange(*self._view, padding=0)
+        self._plot.getPlotItem().vb.sigXRangeChanged.connect(lambda _box, view: self._see(tuple(view)))
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Go on asking; over the marker the pointer shows that it can be dragged."""
-        if self._scrubbing:
-            self.ask(self.u_under(event.position()))
-        elif not event.buttons():
-            shapes = Qt.CursorShape
-            self.setCursor(shapes.SizeHorCursor if self.over_u(event.position()) else shapes.ArrowCursor)
+    def _restyle(self) -> None:
+        self._ruled = None
+        self._grid.setPen(pen_of(tokens().grid))
+        shade = QColor(tokens().grid)
+        shade.setAlpha(140)
+        for region in self._shades:
+            region.setBrush(shade)
+            for line in region.lines:
+                line.setPen(QPen(QColor(0, 0, 0, 0)))
+        super()._restyle()
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Ask no more."""
-        self._scrubbing = False
+    def _draw(self) -> None:
+        """Range, ticks and shades, unless they are those."""
+        ruled = self._view, self._whole, self.domain, self.heights, self._numbered, self.size()
+        if ruled != self._ruled:
+            self._ruled = ruled
+            self._rule()
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Arrows, Home and End move u."""
-        low, high = self.domain
-        far = (high - low) / _NUDGES * (10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1)
-        here = low if self._u is None else self._u
-        places = {
-            Qt.Key.Key_Left: here - far,
-            Qt.Key.Key_Right: here + far,
-            Qt.Key.Key_Home: low,
-            Qt.Key.Key_End: high,
-        }
-        if self.empty or event.key() not in places:
-            super().keyPressEvent(event)
-        else:
-            self.ask(places[Qt.Key(event.key())])
-
-    # Painting
-
-    def sizeHint(self) -> QSize:
-        """A thin plot."""
-        return QSize(360, 120)
-
-    def paint_kept(self, painter: QPainter) -> None:
-        """Paint what does not move with u."""
-
-    def paint_marks(self, painter: QPainter) -> None:
-        """Paint what lies over it; the marker at u."""
-        if self._u is not None:
-            self.paint_u(painter, self._u)
-
-    def paint_u(self, painter: QPainter, u: float) -> None:
-        """The marker: a line with a grip at its head, and u beside it."""
-        now, area = tokens(), self.area
-        x = self.x_of(u)
-        painter.setPen(QPen(colour(now.text), 1.5))
-        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
-        painter.setPen(QPen(colour(now.surface), 1.5))
-        painter.setBrush(colour(now.text))
-        painter.drawPolygon(
-            [QPointF(x - 5.5, area.top() - 4), QPointF(x + 5.5, area.top() - 4), QPointF(x, area.top() + 6)]
-        )
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-
-    def paint_axis(self, painter: QPainter) -> None:
-        """Grid lines at round parameters, and a shade beyond the domain."""
-        now, area = tokens(), self.area
-        low, high = self._range
-        painter.setPen(QPen(colour(now.grid), 1))
-        painter.drawLines([QLineF(x, area.top(), x, area.bottom()) for x in self.tick_places()])
-        for start, end in ((low, self.domain[0]), (self.domain[1], high)):
-            if end > start:
-                box = QRectF(self.x_of(start), area.top(), self.x_of(end) - self.x_of(start), area.height())
-                painter.fillRect(box, colour(now.grid, 140))
-
-    def tick_places(self) -> Iterable[float]:
-        """Where the round parameters are, on whole pixels."""
-        return [round(self.x_of(u)) + 0.5 for u in self.tick_values()]
-
-    def tick_values(self) -> list[float]:
-        """The round parameters on the axis."""
-        return ticks(*self._range, max(2, int(self.area.width() // _TICKS_PX)))
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        """What is kept, then what moves."""
-        ratio = self.devicePixelRatioF()
-        size = self.size() * ratio
-        if self._kept is None or self._kept.size() != size:
-            self._kept = QPixmap(size)
-            self._kept.setDevicePixelRatio(ratio)
-            self._kept.fill(colour(tokens().surface))
-            painter = QPainter(self._kept)
-            self._prepare(painter)
-            if self.empty:
-                self._say(painter)
-            else:
-                self.paint_kept(painter)
-            painter.end()
-        painter = QPainter(self)
-        painter.drawPixmap(0, 0, self._kept)
-        self._prepare(painter)
-        if not self.empty:
-            self.paint_marks(painter)
-        if self.hasFocus():
-            painter.setPen(QPen(colour(tokens().accent), 2))
-            painter.drawRect(QRectF(self.rect()).adjusted(1, 1, -1, -1))
-        painter.end()
-
-    def _prepare(self, painter: QPainter) -> None:
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        font = QFont(self.font())
-        font.setPixelSize(CAPTION_PX)
-        painter.setFont(font)
-
-    def _say(self, painter: QPainter) -> None:
-        painter.setPen(colour(tokens().muted))
-        flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-        painter.drawText(QRectF(self.rect()).adjusted(12, 4, -12, -4), flags, self.words)
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        """The focus ring appears."""
-        super().focusInEvent(event)
-        self.update()
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        """The focus ring goes."""
-        super().focusOutEvent(event)
-        self.update()
-
-    def changeEvent(self, event: QEvent) -> None:
-        """Another font."""
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self.show_anew()
+    def _rule(self) -> None:
+        (low, high), top = self.heights, self._top()
+        self._plot.setYRange(low, top, padding=0)
+        bottom = self._plot.getAxis("bottom")
+        bottom.setStyle(showValues=self._numbered)
+        bottom.setHeight(ROW_PX if self._numbered else _FOOT_PX)
+        rounds = ticks(*self._view, max(2, int(self.area.width() // TICKS_PX)))
+        levels = ticks(low, high, max(2, int(self.area.height() / _LEVELS_PX)))
+        for side, places in (("bottom", rounds), ("left", levels)):
+            self._plot.getAxis(side).setTicks([[(place, tick_text(place)) for place in places]])
+        ends = [x for place in rounds for x in (place, place)] + [*self._view] * len(levels)
+        self._grid.setData(ends, [low, top] * len(rounds) + [y for level in levels for y in (level, level)])
+        sides = (self._whole[0], self.domain[0]), (self.domain[1], self._whole[1])
+        for shade, (start, end) in zip(self._shades, sides, strict=True):
+            shade.setVisible(end > start)
+            shade.setRegion((start, end))

@@ -3,7 +3,7 @@
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
@@ -28,6 +28,13 @@ _ZOOM = 0.8
 _AXIS_PX = 48
 _GRID = 0.45
 _STEPS_TEN = 10
+
+
+def pen_of(ink: QColor | str, width: float = 0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
+    """A pen whose width is in pixels at every zoom; 0 is one pixel."""
+    pen = QPen(QColor(ink), width, style)
+    pen.setCosmetic(True)
+    return pen
 
 
 class Plot(QWidget):
@@ -73,6 +80,11 @@ class Plot(QWidget):
         """The least and the greatest x that can be chosen; None where there is none."""
         return None
 
+    @property
+    def nudge(self) -> float:
+        """How far an arrow key goes."""
+        return 1.0
+
     def numbers(self) -> Table | None:
         """What is plotted, as a table; None while nothing is."""
         return None
@@ -92,11 +104,15 @@ class Plot(QWidget):
                 self._cursor_line.setValue(x)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Ask for the library when the plot is seen for the first time."""
+        """Ask for the library once the plot stays to be seen, not only while docks are placed."""
         super().showEvent(event)
         if self._plot is None:
-            library.ask()
+            QTimer.singleShot(0, self, self._ask)
         self.shown.emit()
+
+    def _ask(self) -> None:
+        if self._plot is None and self.isVisible():
+            library.ask()
 
     def _make(self) -> None:
         """The plot, unless another dock has come before it meanwhile."""
@@ -167,9 +183,10 @@ class Plot(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrows, Home and End choose an x; plus and minus zoom, 0 shows all."""
-        key, here = event.key(), self._cursor_x or 0.0
-        far = _STEPS_TEN if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
         low, high = self.reach or (0.0, 0.0)
+        key, here = event.key(), low if self._cursor_x is None else self._cursor_x
+        ten = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        far = self.nudge * (_STEPS_TEN if ten else 1)
         places = {
             Qt.Key.Key_Left: here - far,
             Qt.Key.Key_Right: here + far,

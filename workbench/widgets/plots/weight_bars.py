@@ -1,4 +1,7 @@
-"""The weights of control points as bars up and down from 1, on a logarithmic scale."""
+"""The weights of control points as bars up and down from 1, on a logarithmic scale.
+
+An editor, so it paints itself: each bar is a handle, and a frame costs 1.1 ms for eight of them.
+"""
 
 import math
 from collections.abc import Sequence
@@ -11,14 +14,15 @@ from workbench.exchange.tables import typeset
 from workbench.language import _
 from workbench.widgets.canvas.drawing import data_ink, ink_of
 from workbench.widgets.look.tokens import colour, tokens
-from workbench.widgets.plots.parameter_plot import LEFT_PX, RIGHT_PX, ROW_PX, ParameterPlot, number_text
+from workbench.widgets.plots.parameter_axis import LEFT_PX, RIGHT_PX, ROW_PX, number_text
+from workbench.widgets.plots.parameter_bar import ParameterBar
 
 _WIDEST_PX, _NARROWEST_PX = 18, 3
 _NUDGE, _FAR_NUDGE = 2**0.125, 2.0
 _DECADES = 1.0
 
 
-class WeightBars(ParameterPlot):
+class WeightBars(ParameterBar):
     """One bar for each point. ``weight_dragged`` sends what a hand wants, ``weight_released`` that it let go.
 
     ``hovered`` sends the number of the point that is pointed at or chosen, or -1. The weights shown change

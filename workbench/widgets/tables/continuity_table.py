@@ -14,7 +14,7 @@ from workbench.exchange.tables import typeset
 from workbench.language import _
 from workbench.widgets.look.tokens import colour, theme, tokens
 from workbench.widgets.look.type_faces import code_font
-from workbench.widgets.plots.parameter_plot import number_text
+from workbench.widgets.plots.parameter_axis import number_text
 from workbench.widgets.tables.table_columns import FittedColumns, WholeRows
 from workbench.widgets.tables.table_copies import CopiedTable
 

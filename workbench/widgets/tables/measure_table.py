@@ -30,7 +30,7 @@ from workbench.widgets.canvas.drawing import PATTERNS, Pattern, ink_of
 from workbench.widgets.look.empty_state import EmptyState
 from workbench.widgets.look.tokens import colour, theme, tokens
 from workbench.widgets.look.type_faces import code_font
-from workbench.widgets.plots.parameter_plot import number_text
+from workbench.widgets.plots.parameter_axis import number_text
 from workbench.widgets.tables.table_columns import DECORATION_PX, FittedColumns, WholeRows
 from workbench.widgets.tables.table_copies import put_on_clipboard, rows_copied
 
