@@ -41,6 +41,7 @@ CHOSEN = {
         "midpoint_line",
     },
     "document/samples/figures.py": {"boundary_fill_4", "bresenham_line", "scan_line_fill"},
+    "document/samples/viewing.py": {"midpoint_circle"},
     "document/samples/fill.py": {
         "boundary_fill_4",
         "boundary_fill_8",
@@ -59,6 +60,7 @@ CHOSEN = {
     "cli/commands.py": {"depth_buffer"},
     # Which text answers a question
     "rendering/inside.py": {"inside_outside"},
+    "rendering/subjects/window.py": {"window_to_viewport_point"},
 }
 
 

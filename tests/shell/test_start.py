@@ -13,6 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from workbench.session.recovery import recoverable
 from workbench.shell.files import Files
+from workbench.shell.questions import questions
 from workbench.shell.start import Building, make_window, start
 from workbench.shell.workspaces import workspaces
 
@@ -120,6 +121,11 @@ def test_a_workspace_arrives_once_its_panels_are_made(qtbot: QtBot) -> None:
     assert (window.place, done) == ("draw", ["curves"])
     window.enter("fill", lambda: done.append("fill"))  # its panels are there, so at once
     assert (window.place, done) == ("fill", ["curves", "fill"])
+    fourth = questions()[3]
+    window.open_question(fourth)  # its step waits for the workspace too
+    assert window.place == "fill"
+    qtbot.waitUntil(lambda: window.place == fourth.workspace, timeout=30_000)
+    assert (window.session.state.workspace, window.session.state.step) == ("view", fourth.step)
     window.session.close()
     building.wait()
     window.deleteLater()

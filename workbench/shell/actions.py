@@ -339,7 +339,8 @@ def commands() -> tuple[Command, ...]:
 def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
     """Keys that one part of the window answers while it has the focus: part, key, what it does."""
     stepping = _("Step bar, or canvas with nothing selected")
-    canvas, curves, box = _("Canvas"), _("Canvas of Curves"), _("Transform box")
+    canvas, curves = _("Canvas"), _("Canvas of Curves")
+    box, view = _("Transform box"), _("Pictures of View")
     return (
         (stepping, "Space", _("Play or pause")),
         (stepping, "Left", _("Step back")),
@@ -373,6 +374,9 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (canvas, "Ctrl+Shift+C", _("Copy the picture")),
         (canvas, "Delete", _("Remove what is selected")),
         (canvas, "Esc", _("Let go of what is being drawn or selected")),
+        (view, "Left, Right, Up, Down", _("Move the window or the viewport; with Shift farther")),
+        (view, "Alt+arrows", _("Make it larger or smaller")),
+        (view, "V, W, K, P, H", _("Select, draw a window, a clip window, send a point, pan")),
         (curves, "P", _("Pen; from the end of an open curve it goes on")),
         (curves, "F", _("Draw freehand, and fit a curve")),
         (curves, "M", _("Nearest point of the curve")),

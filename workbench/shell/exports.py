@@ -125,7 +125,7 @@ class Exports(QObject):
         """The page of formulas that derives what the workspace shows."""
         made = next((page for panel in self._panels() if (page := panel.derivation()) is not None), None)
         if made is None:
-            self._window.say_status(_("Go to Transform and select a figure with a chain first."))
+            self._window.say_status(_("Go to a workspace with matrices first, such as Transform or View."))
         else:
             self.writing.ask("derivation", _("derivation"), lambda: made)
 

@@ -43,7 +43,14 @@ def questions() -> tuple[Question, ...]:
             "triangle",
             4,
         ),
-        Question(4, _("How does a window onto the world land in a viewport on the screen?"), _("Viewing")),
+        Question(
+            4,
+            _("How does a window onto the world land in a viewport on the screen?"),
+            _("Viewing"),
+            "view",
+            "view-house",
+            12,
+        ),
         Question(
             5,
             _("What does perspective give up that parallel projection keeps?"),

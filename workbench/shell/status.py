@@ -67,7 +67,12 @@ class Status(QObject):
     def listen(self, panel: "Panel") -> None:
         """Show what a panel says."""
         said = panel.said()
-        for signal, slot in ((said.hover, self.show_hover), (said.zoom, self.zoom.setText)):
+
+        def show_zoom(text: str) -> None:
+            if panel.center.isVisible():  # a hidden canvas is resized too
+                self.zoom.setText(text)
+
+        for signal, slot in ((said.hover, self.show_hover), (said.zoom, show_zoom)):
             if signal is not None:
                 signal.connect(slot)
 

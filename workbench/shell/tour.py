@@ -18,6 +18,7 @@ from workbench.language import _
 from workbench.shell.tour_curves import curve_scenes
 from workbench.shell.tour_space import space_scenes
 from workbench.shell.tour_transform import transform_scenes
+from workbench.shell.tour_viewing import viewing_scenes
 from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
@@ -182,15 +183,16 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("fill-overflow", lambda window: _fill(window, "overflow", 1500)),
         ("fill-depth", _depth),
         ("fill-why", _why),
-        ("fill-empty", lambda window: _empty_in(window, "fill")),
+        ("fill-empty", lambda window: _empty(window, "fill")),
         ("fill-compare", _fill_compared),
         ("clip-lines", lambda window: _clip(window, "clip", 1)),
         ("clip-interval", lambda window: _clip(window, "clip", 3, 3, "liang_barsky")),
         ("clip-fork", lambda window: _clip(window, "clip-fork", 14)),
         ("clip-lab", lambda window: _clip(window, "clip-lab", 0)),
         ("clip-asked", _clip_asked),
-        ("clip-empty", lambda window: _empty_in(window, "clip")),
+        ("clip-empty", lambda window: _empty(window, "clip")),
         *transform_scenes(),
+        *viewing_scenes(),
         *curve_scenes(),
         *space_scenes(),
         ("display", _display),
@@ -307,11 +309,6 @@ def _why(window: MainWindow) -> None:
     window.session.update_state(pixel=(8, 6))
 
 
-def _empty_in(window: MainWindow, slug: str) -> None:
-    window.session.new()
-    window.go(slug)
-
-
 def _hint(window: MainWindow) -> None:
     _draw(window)
     window.show_hints_again()
@@ -329,9 +326,9 @@ def _question(window: MainWindow) -> None:
     session.undo_stack.setClean()
 
 
-def _empty(window: MainWindow) -> None:
+def _empty(window: MainWindow, workspace: str = "draw") -> None:
     window.session.new()
-    window.go("draw")
+    window.go(workspace)
 
 
 def _display(window: MainWindow) -> None:

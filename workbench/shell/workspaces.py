@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from workbench.panels.shared.why import WhyPanel
     from workbench.panels.space.panel import SpacePanel
     from workbench.panels.transform.panel import TransformPanel
+    from workbench.panels.viewing.panel import ViewingPanel
     from workbench.session.session import Session
 
     # Every panel there is conforms.
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
         SpacePanel,
         TransformPanel,
         TubePanel,
+        ViewingPanel,
         WhyPanel,
     )
 
@@ -128,6 +130,16 @@ def workspaces() -> tuple[Workspace, ...]:
             steps=True,
             topics=("transforms",),
             lower=("hand_table", "source", "about", "whole", "tube"),
+        ),
+        Workspace(
+            "view",
+            _("View"),
+            _("A window onto the world, and the viewport on the device that shows it"),
+            "browsers",
+            ("workbench.panels.viewing.panel:ViewingPanel", inspector, tube),
+            steps=True,
+            topics=("viewing", "clipping"),
+            lower=("hand_table", "point", "source", "variables", "about", "tube"),
         ),
         Workspace(
             "curves",

@@ -131,14 +131,14 @@ ENTRY = Entry(
         View(
             block="Translate: the window's corner goes to the origin",
             row="('T(−x_wmin, −y_wmin)', x_moved, y_moved)",
-            marks="carried(x_moved, y_moved, xwmax - xwmin, ywmax - ywmin)",
+            marks="carried(x_moved, y_moved, xwmax - xwmin, ywmax - ywmin, 'accent')",
             sentence="x_w − x_wmin = {xw} − {factor(xwmin)} = {x_moved}, "
             "y_w − y_wmin = {yw} − {factor(ywmin)} = {y_moved}.",
         ),
         View(
             block="Scale: the window becomes as large as the viewport",
             row="('S(s_x, s_y)', x_scaled, y_scaled)",
-            marks="carried(x_scaled, y_scaled, xvmax - xvmin, yvmax - yvmin)",
+            marks="carried(x_scaled, y_scaled, xvmax - xvmin, yvmax - yvmin, 'data2')",
             sentence="s_x·{factor(x_moved)} = {x_scaled}, s_y·{factor(y_moved)} = {y_scaled}.",
         ),
         View(

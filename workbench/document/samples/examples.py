@@ -14,6 +14,7 @@ from workbench.document.samples.figures import (
 from workbench.document.samples.fill import fill_examples
 from workbench.document.samples.space import space_examples
 from workbench.document.samples.transform import transform_examples
+from workbench.document.samples.viewing import viewing_examples
 from workbench.document.samples.visibility import visibility_examples
 from workbench.language import _
 
@@ -83,6 +84,7 @@ def examples() -> list[Example]:
         *fill_examples(),
         *clip_examples(),
         *transform_examples(),
+        *viewing_examples(),
         *curve_examples(),
         *space_examples(),
         *visibility_examples(),

@@ -13,6 +13,7 @@ from workbench.document.model import LINE_CLIPPERS, POLYGON_CLIPPERS, AnyFigure,
 from workbench.language import _, ngettext
 from workbench.panels.clip.scene import Fate, degenerate_count, tally
 from workbench.panels.stage.card import ParameterCard
+from workbench.panels.stage.extent import no_extent
 from workbench.panels.stage.folding_card import fill_choices
 from workbench.panels.stage.tools import FigureTool
 from workbench.session.session import Session
@@ -21,24 +22,6 @@ from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.tokens import tokens
 
 _SIDES = ("xmin", "xmax", "ymin", "ymax")
-
-
-def no_extent(window: Rectangle) -> str:
-    """What is wrong with a window without area; empty when nothing is."""
-    tail = _("Drag one of its sides, or type another value.")
-    for low, high, side, low_name, high_name in (
-        (window.xmin, window.xmax, _("width"), "x_min", "x_max"),
-        (window.ymin, window.ymax, _("height"), "y_min", "y_max"),
-    ):
-        if low == high:
-            text = _("The window has no {side}: {low_name} and {high_name} are both {low:g}.")
-        elif low > high:
-            text = _("The window has no {side}: {low_name} = {low:g} is beyond {high_name} = {high:g}.")
-        else:
-            continue
-        said = text.format(side=side, low_name=low_name, high_name=high_name, low=low, high=high)
-        return f"{said} {tail}"
-    return ""
 
 
 class ClipCard(ParameterCard):

@@ -22,12 +22,19 @@ def outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
     return _outlines.get((views, figure), lambda: _outline(replace(sheet, figures=(figure,), views=views)))
 
 
+def clipped_outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
+    """As ``outline``, clipped to the clip windows too, by the sheet's clippers."""
+    key = sheet.views, sheet.line_clipper, sheet.polygon_clipper, figure
+    return _clipped.get(key, lambda: _outline(replace(sheet, figures=(figure,))))
+
+
 def prepare(sheet: Sheet, figure: AnyFigure) -> None:
     """Have the outline of a figure at hand."""
     outline(sheet, figure)
 
 
 _outlines: Memory[tuple[Curve, ...]] = Memory(32 << 20)
+_clipped: Memory[tuple[Curve, ...]] = Memory(8 << 20)
 
 
 def _outline(sheet: Sheet) -> tuple[Curve, ...]:

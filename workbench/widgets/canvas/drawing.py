@@ -1,7 +1,7 @@
 """What is drawn on a canvas over its cells: pen strokes, tints and markers with their sizes, and words.
 
 Everything is in device coordinates; ``ink`` names a colour of the theme: "text", "accent", "muted", "error",
-or "data1" to "data6". A pattern or a shape stands beside every colour.
+or "data1" to "data6"; "#RRGGBB" is a colour of a picture. A pattern or a shape stands beside every colour.
 """
 
 from __future__ import annotations
@@ -80,6 +80,8 @@ def ink_of(tokens: Tokens, name: str) -> str:
     """The colour that a name of an ink stands for."""
     if name.startswith("data"):
         return tokens.data[int(name[4:]) - 1]
+    if name.startswith("#"):
+        return name
     return str(getattr(tokens, name))
 
 
