@@ -23,7 +23,7 @@ from workbench.engine import arguments, at_hand, kernel_files, sinks
 from workbench.engine.drivers import PAINTING, drivers, ticking_drivers
 from workbench.engine.lowering import Lowered, Variant, lower
 from workbench.engine.processor import load_llvm, mask_short_loops
-from workbench.engine.sinks import Stop, Stopped
+from workbench.engine.stopping import Stop, Stopped
 from workbench.engine.turns import imports_in_turn, short_turns
 from workbench.language import _
 

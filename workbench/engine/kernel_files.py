@@ -30,7 +30,7 @@ from workbench.engine.ownership import owned, sealed
 from workbench.language import _
 
 _PRIVATE = "graphics-workbench-kernels-"
-_ENGINE = ("sinks.py", "compiled.py")
+_ENGINE = ("sinks.py", "stopping.py", "compiled.py")
 
 
 @dataclass(frozen=True, slots=True)
