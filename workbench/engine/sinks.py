@@ -11,6 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.engine.stopping import Stopped
+
 
 class Nothing(NamedTuple):
     """For a text that writes its picture itself."""
