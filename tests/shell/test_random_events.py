@@ -5,9 +5,15 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from random import Random
 
 import pytest
+import shiboken6
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QApplication, QDialog, QDockWidget, QMenu, QTextEdit, QVBoxLayout, QWidget
+from pytestqt.qtbot import QtBot
 
+from tests.soak.events import Hand, in_front
 from tests.soak.shorten import fewest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -33,3 +39,43 @@ def test_the_fewest_events_that_fail_are_those_that_are_needed(needed: set[int])
 
     assert fewest(range(100), fails) == sorted(needed)
     assert len(tried) < 100
+
+
+def test_what_a_hand_looked_at_outlives_the_window_it_was_seen_in(qtbot: QtBot) -> None:
+    card, rest = QWidget(), QWidget()
+    qtbot.addWidget(rest)
+    column = QVBoxLayout(card)
+    column.addWidget(QTextEdit())
+    action = QMenu(card).addAction("Kept by the card")
+    dock = QDockWidget()
+    dock.setWidget(card)
+    dock.show()
+    qtbot.waitExposed(dock)
+    hand = Hand(rest, Random(1), lambda _text: None)
+    assert card in hand.parts(dock)
+    assert card.isAncestorOf(hand.under(dock, dock.rect().center()))
+    for _turn in range(20):
+        hand.target(dock)
+    QVBoxLayout(rest).addWidget(card)
+    dock.deleteLater()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert not shiboken6.isValid(dock)
+    assert shiboken6.isValid(action)
+
+
+def test_no_event_acts_on_the_window_behind_a_dialog(qtbot: QtBot) -> None:
+    window = QWidget()
+    qtbot.addWidget(window)
+    window.show()
+    dialog = QDialog(window)
+    dialog.setModal(True)
+    dialog.show()
+    qtbot.waitExposed(dialog)
+    assert QApplication.activeModalWidget() is dialog
+    hand, done = Hand(window, Random(1), lambda _text: None), []
+    event = in_front(lambda _hand: done.append("done") or "")
+    event(hand)
+    assert done == []
+    assert not dialog.isVisible()
+    event(hand)
+    assert done == ["done"]
