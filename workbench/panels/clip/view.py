@@ -72,7 +72,7 @@ class ClipView(FigureView):
     def on_paper(self, number: int | None = None) -> Composition:
         """What is shown, or one step of the run, in the light theme and without handles."""
         call = self._own_call(number) if number != 0 else None
-        return self._composed(self.session.sheet, call, number, LIGHT)
+        return self._composed(self.sheet, call, number, LIGHT)
 
     def describe(self, x: int, y: int) -> str:
         """A cell with its region code, and what painted it."""
