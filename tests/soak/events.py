@@ -90,10 +90,15 @@ class Hand:
         return self.window
 
     def parts(self, top: QWidget | None = None) -> list[QWidget]:
-        """What is visible of a window, or of all, in an order that depends on nothing but what is seen."""
+        """What is visible of a window, or of all of them."""
         seen = [w for w in QApplication.allWidgets() if w.isVisible() and not w.size().isEmpty()]
-        own = [w for w in seen if top is None or w.window() is top]
-        return sorted(own, key=lambda w: (_name(w), *w.mapTo(w.window(), QPoint()).toTuple(), w.height()))
+        return [w for w in seen if top is None or w.window() is top]
+
+    def one_of(self, parts: list[QWidget]) -> QWidget:
+        """One of these, whose own order is that of their addresses: it may depend only on what is seen."""
+        return self.rng.choice(
+            sorted(parts, key=lambda w: (_name(w), *w.mapTo(w.window(), QPoint()).toTuple(), w.height()))
+        )
 
     def under(self, top: QWidget, at: QPoint) -> QWidget:
         """The part of a window that is seen at a place."""
@@ -107,8 +112,8 @@ class Hand:
             kinds.setdefault(type(widget).__name__, []).append(widget)
         canvases = [name for name in OFTEN_HIT if name in kinds]
         if canvases and self.rng.random() < 0.4:
-            return self.rng.choice(kinds[self.rng.choice(canvases)])
-        return self.rng.choice(kinds[self.rng.choice(sorted(kinds))])
+            return self.one_of(kinds[self.rng.choice(canvases)])
+        return self.one_of(kinds[self.rng.choice(sorted(kinds))])
 
     def place(self, top: QWidget, widget: QWidget) -> QPoint:
         """Somewhere in a part of a window, in the window's coordinates; corners more often than by chance."""
@@ -223,7 +228,7 @@ def number(hand: Hand) -> str:
     fields = [f for f in hand.parts() if isinstance(f, QLineEdit) and f.isEnabled()]
     if not fields:
         return "no field"
-    field = hand.rng.choice(fields)
+    field = hand.one_of(fields)
     text = hand.rng.choice(NUMBERS)
     top = field.window()
     at = field.mapTo(top, field.rect().center())
@@ -350,7 +355,7 @@ def dock_tab(hand: Hand) -> str:
     bars = [b for b in hand.parts() if isinstance(b, QTabBar) and b.count() > 1]
     if not bars:
         return "none"
-    bar = hand.rng.choice(bars)
+    bar = hand.one_of(bars)
     top, start = bar.window(), bar.tabRect(hand.rng.randrange(bar.count())).center()
     at, name = bar.mapTo(top, start), bar.tabText(bar.tabAt(start))
     hand.act(QTest.mousePress, top, LEFT, PLAIN, at)
