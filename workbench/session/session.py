@@ -21,6 +21,7 @@ from workbench.document.state import SessionState, at_the_start, check_state, cl
 from workbench.document.storage.files import Stored, read, write
 from workbench.document.subjects import Position, Subject
 from workbench.language import _
+from workbench.rendering.memory import forget
 from workbench.rendering.subjects.registry import checked, kind_of
 from workbench.session.following import Following
 from workbench.session.incoming import Incoming
@@ -348,6 +349,7 @@ class Session(QObject):
         self.finish_saving()
         self._merging = None
         self.undo_stack.clear()
+        forget()
         self._blobs = stored.blobs
         self.path = path
         self._on_disk = on_disk
