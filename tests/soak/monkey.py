@@ -6,6 +6,10 @@
 
 A fault is an exception nobody caught, on any thread, a Qt warning, a warning of Python or in the log, a
 crash, an event without an end, or memory that grows. The log names each event before it is done.
+
+Memory is what the process holds at rest: an empty picture in Draw in a window as large as at first, garbage
+collected, and what was freed given back by the allocator (``malloc_trim``), which else keeps tens of
+megabytes of it, at times more and at times less.
 """
 
 import argparse
@@ -31,6 +35,7 @@ from tests.soak.events import KINDS, Hand
 
 MARK, MARKS = 1_000, 10
 MOST_GROWTH_MB = 5.0
+SIZE = 1280, 720
 LONGEST_S = 30.0
 EXPECTED = (
     "This plugin does not support",  # said by the offscreen platform of every window
@@ -138,16 +143,14 @@ class Monkey(QObject):
         print(text, end=" ", file=self._log, flush=True)
 
     def _measure(self) -> None:
-        """The memory of the process at rest, with an empty picture, without what was freed and is kept.
-
-        How much of that the allocator keeps for reuse rises and falls by tens of megabytes.
-        """
+        """The memory of the process at rest."""
         for _nested in range(_DEEPEST):
             before = QApplication.activePopupWidget() or QApplication.activeModalWidget()
             if before is not None:
                 before.close()
         self._window.session.new()
         self._window.go("draw")
+        self._window.resize(*SIZE)
         QTest.qWait(_REST_MS)
         for _again in range(3):
             gc.collect()
@@ -186,7 +189,7 @@ def run(seed: int, numbers: list[int], without: set[str], log: TextIO) -> list[s
 
     application = QApplication(["Graphics Workbench"])
     window = make_window()
-    window.resize(1280, 720)
+    window.resize(*SIZE)
     building = Building(window, warms=False)
     monkey = Monkey(window, seed, numbers, without, log)
     building.built.connect(monkey.start)
