@@ -13,6 +13,9 @@ from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QDialog, QDockWidget, QMenu, QTextEdit, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.smoke.test_real_window import MISSING
+from tests.smoke.test_real_window import environment as environment
+from tests.smoke.test_real_window import screen as screen
 from tests.soak.events import Hand, in_front
 from tests.soak.shorten import fewest
 
@@ -79,3 +82,33 @@ def test_no_event_acts_on_the_window_behind_a_dialog(qtbot: QtBot) -> None:
     assert not dialog.isVisible()
     event(hand)
     assert done == ["done"]
+
+
+DRAG = """
+import faulthandler
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QPlainTextEdit
+from tests.soak.monkey import Keeper
+
+application = QApplication([])
+window = QPlainTextEdit("Some words " * 40)
+window.resize(400, 300)
+window.show()
+assert QTest.qWaitForWindowExposed(window)
+window.selectAll()
+keeper, top = Keeper(window), window.windowHandle()
+keeper.inside = True
+faulthandler.dump_traceback_later(10, exit=True)
+QTest.mousePress(top, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, QPoint(60, 20))
+for x in (70, 120, 180):
+    QTest.mouseMove(top, QPoint(x, 40))
+window.removeEventFilter(keeper)
+"""
+
+
+@pytest.mark.skipif(bool(MISSING), reason=f"no real window here: {', '.join(MISSING)} not installed")
+def test_a_text_that_is_dragged_and_never_dropped_holds_no_event(environment: dict[str, str]) -> None:
+    command = [sys.executable, "-c", DRAG]
+    done = subprocess.run(command, env=environment, cwd=ROOT, capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stderr) == (0, "")

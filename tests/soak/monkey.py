@@ -28,6 +28,7 @@ from random import Random
 from typing import Any, TextIO
 
 from PySide6.QtCore import QEvent, QObject, QTimer, QtMsgType, qInstallMessageHandler
+from PySide6.QtGui import QDrag
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
@@ -73,7 +74,7 @@ class Faults:
 
 
 class Keeper(QObject):
-    """Keeps the main window open, and ends menus and questions that hold the event they came from."""
+    """Keeps the main window open, and ends menus, questions and drags of texts that hold their event."""
 
     def __init__(self, window: Any) -> None:
         super().__init__(window)
@@ -97,6 +98,8 @@ class Keeper(QObject):
             popup.close()
             popup = None
         self._seen = popup
+        if self.inside:
+            QDrag.cancel()  # Qt waits for a drop that the rest of the event can no longer bring
 
 
 class Monkey(QObject):
