@@ -3,8 +3,13 @@
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
+from pytestqt.qtbot import QtBot
 
-from workbench.rendering.memory import Memory
+from workbench.document.samples.examples import example_document
+from workbench.rendering import frame_buffer
+from workbench.rendering.emissions import _memory
+from workbench.rendering.memory import Memory, forget
+from workbench.session.session import Session
 
 MOST = 40_000
 
@@ -33,3 +38,13 @@ def test_it_stays_small_and_keeps_what_was_asked_for_last(asked: list[tuple[int,
         order.append(key)
     held = sum(sum(array.nbytes for array in arrays) for arrays in memory._kept.values())
     assert held <= MOST
+
+
+def test_every_memory_forgets_when_another_document_is_opened(qtbot: QtBot) -> None:
+    forget()
+    session = Session(document=example_document())
+    frame_buffer(session.sheet)
+    assert len(_memory._kept) > 0
+    session.new()
+    assert len(_memory._kept) == _memory._bytes == 0
+    session.close()

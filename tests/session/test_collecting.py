@@ -1,6 +1,7 @@
 """Cycles with Qt objects in them die on the interface thread, whoever allocates."""
 
 import gc
+import sys
 import threading
 import weakref
 
@@ -63,4 +64,16 @@ def test_old_garbage_goes_too(collector: QObject) -> None:
         if gone() is None:
             break
         collector._survived = 0
+    assert gone() is None
+
+
+def test_no_garbage_is_frozen_with_the_modules(collector: QObject, monkeypatch: pytest.MonkeyPatch) -> None:
+    cycle: list[object] = [Cycle()]
+    gone = weakref.ref(cycle[0])
+    gc.collect()
+    cycle.clear()
+    assert gone() is not None
+    monkeypatch.setattr(gc, "freeze", lambda: None)
+    collector._modules = len(sys.modules) - 2 * collecting._WAVE
+    collector.collect()
     assert gone() is None

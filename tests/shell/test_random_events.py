@@ -5,9 +5,18 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from random import Random
 
 import pytest
+import shiboken6
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QApplication, QDialog, QDockWidget, QMenu, QTextEdit, QVBoxLayout, QWidget
+from pytestqt.qtbot import QtBot
 
+from tests.smoke.test_real_window import MISSING
+from tests.smoke.test_real_window import environment as environment
+from tests.smoke.test_real_window import screen as screen
+from tests.soak.events import Hand, in_front
 from tests.soak.shorten import fewest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -33,3 +42,73 @@ def test_the_fewest_events_that_fail_are_those_that_are_needed(needed: set[int])
 
     assert fewest(range(100), fails) == sorted(needed)
     assert len(tried) < 100
+
+
+def test_what_a_hand_looked_at_outlives_the_window_it_was_seen_in(qtbot: QtBot) -> None:
+    card, rest = QWidget(), QWidget()
+    qtbot.addWidget(rest)
+    column = QVBoxLayout(card)
+    column.addWidget(QTextEdit())
+    action = QMenu(card).addAction("Kept by the card")
+    dock = QDockWidget()
+    dock.setWidget(card)
+    dock.show()
+    qtbot.waitExposed(dock)
+    hand = Hand(rest, Random(1), lambda _text: None)
+    assert card in hand.parts(dock)
+    assert card.isAncestorOf(hand.under(dock, dock.rect().center()))
+    for _turn in range(20):
+        hand.target(dock)
+    QVBoxLayout(rest).addWidget(card)
+    dock.deleteLater()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert not shiboken6.isValid(dock)
+    assert shiboken6.isValid(action)
+
+
+def test_no_event_acts_on_the_window_behind_a_dialog(qtbot: QtBot) -> None:
+    window = QWidget()
+    qtbot.addWidget(window)
+    window.show()
+    dialog = QDialog(window)
+    dialog.setModal(True)
+    dialog.show()
+    qtbot.waitExposed(dialog)
+    assert QApplication.activeModalWidget() is dialog
+    hand, done = Hand(window, Random(1), lambda _text: None), []
+    event = in_front(lambda _hand: done.append("done") or "")
+    event(hand)
+    assert done == []
+    assert not dialog.isVisible()
+    event(hand)
+    assert done == ["done"]
+
+
+DRAG = """
+import faulthandler
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QPlainTextEdit
+from tests.soak.monkey import Keeper
+
+application = QApplication([])
+window = QPlainTextEdit("Some words " * 40)
+window.resize(400, 300)
+window.show()
+assert QTest.qWaitForWindowExposed(window)
+window.selectAll()
+keeper, top = Keeper(window), window.windowHandle()
+keeper.inside = True
+faulthandler.dump_traceback_later(10, exit=True)
+QTest.mousePress(top, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, QPoint(60, 20))
+for x in (70, 120, 180):
+    QTest.mouseMove(top, QPoint(x, 40))
+window.removeEventFilter(keeper)
+"""
+
+
+@pytest.mark.skipif(bool(MISSING), reason=f"no real window here: {', '.join(MISSING)} not installed")
+def test_a_text_that_is_dragged_and_never_dropped_holds_no_event(environment: dict[str, str]) -> None:
+    command = [sys.executable, "-c", DRAG]
+    done = subprocess.run(command, env=environment, cwd=ROOT, capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stderr) == (0, "")

@@ -2,15 +2,19 @@
 
 Each kind of event takes a ``Hand`` and draws what it does from the hand's own random numbers, so that an
 event depends on its seed and number and on what the window then shows, and on nothing before it.
+
+A hand only looks. ``findChildren`` and ``childAt`` would make Python's objects children of the widget that
+was asked: they would stay for as long as it does, and be called deleted when it is, though they had moved.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import wraps
 from random import Random
 from typing import Any
 
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QWheelEvent
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -85,21 +89,31 @@ class Hand:
             return self.rng.choice(sorted(others, key=lambda w: (type(w).__name__, w.windowTitle())))
         return self.window
 
+    def parts(self, top: QWidget | None = None) -> list[QWidget]:
+        """What is visible of a window, or of all of them."""
+        seen = [w for w in QApplication.allWidgets() if w.isVisible() and not w.size().isEmpty()]
+        return [w for w in seen if top is None or w.window() is top]
+
+    def one_of(self, parts: list[QWidget]) -> QWidget:
+        """One of these, whose own order is that of their addresses: it may depend only on what is seen."""
+        return self.rng.choice(
+            sorted(parts, key=lambda w: (_name(w), *w.mapTo(w.window(), QPoint()).toTuple(), w.height()))
+        )
+
+    def under(self, top: QWidget, at: QPoint) -> QWidget:
+        """The part of a window that is seen at a place."""
+        seen = QApplication.widgetAt(top.mapToGlobal(at))
+        return seen if seen is not None and seen.window() is top else top
+
     def target(self, top: QWidget) -> QWidget:
         """A visible part of a window; rare kinds are hit as often as common ones, canvases more often."""
         kinds: dict[str, list[QWidget]] = {}
-        for widget in (top, *top.findChildren(QWidget)):
-            if (
-                isValid(widget)
-                and widget.isVisible()
-                and widget.window() is top
-                and not widget.size().isEmpty()
-            ):
-                kinds.setdefault(type(widget).__name__, []).append(widget)
+        for widget in self.parts(top) or [top]:
+            kinds.setdefault(type(widget).__name__, []).append(widget)
         canvases = [name for name in OFTEN_HIT if name in kinds]
         if canvases and self.rng.random() < 0.4:
-            return self.rng.choice(kinds[self.rng.choice(canvases)])
-        return self.rng.choice(kinds[self.rng.choice(sorted(kinds))])
+            return self.one_of(kinds[self.rng.choice(canvases)])
+        return self.one_of(kinds[self.rng.choice(sorted(kinds))])
 
     def place(self, top: QWidget, widget: QWidget) -> QPoint:
         """Somewhere in a part of a window, in the window's coordinates; corners more often than by chance."""
@@ -117,11 +131,11 @@ class Hand:
         if isValid(top) and top.isVisible():
             event(top.windowHandle(), *how)
 
-    def key(self, keys: str) -> None:
+    def key(self, keys: str, asked: QWidget | None = None) -> None:
         """Press a key, as written in the key table, where the focus is."""
         combination = QKeySequence(keys)[0]
         # A popup gets the keys of any window; asked for its own, QTest goes on with it when it has closed
-        top = (QApplication.focusWidget() or self.window).window()
+        top = (QApplication.focusWidget() or asked or self.window).window()
         # One after the other: what is pressed may close the window that would be released
         for event in (QTest.keyPress, QTest.keyRelease):
             self.act(event, top, combination.key(), combination.keyboardModifiers())
@@ -131,11 +145,29 @@ def _name(widget: QWidget) -> str:
     return f"{type(widget).__name__} {widget.objectName() or widget.accessibleName()}".strip()
 
 
+Event = Callable[[Hand], str]
+
+
+def in_front(event: Event) -> Event:
+    """An event of the main window itself, which a dialog or a menu before it is left for, as it holds it."""
+
+    @wraps(event)
+    def done(hand: Hand) -> str:
+        before = QApplication.activePopupWidget() or QApplication.activeModalWidget()
+        if before is None:
+            return event(hand)
+        name = _name(before)
+        hand.key("Escape", before)
+        return f"not done: left {name}"
+
+    return done
+
+
 def click(hand: Hand) -> str:
     top = hand.top()
     widget = hand.target(top)
     at = hand.place(top, widget)
-    under = top.childAt(at) or top
+    under = hand.under(top, at)
     hand.tell(f"{_name(under)} in {_name(under.parentWidget() or top)}")
     button = hand.rng.choice((LEFT, LEFT, LEFT, LEFT, LEFT, RIGHT, MIDDLE))
     modifiers = hand.modifiers()
@@ -151,7 +183,7 @@ def drag(hand: Hand) -> str:
     top = hand.top()
     widget = hand.target(top)
     start = hand.place(top, widget)
-    under = top.childAt(start) or top
+    under = hand.under(top, start)
     if isinstance(under, QTabBar):
         return "left to dock_tab"
     if isinstance(top, QFileDialog) or isinstance(under.parentWidget(), QTextBrowser):
@@ -176,23 +208,10 @@ def wheel(hand: Hand) -> str:
     top = hand.top()
     widget = hand.target(top)
     at = hand.place(top, widget)
-    under = top.childAt(at) or top
-    here = QPointF(under.mapFrom(top, at))
+    under = hand.under(top, at)
     turn = QPoint(0, hand.rng.choice((120, -120, 360, -360, 40)))
     name = _name(under)
-    QApplication.sendEvent(
-        under,
-        QWheelEvent(
-            here,
-            QPointF(top.mapToGlobal(at)),
-            QPoint(),
-            turn,
-            Qt.MouseButton.NoButton,
-            hand.modifiers(),
-            Qt.ScrollPhase.NoScrollPhase,
-            False,
-        ),
-    )
+    hand.act(QTest.wheelEvent, top, QPointF(at), turn, QPoint(), hand.modifiers())
     return f"{name} {turn.y()}"
 
 
@@ -206,10 +225,10 @@ def key(hand: Hand) -> str:
 
 
 def number(hand: Hand) -> str:
-    fields = [f for f in hand.window.findChildren(QLineEdit) if f.isVisible() and f.isEnabled()]
+    fields = [f for f in hand.parts() if isinstance(f, QLineEdit) and f.isEnabled()]
     if not fields:
         return "no field"
-    field = hand.rng.choice(fields)
+    field = hand.one_of(fields)
     text = hand.rng.choice(NUMBERS)
     top = field.window()
     at = field.mapTo(top, field.rect().center())
@@ -224,6 +243,7 @@ def number(hand: Hand) -> str:
     return f"{name} {text!r}"
 
 
+@in_front
 def command(hand: Hand) -> str:
     """A command of a menu, or of a panel that is seen."""
     actions = [a for name, a in hand.window.menus.actions.items() if name not in LEFT_OUT]
@@ -235,11 +255,12 @@ def command(hand: Hand) -> str:
     return action.text()
 
 
+@in_front
 def menu(hand: Hand) -> str:
     """Open a menu of the bar with a click; what pops up is chosen from by later events."""
     bar = hand.window.menu_bar
     titles = [action for action in bar.actions() if action.isVisible()]
-    if not bar.isVisible() or QApplication.activePopupWidget() is not None:
+    if not bar.isVisible():
         return "not now"
     chosen = hand.rng.choice(titles)
     at = bar.mapTo(hand.window, bar.actionGeometry(chosen).center())
@@ -256,8 +277,8 @@ def menu(hand: Hand) -> str:
     return f"{chosen.text()}: {entry.text() if entry is not None else ''}"
 
 
+@in_front
 def palette(hand: Hand) -> str:
-    hand.key("Escape")
     hand.window.show_palette()
     letters = "".join(hand.rng.choice("abcdefgilmnoprstuvw") for _k in range(hand.rng.randint(1, 3)))
     focus = QApplication.focusWidget()
@@ -277,12 +298,14 @@ def history(hand: Hand) -> str:
     return f"{chosen} {count} times"
 
 
+@in_front
 def workspace(hand: Hand) -> str:
     slug = hand.rng.choice((*hand.window.workspace_slugs, "home", "settings", "keys"))
     hand.window.go(slug)
     return slug
 
 
+@in_front
 def example(hand: Hand) -> str:
     from workbench.document.samples.examples import examples  # NumPy comes after what the program sets for it
 
@@ -291,6 +314,7 @@ def example(hand: Hand) -> str:
     return slug
 
 
+@in_front
 def sheet(hand: Hand) -> str:
     """Another sheet of the picture, or an empty picture."""
     session = hand.window.session
@@ -309,6 +333,7 @@ def clipboard(hand: Hand) -> str:
     return repr(text[:12])
 
 
+@in_front
 def dock(hand: Hand) -> str:
     """Float, close or bring back a dock."""
     docks: list[QDockWidget] = hand.window.arrangements.docks(hand.window.place)
@@ -324,12 +349,13 @@ def dock(hand: Hand) -> str:
     return f"{act} {chosen.objectName()}"
 
 
+@in_front
 def dock_tab(hand: Hand) -> str:
     """Drag the tab of a dock along its bar, or out of it."""
-    bars = [b for b in hand.window.findChildren(QTabBar) if b.isVisible() and b.count() > 1]
+    bars = [b for b in hand.parts() if isinstance(b, QTabBar) and b.count() > 1]
     if not bars:
         return "none"
-    bar = hand.rng.choice(bars)
+    bar = hand.one_of(bars)
     top, start = bar.window(), bar.tabRect(hand.rng.randrange(bar.count())).center()
     at, name = bar.mapTo(top, start), bar.tabText(bar.tabAt(start))
     hand.act(QTest.mousePress, top, LEFT, PLAIN, at)
@@ -340,13 +366,13 @@ def dock_tab(hand: Hand) -> str:
     return f"{name} by {sideways.x()}, {sideways.y()}"
 
 
+@in_front
 def resize(hand: Hand) -> str:
     width, height = hand.rng.randint(640, 1400), hand.rng.randint(420, 860)
     hand.window.resize(width, height)
     return f"{width} x {height}"
 
 
-Event = Callable[[Hand], str]
 KINDS: dict[Event, int] = {
     click: 30,
     drag: 22,

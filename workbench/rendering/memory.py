@@ -4,6 +4,7 @@ from collections import OrderedDict
 from collections.abc import Callable, Hashable
 from threading import Lock
 from typing import Any, Generic, TypeVar
+from weakref import WeakSet
 
 from numpy.typing import NDArray
 
@@ -11,6 +12,9 @@ T = TypeVar("T", bound=NDArray[Any] | tuple[NDArray[Any], ...])
 
 _BESIDE = 600
 """Bytes that each takes beside its numbers: its key, and its place here."""
+
+
+_memories: "WeakSet[Memory[Any]]" = WeakSet()
 
 
 class Memory(Generic[T]):
@@ -21,6 +25,7 @@ class Memory(Generic[T]):
         self._kept: OrderedDict[Hashable, T] = OrderedDict()
         self._bytes = 0
         self._lock = Lock()
+        _memories.add(self)
 
     def get(self, key: Hashable, make: Callable[[], T]) -> T:
         """What has this key, made now if it is not there."""
@@ -46,6 +51,12 @@ class Memory(Generic[T]):
         with self._lock:
             self._kept.clear()
             self._bytes = 0
+
+
+def forget() -> None:
+    """Forget what every memory keeps, as when the document that it was made of is closed."""
+    for memory in list(_memories):
+        memory.clear()
 
 
 def _arrays(value: NDArray[Any] | tuple[NDArray[Any], ...]) -> tuple[NDArray[Any], ...]:

@@ -32,10 +32,11 @@ class _Collector(QObject):
     def collect(self) -> None:
         """Collect the youngest generation that is full, and with it the next one when that is full too."""
         if len(sys.modules) > self._modules + _WAVE:
-            # What modules are made of lives as long as the program: it is never looked through again.
-            self._modules = len(sys.modules)
-            gc.collect(1)
+            # What modules are made of lives as long as the program: it is never looked through again. Nor is
+            # what else is there, so that old garbage goes first; at the first wave there is none.
+            gc.collect(2 if self._modules else 1)
             gc.freeze()
+            self._modules = len(sys.modules)
             return
         young, middle, old = gc.get_count()
         most_young, most_middle, most_old = gc.get_threshold()

@@ -21,6 +21,7 @@ from workbench.document.state import SessionState, at_the_start, check_state, cl
 from workbench.document.storage.files import Stored, read, write
 from workbench.document.subjects import Position, Subject
 from workbench.language import _
+from workbench.rendering.memory import forget
 from workbench.rendering.subjects.registry import checked, kind_of
 from workbench.session.following import Following
 from workbench.session.incoming import Incoming
@@ -40,13 +41,14 @@ class Session(QObject):
     ``changed(old, new, addresses)`` and ``state_changed(old, new)`` come once per turn of the event loop, in
     this order, with everything that happened since the last time. ``revision`` counts every change at once:
     a worker answers with the revision it was given, and stale answers are dropped. ``saved(Saved)``: a save
-    in the background has ended, well or not. ``storing``: the session's state is about to be saved.
-    ``left_out(sentence)``: what a file held that was opened without it. ``run`` leads, ``followers`` do the
-    same under other entries.
+    in the background has ended, well or not. ``opened``: another document or sheet is. ``storing``: the
+    session's state is about to be saved. ``left_out(sentence)``: what a file held that was opened without it.
+    ``run`` leads, ``followers`` do the same under other entries.
     """
 
     changed = Signal(object, object, object)
     state_changed = Signal(object, object)
+    opened = Signal()
     path_changed = Signal(object)
     dirty_changed = Signal(bool)
     saved = Signal(object)
@@ -211,6 +213,11 @@ class Session(QObject):
         if self.dirty:
             self._keep_safe()
 
+    def hold_runs(self, on: bool) -> None:
+        """Let the runs wait, as while something is drawn or dragged, or go on."""
+        for run in (self.run, *self.followers):
+            run.hold() if on else run.go_on()
+
     def new(self, document: Document | None = None) -> None:
         """Begin anew with a blank sheet or with ``document``, which then has no file and is not dirty."""
         self._begin(Stored(document or blank_sheet(), SessionState()))
@@ -232,6 +239,7 @@ class Session(QObject):
         The figure that is stepped is selected, so that its handles and its parameters are seen at once.
         """
         self.update_state(sheet=sheet, active="", selection=(), step=0)
+        self.opened.emit()
         stepped = self.active_figure
         self.update_state(selection=(stepped.id,) if stepped else ())
 
@@ -339,6 +347,7 @@ class Session(QObject):
         self.finish_saving()
         self._merging = None
         self.undo_stack.clear()
+        forget()
         self._blobs = stored.blobs
         self.path = path
         self._on_disk = on_disk
@@ -346,6 +355,7 @@ class Session(QObject):
         state, sentences = runnable(stored.session)
         self.state = cleaned(state, stored.document)
         self._following.begin_anew()
+        self.opened.emit()
         self.path_changed.emit(path)
         if sentences:
             self.left_out.emit(" ".join(sentences))

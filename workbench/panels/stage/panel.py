@@ -160,6 +160,7 @@ class FigurePanel(PlainPanel, QWidget):
             for signal in (run.changed, run.moved, run.grown, run.asked):
                 signal.connect(self.refresh_soon)
         session.changed.connect(self._take_tool_when_empty)
+        session.opened.connect(self._end_gesture)
         session.path_changed.connect(self._take_run)
         canvas.pressed.connect(self._press)
         canvas.moved.connect(self._move)
@@ -187,7 +188,7 @@ class FigurePanel(PlainPanel, QWidget):
     def choose_tool(self, name: str) -> None:
         """Take up the tool of this name."""
         self.tool.cancel()
-        self._hold(False)
+        self.session.hold_runs(False)
         self.tool = next(tool for tool in self.tools if tool.name == name)
         for tool in self.tools:
             self._actions[tool.name].setChecked(tool is self.tool)
@@ -228,7 +229,7 @@ class FigurePanel(PlainPanel, QWidget):
         if self._answering:
             return
         self._take_run()  # which is another one after a pixel was asked about
-        self._hold(True)
+        self.session.hold_runs(True)
         reach = max(0.75, REACH_PX * self.devicePixelRatioF() / self.canvas.view.cell)
         self.tool.press(x, y, modifiers, reach)
         self._after_gesture()
@@ -237,9 +238,7 @@ class FigurePanel(PlainPanel, QWidget):
         drawing = self.tool.busy
         self.tool.move(x, y)
         if drawing and not self.tool.busy:
-            self.tool.cancel()
-            self._hold(False)
-            self._after_gesture()
+            self._end_gesture()
         elif self.tool.busy or self.tool.band is not None:
             self._after_gesture()
         elif isinstance(self.tool, FigureTool):
@@ -248,7 +247,7 @@ class FigurePanel(PlainPanel, QWidget):
     def _release(self, x: float, y: float, _modifiers: Modifiers) -> None:
         if not self._answering:
             self.tool.release(x, y)
-        self._hold(self.tool.busy)
+        self.session.hold_runs(self.tool.busy)
         self._after_gesture()
 
     def _after_gesture(self) -> None:
@@ -258,7 +257,7 @@ class FigurePanel(PlainPanel, QWidget):
         self.refresh_soon()
 
     def _press_handle(self, address: str, _modifiers: Modifiers) -> None:
-        self._hold(True)
+        self.session.hold_runs(True)
         self.handle_drag.press(address)
 
     def _drag_handle(self, _address: str, x: float, y: float) -> None:
@@ -268,14 +267,9 @@ class FigurePanel(PlainPanel, QWidget):
 
     def _release_handle(self, _address: str) -> None:
         self.handle_drag.release()
-        self._hold(False)
+        self.session.hold_runs(False)
         self.canvas.set_tag("")
         self.refresh()
-
-    def _hold(self, on: bool) -> None:
-        """The recording waits while something is being drawn or dragged."""
-        for run in (self.session.run, *self.session.followers):
-            (run.hold if on else run.go_on)()
 
     @property
     def _answering(self) -> bool:
@@ -290,13 +284,18 @@ class FigurePanel(PlainPanel, QWidget):
     def let_go(self) -> None:
         """Escape: what is being drawn, else the selection, else the tool."""
         if self.gesturing:
-            self.tool.cancel()
-            self.handle_drag.cancel()
-            self._hold(False)
+            self._end_gesture()
         elif self.session.state.selection:
             self.session.update_state(selection=())
         else:
             self.choose_tool("select")
+        self.refresh_soon()
+
+    def _end_gesture(self) -> None:
+        """Take back what is being drawn or dragged: it is of the sheet on which it was begun."""
+        self.tool.cancel()
+        self.handle_drag.cancel()
+        self.session.hold_runs(False)
         self._after_gesture()
 
     # Commands
@@ -373,7 +372,7 @@ class FigurePanel(PlainPanel, QWidget):
             self.session.run.toggle_play()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.tool.finish()
-            self._hold(self.gesturing)
+            self.session.hold_runs(self.gesturing)
             self._after_gesture()
         elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
             self.delete_selected()
@@ -384,14 +383,16 @@ class FigurePanel(PlainPanel, QWidget):
         """The keys of this panel work while it is seen."""
         super().showEvent(event)
         self._enable_actions(True)
+        self.session.hold_runs(self.gesturing)
         self._take_run()
         self._take_tool_when_empty()
         self.refresh()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """And only then."""
+        """And only then; what is being drawn waits for its panel, the runs of the others do not."""
         super().hideEvent(event)
         self._enable_actions(False)
+        self.session.hold_runs(False)
 
     def _enable_actions(self, on: bool) -> None:
         """Several panels have a command on the same key; only the one that is seen may take it."""

@@ -65,7 +65,7 @@ class SteppedPanel(FigurePanel):
         self.card.chain.bake_wanted.connect(self.boxing.bake)
         self.card.chain.removal_wanted.connect(self.boxing.remove)
         self.boxing.said.connect(self.hover_text)
-        self.boxing.began.connect(lambda: self._hold(True))
+        self.boxing.began.connect(lambda: self.session.hold_runs(True))
         self.boxing.ended.connect(self._after_boxing)
         self.boxing.box.looks_changed.connect(self._look_at_box)
         for one, other in ((self.canvas, self.second), (self.second, self.canvas)):
@@ -126,7 +126,7 @@ class SteppedPanel(FigurePanel):
             self.refresh_soon()
 
     def _after_boxing(self) -> None:
-        self._hold(False)
+        self.session.hold_runs(False)
         self._after_gesture()
 
     def transforming(self) -> list[QAction]:

@@ -99,10 +99,14 @@ class FigureView:
         """Bring what stands beside the canvas up to date; not while something is being drawn."""
 
     def stepped_run(self) -> Run | None:
-        """The session's run when it is that of the active figure and something of it is recorded."""
+        """The session's run when it is that of the active figure and something of it is recorded.
+
+        A run that waits, as under a drag, may still be of a picture of another size: that is not this one's.
+        """
         run, active, subject = self.session.run, self.active, self.session.subject
         here = active is not None and active.id in subject.ids and subject.is_of(run.subject)
-        return run if here and run.step is not None else None
+        fits = run.image_size == (self.sheet.width_px, self.sheet.height_px)
+        return run if here and fits and run.step is not None else None
 
     def progress(self) -> Progress | None:
         """How far the run has come; None before its first step, when the picture is shown whole."""

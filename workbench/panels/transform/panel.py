@@ -67,7 +67,7 @@ class TransformPanel(SteppedPanel):
         box = self.view.chain_box
         box.failed.connect(self.hover_text)
         box.looks_changed.connect(self.refresh_soon)
-        box.held.connect(self._hold)
+        box.held.connect(self.session.hold_runs)
         self.matrices.entry_changed.connect(self._set_entry)
         self.matrices.entry_ended.connect(self._end_entry)
         self.matrices.cell_clicked.connect(self._click_element)
@@ -176,13 +176,13 @@ class TransformPanel(SteppedPanel):
     # What is done
 
     def _set_entry(self, link: str, attribute: str, value: float) -> None:
-        self._hold(True)
+        self.session.hold_runs(True)
         if refusal := self.chain.set_number(link, attribute, value, "matrix"):
             self.hover_text.emit(refusal)
         self.refresh_soon()
 
     def _end_entry(self) -> None:
-        self._hold(False)
+        self.session.hold_runs(False)
         self.session.end_merge()
         self.refresh_soon()
 
