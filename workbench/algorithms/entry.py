@@ -18,6 +18,9 @@ from dataclasses import dataclass, field
 from random import Random
 from typing import Any, Literal, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from workbench.algorithms.marks import Frame, MarksFunction, no_marks
 
 CALLS = "calls"
@@ -125,9 +128,10 @@ class Entry:
     ``draws`` are the kinds of figure that it can draw, ``clips`` those that it can clip to a window, as
     documents name them; ``constructs`` are the kinds of spline of whose points, as they are, it makes the
     curve. ``drawn_by`` names what paints it faster: its steps, tables and counts are its own nevertheless.
-    Where the ranges of parameters are not enough, ``arguments`` makes some that fit each other, from a
-    source of chance and nothing else;
-    what is all but degenerate (ties, coincident points, repeated knots) has to come up often.
+    ``at_once``, of the same arguments, gives where (h, w) it colours, for a picture that cannot wait until
+    the text is compiled. Where the ranges of parameters are not enough, ``arguments`` makes some that fit
+    each other, from a source of chance and nothing else; what is all but degenerate (ties, coincident points,
+    repeated knots) has to come up often.
     """
 
     function: Callable[..., Iterator[tuple[Any, ...]]]
@@ -145,6 +149,7 @@ class Entry:
     clips: tuple[str, ...] = ()
     constructs: tuple[str, ...] = ()
     drawn_by: DrawnBy | None = None
+    at_once: Callable[..., NDArray[np.bool_]] | None = None
     arguments: Callable[[Random], tuple[Any, ...]] | None = None
     laws: tuple[Law, ...] = ()
     not_laws: tuple[str, ...] = ()

@@ -187,8 +187,16 @@ def _fill(sheet: Sheet, number: int, onto: Composite) -> None:
     """Paint a figure that reads what lies below it."""
     figure = sheet.figures[number]
     for call in map(faster, calls(sheet, figure, below=onto.image)):
-        colour, bounds = np.array([colour_of(sheet, figure)]), seen_bounds(sheet, figure)
-        _put(call.entry, [emitted(call)], colour, np.array([number]), bounds, onto)
+        colour, bounds = colour_of(sheet, figure), seen_bounds(sheet, figure)
+        at_once = call.entry.at_once
+        if at_once is None or at_hand(call.entry.function, "collect"):
+            _put(call.entry, [emitted(call)], np.array([colour]), np.array([number]), bounds, onto)
+            continue
+        x_first, x_last, y_first, y_last = bounds
+        area = slice(max(y_first, 0), max(y_last + 1, 0)), slice(max(x_first, 0), max(x_last + 1, 0))
+        where = at_once(*call.arguments)[area]
+        onto.image[area][where] = colour
+        onto.painter[area][where] = number
 
 
 def _put(

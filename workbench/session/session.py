@@ -294,6 +294,8 @@ class Session(QObject):
             if self.document == saved.stored.document:
                 self.undo_stack.setClean()
             self.path_changed.emit(self.path)
+        elif saved.path == self.path:  # what that file holds now, nobody knows
+            self.undo_stack.resetClean()
         self.saved.emit(saved)
 
     def start_autosave(self, folder: Path | None = None) -> None:

@@ -37,6 +37,7 @@ class Files(QObject):
         super().__init__(window)
         self._window = window
         self.exports = Exports(window)
+        self._failure = self._unsaved = ""  # what the bar may still be saying of them
 
     @property
     def _session(self) -> "Session":
@@ -238,8 +239,9 @@ class Files(QObject):
         if not self._session.dirty:
             then()
             return
+        self._unsaved = _("{name} has changes that are not saved.").format(name=legible(self.name))
         self._window.messages.ask(
-            _("{name} has changes that are not saved.").format(name=legible(self.name)),
+            self._unsaved,
             [
                 (_("Save"), lambda: self.save(partial(self.unless_unsaved, then))),
                 (_("Discard changes"), then),
@@ -333,10 +335,12 @@ class Files(QObject):
         name = legible(saved.path.name)
         if saved.problem:
             self._window.say_status("")
-            self._window.messages.say(
-                _("{name} was not saved: {error}").format(name=name, error=saved.problem), "error"
-            )
+            self._failure = _("{name} was not saved: {error}").format(name=name, error=saved.problem)
+            self._window.messages.say(self._failure, "error")
             return
+        self._window.messages.withdraw(self._failure)
+        if not self._session.dirty:
+            self._window.messages.withdraw(self._unsaved)
         self._remember(saved.path)
         self._window.say_status(_("Saved {name}.").format(name=name))
         if then:

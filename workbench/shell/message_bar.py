@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import ClassVar
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QGuiApplication, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
@@ -35,7 +35,12 @@ class _Mark(QWidget):
 
 
 class MessageBar(QFrame):
-    """One message at a time. A question stays until it is answered, work until it ends; remarks wait."""
+    """One message at a time. A question stays until it is answered, work until it ends; remarks wait.
+
+    ``postponed`` sends what has to wait, so that it is said elsewhere meanwhile.
+    """
+
+    postponed = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -79,6 +84,7 @@ class MessageBar(QFrame):
         """Say one sentence; ``details`` can then be copied."""
         if self._asking or self._working:
             self._waiting.append((text, kind, details, buttons))
+            self.postponed.emit(text)
             return
         offered = list(buttons)
         if details:
@@ -110,6 +116,12 @@ class MessageBar(QFrame):
     def end_work(self) -> None:
         """What was being done has ended."""
         if self._working:
+            self._end()
+
+    def withdraw(self, text: str) -> None:
+        """What is true no longer is not said any longer, nor later; a question is not answered."""
+        self._waiting = [each for each in self._waiting if each[0] != text]
+        if text and self.text == text:
             self._end()
 
     def dismiss(self) -> None:

@@ -126,6 +126,7 @@ class MainWindow(QMainWindow):
         self.setWindowIcon(QIcon(str(resource("icon", "graphics-workbench.png"))))
         self.themes.follow_system()
         self.messages = MessageBar()
+        self.messages.postponed.connect(self.say_status)
         self._top_column.addWidget(self.messages)
         self.files = Files(self)
         self.arrangements = Arrangements(self.stack, self.settings)

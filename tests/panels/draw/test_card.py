@@ -1,6 +1,7 @@
 """The card of the Draw panel: numbers, the sheet, the algorithm."""
 
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QApplication
 
 from tests.panels.by_hand import LEFT, drag, points, settle
 
@@ -54,3 +55,13 @@ def test_the_algorithm_is_chosen_before_and_after_drawing(qtbot, session, panel)
     box.activated.emit(box.currentIndex())
     settle()
     assert session.sheet.figures[0].algorithm == "midpoint_line"
+
+
+def test_escape_in_a_field_gives_the_focus_to_the_canvas(qtbot, session, panel, line):
+    field = next(iter(panel.card._fields.values())).field
+    field.setFocus()
+    settle()
+    qtbot.keyClick(field, Qt.Key.Key_Escape)
+    settle()
+    assert session.state.selection == ()
+    assert QApplication.focusWidget() is panel.canvas

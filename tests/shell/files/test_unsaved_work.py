@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 from tests.shell.dialogs import dialog_of
 from tests.shell.files.filing import CONTROL, answer, draw_a_line
 from workbench.document.storage.files import load
+from workbench.document.storage.saving import SavingError
 from workbench.session import saver
 from workbench.shell.window import MainWindow
 
@@ -112,3 +113,42 @@ def test_a_window_stays_where_a_save_that_it_waited_for_failed(
     assert window.messages.text.startswith("copy.gwb was not saved: ")
     window.close()
     assert not window.isVisible()
+
+
+def test_a_file_that_could_not_be_written_leaves_the_picture_unsaved(
+    qtbot: QtBot, window: MainWindow, chosen: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What that file holds now nobody knows, so closing asks, and the work is kept for a recovery."""
+    draw_a_line(qtbot, window)
+    window.files.save()
+    qtbot.waitUntil(lambda: not window.session.saving, timeout=10_000)
+    assert not window.session.dirty
+    with monkeypatch.context() as patch:
+        patch.setattr(saver, "write", _refuse)
+        window.files.save()
+        qtbot.waitUntil(lambda: not window.session.saving, timeout=10_000)
+    failure = "my lines.gwb was not saved: the disk is full"
+    assert window.messages.text == failure
+    assert window.isWindowModified()
+    window.close()
+    assert window.isVisible()
+    assert window.messages.text == "my lines has changes that are not saved."
+    window.files.save()
+    qtbot.waitUntil(lambda: not window.session.saving, timeout=10_000)
+    assert window.messages.text == ""  # neither is true any longer
+    assert not window.isWindowModified()
+
+
+def test_what_has_to_wait_for_an_answer_is_said_in_the_status_bar_meanwhile(
+    qtbot: QtBot, window: MainWindow
+) -> None:
+    window.messages.ask("Replace it?", [("No", lambda: None)])
+    window.messages.say("a.gwb was not saved: the disk is full", "error")
+    assert window.messages.text == "Replace it?"
+    assert window.status.hover.text() == "a.gwb was not saved: the disk is full"
+    answer(window, "No")
+    assert window.messages.text == "a.gwb was not saved: the disk is full"
+
+
+def _refuse(*_what: object) -> None:
+    raise SavingError("the disk is full")

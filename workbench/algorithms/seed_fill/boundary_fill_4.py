@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import DrawnBy, Entry, Law
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
+from workbench.algorithms.seed_fill.regions import bounded_4
 from workbench.algorithms.seed_fill.stack_views import BOUNDARY_VIEWS, COLUMNS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
 
@@ -71,6 +72,7 @@ ENTRY = Entry(
     parameters=BOUNDED,
     arguments=picture_seed_and_boundary,
     draws=("seed_fill",),
+    at_once=bounded_4,
     drawn_by=DrawnBy("boundary_fill_spans", _BY_SPANS),
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",

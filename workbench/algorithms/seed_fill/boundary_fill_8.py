@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
 from workbench.algorithms.seed_fill.neighbours import EIGHT_STEPS
+from workbench.algorithms.seed_fill.regions import bounded_8
 from workbench.algorithms.seed_fill.stack_views import BOUNDARY_VIEWS, COLUMNS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
 
@@ -69,6 +70,7 @@ ENTRY = Entry(
     parameters=BOUNDED,
     arguments=picture_seed_and_boundary,
     draws=("seed_fill",),
+    at_once=bounded_8,
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
+from workbench.algorithms.seed_fill.regions import bounded_4
 from workbench.algorithms.seed_fill.span_views import COLUMNS, VIEWS, tested_pixels
 from workbench.algorithms.seed_fill.waiting_marks import span_marks
 
@@ -91,6 +92,7 @@ ENTRY = Entry(
     parameters=BOUNDED,
     arguments=picture_seed_and_boundary,
     draws=("seed_fill",),
+    at_once=bounded_4,
     emits="spans",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,

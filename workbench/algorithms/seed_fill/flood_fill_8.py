@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.seed_fill.example import FLOOD, picture_and_seed
 from workbench.algorithms.seed_fill.neighbours import EIGHT_STEPS
+from workbench.algorithms.seed_fill.regions import flooded_8
 from workbench.algorithms.seed_fill.stack_views import COLUMNS, FLOOD_VIEWS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
 
@@ -67,6 +68,7 @@ ENTRY = Entry(
     parameters=FLOOD,
     arguments=picture_and_seed,
     draws=("seed_fill",),
+    at_once=flooded_8,
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,

@@ -5,7 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMenu, QSplitter, QWidget
+from PySide6.QtWidgets import QApplication, QMenu, QSplitter, QWidget
 
 from workbench.language import _
 from workbench.panels.stage.actions import PanelCommand
@@ -109,7 +109,13 @@ class SteppedPanel(FigurePanel):
         super().choose_tool(name)
 
     def let_go(self) -> None:
-        """Escape: as everywhere, but the box is laid down before what is selected is let go."""
+        """Escape: as everywhere, but the box is laid down before what is selected is let go.
+
+        The canvas takes the focus of a field that goes with the selection.
+        """
+        focus = QApplication.focusWidget()
+        if focus is not None and self.card.isAncestorOf(focus):
+            self.canvas.setFocus()
         if self.boxing.on and not self.gesturing:
             self.choose_tool(self.tools[0].name)
         else:
