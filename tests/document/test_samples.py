@@ -38,11 +38,13 @@ def test_every_example_is_sound_and_in_its_picture(slug: str) -> None:
     assert one.title
     assert one.description.endswith(".")
     for sheet in one.document.sheets:
-        for figure in sheet.figures:
-            for point in figure.points_world:
-                x, y = figure_map(sheet, figure).point(point.x, point.y)
-                assert 0 <= x < sheet.width_px
-                assert 0 <= y < sheet.height_px
+        inside = [
+            0 <= x < sheet.width_px and 0 <= y < sheet.height_px
+            for figure in sheet.figures
+            for x, y in (figure_map(sheet, figure).point(p.x, p.y) for p in figure.points_world)
+        ]
+        # The world of a view reaches beyond its window
+        assert all(inside) or (one.workspace == "view" and any(inside))
 
 
 def test_there_is_no_example_of_another_name() -> None:

@@ -12,7 +12,7 @@ from workbench.document import DocumentError
 from workbench.document.curves.conversions import convert
 from workbench.document.curves.cutting import insert_on_curve, split
 from workbench.document.curves.degrees import lower_degree, raise_degree
-from workbench.document.curves.joining import join, mirror, reverse
+from workbench.document.curves.joining import join, reverse
 from workbench.document.curves.shaping import drag_curve, smooth_joint
 from workbench.document.model import Document
 from workbench.session import Session
@@ -42,7 +42,6 @@ def test_edits_of_curves_are_undone_and_redone(
             split(curve, 0.6),
             join(curve, last),
             reverse(curve),
-            mirror(curve, "x"),
             raise_degree(curve),
             lower_degree(curve),
             convert(curve, "bezier_path", 1.0),

@@ -55,7 +55,7 @@ class Panel(Protocol):
     def point_at(self, cell: Cell | None) -> None:
         """Show in the middle where such a pixel is."""
 
-    def show_page(self, slug: str) -> None:
+    def show_page(self, slug: str = "") -> None:
         """Show one of its pages, where it has several; an empty slug means the first."""
 
     @property
@@ -112,7 +112,7 @@ class PlainPanel:
     def point_at(self, cell: Cell | None) -> None:
         """There is nothing to show it on."""
 
-    def show_page(self, slug: str) -> None:
+    def show_page(self, slug: str = "") -> None:
         """There is but one."""
 
     exporter: "Exporter | None" = None

@@ -9,7 +9,7 @@ from workbench.document.building import Edit
 from workbench.document.curves.conversions import convert
 from workbench.document.curves.cutting import insert_on_curve, inserted, split
 from workbench.document.curves.degrees import raise_degree
-from workbench.document.curves.joining import align, join, mirror
+from workbench.document.curves.joining import align, join
 from workbench.document.curves.shaping import smooth_joint
 from workbench.document.samples.figures import document_of
 
@@ -26,7 +26,6 @@ from workbench.document.samples.figures import document_of
         (smooth_joint("f1", 9, "C1"), "no joint 9"),
         (smooth_joint("f1", 0, "C3"), "Choose one of"),
         (align(["s1/f1/p1/x"], "middling"), "Choose one of"),
-        (mirror("f1", "z"), "Choose one of"),
         (raise_degree("f2"), "one degree only"),
         (join("f1", "f2"), "A closed curve"),
     ],

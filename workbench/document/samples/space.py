@@ -24,7 +24,7 @@ def space_examples() -> list[Example]:
         Example(
             "space-house",
             _("A house in perspective"),
-            _("Two vanishing points on the horizon: what runs together, and why is it divided by depth?"),
+            _("Two vanishing points on the horizon: see what runs together, and why depth divides."),
             "space",
             _house(),
         ),

@@ -76,7 +76,7 @@ class SpacePanel(PlainPanel, QWidget):
         self.addAction(action)
         self._actions.append(action)
 
-    def show_page(self, slug: str, *_checked: object) -> None:
+    def show_page(self, slug: str = "", *_checked: object) -> None:
         """Show one of the pages, by default the first, and step what was stepped there."""
         self.page = slug = slug or self._rows[0].slug
         number = [row.slug for row in self._rows].index(slug)
