@@ -56,10 +56,12 @@ CHOSEN = {
         "dda_line_fixed",
         "liang_barsky",
     },
+    "shell/tour_space.py": {"depth_buffer"},
     # What a command does unless it is told otherwise
     "cli/commands.py": {"depth_buffer"},
     # Which text answers a question
     "rendering/inside.py": {"inside_outside"},
+    "rendering/subjects/chain.py": {"matrix_product", "transform_point"},
     "rendering/subjects/window.py": {"window_to_viewport_point"},
 }
 

@@ -1,152 +1,42 @@
 """The box around what is selected, dragged by a real mouse: points and radii are under its matrix."""
 
-import math
-
 import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtWidgets import QApplication, QMenu
 
-from workbench.document.edits import add_figures
+from tests.panels.stage.boxed import (
+    CIRCLE,
+    ELLIPSE,
+    LEFT,
+    LINE,
+    MIXED,
+    POLYGON,
+    SEED,
+    SHIFT,
+    at,
+    choose,
+    drag,
+    ids,
+    moved,
+    press,
+    same_places,
+    seen,
+    settle,
+    watch,
+)
 from workbench.document.model import (
     Circle,
-    Curve,
-    CurvePoint,
-    Ellipse,
     Line,
-    Polygon,
     Rectangle,
-    SeedFill,
-    WorldPoint,
 )
-from workbench.document.samples.examples import blank_sheet
-from workbench.document.transforms.links import Rotate, Scale, Shear
+from workbench.document.transforms.links import Rotate
 from workbench.document.view_edits import set_window
 from workbench.geometry.transform_box import TURN, Box
 from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.draw.panel import DrawPanel
 from workbench.panels.fill.panel import FillPanel
-from workbench.rendering import figure_map
-from workbench.rendering.rounds import pieces_of_round
-from workbench.session.session import Session
 from workbench.widgets.canvas.drawing import Marker
-
-LEFT, SHIFT = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ShiftModifier
-
-
-def at(*places):
-    return tuple(WorldPoint("", float(x), float(y)) for x, y in places)
-
-
-LINE = Line("", at((20, 10), (35, 18)), "bresenham_line", 1)
-CIRCLE = Circle("", at((40, 30)), "midpoint_circle", 2, radius_world=6.0)
-ELLIPSE = Ellipse("", at((28, 30)), "midpoint_ellipse", 3, radius_x_world=8.0, radius_y_world=4.0)
-TURNED = Ellipse(
-    "",
-    at((30, 34)),
-    "midpoint_ellipse",
-    3,
-    radius_x_world=8.0,
-    radius_y_world=3.0,
-    transforms=(Rotate("", angle=30.0, x_pivot=30.0, y_pivot=34.0),),
-)
-POLYGON = Polygon("", at((22, 22), (34, 22), (28, 29)), "scan_line_fill", 1)
-CURVE = Curve(
-    "",
-    tuple(CurvePoint("", *place) for place in ((20.0, 40.0), (26.0, 44.0), (36.0, 38.0))),
-    "bresenham_line",
-    1,
-    spline="bezier",
-)
-SEED = SeedFill("", at((45, 12)), "boundary_fill_4", 2, boundary=1)
-MIXED = (LINE, CIRCLE, TURNED, SEED, CURVE, POLYGON)
-
-
-def settle():
-    for _turn in range(4):
-        QApplication.processEvents()
-
-
-@pytest.fixture
-def opened(qtbot):
-    sessions = []
-
-    def make(*figures, kind=DrawPanel):
-        session = Session(document=add_figures("s1", figures)(blank_sheet(64, 48)))
-        sessions.append(session)
-        panel = kind(session)
-        qtbot.addWidget(panel)
-        panel.resize(1000, 640)
-        panel.show()
-        qtbot.waitExposed(panel)
-        panel.choose_tool("select")
-        panel.select_all()
-        panel.canvas.setFocus()
-        settle()
-        panel.toggle_box()
-        settle()
-        return panel
-
-    yield make
-    for session in sessions:
-        session.close()
-
-
-def ids(panel):
-    return [figure.id for figure in panel.session.sheet.figures]
-
-
-def choose(panel, number):
-    identity = ids(panel)[number]
-    panel.session.update_state(selection=(identity,), active=identity)
-    settle()
-
-
-def press(qtbot, panel, handle, way, modifiers=Qt.KeyboardModifier.NoModifier):
-    """Drag a handle, or the inside, by ``way`` device units, without letting go."""
-    box, canvas = panel.boxing.box, panel.canvas
-    start = box.places().get(handle) or (box.box.x + 2.0, box.box.y + 2.0)
-    begin, end = (canvas.widget_position(*place) for place in (start, np.add(start, way).tolist()))
-    qtbot.mousePress(canvas, LEFT, modifiers, begin.toPoint())
-    for share in (0.3, 0.7, 1.0):
-        qtbot.mouseMove(canvas, (begin + (end - begin) * share).toPoint())
-        settle()
-    return (begin + (end - begin)).toPoint()
-
-
-def drag(qtbot, panel, handle, way, modifiers=Qt.KeyboardModifier.NoModifier):
-    end = press(qtbot, panel, handle, way, modifiers)
-    qtbot.mouseRelease(panel.canvas, LEFT, modifiers, end)
-    settle()
-
-
-def watch(panel):
-    """The matrices, device, that the box tells."""
-    matrices = []
-    panel.boxing.box.changed.connect(lambda matrix, _kind, _numbers: matrices.append(matrix))
-    return matrices
-
-
-def seen(sheet, figure):
-    """Points (n, 2) where the first view shows them; of a circle or ellipse of its exact curve."""
-    if isinstance(figure, Circle | Ellipse):
-        local = pieces_of_round(figure).controls[:, ::2].reshape(-1, 2)
-    else:
-        local = np.array([(point.x, point.y) for point in figure.points_world])
-    return figure_map(sheet, figure).points(local)
-
-
-def moved(matrix, points):
-    return points @ matrix[:2, :2].T + matrix[:2, 2]
-
-
-def same_places(figure, one, other):
-    """Whether two sets of points are one; of round figures, which may begin elsewhere, as ellipses."""
-    if isinstance(figure, Circle | Ellipse):
-        one, other = (each - each.mean(axis=0) for each in (one, other))
-        return np.allclose(one.T @ one, other.T @ other, atol=1e-6)
-    return np.allclose(one, other, atol=1e-6)
 
 
 @pytest.mark.parametrize("kind", [DrawPanel, FillPanel, ClipPanel])
@@ -320,130 +210,6 @@ def test_what_is_not_seen_has_no_box_and_is_said(qtbot, opened):
     panel.boxing.turn(True)
     assert panel.session.document is before
     assert said == ["Select something that is seen first."]
-
-
-def test_four_quarter_turns_are_none_and_two_flips_are_none_bit_for_bit(opened):
-    panel = opened(LINE, ELLIPSE, POLYGON)
-    session = panel.session
-    before, names = session.document, set()
-    for left in (True, True, True, True, False, True):
-        panel.boxing.turn(left)
-        names.add(session.undo_stack.undoText())
-        for figure in session.sheet.figures:
-            assert all(p.x.is_integer() and p.y.is_integer() for p in figure.points_world)
-    assert session.document == before
-    for axis in ("x", "y"):
-        panel.boxing.flip(axis)
-        assert session.document != before
-        names.add(session.undo_stack.undoText())
-        panel.boxing.flip(axis)
-        assert session.document == before
-    assert names == {"Rotate 90°", "Flip horizontally", "Flip vertically"}
-
-
-def test_commands_are_there_without_the_box_in_menus_and_for_keys(qtbot, opened):
-    panel = opened(LINE)
-    panel.choose_tool("select")
-    settle()
-    menus = [action.menu() for action in panel.canvas.actions() if isinstance(action.menu(), QMenu)]
-    assert [action.objectName() for action in menus[0].actions()] == [
-        action.objectName() for action in panel.transforming()
-    ]
-    qtbot.keyClick(panel.canvas, Qt.Key.Key_H, SHIFT)
-    settle()
-    assert [(p.x, p.y) for p in panel.session.sheet.figures[0].points_world] == [(35.0, 10.0), (20.0, 18.0)]
-    qtbot.keyClick(panel.canvas, Qt.Key.Key_T, Qt.KeyboardModifier.ControlModifier)
-    settle()
-    assert panel.boxing.on
-
-
-def test_numbers_that_are_typed_act_once_about_the_pivot(qtbot, opened):
-    panel = opened(POLYGON)
-    form, session = panel.card.form, panel.session
-    assert form.isVisibleTo(panel.card)
-    old = seen(session.sheet, session.sheet.figures[0])
-    x, y = panel.boxing.pivot_world
-    cos, sin = math.cos(math.radians(30)), math.sin(math.radians(30))
-    matrices = {
-        "tx": ("3", np.array([[1, 0, 3], [0, 1, 0]])),
-        "angle": ("30", np.array([[cos, -sin, x - cos * x + sin * y], [sin, cos, y - sin * x - cos * y]])),
-        "sy": ("-2", np.array([[1, 0, 0], [0, -2, 3 * y]])),
-        "sh_x": ("0.5", np.array([[1, 0.5, -0.5 * y], [0, 1, 0]])),
-    }
-    for name, (text, matrix) in matrices.items():
-        field = form.fields[name]
-        neutral = field.value()
-        field.field.setFocus()
-        field.field.selectAll()
-        qtbot.keyClicks(field.field, text)
-        qtbot.keyClick(field.field, Qt.Key.Key_Return)
-        settle()
-        assert np.allclose(seen(session.sheet, session.sheet.figures[0]), moved(matrix, old)), name
-        assert field.value() == neutral
-        assert session.undo_stack.count() == 1
-        session.undo_stack.undo()
-        settle()
-
-
-def test_a_number_that_is_scrubbed_is_one_step_about_one_pivot(opened):
-    panel = opened(POLYGON)
-    session = panel.session
-    old = seen(session.sheet, session.sheet.figures[0])
-    x, y = panel.boxing.pivot_world
-    field = panel.card.form.fields["sx"]
-    for factor in (1.1, 1.5, 2.0):
-        field.set_value(factor)
-        field.scrubbed.emit(factor)
-        settle()
-    field.scrub_ended.emit()
-    settle()
-    assert session.undo_stack.count() == 1
-    assert np.allclose(
-        seen(session.sheet, session.sheet.figures[0]), (old - (x, y)) * (2, 1) + (x, y), atol=1e-9
-    )
-    assert field.value() == 1.0
-    assert y == panel.boxing.pivot_world[1]
-
-
-def test_the_card_bakes_and_removes_chains_or_says_why_not(qtbot, opened):
-    chain = (Rotate("", angle=90.0), Scale("", sx=2.0, on=False))
-    panel = opened(LINE, TURNED)
-    session = panel.session
-    panel.choose_tool("select")
-    choose(panel, 1)
-    said = []
-    panel.hover_text.connect(said.append)
-    before = session.document
-    qtbot.mouseClick(panel.card.chain.bake, LEFT)
-    assert session.document == before
-    assert "its transforms stay" in said[-1]
-    qtbot.mouseClick(panel.card.chain.removal, LEFT)
-    settle()
-    assert session.sheet.figures[1].transforms == ()
-    assert session.undo_stack.undoText() == "Remove transforms"
-    assert not panel.card.chain.isVisibleTo(panel.card)
-
-    line = opened(replace(LINE, transforms=chain))
-    line.choose_tool("select")
-    settle()
-    assert line.card.chain.links.text() == "Transforms: Rotate, Scale (off)"
-    old = seen(line.session.sheet, line.session.sheet.figures[0])
-    line._actions["bake"].trigger()
-    settle()
-    (figure,) = line.session.sheet.figures
-    assert np.allclose(seen(line.session.sheet, figure), old)
-    assert [type(link) for link in figure.transforms] == [Scale]
-    assert line.session.undo_stack.undoText() == "Bake transforms"
-
-
-def test_a_flattened_figure_says_so_on_its_card(opened):
-
-    flat = replace(LINE, transforms=(Scale("", sx=0.0), Shear("", sh_y=1.0)))
-    panel = opened(flat)
-    panel.choose_tool("select")
-    settle()
-    assert panel.card.chain.flat.isVisibleTo(panel.card)
-    assert "flatten" in panel.card.chain.flat.text()
 
 
 def test_the_frame_is_drawn_where_the_figures_have_come_to(qtbot, opened):

@@ -13,7 +13,8 @@ from workbench.rendering.subjects.figure import figure_of
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
 KIND = "chain"
-PRODUCT, POINT = "matrix_product", "transform_point"
+PRODUCT = "matrix_product"
+POINT = "transform_point"
 VERTEX = "vertex"
 _MOST_VERTICES = 1_000_000
 
