@@ -141,7 +141,8 @@ def test_a_picture_is_the_same_with_and_without_what_is_faster() -> None:
         *lines(CLEAR, TIED, CLEAR).figures,
     ]
     sheet = document_of("Fills", 40, 30, figures).sheets[0]
-    with watched() as painters:
+    ready = mock.patch.object(raster, "at_hand", lambda _function, use: use == "collect")
+    with watched() as painters, ready:
         fast = composite_below(sheet, len(figures))
     assert "boundary_fill_spans" in painters
     assert "boundary_fill_4" not in painters
