@@ -1,6 +1,7 @@
 """The seen half of the box around what is selected: its handles, where they are, and how they look."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -23,7 +24,10 @@ _IDS = "box/"
 
 
 class TransformFrame(QObject):
-    """A box on ``canvas``, in device coordinates, with a pivot. ``looks_changed``: ask for ``over`` again."""
+    """A box on ``canvas``, in device coordinates, with a pivot. ``looks_changed``: ask for ``over`` again.
+
+    ``words`` and ``pivot_words`` say what a drag does, and where the pivot is: in pixels unless set.
+    """
 
     looks_changed = Signal()
 
@@ -39,6 +43,8 @@ class TransformFrame(QObject):
         self._moved = False
         self._motion: Motion | None = None
         self._shears = False
+        self.words: Callable[[Motion], str] = described
+        self.pivot_words: Callable[[float, float], str] = pivot_at
 
     @property
     def box(self) -> Box | None:
@@ -132,8 +138,8 @@ class TransformFrame(QObject):
                 strong = PIVOT in (self._chosen, self._held)
                 drawn.append(PenStroke(np.array(ends), "accent", 2.5 if strong else 1.5))
         if self._held and self._moved:
-            text = pivot_at(*self._pivot) if self._held == PIVOT else ""
-            text = described(self._motion) if self._motion is not None else text
+            text = self.pivot_words(*self._pivot) if self._held == PIVOT else ""
+            text = self.words(self._motion) if self._motion is not None else text
             away = _TAG_PX * unit
             drawn.append(Word(text, self._now[0] + away, self._now[1] + away, "accent", 1, 1, True, True))
         return drawn
