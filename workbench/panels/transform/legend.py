@@ -24,7 +24,7 @@ class Legend(QFrame):
         self.setObjectName("card")
         self.setAccessibleName(_("Legend of the stages"))
         self._canvas = canvas
-        self._shape: tuple[object, ...] = ()
+        self._shape: tuple[int, ...] = ()
         self.rows: list[StageRow] = []
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(4, 4, 4, 4)
@@ -38,7 +38,7 @@ class Legend(QFrame):
         words = [_("as drawn"), *(caption(stage) for stage in chain)]
         numbers = ghosts_of(count) if ghosts else [0, count]
         numbers = [] if not count or len(numbers) > _MOST else numbers
-        shape = (count, tuple((number, words[number]) for number in numbers))
+        shape = (count, *numbers)
         if shape != self._shape:
             self._shape = shape
             for row in self.rows:
@@ -54,6 +54,8 @@ class Legend(QFrame):
                 self._column.addWidget(row)
                 self.rows.append(row)
         for row in self.rows:
+            if row.words.text() != words[row.number]:
+                row.tell("", "", words[row.number])
             row.set_lit(row.number == lit)
         self._place()
 

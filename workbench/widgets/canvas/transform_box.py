@@ -132,8 +132,8 @@ class TransformBox(TransformFrame):
 
     def _tell(self, made: Motion) -> None:
         self._motion = made
-        self.looks_changed.emit()
         self.changed.emit(made.matrix, made.kind, made.numbers)
+        self.looks_changed.emit()  # last, so that what follows from the change is shown along with it
 
     def _put_pivot(self, now: Point, keys: Keys) -> None:
         """The pivot keeps to corners, sides and middle where it comes near, unless Ctrl is held."""
@@ -145,8 +145,8 @@ class TransformBox(TransformFrame):
             if math.dist(nearest, (x, y)) <= PIVOT_REACH_PX * self._unit:
                 x, y = nearest
         self._pivot = (x, y)
-        self.looks_changed.emit()
         self.pivot_moved.emit(x, y)
+        self.looks_changed.emit()
 
     def _keys(self, modifiers: Qt.KeyboardModifier) -> Keys:
         return Keys(
