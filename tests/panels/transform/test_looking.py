@@ -242,3 +242,24 @@ def test_the_legend_keeps_its_rows_while_only_numbers_change(panel, session):
     settle()
     assert panel.view.legend.rows is rows
     assert (words, rows[2].words.text()) == ("turned by 10°", "turned by 20°")
+
+
+def test_the_legend_goes_where_the_figure_is_not(panel, session):
+    def overlaps():
+        hidden = panel.view.legend.geometry().intersected(
+            panel.view.chain_box.rectangle(figure(session)).toRect()
+        )
+        return not hidden.isEmpty()
+
+    panel.resize(1100, 620)
+    settle()
+    places = set()
+    for tx, ty in ((0.0, 0.0), (5.0, -5.0), (5.0, 1.0), (6.0, -5.0)):
+        session.apply(add_transform(figure(session).id, Translate("", tx=tx, ty=ty)), "move")
+        settle()
+        assert not panel.view.legend.isHidden()
+        assert not overlaps()
+        places.add(panel.view.legend.y() < panel.canvas.height() / 4)
+        session.undo_stack.undo()
+        settle()
+    assert places == {True, False}

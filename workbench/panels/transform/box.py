@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from PySide6.QtCore import QObject, QPointF, Signal
+from PySide6.QtCore import QObject, QPointF, QRectF, Signal
 
 from workbench.algorithms.transforms import Matrix
 from workbench.document.building import Edit
@@ -53,7 +53,7 @@ class ChainBox(QObject):
 
     def __init__(self, session: Session, canvas: PixelCanvas) -> None:
         super().__init__(canvas)
-        self._session = session
+        self._session, self._canvas = session, canvas
         self._figure: AnyFigure | None = None
         self._pivots: dict[str, tuple[float, float]] = {}  # before the chain, which carries them
         self._gesture = Gesture(session)
@@ -105,6 +105,14 @@ class ChainBox(QObject):
             return None
         (x0, y0), (x1, y1) = low.tolist(), high.tolist()
         return Box((x0 + x1) / 2, (y0 + y1) / 2, x1 - x0, y1 - y0)
+
+    def rectangle(self, figure: AnyFigure) -> QRectF:
+        """Where a figure is on the canvas now, logical pixels; empty where it cannot be told."""
+        box = self._around(figure)
+        if box is None:
+            return QRectF()
+        corners = box.corners()
+        return QRectF(self._canvas.widget_position(*corners[3]), self._canvas.widget_position(*corners[1]))
 
     def over(self, overlay: Overlay) -> Overlay:
         """The marks with the box on top."""
