@@ -254,3 +254,22 @@ def test_what_a_newer_program_stepped_is_left_out_and_said(
     assert session.run.subject == Subject(ids=("f3",))
     session.take(replace(stored, session=SessionState()), Path("b.gwb"), None)
     assert len(told) == 1
+
+
+@pytest.mark.parametrize(
+    ("kind", "sentence"),
+    [
+        ("chain", "Draw a figure and give it a transform, to see its matrices worked out step by step."),
+        ("clipper", "Draw a figure and a window to see how the algorithm works, step by step."),
+        ("window", "Click a point in one of the pictures, and follow it to the other step by step."),
+        ("figure", "Draw a figure to see how the algorithm works, step by step."),
+    ],
+)
+def test_where_nothing_is_run_each_subject_says_what_it_lacks(qtbot, kind, sentence):
+    session = Session()
+    session.visit("elsewhere", Subject("curve"))
+    session.visit("here", Subject(kind))
+    session.flush()
+    assert session.run.entry is None
+    assert session.run.invitation == sentence
+    session.close()

@@ -31,6 +31,7 @@ from workbench.algorithms.transforms import (
     symbolic_translation,
     translation,
 )
+from workbench.algorithms.transforms.symbols import written_out
 from workbench.algorithms.transforms.terms import Expression, constant, cosine, factor, place, sine
 from workbench.algorithms.viewing import Mode, window_chain, window_to_viewport
 
@@ -241,3 +242,17 @@ def test_sums_and_products_follow_the_rules_of_arithmetic(a: float, b: float) ->
     assert (s + one - s).text == "1"
     assert (s - s).text == "0"
     assert (-(s * x)).value == -(a * b)
+
+
+@given(angles, coordinates, coordinates, factors, factors, st.integers(1, 3))
+def test_a_chain_is_written_out_as_it_is_multiplied_out(
+    theta: float, x: float, y: float, sx: float, sy: float, count: int
+) -> None:
+    links = (
+        *rotation_about_chain(theta, x, y),
+        *scaling_about_chain(sx, sy, y, x),
+        *reflection_chain(x, y, theta),
+    )[-count:]
+    *factors_written, whole = written_out(links)
+    assert factors_written == [link.texts for link in links]
+    assert whole == multiplied_out(links)[-1].texts

@@ -17,6 +17,7 @@ from workbench.engine.recording import Recording
 from workbench.engine.visits import skip
 from workbench.language import _
 from workbench.rendering.mapping import Call
+from workbench.rendering.subjects.registry import kind_of
 from workbench.session.collecting import collect_here
 from workbench.session.going_first import go_first
 from workbench.session.variables import same_value
@@ -50,6 +51,7 @@ class RecordedRun(QObject):
         self.entry: Entry | None = None
         self.calls: tuple[tuple[Any, ...], ...] = ()
         self.subject: Subject | None = None
+        self.invitation = kind_of(Subject()).invitation
         self.image_size = (0, 0)
         self.recording: Recording | None = None
         self.steps: Steps | None = None
@@ -75,7 +77,7 @@ class RecordedRun(QObject):
         waits and only the last of such calls is followed.
         """
         if not calls:
-            self.clear()
+            self.clear(kind_of(subject).invitation)
             return
         if self._held:
             self._deferred = subject, calls, image_size
@@ -114,14 +116,16 @@ class RecordedRun(QObject):
         self._look.start(_FIRST_LOOK_MS)
         self.changed.emit()
 
-    def clear(self) -> None:
-        """No run."""
+    def clear(self, invitation: str = "") -> None:
+        """No run; ``invitation`` is what to do to have one."""
         self._deferred = None
-        if self.entry is None:
+        if self.entry is None and invitation == self.invitation:
             return
-        self._leaving(False)
-        self._forget()
-        self.entry, self.calls, self.subject = None, (), None
+        self.invitation = invitation
+        if self.entry is not None:
+            self._leaving(False)
+            self._forget()
+            self.entry, self.calls, self.subject = None, (), None
         self.changed.emit()
 
     # A stretch of it

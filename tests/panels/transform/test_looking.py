@@ -213,3 +213,53 @@ def test_every_example_shows_its_chain(panel, session, slug):
     settle()
     np.testing.assert_allclose(whole(panel), matrix_of(chain(session)), atol=1e-9)
     assert panel.exporter.page().picture.size == (session.sheet.width_px, session.sheet.height_px)
+
+
+def test_a_move_of_the_hand_is_shown_once(qtbot, panel, session, monkeypatch):
+    start = handle(panel, "turn")
+    qtbot.mousePress(panel.canvas, LEFT, pos=at(panel, *start))
+    settle()
+    shown_as = []
+    refresh = panel.view.refresh
+    monkeypatch.setattr(
+        panel.view, "refresh", lambda *given: (shown_as.append(chain(session)[0].angle), refresh(*given))
+    )
+    for k in range(1, 6):
+        qtbot.mouseMove(panel.canvas, at(panel, start[0] - 3 * k, start[1] - 2 * k))
+        settle()
+        assert len(shown_as) == k
+    assert sorted(set(shown_as)) == shown_as
+    qtbot.mouseRelease(panel.canvas, LEFT, pos=at(panel, start[0] - 15, start[1] - 10))
+    settle()
+
+
+def test_the_legend_keeps_its_rows_while_only_numbers_change(panel, session):
+    address = f"{session.sheet.id}/{figure(session).id}/{chain(session)[0].id}/angle"
+    session.apply(set_attribute(address, 10.0), "turn")
+    settle()
+    rows, words = panel.view.legend.rows, panel.view.legend.rows[2].words.text()
+    session.apply(set_attribute(address, 20.0), "turn")
+    settle()
+    assert panel.view.legend.rows is rows
+    assert (words, rows[2].words.text()) == ("turned by 10°", "turned by 20°")
+
+
+def test_the_legend_goes_where_the_figure_is_not(panel, session):
+    def overlaps():
+        hidden = panel.view.legend.geometry().intersected(
+            panel.view.chain_box.rectangle(figure(session)).toRect()
+        )
+        return not hidden.isEmpty()
+
+    panel.resize(1100, 620)
+    settle()
+    places = set()
+    for tx, ty in ((0.0, 0.0), (5.0, -5.0), (5.0, 1.0), (6.0, -5.0)):
+        session.apply(add_transform(figure(session).id, Translate("", tx=tx, ty=ty)), "move")
+        settle()
+        assert not panel.view.legend.isHidden()
+        assert not overlaps()
+        places.add(panel.view.legend.y() < panel.canvas.height() / 4)
+        session.undo_stack.undo()
+        settle()
+    assert places == {True, False}

@@ -8,10 +8,15 @@ from PySide6.QtCore import QPoint, Qt
 
 from tests.panels.by_hand import LEFT, SHIFT, at, drag, settle
 from tests.panels.transform.hand import chain, device, figure, handle, type_into, whole
+from workbench.document.samples.examples import example
 from workbench.document.transforms.chains import matrix_of
 from workbench.document.transforms.edits import add_transform
 from workbench.document.transforms.links import Affine, Reflect, Rotate, Scale, Shear, Translate
+from workbench.exchange.formulas.terms import displayed
 from workbench.panels.transform.chain_dock import offers
+from workbench.panels.transform.scene import curves_of
+from workbench.panels.transform.told import place_text
+from workbench.rendering.mapping import device_map
 
 ALT = Qt.KeyboardModifier.AltModifier
 
@@ -235,3 +240,72 @@ def test_a_number_in_a_matrix_changes_its_link(qtbot, panel, session):
     assert session.undo_stack.count() == count + 1
     session.undo_stack.undo()
     assert chain(session)[0].y_pivot == 3.0
+
+
+def test_a_drag_says_the_numbers_of_the_link_that_it_becomes(qtbot, panel, session):
+    cross = handle(panel, "pivot")
+    said = dragged_to(qtbot, panel, cross, (cross[0] + 4, cross[1]))
+    at_pivot = place_text(round(chain(session)[-1].x_pivot, 2), round(chain(session)[-1].y_pivot, 2))
+    assert said == f"pivot {at_pivot}"
+    x, y = panel.view.chain_box.box.box.centre
+    inside = x - 2, y + 2
+    said = dragged_to(qtbot, panel, inside, (inside[0] + 8, inside[1] - 4))
+    move = chain(session)[-1]
+    assert said == f"move by ({displayed(move.tx)}, {displayed(move.ty)})"
+    assert move.tx == pytest.approx(2.0, abs=0.1)
+    corner = handle(panel, "top right")
+    said = dragged_to(qtbot, panel, corner, (corner[0] + 6, corner[1] + 3))
+    scale = chain(session)[-1]
+    at_pivot = place_text(round(scale.x_pivot, 2), round(scale.y_pivot, 2))
+    assert said == f"scale {displayed(scale.sx)} × {displayed(scale.sy)} about {at_pivot}"
+
+
+def dragged_to(qtbot, panel, start, end):
+    """Drag, and give what stood beside the pointer before it was let go."""
+    qtbot.mousePress(panel.canvas, LEFT, pos=at(panel, *start))
+    for share in (0.5, 1.0):
+        between = (a + share * (b - a) for a, b in zip(start, end, strict=True))
+        qtbot.mouseMove(panel.canvas, at(panel, *between))
+        settle()
+    tag = panel.canvas.overlay.drawn[-1].text
+    qtbot.mouseRelease(panel.canvas, LEFT, pos=at(panel, *end))
+    settle()
+    return tag
+
+
+def test_the_pivot_goes_with_the_figure_through_the_links_after_it(panel, session):
+    address = figure(session).id
+    session.apply(add_transform(address, Translate("", tx=2.0, ty=1.0)), "move")
+    settle()
+    assert panel.view.chain_box.pivot == (5.0, 4.0)
+    session.apply(add_transform(address, Reflect("", angle=90.0, x_pivot=-1.0)), "mirror")
+    settle()
+    assert panel.view.chain_box.pivot == (-1.0, 0.0)
+
+
+def test_a_pivot_that_was_put_somewhere_goes_with_the_figure_and_comes_back(qtbot, panel, session):
+    address = figure(session).id
+    session.apply(add_transform(address, Translate("", tx=2.0, ty=1.0)), "move")
+    settle()
+    start = handle(panel, "pivot")
+    drag(qtbot, panel, start, (start[0] - 5, start[1]), (start[0] - 11, start[1] - 3))
+    x, y = panel.view.chain_box.pivot
+    assert (x, y) == pytest.approx((2.25, 3.25), abs=0.3)
+    session.apply(add_transform(address, Translate("", tx=-3.0, ty=0.5)), "move")
+    settle()
+    assert panel.view.chain_box.pivot == pytest.approx((x - 3.0, y + 0.5))
+    session.undo_stack.undo()
+    settle()
+    assert panel.view.chain_box.pivot == pytest.approx((x, y))
+
+
+def test_round_figures_stand_in_the_plane_once_and_whole_whatever_the_views_show(panel, session):
+    sheet = example("view-house").document.sheets[0]
+    (sun,) = [each for each in sheet.figures if each.name == "Sun"]
+    (ring,) = curves_of(sheet, sun)
+    world = device_map(sheet).world(ring)
+    middle = sun.points_world[0]
+    far = np.hypot(world[:, 0] - middle.x, world[:, 1] - middle.y)
+    np.testing.assert_allclose(far, sun.radius_world, atol=1e-3)
+    assert len(sheet.views) == 2
+    assert np.ptp(np.unwrap(np.arctan2(*(world - (middle.x, middle.y)).T))) == pytest.approx(2 * math.pi)

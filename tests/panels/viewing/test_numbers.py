@@ -194,3 +194,15 @@ def test_a_view_that_is_not_there_any_more_is_the_first_one(qtbot, session, pane
     settle()
     assert session.state.subject.arguments["view"] == added
     assert panel.view is session.sheet.first_view
+
+
+@pytest.mark.parametrize("slug", ["window", "viewport"])
+def test_a_number_that_is_refused_is_said_without_the_path_of_a_file(qtbot, session, panel, slug):
+    before = session.document
+    fields = panel.card.rectangles[slug].fields
+    type_into(qtbot, fields["xmax"], "1e300")
+    assert panel.card.complaint.text() == (
+        "The xmax is 1e+300; give a number between -1,000,000 and 1,000,000."
+    )
+    assert all(field.field.property("wrong") for field in fields.values())
+    assert session.document == before

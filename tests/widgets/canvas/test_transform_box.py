@@ -272,3 +272,17 @@ def test_a_turned_box_scales_in_its_own_directions(owner):
 )
 def test_what_a_drag_does_is_said_with_its_numbers(handle, start, now, keys, words):
     assert described(motion(Box(12, 8, 4, 4), (12, 8), handle, start, now, keys)) == words
+
+
+@pytest.mark.parametrize(("room", "way", "long"), [(60, 1, 28), (25, 1, 18), (12, -1, 28)])
+def test_the_round_handle_stays_in_sight_at_the_upper_edge(owner, room, way, long):
+    canvas = owner.canvas
+    top = canvas.device_position(QPointF(canvas.width() / 2, room))[1]
+    box = Box(100, top - 10, 30, 20)
+    owner.box.set_box(box)
+    place = canvas.widget_position(*owner.box.places()[TURN])
+    foot = canvas.widget_position(*box.place(0, way))
+    assert foot.y() - place.y() == pytest.approx(way * long, abs=0.5)
+    assert canvas.rect().contains(place.toPoint())
+    owner.drag(TURN, (130, top - 8))
+    assert "rotate" in owner.told

@@ -297,3 +297,16 @@ def test_letting_numbers_change_lays_nothing_else_out(row):
     row.set_terms(TERMS[:1])
     row.set_terms(TERMS)
     assert row.laid.cells != before.cells  # another row begins anew
+
+
+def test_other_numbers_behind_symbols_are_kept_and_copied_but_not_laid_out_anew(row):
+    row.set_shows("symbols")
+    before = row.laid
+    row.set_terms((PRODUCT, Sign("="), FACTOR.with_values([[1, 0, 8], [0, 1, -2]]), TERMS[3]))
+    assert row.laid is before
+    assert value(row, X_P) == 8.0
+    row.set_shows("numbers")
+    assert row.laid is not before
+    row.set_shows("symbols")
+    row.set_terms((PRODUCT, Sign("="), matrix([[1, 0, 8], [0, 1, -2]]), TERMS[3]))
+    assert row.laid.primitives != before.primitives

@@ -4,15 +4,19 @@ Where a chain has two links of one kind, an ``index`` tells their symbols apart:
 """
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
 from workbench.algorithms.transforms.chain import Matrix
-from workbench.algorithms.transforms.terms import Expression, constant, cosine, factor, place, sine
+from workbench.algorithms.transforms.terms import Expression, Product, constant, cosine, factor, place, sine
 from workbench.geometry.angles import cosine_and_sine
 
 Cells = tuple[tuple[Expression, ...], ...]
+Texts = tuple[tuple[str, ...], ...]
+Notation = tuple[tuple[Product, float], ...]
+"""The terms of an expression without the values of their symbols."""
 _ZERO, _ONE = constant(0), constant(1)
 
 
@@ -23,7 +27,7 @@ class SymbolicMatrix(NamedTuple):
     cells: Cells
 
     @property
-    def texts(self) -> tuple[tuple[str, ...], ...]:
+    def texts(self) -> Texts:
         """Its cells in course notation."""
         return tuple(tuple(cell.text for cell in row) for row in self.cells)
 
@@ -45,6 +49,30 @@ def multiplied_out(chain: Sequence[SymbolicMatrix]) -> tuple[SymbolicMatrix, ...
     for link in reversed(chain[:-1]):
         products.append(link @ products[-1])
     return tuple(products[1:]) or tuple(products)
+
+
+def written_out(chain: Sequence[SymbolicMatrix]) -> tuple[Texts, ...]:
+    """The texts of the matrices of a chain as written, then those of their product.
+
+    They are the same whatever the symbols stand for, so they are worked out once for all values.
+    """
+    return _written_out(tuple(tuple(tuple(map(_notation, row)) for row in link.cells) for link in chain))
+
+
+def _notation(cell: Expression) -> Notation:
+    return tuple(
+        (tuple((symbol._replace(value=0.0), power) for symbol, power in product), number)
+        for product, number in cell.terms.items()
+    )
+
+
+@lru_cache(maxsize=64)
+def _written_out(chain: tuple[tuple[tuple[Notation, ...], ...], ...]) -> tuple[Texts, ...]:
+    links = [
+        SymbolicMatrix("", tuple(tuple(Expression(dict(cell)) for cell in row) for row in rows))
+        for rows in chain
+    ]
+    return *(link.texts for link in links), multiplied_out(links)[-1].texts
 
 
 def row_times_column(left: SymbolicMatrix, right: SymbolicMatrix, row: int, column: int) -> str:

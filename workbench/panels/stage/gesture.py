@@ -68,7 +68,7 @@ class Gesture(QObject):
         try:
             self.session.apply(lambda _document: edit(before), name, self._merge)
         except DocumentError as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(problem.short)
             return False
         self._shown = self.session.document
         return True

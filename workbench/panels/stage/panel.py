@@ -305,7 +305,7 @@ class FigurePanel(PlainPanel, QWidget):
         try:
             self.session.apply(edit, name, merge)
         except DocumentError as problem:
-            self.hover_text.emit(str(problem))
+            self.hover_text.emit(problem.short)
 
     def selected(self) -> list[AnyFigure]:
         """The selected figures of the sheet, from back to front."""

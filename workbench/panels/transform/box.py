@@ -3,16 +3,17 @@
 import math
 
 import numpy as np
-from PySide6.QtCore import QObject, QPointF, Signal
+from PySide6.QtCore import QObject, QPointF, QRectF, Signal
 
+from workbench.algorithms.transforms import Matrix
 from workbench.document.building import Edit
 from workbench.document.edits import set_attributes
 from workbench.document.model import AnyFigure
-from workbench.document.transforms.chains import is_singular
+from workbench.document.transforms.chains import inverse_of, is_singular, matrix_of
 from workbench.document.transforms.edits import extend
 from workbench.document.transforms.links import AboutPivot, AnyLink, Rotate, Scale, Shear, Translate
 from workbench.document.transforms.names import title
-from workbench.geometry.transform_box import MOVE, Box
+from workbench.geometry.transform_box import MOVE, Box, Motion
 from workbench.language import _
 from workbench.panels.stage.gesture import Gesture
 from workbench.panels.transform.scene import curves_of, on_device, placed
@@ -21,6 +22,7 @@ from workbench.session.session import Session
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.transform_box import TransformBox
+from workbench.widgets.canvas.transform_words import described, pivot_at
 
 _DECIMALS = 2
 _OF_DEGREES = 1
@@ -51,13 +53,14 @@ class ChainBox(QObject):
 
     def __init__(self, session: Session, canvas: PixelCanvas) -> None:
         super().__init__(canvas)
-        self._session = session
+        self._session, self._canvas = session, canvas
         self._figure: AnyFigure | None = None
-        self._pivots: dict[str, tuple[float, float]] = {}
+        self._pivots: dict[str, tuple[float, float]] = {}  # before the chain, which carries them
         self._gesture = Gesture(session)
         self._gesture.failed.connect(self.failed)
         self._moving_pivot = self._following = False
         self.box = _PointsFirst(canvas)
+        self.box.words, self.box.pivot_words = self._words, self._pivot_words
         self.box.began.connect(self._begin)
         self.box.changed.connect(self._change)
         self.box.ended.connect(self._end)
@@ -76,10 +79,9 @@ class ChainBox(QObject):
         figure = self._figure
         if figure is None:
             return 0.0, 0.0
-        last = _last_of(figure)
-        if isinstance(last, AboutPivot):
-            return last.x_pivot, last.y_pivot
-        return self._pivots.get(figure.id, (0.0, 0.0))
+        if isinstance(_last_of(figure), AboutPivot) or figure.id not in self._pivots:
+            return _carried(figure)
+        return _through(figure.matrix, self._pivots[figure.id])
 
     def follow(self, figure: AnyFigure | None) -> None:
         """Lay the box round a figure as it is seen; none where there is none or its chain is singular."""
@@ -103,6 +105,14 @@ class ChainBox(QObject):
             return None
         (x0, y0), (x1, y1) = low.tolist(), high.tolist()
         return Box((x0 + x1) / 2, (y0 + y1) / 2, x1 - x0, y1 - y0)
+
+    def rectangle(self, figure: AnyFigure) -> QRectF:
+        """Where a figure is on the canvas now, logical pixels; empty where it cannot be told."""
+        box = self._around(figure)
+        if box is None:
+            return QRectF()
+        corners = box.corners()
+        return QRectF(self._canvas.widget_position(*corners[3]), self._canvas.widget_position(*corners[1]))
 
     def over(self, overlay: Overlay) -> Overlay:
         """The marks with the box on top."""
@@ -136,6 +146,25 @@ class ChainBox(QObject):
             return Shear("", sh_x=round(numbers["factor"] * ratio, _DECIMALS), x_ref=x, y_ref=y)
         return Shear("", sh_y=round(numbers["factor"] / ratio, _DECIMALS), x_ref=x, y_ref=y)
 
+    def _words(self, motion: Motion) -> str:
+        """What a drag does, with the numbers of the link that it becomes."""
+        link = self._link(motion.kind, motion.numbers)
+        numbers: dict[str, float] = {}
+        match link:
+            case Translate():
+                numbers = {"dx": link.tx, "dy": link.ty}
+            case Rotate():
+                numbers = {"angle": math.radians(link.angle), "x": link.x_pivot, "y": link.y_pivot}
+            case Scale():
+                numbers = {"sx": link.sx, "sy": link.sy, "x": link.x_pivot, "y": link.y_pivot}
+            case Shear():
+                factor = link.sh_x or link.sh_y
+                numbers = {"factor": factor, "angle": math.atan(factor), "x": link.x_ref, "y": link.y_ref}
+        return described(motion._replace(numbers=numbers))
+
+    def _pivot_words(self, x: float, y: float) -> str:
+        return pivot_at(*device_map(self._session.sheet).world_point(x, y))
+
     def _end(self) -> None:
         self._gesture.commit()
         self.held.emit(False)
@@ -153,7 +182,7 @@ class ChainBox(QObject):
         at = round(place[0], _DECIMALS), round(place[1], _DECIMALS)
         last = _last_of(figure)
         if not isinstance(last, AboutPivot):
-            self._pivots[figure.id] = at
+            self._pivots[figure.id] = at if figure.matrix is None else _through(inverse_of(figure.matrix), at)
             return
         if not self._gesture.busy:
             self._gesture.begin()
@@ -174,6 +203,22 @@ class ChainBox(QObject):
 def _last_of(figure: AnyFigure) -> AnyLink | None:
     """The last link that acts."""
     return next((link for link in reversed(figure.transforms) if link.on), None)
+
+
+def _carried(figure: AnyFigure) -> tuple[float, float]:
+    """Where the last pivot of a chain is after the links that follow it; the origin without one."""
+    acting = [link for link in figure.transforms if link.on]
+    for number, link in reversed([*enumerate(acting)]):
+        if isinstance(link, AboutPivot):
+            return _through(matrix_of(tuple(acting[number + 1 :])), (link.x_pivot, link.y_pivot))
+    return 0.0, 0.0
+
+
+def _through(matrix: Matrix | None, point: tuple[float, float]) -> tuple[float, float]:
+    if matrix is None:
+        return point
+    x, y, w = (matrix @ (*point, 1.0)).tolist()
+    return round(x / w, 9), round(y / w, 9)
 
 
 def _factor(value: float) -> float:

@@ -233,6 +233,6 @@ class ChainDock(Ground):
         try:
             self._session.apply(edit, name, merge)
         except DocumentError as problem:
-            self.said.emit(str(problem))
+            self.said.emit(problem.short)
             return problem.short
         return ""

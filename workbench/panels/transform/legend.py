@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QObject, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSizeF, Signal
 from PySide6.QtWidgets import QFrame, QVBoxLayout, QWidget
 
 from workbench.document.transforms.stages import Stage
@@ -15,7 +15,10 @@ _NARROW_PX, _LOW_PX, _MOST, _GAP_PX = 700, 200, 6, 8
 
 
 class Legend(QFrame):
-    """Stands at the upper right of ``canvas`` where there is room; ``pointed`` sends a stage or None."""
+    """Stands in a corner at the right of ``canvas``, where it covers least of the figure, if there is room.
+
+    ``pointed`` sends a stage or None.
+    """
 
     pointed = Signal(object)
 
@@ -24,7 +27,8 @@ class Legend(QFrame):
         self.setObjectName("card")
         self.setAccessibleName(_("Legend of the stages"))
         self._canvas = canvas
-        self._shape: tuple[object, ...] = ()
+        self._shape: tuple[int, ...] = ()
+        self._figure = QRectF()
         self.rows: list[StageRow] = []
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(4, 4, 4, 4)
@@ -32,13 +36,14 @@ class Legend(QFrame):
         canvas.installEventFilter(self)
         self.hide()
 
-    def follow(self, chain: Sequence[Stage], ghosts: bool, lit: int | None) -> None:
-        """Name the stages of ``chain`` that are drawn."""
+    def follow(self, chain: Sequence[Stage], ghosts: bool, lit: int | None, figure: QRectF) -> None:
+        """Name the stages of ``chain`` that are drawn, away from where the ``figure`` is (logical pixels)."""
+        self._figure = figure
         count = len(chain)
         words = [_("as drawn"), *(caption(stage) for stage in chain)]
         numbers = ghosts_of(count) if ghosts else [0, count]
         numbers = [] if not count or len(numbers) > _MOST else numbers
-        shape = (count, tuple((number, words[number]) for number in numbers))
+        shape = (count, *numbers)
         if shape != self._shape:
             self._shape = shape
             for row in self.rows:
@@ -54,6 +59,8 @@ class Legend(QFrame):
                 self._column.addWidget(row)
                 self.rows.append(row)
         for row in self.rows:
+            if row.words.text() != words[row.number]:
+                row.tell("", "", words[row.number])
             row.set_lit(row.number == lit)
         self._place()
 
@@ -69,4 +76,12 @@ class Legend(QFrame):
         self.setVisible(bool(self.rows) and room)
         if not self.isHidden():
             self.adjustSize()
-            self.move(canvas.width() - self.width() - _GAP_PX, canvas.height() - self.height() - _GAP_PX)
+            left = canvas.width() - self.width() - _GAP_PX
+            corners = [QPoint(left, canvas.height() - self.height() - _GAP_PX), QPoint(left, _GAP_PX)]
+            corners.sort(key=lambda corner: corner != self.pos())  # it stays unless another is better
+            self.move(min(corners, key=self._covered))
+
+    def _covered(self, corner: QPoint) -> float:
+        """How much of the figure it would hide, square pixels."""
+        hidden = self._figure.intersected(QRectF(QPointF(corner), QSizeF(self.size())))
+        return hidden.width() * hidden.height()

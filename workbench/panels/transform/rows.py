@@ -5,8 +5,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from workbench.algorithms import transforms
 from workbench.algorithms.transforms import Matrix as Numbers
+from workbench.algorithms.transforms.symbols import written_out
 from workbench.document.transforms.stages import Stage, products
 from workbench.exchange.formulas.terms import Cell, Matrix, Phrase, Shows, Sign, Term, matrix
 from workbench.language import _
@@ -95,12 +95,15 @@ def _symbols(chain: Sequence[Stage], whole: Numbers) -> Row:
     if len(chain) > MOST_WITH_SYMBOLS:
         factors = [Phrase(stage.symbols.name) for stage in written]
         return Row((name, Sign("="), *factors), of=dict(enumerate(written, 2)))
-    product = transforms.multiplied_out([stage.symbols for stage in written])[-1]
+    *factors_written, product = written_out([stage.symbols for stage in written])
     terms = (
         name,
-        matrix(whole, product.texts),
+        matrix(whole, product),
         Sign("="),
-        *(matrix(stage.elementary.matrix, stage.symbols.texts) for stage in written),
+        *(
+            matrix(stage.elementary.matrix, texts)
+            for stage, texts in zip(written, factors_written, strict=True)
+        ),
         Phrase(f'"{_("in symbols")}"', note=True),
     )
     return Row(terms, "symbols", dict(enumerate(written, 3)), {1: len(chain)})

@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.marks import Ink, Word
 from workbench.algorithms.transforms import Matrix
-from workbench.document.model import AnyFigure, Line, Polygon, Polyline, Sheet
+from workbench.document.model import AnyFigure, Line, Polygon, Polyline, Rectangle, Sheet, View
 from workbench.document.transforms.chains import is_singular, transformed
 from workbench.document.transforms.stages import Stage, products, stages
 from workbench.panels.stage.outline import outline
 from workbench.panels.transform.told import place_text
+from workbench.rendering.extent import world_extent
 from workbench.rendering.mapping import DeviceMap, device_map
 from workbench.widgets.canvas.drawing import Drawn, Marker, Pattern, PenStroke, Tint
 
@@ -103,7 +104,19 @@ def curves_of(sheet: Sheet, figure: AnyFigure) -> tuple[Points, ...]:
             ends = figure.ring_ends or (len(points),)
             rings = [points[a:b] for a, b in zip((0, *ends), ends, strict=False)]
             return tuple(scale.points(np.concatenate([ring, ring[:1]])) for ring in rings)
-    return outline(sheet, replace(figure, transforms=()))
+    return _whole(sheet, replace(figure, transforms=(), visible=True))
+
+
+def _whole(sheet: Sheet, figure: AnyFigure) -> tuple[Points, ...]:
+    """The outline as the first view places it, past the edge of its viewport too."""
+    extent = world_extent(replace(sheet, figures=(figure,)))
+    if extent is None:
+        return ()
+    scale, xmin, ymin, xmax, ymax = device_map(sheet), *extent
+    room = max(xmax - xmin, ymax - ymin, 1.0)  # a curve may reach beyond its points
+    window = Rectangle(xmin - room, ymin - room, xmax + room, ymax + room)
+    viewport = Rectangle(*scale.point(window.xmin, window.ymin), *scale.point(window.xmax, window.ymax))
+    return outline(replace(sheet, views=(View("", window, viewport),)), figure)
 
 
 def on_device(scale: DeviceMap, matrix: Matrix | None) -> Matrix:

@@ -4,9 +4,11 @@ from workbench.document.edits import move_points
 from workbench.document.transforms.edits import extend
 from workbench.document.transforms.links import Translate
 from workbench.document.transforms.names import title
+from workbench.exchange.formulas.terms import displayed
 from workbench.language import _
 from workbench.panels.stage.gesture import Cell, HandleDrag, Modifiers, snapped
 from workbench.panels.stage.tools import SelectTool
+from workbench.panels.transform.told import place_text
 from workbench.rendering.mapping import device_map
 from workbench.session.session import Session
 
@@ -35,7 +37,7 @@ class ChainSelectTool(SelectTool):
             extend(self.session.state.selection, link) if right or up else lambda document: document,
             title(link),
         )
-        self.tag = _("moved by ({right}, {up})").format(right=f"{dx:g}", up=f"{dy:g}")
+        self.tag = _("moved by ({right}, {up})").format(right=displayed(dx), up=displayed(dy))
 
 
 class PointDrag(HandleDrag):
@@ -52,5 +54,5 @@ class PointDrag(HandleDrag):
         if self.busy:
             place = device_map(self.session.sheet).world_point(*cell)
             self.show(move_points({self.held: place}), _("Move point"))
-            self.tag = f"({place[0]:g}, {place[1]:g})"
+            self.tag = place_text(*place)
         return cell

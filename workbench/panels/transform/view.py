@@ -4,6 +4,7 @@ from dataclasses import replace as with_fields
 
 import numpy as np
 from msgspec.structs import replace
+from PySide6.QtCore import QRectF
 
 from workbench.algorithms.marks import Word
 from workbench.document.model import AnyFigure, Sheet
@@ -94,7 +95,8 @@ class TransformView(FigureView):
         self._show_beside(sheet, active)
         self.card.refresh(drawing, selected, "")
         self.chain.follow(active, self.lit)
-        self.legend.follow(acting if works else (), self.card.ghosts.isChecked(), self.lit)
+        around = self.chain_box.rectangle(active) if works and active is not None else QRectF()
+        self.legend.follow(acting if works else (), self.card.ghosts.isChecked(), self.lit, around)
         if self.whole.isVisible():
             self._show_whole(active, list(acting))
         self._show_matrices(active, list(acting), tool.busy or drag.busy or self.chain_box.busy)

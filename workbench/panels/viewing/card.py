@@ -235,12 +235,13 @@ class ViewCard(QScrollArea):
 
     # What is edited
 
-    def apply(self, edit: Edit, name: str, merge: str = "") -> bool:
-        """Do an edit; False where it was refused, which is said under the fields."""
+    def apply(self, edit: Edit, name: str, merge: str = "", slug: str = "") -> bool:
+        """Do an edit; False where it was refused, which is said under the fields; those of ``slug`` are
+        edged then."""
         try:
             self.session.apply(edit, name, merge)
         except DocumentError as problem:
-            self._complain(str(problem), "")
+            self._complain(problem.short, slug)
             return False
         self._complain("", "")
         return True
@@ -260,7 +261,7 @@ class ViewCard(QScrollArea):
         if sentence:
             self._complain(sentence, named.slug)
         else:
-            self.apply(named.edit(self.view.id, rectangle), change_of(named), merge)
+            self.apply(named.edit(self.view.id, rectangle), change_of(named), merge, named.slug)
 
     def _set_mode(self, number: int) -> None:
         self.apply(set_mode(self.view.id, MODES[number]), _("Change how the window is shown"))

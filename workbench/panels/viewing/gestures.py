@@ -9,6 +9,7 @@ from workbench.document.building import Edit
 from workbench.document.errors import DocumentError
 from workbench.document.model import Rectangle, View
 from workbench.document.view_edits import set_clip, set_window
+from workbench.exchange.formulas.terms import displayed
 from workbench.language import _
 from workbench.panels.viewing.rectangles import (
     SIDES,
@@ -162,7 +163,7 @@ class Gesture(QObject):
         try:
             session.update_state(subject=subject, **({"step": 0} if fresh else {}))
         except DocumentError as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(problem.short)
 
     def _pan(self, x: float, y: float) -> None:
         assert self.before is not None
@@ -207,7 +208,7 @@ class Gesture(QObject):
         try:
             self.session.apply(edit, name, merge)
         except DocumentError as problem:
-            self.failed.emit(str(problem))
+            self.failed.emit(problem.short)
             return False
         return True
 
@@ -276,8 +277,8 @@ def change_of(named: Named) -> str:
 
 def extent(rectangle: Rectangle) -> str:
     """From where to where a rectangle reaches."""
-    return _("x {xmin:g} to {xmax:g}\ny {ymin:g} to {ymax:g}").format(
-        **{side: getattr(rectangle, side) for side in SIDES}
+    return _("x {xmin} to {xmax}\ny {ymin} to {ymax}").format(
+        **{side: displayed(getattr(rectangle, side)) for side in SIDES}
     )
 
 

@@ -21,6 +21,7 @@ from workbench.document.model import Rectangle, View
 from workbench.document.subjects import Subject
 from workbench.document.view_edits import set_window, zoom
 from workbench.exchange.diagrams import Derivation
+from workbench.exchange.formulas.terms import displayed
 from workbench.language import _
 from workbench.panels.panel import DockPart, PlainPanel, Said
 from workbench.panels.stage.empty import EmptyState
@@ -267,6 +268,7 @@ class ViewingPanel(PlainPanel, QWidget):
         self.refresh_soon()
 
     def _move(self, picture: StagePicture, x: float, y: float) -> None:
+        self._hover(picture, x, y)
         self.gesture.move(x, y)
         picture.plane.set_tag(self.gesture.tag)
         self.refresh_soon()
@@ -296,11 +298,11 @@ class ViewingPanel(PlainPanel, QWidget):
 
     def _hover(self, picture: StagePicture, x: float, y: float) -> None:
         where = {
-            "world": _("({x:.4g}, {y:.4g}) in the world"),
-            "normalised": _("({x:.4g}, {y:.4g}) in the unit square"),
-            "device": _("({x:.4g}, {y:.4g}) on the device"),
+            "world": _("({x}, {y}) in the world"),
+            "normalised": _("({x}, {y}) in the unit square"),
+            "device": _("({x}, {y}) on the device"),
         }[picture.stage.frame]
-        self.hover_text.emit(where.format(x=x, y=y))
+        self.hover_text.emit(where.format(x=displayed(float(f"{x:.4g}")), y=displayed(float(f"{y:.4g}"))))
 
     def _turn(self, picture: StagePicture, notches: float, x: float, y: float) -> None:
         """The wheel changes the window about the place in the world that is pointed at."""
@@ -330,7 +332,7 @@ class ViewingPanel(PlainPanel, QWidget):
         try:
             do()  # type: ignore[operator]
         except DocumentError as problem:
-            self.hover_text.emit(str(problem))
+            self.hover_text.emit(problem.short)
 
     def _arrow(self, picture: StagePicture, dx: int, dy: int, keys: Qt.KeyboardModifier) -> None:
         """Arrows move the rectangle of the picture that has the focus, Alt resizes it, Shift goes farther."""

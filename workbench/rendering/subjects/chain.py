@@ -58,6 +58,7 @@ register(
     KIND,
     SubjectKind(
         title=_("The chain of transforms"),
+        invitation=_("Draw a figure and give it a transform, to see its matrices worked out step by step."),
         calls=_calls,
         choices=_choices,
         entries=(PRODUCT, POINT),

@@ -48,6 +48,7 @@ register(
     "clipper",
     SubjectKind(
         title=_("The clipper at work on the figure"),
+        invitation=_("Draw a figure and a window to see how the algorithm works, step by step."),
         calls=_calls,
         choices=_choices,
         choose=_choose,

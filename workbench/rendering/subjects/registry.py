@@ -93,10 +93,12 @@ class SubjectKind:
     be given. ``on_device`` brings marks from the frame of the entry to the device. ``landmarks`` are steps
     with which a part of the run begins, which are marked rather than each change of a decision.
     ``compared_as`` is another kind, of the same ids, that is compared in place of this one.
+    ``invitation`` is what to do where there is nothing to run.
     """
 
     title: str
     calls: Callable[[Sheet, Subject], list[Call]]
+    invitation: str = _("Draw a figure to see how the algorithm works, step by step.")
     choices: Callable[[Sheet, Subject], tuple[str, ...]] = nothing
     choose: Callable[[Sheet, Subject, str], Edit | None] = in_the_subject
     entries: tuple[str, ...] = ()

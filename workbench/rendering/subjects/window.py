@@ -111,6 +111,7 @@ register(
     KIND,
     SubjectKind(
         title=_("The window and its viewport"),
+        invitation=_("Click a point in one of the pictures, and follow it to the other step by step."),
         calls=_calls,
         choices=lambda sheet, subject: (TEXT,),
         entries=(TEXT,),

@@ -23,7 +23,7 @@ from workbench.geometry.transform_box import (
 )
 from workbench.widgets.canvas.pixel_canvas import ARROWS, CLICK_SLACK, PixelCanvas
 from workbench.widgets.canvas.transform_frame import PIVOT_REACH_PX, TransformFrame
-from workbench.widgets.canvas.transform_words import described, handle_name, pivot_at
+from workbench.widgets.canvas.transform_words import handle_name
 
 _FAR = 10
 _DEGREE = math.radians(1)
@@ -132,8 +132,8 @@ class TransformBox(TransformFrame):
 
     def _tell(self, made: Motion) -> None:
         self._motion = made
-        self.looks_changed.emit()
         self.changed.emit(made.matrix, made.kind, made.numbers)
+        self.looks_changed.emit()  # last, so that what follows from the change is shown along with it
 
     def _put_pivot(self, now: Point, keys: Keys) -> None:
         """The pivot keeps to corners, sides and middle where it comes near, unless Ctrl is held."""
@@ -145,8 +145,8 @@ class TransformBox(TransformFrame):
             if math.dist(nearest, (x, y)) <= PIVOT_REACH_PX * self._unit:
                 x, y = nearest
         self._pivot = (x, y)
-        self.looks_changed.emit()
         self.pivot_moved.emit(x, y)
+        self.looks_changed.emit()
 
     def _keys(self, modifiers: Qt.KeyboardModifier) -> Keys:
         return Keys(
@@ -246,7 +246,8 @@ class TransformBox(TransformFrame):
 
     def _finish_key(self) -> None:
         """A key is a drag that is over at once; what it did is announced."""
-        self._announce(described(self._motion) if self._motion is not None else pivot_at(*self._pivot))
+        moved = self._motion
+        self._announce(self.words(moved) if moved is not None else self.pivot_words(*self._pivot))
         self._end()
 
     def _announce(self, text: str) -> None:

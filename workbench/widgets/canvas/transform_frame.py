@@ -1,6 +1,7 @@
 """The seen half of the box around what is selected: its handles, where they are, and how they look."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -16,14 +17,18 @@ from workbench.widgets.canvas.transform_words import described, pivot_at
 
 PIVOT_REACH_PX = 9.0
 _REACH_PX = 12.0
-_TURN_PX, _CROSS_PX, _RING_PX = 28.0, 10.0, 12.0
+_TURN_PX, _NEAR_TURN_PX, _CROSS_PX, _RING_PX = 28.0, 18.0, 10.0, 12.0
+_GRIP_PX = 6
 _LEAST_PX, _LONG_PX, _THICK_PX = 26.0, 52.0, 34.0
 _TAG_PX = 12.0
 _IDS = "box/"
 
 
 class TransformFrame(QObject):
-    """A box on ``canvas``, in device coordinates, with a pivot. ``looks_changed``: ask for ``over`` again."""
+    """A box on ``canvas``, in device coordinates, with a pivot. ``looks_changed``: ask for ``over`` again.
+
+    ``words`` and ``pivot_words`` say what a drag does, and where the pivot is: in pixels unless set.
+    """
 
     looks_changed = Signal()
 
@@ -39,6 +44,8 @@ class TransformFrame(QObject):
         self._moved = False
         self._motion: Motion | None = None
         self._shears = False
+        self.words: Callable[[Motion], str] = described
+        self.pivot_words: Callable[[float, float], str] = pivot_at
 
     @property
     def box(self) -> Box | None:
@@ -102,11 +109,19 @@ class TransformFrame(QObject):
             for name, side in SIDES.items()
             if 0 not in side or (upright if side[0] else across)
         }
-        turn = outer.place(0.0, 1.0 + 2 * _TURN_PX * unit / outer.height)
-        places = {**sides, TURN: turn}
+        stalks = [
+            outer.place(0.0, way * (1.0 + 2 * long * unit / outer.height))
+            for way in (1, -1)
+            for long in (_TURN_PX, _NEAR_TURN_PX)
+        ]
+        places = {**sides, TURN: next(filter(self._in_sight, stalks), stalks[0])}
         if self._pivot != box.centre or max(wide, high) > _LONG_PX:
             places[PIVOT] = self._pivot
         return places
+
+    def _in_sight(self, place: Point) -> bool:
+        sight = self._canvas.rect().adjusted(_GRIP_PX, _GRIP_PX, -_GRIP_PX, -_GRIP_PX)
+        return sight.contains(self._canvas.widget_position(*place).toPoint())
 
     def _after(self, point: Point) -> Point:
         """Where a point of the box is now, in the drag under way."""
@@ -119,8 +134,8 @@ class TransformFrame(QObject):
         unit, places = self._unit, self.places()
         corners = np.array([self._after((x, y)) for x, y in box.corners().tolist()], np.float64)
         drawn: list[Drawn] = [PenStroke(np.concatenate([corners, corners[:1]]), "accent", 1.25, "dash")]
-        top = box.place(0.0, 1.0)
-        drawn.append(PenStroke(np.array([self._after(top), self._after(places[TURN])]), "accent", 1.25))
+        foot = min(box.place(0.0, 1.0), box.place(0.0, -1.0), key=lambda end: math.dist(end, places[TURN]))
+        drawn.append(PenStroke(np.array([self._after(foot), self._after(places[TURN])]), "accent", 1.25))
         if self._held == TURN:
             spoke = np.array([self._now, self._pivot, self._start], np.float64)
             drawn.append(PenStroke(spoke, "muted", 1.0, "dash"))
@@ -132,8 +147,8 @@ class TransformFrame(QObject):
                 strong = PIVOT in (self._chosen, self._held)
                 drawn.append(PenStroke(np.array(ends), "accent", 2.5 if strong else 1.5))
         if self._held and self._moved:
-            text = pivot_at(*self._pivot) if self._held == PIVOT else ""
-            text = described(self._motion) if self._motion is not None else text
+            text = self.pivot_words(*self._pivot) if self._held == PIVOT else ""
+            text = self.words(self._motion) if self._motion is not None else text
             away = _TAG_PX * unit
             drawn.append(Word(text, self._now[0] + away, self._now[1] + away, "accent", 1, 1, True, True))
         return drawn

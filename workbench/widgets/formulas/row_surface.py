@@ -68,6 +68,10 @@ class RowSurface(QWidget):
             return
         if _without_numbers(terms) != _without_numbers(self._terms):
             self._least.clear()
+        elif _seen(terms, self._shows) == _seen(self._terms, self._shows):
+            self._terms = terms  # other numbers, of which none is seen
+            self.update()
+            return
         self._terms = terms
         if self._current not in self.places:
             self._current = None
@@ -262,6 +266,16 @@ class RowSurface(QWidget):
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRoundedRect(box.adjusted(2.5, 2.5, -2.5, -2.5), _ROUND - 2, _ROUND - 2)
         painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def _seen(terms: Iterable[Term], shows: Shows) -> list[object]:
+    """What is to be read of a row."""
+    return [
+        [[(cell.seen(shows), cell.editable) for cell in row] for row in term.cells]
+        if isinstance(term, Matrix)
+        else term
+        for term in terms
+    ]
 
 
 def _without_numbers(terms: Iterable[Term]) -> list[object]:

@@ -87,8 +87,7 @@ class SentenceView(QLabel):
         """What the run says, and what it asks."""
         run = self._run
         if run.entry is None:
-            wanted = _("Draw a figure, in Clip also a window, to see how the algorithm works, step by step.")
-            return (Part(wanted, None),)
+            return (Part(run.invitation, None),)
         if run.waiting:
             score = _("Which pixel comes next? Click it on the canvas. {right} right, {wrong} wrong so far.")
             if run.options:

@@ -152,7 +152,7 @@ class HandTable(QWidget):
         self.copy_action.triggered.connect(self.copy_all)
         self.view.addAction(self.copy_action)
         self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
-        self.state = EmptyState(self.view, _("Draw a figure, and each of its steps becomes a row."))
+        self.state = EmptyState(self.view, _("Every step becomes a row here."))
         self.state.wanted.connect(self.example_wanted)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

@@ -126,7 +126,7 @@ class VariableTable(QWidget):
         header.setHighlightSections(False)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
-        self.state = EmptyState(self.view, _("A figure that is drawn shows its variables here."))
+        self.state = EmptyState(self.view, _("The variables of the algorithm are shown here."))
         self.state.wanted.connect(self.example_wanted)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
