@@ -111,8 +111,12 @@ def test_export_is_found_by_its_name(window: MainWindow) -> None:
         "Export the figures as SVG...",
         "Export this step...",
         "Export this run...",
+        "Export the derivation...",
         "Export the hand table...",
         "Export the points of the curve...",
+        "Export the scene as PNG...",
+        "Export the edges of the scene as SVG...",
+        "Export the mesh...",
         "Export another table",
     ]
 
