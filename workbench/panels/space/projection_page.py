@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QToolButton, QVBox
 from workbench.document.scene.model import Scene
 from workbench.document.subjects import Subject
 from workbench.language import _
-from workbench.panels.panel import Cell, DockPart, Said
+from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.camera_card import CameraCard
 from workbench.panels.space.empty import EmptyScene
 from workbench.panels.space.eye_view import EyeView, Vertex
@@ -108,6 +108,7 @@ class ProjectionPage(QWidget):
         whole.addWidget(bar)
         whole.addLayout(right, 1)
         self.setFocusProxy(self.eye)
+        KeysWhileSeen(self, self._actions.values())
 
     def _commands(self) -> list[Command]:
         """Name, title, icon, key and what is done; those without an icon are in the menu only."""
