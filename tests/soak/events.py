@@ -38,7 +38,7 @@ PLAIN, SHIFT, CONTROL = (
 )
 OFTEN_HIT = (
     *("PixelCanvas", "PlaneView", "EyeView", "OutsideView", "TubeView"),
-    *("HomogeneousView", "StageStrip", "MatrixStrip", "RowSurface"),
+    *("HomogeneousView", "StageStrip", "MatrixStrip", "MatrixRow"),
 )
 LEFT_OUT = ("quit",)
 HELD = ("Ctrl", "Shift", "Alt")
