@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
 
@@ -129,8 +129,20 @@ class ProjectionPage(QWidget):
             ("keep", _("Keep this view"), "", "", lambda: say(looking.keep())),
         ]
 
+    @property
+    def _beside(self) -> tuple[QWidget, ...]:
+        return self.objects, self.family, self.tables
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """A dock that comes to be seen shows what happened while it was hidden."""
+        if event.type() == QEvent.Type.Show and not self.isVisible():
+            self.refresh_soon()
+        return super().eventFilter(watched, event)
+
     def _connect(self) -> None:
         session, eye = self.session, self.eye
+        for part in self._beside:
+            part.installEventFilter(self)
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
         for told in (session.changed, session.state_changed):
             told.connect(self._follow)
@@ -246,8 +258,11 @@ class ProjectionPage(QWidget):
     # Showing
 
     def refresh_soon(self, *_arguments: object) -> None:
-        """Show the session as it is when all that happens now has happened; unseen, when it is seen."""
-        if not self._waiting and self.isVisible():
+        """Show the session as it is when all that happens now has happened; unseen, when it is seen.
+
+        Its docks are seen beside the other pages too.
+        """
+        if not self._waiting and any(part.isVisible() for part in (self, *self._beside)):
             self._waiting = True
             self._due.emit()
 
