@@ -32,7 +32,7 @@ def test_mypy_is_given_every_panel_that_a_workspace_has() -> None:
 def test_a_panel_answers_all_that_it_is_asked(qapp: object, name: str) -> None:
     session = Session(document=example_document())
     panel = panel_class(name)(session)
-    given = {"point_at": (None,), "offer_export": (QMenu(),)}
+    given = {"point_at": (None,), "show_page": ("",), "offer_export": (QMenu(),)}
     for asked in ASKED:
         answer = getattr(panel, asked)
         if inspect.isfunction(vars(Panel)[asked]):

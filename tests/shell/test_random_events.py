@@ -9,15 +9,29 @@ from random import Random
 
 import pytest
 import shiboken6
-from PySide6.QtCore import QEvent
-from PySide6.QtWidgets import QApplication, QDialog, QDockWidget, QMenu, QTextEdit, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialog,
+    QDockWidget,
+    QLabel,
+    QMenu,
+    QScrollArea,
+    QTextEdit,
+    QVBoxLayout,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
+from tests.shell.keys.conftest import window as window
 from tests.smoke.test_real_window import MISSING
 from tests.smoke.test_real_window import environment as environment
 from tests.smoke.test_real_window import screen as screen
-from tests.soak.events import Hand, in_front
+from tests.soak.events import OFTEN_HIT, Hand, in_front, keys_pressed
+from tests.soak.monkey import settled
 from tests.soak.shorten import fewest
+from workbench.shell.window import MainWindow
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -82,6 +96,49 @@ def test_no_event_acts_on_the_window_behind_a_dialog(qtbot: QtBot) -> None:
     assert not dialog.isVisible()
     event(hand)
     assert done == ["done"]
+
+
+def test_the_pictures_of_every_workspace_are_hit_often(window: MainWindow) -> None:
+    hand = Hand(window, Random(1), lambda _text: None)
+    for slug in window.workspace_slugs:
+        window.go(slug)
+        middle = window.panels(slug)[0].center
+        hit = [hand.target(window) for _turn in range(60)]
+        pictures = [part for part in hit if middle.isAncestorOf(part) and type(part).__name__ in OFTEN_HIT]
+        assert len(pictures) > 6, slug
+
+
+def test_a_hand_reaches_only_what_is_seen_in_the_window(qtbot: QtBot) -> None:
+    window, page = QWidget(), QLabel("Tall")
+    qtbot.addWidget(window)
+    page.setFixedSize(300, 4000)
+    scrolled = QScrollArea()
+    scrolled.setWidget(page)
+    QVBoxLayout(window).addWidget(scrolled)
+    hidden = QLabel("Behind a tab", window)
+    hidden.setGeometry(-700, -500, 100, 50)
+    window.resize(320, 200)
+    window.show()
+    qtbot.waitExposed(window)
+    hand = Hand(window, Random(1), lambda _text: None)
+    assert page in hand.parts(window)
+    assert hidden not in hand.parts(window)
+    places = [hand.place(window, page) for _turn in range(200)]
+    assert all(window.rect().contains(place) for place in places)
+    assert max(place.y() for place in places) - min(place.y() for place in places) > 100
+
+
+def test_every_key_of_the_hand_is_one_key_of_the_keyboard(qapp: QApplication) -> None:
+    for text in keys_pressed():
+        keys = QKeySequence(text)
+        assert (keys.count(), text) == (1, text)
+        assert (keys[0].key() != Qt.Key.Key_unknown, text) == (True, text)
+
+
+def test_memory_is_compared_by_the_medians_of_the_settled_and_the_last_marks() -> None:
+    marks = [400.0] * 7 + [500.0, 525.0, 501.0, 502.0, 480.0] + [900.0] * 3
+    assert settled([*marks, 503.0, 530.0, 504.0, 505.0, 490.0]) == (501.0, 504.0)
+    assert settled([*marks, 503.0, 530.0, 504.0, 505.0]) == (0.0, 0.0)
 
 
 DRAG = """

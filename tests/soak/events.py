@@ -36,8 +36,12 @@ PLAIN, SHIFT, CONTROL = (
     Qt.KeyboardModifier.ShiftModifier,
     Qt.KeyboardModifier.ControlModifier,
 )
-OFTEN_HIT = ("PixelCanvas", "TubeView", "CurveSurface")
+OFTEN_HIT = (
+    *("PixelCanvas", "PlaneView", "EyeView", "OutsideView", "TubeView"),
+    *("HomogeneousView", "StageStrip", "MatrixStrip", "MatrixRow"),
+)
 LEFT_OUT = ("quit",)
+HELD = ("Ctrl", "Shift", "Alt")
 NUMBERS = (
     *("0", "1", "-1", "2", "3", "7", "12", "30/2", "0.5", "3.75", "-20", "63", "64", "100", "999", "4096"),
     *("5000", "1e9", "-1e9", "1e400", "nan", "", " ", "abc", "1/0", "2^8", "(1", "1,5", "-4", "8 px"),
@@ -90,8 +94,8 @@ class Hand:
         return self.window
 
     def parts(self, top: QWidget | None = None) -> list[QWidget]:
-        """What is visible of a window, or of all of them."""
-        seen = [w for w in QApplication.allWidgets() if w.isVisible() and not w.size().isEmpty()]
+        """What can be seen of a window, or of all of them; what a dock behind a tab holds is out of sight."""
+        seen = [w for w in QApplication.allWidgets() if w.isVisible() and not w.visibleRegion().isEmpty()]
         return [w for w in seen if top is None or w.window() is top]
 
     def one_of(self, parts: list[QWidget]) -> QWidget:
@@ -116,11 +120,14 @@ class Hand:
         return self.one_of(kinds[self.rng.choice(sorted(kinds))])
 
     def place(self, top: QWidget, widget: QWidget) -> QPoint:
-        """Somewhere in a part of a window, in the window's coordinates; corners more often than by chance."""
+        """Somewhere in what is seen of a part of a window, in the window's coordinates; corners more often
+        than by chance."""
         x, y = (self.rng.choice((0.0, 0.999, self.rng.random(), self.rng.random())) for _axis in "xy")
         if not (isValid(widget) and isValid(top) and top.isAncestorOf(widget)):
             return QPoint(int(x * self.window.width()), int(y * self.window.height()))
-        return widget.mapTo(top, QPoint(int(x * widget.width()), int(y * widget.height())))
+        seen = widget.visibleRegion().boundingRect()
+        inside = seen.topLeft() + QPoint(int(x * seen.width()), int(y * seen.height()))
+        return widget.mapTo(top, inside)
 
     def modifiers(self) -> Qt.KeyboardModifier:
         """Mostly none."""
@@ -215,10 +222,15 @@ def wheel(hand: Hand) -> str:
     return f"{name} {turn.y()}"
 
 
-def key(hand: Hand) -> str:
+def keys_pressed() -> list[str]:
+    """Every key that some part of the program answers, and some that are merely on the keyboard."""
     own = [key for command in commands() if command.id not in LEFT_OUT for key in command.keys]
     own += [key for _part, keys, _text in keys_elsewhere() for key in keys.split(", ")]
-    chosen = hand.rng.choice([*(k for k in own if k not in ("Ctrl", "Shift")), *MORE_KEYS])
+    return [*(key for key in own if key not in HELD), *MORE_KEYS]
+
+
+def key(hand: Hand) -> str:
+    chosen = hand.rng.choice(keys_pressed())
     for _again in range(hand.rng.choice((1, 1, 1, 2, 5))):
         hand.key(chosen)
     return chosen
@@ -306,6 +318,20 @@ def workspace(hand: Hand) -> str:
 
 
 @in_front
+def page(hand: Hand) -> str:
+    """Another page of Space, by its switch."""
+    if hand.window.place != "space":
+        hand.window.go("space")
+    if hand.window.place != "space":
+        return "on the way to space"
+    panel = hand.window.panels("space")[0]
+    button = hand.rng.choice(panel.buttons.buttons())
+    at = button.mapTo(hand.window, button.rect().center())
+    hand.act(QTest.mouseClick, hand.window, LEFT, PLAIN, at)
+    return str(button.text())
+
+
+@in_front
 def example(hand: Hand) -> str:
     from workbench.document.samples.examples import examples  # NumPy comes after what the program sets for it
 
@@ -384,6 +410,7 @@ KINDS: dict[Event, int] = {
     palette: 1,
     history: 4,
     workspace: 2,
+    page: 1,
     example: 2,
     sheet: 1,
     clipboard: 1,

@@ -1,9 +1,9 @@
 """What the window asks of a panel, and the answers of one that has nothing more to offer."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
-from PySide6.QtCore import Qt, SignalInstance
+from PySide6.QtCore import QEvent, QObject, Qt, SignalInstance
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
@@ -82,6 +82,28 @@ class Panel(Protocol):
 
     def paste(self) -> bool:
         """Take what is on the clipboard; whether anything can be pasted into it."""
+
+
+class KeysWhileSeen(QObject):
+    """Enables ``actions`` while ``part`` is seen: several panels have a command on the same key, and only the
+    one that is seen may take it.
+    """
+
+    def __init__(self, part: QWidget, actions: Collection[QAction]) -> None:
+        super().__init__(part)
+        self._actions = actions
+        self._enable(part.isVisible())
+        part.installEventFilter(self)
+
+    def eventFilter(self, part: QObject, event: QEvent) -> bool:
+        """Before the part itself is told, which then knows better of some of them."""
+        if event.type() in (QEvent.Type.Show, QEvent.Type.Hide):
+            self._enable(event.type() == QEvent.Type.Show)
+        return False
+
+    def _enable(self, on: bool) -> None:
+        for action in self._actions:
+            action.setEnabled(on)
 
 
 class PlainPanel:

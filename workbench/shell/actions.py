@@ -375,7 +375,7 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (canvas, "Delete", _("Remove what is selected")),
         (canvas, "Esc", _("Let go of what is being drawn or selected")),
         (view, "Left, Right, Up, Down", _("Move the window or the viewport; with Shift farther")),
-        (view, "Alt+arrows", _("Make it larger or smaller")),
+        (view, "Alt+Left, Alt+Right, Alt+Up, Alt+Down", _("Make it larger or smaller")),
         (view, "V, W, K, P, H", _("Select, draw a window, a clip window, send a point, pan")),
         (curves, "P", _("Pen; from the end of an open curve it goes on")),
         (curves, "F", _("Draw freehand, and fit a curve")),

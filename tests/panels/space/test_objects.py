@@ -13,6 +13,7 @@ from workbench.document.scene.edits import add_link
 from workbench.document.scene.links import Translate3D
 from workbench.document.scene.model import Object
 from workbench.document.subjects import Subject
+from workbench.panels.space.panel import SpacePanel
 from workbench.panels.space.projection_page import ProjectionPage
 from workbench.panels.space.solids_offered import offers
 
@@ -141,3 +142,27 @@ def test_an_empty_scene_offers_a_house(qtbot: QtBot, page: ProjectionPage) -> No
     assert not page.empty.isVisible()
     assert [thing.name for thing in scene_of(page).objects] == ["House"]
     assert page.eye.vanishing()
+
+
+def test_the_objects_beside_the_other_page_are_those_of_the_picture(
+    qtbot: QtBot, page: ProjectionPage
+) -> None:
+    panel, dock = page.parentWidget().parentWidget(), page.objects
+    qtbot.addWidget(dock)
+    assert isinstance(panel, SpacePanel)
+    panel.show_page("visibility")
+    dock.show()
+    qtbot.waitExposed(dock)
+    settle(qtbot, page)
+    assert dock.list.count() == len(scene_of(page).objects) == 3
+    page.session.new()
+    dock.list.setCurrentRow(1)  # of the picture before, as long as the list is not told
+    assert page.session.state.thing == ""
+    settle(qtbot, page)
+    assert dock.list.count() == 0
+    dock.hide()
+    page.session.open_example("space-house")
+    settle(qtbot, page)
+    dock.show()
+    settle(qtbot, page)
+    assert dock.list.count() == 3

@@ -25,6 +25,7 @@ from tests.panels.space.by_hand import (
 from workbench.algorithms.projection import vanishing_points
 from workbench.document.scene.looking import kind_of, kinds
 from workbench.document.scene.viewing import projection_matrix, view_matrix
+from workbench.panels.space.eye_view import horizon
 from workbench.panels.space.projection_page import ProjectionPage
 
 
@@ -209,6 +210,32 @@ def test_a_vanishing_point_goes_where_it_is_dragged(qtbot: QtBot, page: Projecti
         assert camera.distance != camera_of(page).distance
     else:
         assert camera.distance == camera_of(page).distance
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_the_horizon_goes_through_the_vanishing_points_of_x_and_z(seed: int) -> None:
+    matrix = np.random.default_rng(seed).uniform(-3, 3, (4, 4))
+    line = horizon(matrix)
+    assert line is not None
+    assert math.hypot(*line[:2]) == pytest.approx(1)
+    x, _y, z = vanishing_points(matrix)
+    for place in (x, z):
+        assert place is not None
+        assert np.dot(line, (*place, 1)) == pytest.approx(0, abs=1e-9 * math.hypot(1, *place))
+
+
+def test_where_x_and_z_look_alike_or_stay_parallel_there_is_no_horizon() -> None:
+    depth_only = [
+        [0, 0, 1, 0],
+        [0, 1, 0, 0],
+        [1, 0, 0, 0],
+        [0, 0, 1, 1],
+    ]  # x is seen end-on: regular all the same
+    alike = [[1, 0, 2, 0], [0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 2, 1]]
+    with np.errstate(all="raise"):
+        for matrix in (depth_only, alike, np.eye(4)):
+            assert np.linalg.det(matrix) != 0
+            assert horizon(np.array(matrix, np.float64)) is None
 
 
 def test_a_parallel_projection_has_no_vanishing_point_to_take_hold_of(

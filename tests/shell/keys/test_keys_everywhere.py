@@ -113,6 +113,23 @@ def test_a_panel_that_is_not_seen_answers_no_keys(window: MainWindow) -> None:
     assert len(session.sheet.figures) == count + 1
 
 
+def test_keys_stand_for_one_command_wherever_one_has_been(window: MainWindow) -> None:
+    for slug in window.workspace_slugs:
+        for _made in window.prepare(slug):
+            pass
+    pages = [(slug, "") for slug in window.workspace_slugs if slug != "space"]
+    pages += [("space", "space"), ("space", "visibility")]
+    for slug, page in (*pages, *pages):
+        window.go(slug)
+        window.panels(slug)[0].show_page(page)
+        settle()
+        able = [action for action in window.actions() if action.isEnabled()]
+        times = Counter(key.toString() for action in able for key in action.shortcuts())
+        assert [key for key, count in times.items() if count > 1] == [], (slug, page)
+        others = [window.panels(other)[0] for other in window.workspace_slugs if other != slug]
+        assert [a.objectName() for panel in others for a in panel.actions() if a.isEnabled()] == []
+
+
 @pytest.mark.parametrize("place", ["draw", "fill", "clip", "curves"])
 def test_what_is_selected_is_transformed_from_the_menu_and_the_list_of_commands(
     window: MainWindow, place: str

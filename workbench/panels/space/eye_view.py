@@ -32,6 +32,19 @@ class Vertex(NamedTuple):
     place: tuple[float, float, float]
 
 
+def horizon(matrix: Array) -> tuple[float, float, float] | None:
+    """The line ax + by + c = 0, a² + b² = 1, of the view plane where the planes of equal height run together.
+
+    ``matrix``: (4, 4), from the world. None: the line is at infinity, or the directions x and z look alike.
+    """
+    x_and_z = matrix[[0, 1, 3]][:, [0, 2]]
+    a, b, c = np.cross(*x_and_z.T)
+    length = np.hypot(a, b)
+    if not length > 1e-12 * abs(c):
+        return None
+    return float(a / length), float(b / length), float(c / length)
+
+
 class EyeView(SceneView):
     """``vanishing_moved`` sends axis, place on the view plane, and whether the other ones are pinned."""
 
@@ -79,13 +92,13 @@ class EyeView(SceneView):
         """The horizon: where the planes of equal height run together."""
         if self._viewpoint is None:
             return
-        columns = self._viewpoint.matrix[[0, 1, 3]]
-        a, b, c = np.cross(columns[:, 0], columns[:, 2])
-        if abs(a) + abs(b) < 1e-12 * abs(c) or not self.vanishing():
+        line = horizon(self._viewpoint.matrix)
+        if line is None or not self.vanishing():
             return
+        a, b, c = line
         middle = np.array(self.middle)
-        foot = middle - (a * middle[0] + b * middle[1] + c) / (a * a + b * b) * np.array([a, b])
-        along = np.array([-b, a]) / np.hypot(a, b) * 4 * max(self.width(), self.height()) / self.scale
+        foot = middle - (a * middle[0] + b * middle[1] + c) * np.array([a, b])
+        along = np.array([-b, a]) * 4 * max(self.width(), self.height()) / self.scale
         start, end = self.on_screen(np.stack([foot - along, foot + along]))
         lines(painter, start[None], end[None], QPen(colour(tokens().agreement), 1, Qt.PenStyle.DashLine))
 

@@ -167,16 +167,19 @@ class ObjectsDock(QWidget):
         return True
 
     def _choose(self) -> None:
-        rows = self.list.selectedItems()
-        if not self._showing:
-            self._session.update_state(thing=rows[0].data(_ID) if rows else "")
+        if self._showing:
+            return
+        things = [self._thing_of(row) for row in self.list.selectedItems()]
+        self._session.update_state(thing=things[0].id if things and things[0] is not None else "")
+
+    def _thing_of(self, row: QListWidgetItem) -> Object | None:
+        """The object in a row; None when the scene no longer has it, and the list is yet to be told."""
+        scene = self._session.sheet.scene
+        return next((each for each in scene.objects if each.id == row.data(_ID)), None) if scene else None
 
     def _take_change(self, row: QListWidgetItem) -> None:
         """Another name, or shown and hidden."""
-        scene = self._session.sheet.scene
-        if self._showing or scene is None:
-            return
-        thing = next((each for each in scene.objects if each.id == row.data(_ID)), None)
+        thing = None if self._showing else self._thing_of(row)
         if thing is None:
             return
         visible = row.checkState() == Qt.CheckState.Checked

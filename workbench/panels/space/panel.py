@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
 from workbench.language import _
-from workbench.panels.panel import Cell, DockPart, PlainPanel, Said
+from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, PlainPanel, Said
 from workbench.panels.space.mesh_import import MeshImport
 from workbench.panels.space.page import Page, pages
 from workbench.session.session import Session
@@ -42,6 +42,7 @@ class SpacePanel(PlainPanel, QWidget):
             self.stack.addWidget(page.widget)
             self._connect(row.slug, page)
             self._add_switch(number, row.slug, row.title, row.tooltip)
+        KeysWhileSeen(self, self._actions)
         self.switch.addStretch(1)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)

@@ -5,14 +5,14 @@ from functools import partial
 
 import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from workbench.document.scene.model import Scene
 from workbench.document.subjects import Subject
 from workbench.language import _
-from workbench.panels.panel import Cell, DockPart, Said
+from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.camera_card import CameraCard
 from workbench.panels.space.empty import EmptyScene
 from workbench.panels.space.eye_view import EyeView, Vertex
@@ -108,6 +108,7 @@ class ProjectionPage(QWidget):
         whole.addWidget(bar)
         whole.addLayout(right, 1)
         self.setFocusProxy(self.eye)
+        KeysWhileSeen(self, self._actions.values())
 
     def _commands(self) -> list[Command]:
         """Name, title, icon, key and what is done; those without an icon are in the menu only."""
@@ -128,8 +129,20 @@ class ProjectionPage(QWidget):
             ("keep", _("Keep this view"), "", "", lambda: say(looking.keep())),
         ]
 
+    @property
+    def _beside(self) -> tuple[QWidget, ...]:
+        return self.objects, self.family, self.tables
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """A dock that comes to be seen shows what happened while it was hidden."""
+        if event.type() == QEvent.Type.Show and not self.isVisible():
+            self.refresh_soon()
+        return super().eventFilter(watched, event)
+
     def _connect(self) -> None:
         session, eye = self.session, self.eye
+        for part in self._beside:
+            part.installEventFilter(self)
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
         for told in (session.changed, session.state_changed):
             told.connect(self._follow)
@@ -245,8 +258,11 @@ class ProjectionPage(QWidget):
     # Showing
 
     def refresh_soon(self, *_arguments: object) -> None:
-        """Show the session as it is when all that happens now has happened; unseen, when it is seen."""
-        if not self._waiting and self.isVisible():
+        """Show the session as it is when all that happens now has happened; unseen, when it is seen.
+
+        Its docks are seen beside the other pages too.
+        """
+        if not self._waiting and any(part.isVisible() for part in (self, *self._beside)):
             self._waiting = True
             self._due.emit()
 

@@ -12,7 +12,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure
 from workbench.document.subjects import Subject
 from workbench.language import _
-from workbench.panels.panel import PlainPanel, Said
+from workbench.panels.panel import KeysWhileSeen, PlainPanel, Said
 from workbench.panels.stage.actions import FigureActions, PanelCommand, tool_cursor
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.gesture import HandleDrag, Modifiers, Tool
@@ -95,7 +95,7 @@ class FigurePanel(PlainPanel, QWidget):
             column.addWidget(self._button(self._actions[name]))
         self._connect_canvas()
         self.choose_tool("select" if self.session.sheet.figures else self.first_tool)
-        self._enable_actions(False)
+        KeysWhileSeen(self, self._actions.values())
 
     # What a panel says of itself
 
@@ -380,21 +380,14 @@ class FigurePanel(PlainPanel, QWidget):
             super().keyPressEvent(event)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """The keys of this panel work while it is seen."""
+        """What is being drawn here holds the runs, and what happened while it was hidden is shown."""
         super().showEvent(event)
-        self._enable_actions(True)
         self.session.hold_runs(self.gesturing)
         self._take_run()
         self._take_tool_when_empty()
         self.refresh()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """And only then; what is being drawn waits for its panel, the runs of the others do not."""
+        """What is being drawn waits for its panel, the runs of the others do not."""
         super().hideEvent(event)
-        self._enable_actions(False)
         self.session.hold_runs(False)
-
-    def _enable_actions(self, on: bool) -> None:
-        """Several panels have a command on the same key; only the one that is seen may take it."""
-        for action in self._actions.values():
-            action.setEnabled(on)

@@ -7,7 +7,6 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import (
     QAction,
     QGuiApplication,
-    QHideEvent,
     QKeyEvent,
     QResizeEvent,
     QShowEvent,
@@ -23,7 +22,7 @@ from workbench.document.view_edits import set_window, zoom
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.formulas.terms import displayed
 from workbench.language import _
-from workbench.panels.panel import DockPart, PlainPanel, Said
+from workbench.panels.panel import DockPart, KeysWhileSeen, PlainPanel, Said
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.viewing.actions import view_actions
 from workbench.panels.viewing.card import ViewCard, factors_of
@@ -78,6 +77,7 @@ class ViewingPanel(PlainPanel, QWidget):
         self.matrices = Matrices(session, self.card)
         self._lay_out()
         self._actions = view_actions(self, self._bar)
+        KeysWhileSeen(self, self._actions.values())
         self._connect()
         self.choose_tool("select")
 
@@ -367,15 +367,7 @@ class ViewingPanel(PlainPanel, QWidget):
         self.refresh_soon()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """The keys of this panel work while it is seen."""
+        """Show what happened while it was hidden."""
         super().showEvent(event)
-        for action in self._actions.values():
-            action.setEnabled(True)
         self._take_run()
         self.refresh()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """And only then."""
-        super().hideEvent(event)
-        for action in self._actions.values():
-            action.setEnabled(False)

@@ -6,8 +6,8 @@ The icon font is loaded with the first icon asked for, so ask after the first fr
 from functools import cache
 from typing import Any
 
-from PySide6.QtCore import QObject, Qt
-from PySide6.QtGui import QIcon
+from PySide6.QtCore import QObject, QSize, Qt
+from PySide6.QtGui import QIcon, QPixmap
 
 from workbench.widgets.look.tokens import theme, tokens
 
@@ -18,8 +18,18 @@ _made: dict[tuple[str, str, str, str], QIcon] = {}
 def _font() -> Any:
     """The icon font. Only this one family of the many that QtAwesome brings, which keeps loading at 15 ms."""
     import qtawesome
+    from qtawesome.iconic_font import CharIconEngine
 
-    return qtawesome.IconicFont(next(font for font in qtawesome._BUNDLED_FONTS if font[0] == "ph"))
+    class Engine(CharIconEngine):  # type: ignore[misc]
+        def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+            """None for a button that a low window leaves no room, where the family would paint on nothing."""
+            return QPixmap() if size.isEmpty() else super().pixmap(size, mode, state)
+
+    class Font(qtawesome.IconicFont):  # type: ignore[misc]
+        def _icon_by_painter(self, painter: Any, options: Any) -> QIcon:
+            return QIcon(Engine(self, painter, options))
+
+    return Font(next(font for font in qtawesome._BUNDLED_FONTS if font[0] == "ph"))
 
 
 def icon(name: str, role: str = "text") -> QIcon:

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from workbench.document.errors import DocumentError
 from workbench.document.subjects import Subject
 from workbench.language import _
-from workbench.panels.panel import Cell, DockPart, Said
+from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.visibility.back_face_run import (
     BackFaceRun,
     back_face_picture,
@@ -93,6 +93,7 @@ class VisibilityPage(QWidget):
         column.addWidget(self.plot)
         self.setFocusProxy(self.canvas)
         self._actions = self._made_actions()
+        KeysWhileSeen(self, self._actions)
         self._connect()
 
     def _made_actions(self) -> list[QAction]:
@@ -108,7 +109,6 @@ class VisibilityPage(QWidget):
             action.setShortcut(QKeySequence(key))
             action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             action.triggered.connect(lambda _checked=False, do=do: do())
-            action.setEnabled(False)
             set_icon(action, icon)
             self.addAction(action)
             self.canvas.addAction(action)
@@ -332,16 +332,12 @@ class VisibilityPage(QWidget):
             do()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show what happened while it was hidden; its keys work while it is seen."""
+        """Show what happened while it was hidden."""
         super().showEvent(event)
-        for action in self._actions:
-            action.setEnabled(True)
         self.refresh()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """And only then; its docks have nothing to tell meanwhile."""
+        """Its docks have nothing to tell meanwhile."""
         super().hideEvent(event)
         self.fragments.refresh(None)
         self.cost.refresh(None)
-        for action in self._actions:
-            action.setEnabled(False)
