@@ -5,9 +5,10 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionComboBox
 from pytestqt.qtbot import QtBot
 
 from tests.panels.space.by_hand import (
@@ -26,6 +27,7 @@ from workbench.algorithms.projection import vanishing_points
 from workbench.document.scene.looking import kind_of, kinds
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.panels.space.projection_page import ProjectionPage
+from workbench.panels.space.scene_view import fine
 
 
 @pytest.fixture
@@ -281,3 +283,24 @@ def test_the_run_takes_a_vertex_through_what_is_seen(qtbot: QtBot, page: Project
     page.go_home()
     settle(qtbot, page)
     assert "view" not in session.subject.arguments
+
+
+def test_an_empty_scene_has_no_vanishing_points(qtbot: QtBot, page: ProjectionPage) -> None:
+    assert page.eye.vanishing()
+    page.eye.show_scene(replace(page.eye.scene, objects=()))
+    assert page.eye.vanishing() == []
+
+
+def test_the_card_has_room_for_every_projection(page: ProjectionPage) -> None:
+    box = page.card.kind
+    option = QStyleOptionComboBox()
+    box.initStyleOption(option)
+    part = QStyle.SubControl.SC_ComboBoxEditField
+    room = box.style().subControlRect(QStyle.ComplexControl.CC_ComboBox, option, part, box).width()
+    assert max(box.fontMetrics().horizontalAdvance(kind.title) for kind in kinds()) <= room
+
+
+def test_a_fine_mesh_is_drawn_in_fine_lines() -> None:
+    assert fine(2.0, 100.0) == 2.0
+    assert fine(2.0, 8.0) == 1.0
+    assert fine(2.0, 0.0) > 0.0

@@ -87,8 +87,11 @@ class SentenceView(QLabel):
         """What the run says, and what it asks."""
         run = self._run
         if run.entry is None:
-            wanted = _("Draw a figure, in Clip also a window, to see how the algorithm works, step by step.")
-            return (Part(wanted, None),)
+            invitation = _(
+                "Draw a figure, in Clip also a window, in Space add an object, to see how the algorithm "
+                "works, step by step."
+            )
+            return (Part(invitation, None),)
         if run.waiting:
             score = _("Which pixel comes next? Click it on the canvas. {right} right, {wrong} wrong so far.")
             if run.options:
@@ -102,6 +105,10 @@ class SentenceView(QLabel):
             )
         if not parts and run.recording is not None and not len(run.recording):
             return (Part(_("Recording the run ..."), None),)
+        if not parts and not run.position and run.last_position:
+            return (
+                Part(_("Nothing has been done yet; press the right arrow key for the first step."), None),
+            )
         return parts
 
     def _write(self) -> None:
