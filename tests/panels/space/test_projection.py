@@ -28,6 +28,7 @@ from workbench.document.scene.looking import kind_of, kinds
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.panels.space.projection_page import ProjectionPage
 from workbench.panels.space.scene_view import fine
+from workbench.widgets.stepping.sentence_view import SentenceView
 
 
 @pytest.fixture
@@ -304,3 +305,22 @@ def test_a_fine_mesh_is_drawn_in_fine_lines() -> None:
     assert fine(2.0, 100.0) == 2.0
     assert fine(2.0, 8.0) == 1.0
     assert fine(2.0, 0.0) > 0.0
+
+
+@pytest.mark.parametrize("which", ["eye", "outside"])
+def test_the_keys_of_the_step_bar_step_in_either_picture(
+    qtbot: QtBot, page: ProjectionPage, which: str
+) -> None:
+    run, view = page.session.run, getattr(page, which)
+    told = SentenceView(run)
+    qtbot.addWidget(told)
+    run.first()
+    told.refresh()
+    assert told.plain == "Nothing has been done yet; press the right arrow key for the first step."
+    seen = []
+    for key in (Qt.Key.Key_Right, Qt.Key.Key_Right, Qt.Key.Key_Left, Qt.Key.Key_End, Qt.Key.Key_Home):
+        qtbot.keyClick(view, key)
+        seen.append(run.position)
+    assert seen == [1, 2, 1, run.last_position, 0]
+    qtbot.keyClick(view, Qt.Key.Key_Right, SHIFT)
+    assert run.position == 0  # it turns instead

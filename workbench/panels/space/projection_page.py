@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
+from PySide6.QtGui import QAction, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from workbench.document.scene.model import Scene
@@ -27,6 +27,7 @@ from workbench.rendering.scene.edge_picture import object_at
 from workbench.rendering.subjects.projection import KIND, seen_from, vertex_of
 from workbench.session.session import Session
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.stepping.step_bar import stepping_keys
 
 _BAR_PX, _CARD_GAP_PX = 44, 8
 _LEAST_BESIDE_PX = 560
@@ -211,6 +212,14 @@ class ProjectionPage(QWidget):
         self.outside.stand_aside()
         self._kept = None
         self.refresh_soon()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Keys that the views left step the run."""
+        do = None if event.modifiers() else stepping_keys(self.session.run).get(event.key())
+        if do is None:
+            super().keyPressEvent(event)
+        else:
+            do()
 
     def fit(self) -> None:
         """Show all of the scene in the view that has the focus."""
