@@ -324,3 +324,10 @@ def test_the_keys_of_the_step_bar_step_in_either_picture(
     assert seen == [1, 2, 1, run.last_position, 0]
     qtbot.keyClick(view, Qt.Key.Key_Right, SHIFT)
     assert run.position == 0  # it turns instead
+
+
+def test_a_projection_that_is_seen_already_stays_as_it_is(page: ProjectionPage) -> None:
+    camera, count = camera_of(page), page.session.undo_stack.count()
+    page.card.chosen.emit(kind_of(camera))
+    page.session.flush()
+    assert (camera_of(page), page.session.undo_stack.count()) == (camera, count)
