@@ -31,12 +31,14 @@ def _run(words: list[str]) -> int:
 
 
 def _opens_a_window(words: Sequence[str]) -> bool:
-    """No command is given: nothing at all, options of the window, or a document to open."""
+    """No command is given: nothing at all, options of the window, or a file to open."""
     if not words:
         return True
     if words[0].startswith("-"):
         return words[0] not in ("-h", "--help", "--version")
-    return Path(words[0]).suffix.lower() == ".gwb"
+    from workbench.exchange.readable import kind_of
+
+    return bool(kind_of(Path(words[0])))
 
 
 if __name__ == "__main__":

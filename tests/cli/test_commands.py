@@ -15,6 +15,7 @@ from workbench.__main__ import main
 from workbench.algorithms import catalogue
 from workbench.document import save
 from workbench.document.samples.examples import example_document
+from workbench.exchange.readable import SUFFIXES
 from workbench.rendering import frame_buffer
 
 PICTURE = """
@@ -289,8 +290,8 @@ def test_an_interrupt_while_something_is_imported_is_no_traceback(monkeypatch: p
     assert main(["list"]) == 130
 
 
-@pytest.mark.parametrize("name", ["nowhere.gwb", "NOWHERE.GWB"])
-def test_a_picture_is_opened_in_the_window_whatever_the_case_of_its_ending(
+@pytest.mark.parametrize("name", ["nowhere.gwb", "NOWHERE.GWB", *(f"nowhere{suffix}" for suffix in SUFFIXES)])
+def test_whatever_can_be_opened_is_opened_in_the_window(
     capsys: pytest.CaptureFixture[str], name: str
 ) -> None:
     assert main([name]) == 2

@@ -135,4 +135,4 @@ def test_near_behind_far_is_refused_by_its_field(capsys: pytest.CaptureFixture[s
     text = (folder / "scene.gwb").read_text()
     (folder / "scene.gwb").write_text(text.replace('"eye": {', '"near": 50.0, "far": 5.0, "eye": {', 1))
     line = refused(capsys, "render", "scene.gwb", "-o", "a.png")
-    assert "sheets[0].scene.camera sees nothing (The near plane is at 50 and the far plane at 5" in line
+    assert "sheets[0].scene.camera sees nothing (the near plane is at 50 and the far plane at 5" in line

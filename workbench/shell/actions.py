@@ -341,6 +341,7 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
     stepping = _("Step bar, or canvas with nothing selected")
     canvas, curves = _("Canvas"), _("Canvas of Curves")
     box, view = _("Transform box"), _("Pictures of View")
+    space = _("Pictures of Projection in Space")
     return (
         (stepping, "Space", _("Play or pause")),
         (stepping, "Left", _("Step back")),
@@ -377,6 +378,10 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (view, "Left, Right, Up, Down", _("Move the window or the viewport; with Shift farther")),
         (view, "Alt+Left, Alt+Right, Alt+Up, Alt+Down", _("Make it larger or smaller")),
         (view, "V, W, K, P, H", _("Select, draw a window, a clip window, send a point, pan")),
+        (space, "1, 3, 7", _("Look from the front, the right, the top; with Ctrl from the opposite side")),
+        (space, "5", _("Exchange perspective and parallel projection")),
+        (space, "Shift+arrows", _("Turn by five degrees; with Ctrl shift the picture")),
+        (space, "+, -", _("Zoom in, out")),
         (curves, "P", _("Pen; from the end of an open curve it goes on")),
         (curves, "F", _("Draw freehand, and fit a curve")),
         (curves, "M", _("Nearest point of the curve")),

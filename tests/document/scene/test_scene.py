@@ -200,7 +200,7 @@ def linked(link: AnyLink3D) -> Callable[[Scene], Scene]:
         (seen_by(near=5.0, far=2.0, projection="cabinet"), "give near < far"),
         (seen_by(look_at=Point3D(1.0, 2.0, 9.0)), "camera sees nothing .*eye is at the point it looks at"),
         (seen_by(look_at=Point3D(1.0, 2.0, 9.0), projection="isometric"), "eye is at the point"),
-        (seen_by(up=Point3D(1.0, 2.0, 9.0)), "Up runs along the line of sight"),
+        (seen_by(up=Point3D(1.0, 2.0, 9.0)), "up runs along the line of sight"),
         (seen_by(up=Point3D(0.0, 0.0, 0.0)), "camera sees nothing"),
         (seen_by(projection="matrix", entries=(1.0,) * 16), "matrix of the camera is singular"),
         (seen_by(projection="matrix", entries=(1.0,) * 9), "has 9 of at least 16"),
@@ -211,7 +211,7 @@ def linked(link: AnyLink3D) -> Callable[[Scene], Scene]:
         (linked(Scale3D("t1", sx=math.nan)), "sx is nan"),
         (linked(Rotate3D("t1", y_axis=0.0)), r"transforms cannot be worked out \("),
         (linked(Scale3D("t1", sx=1e6, sy=1e6)), ""),
-        (first(solid=MeshSolid(Blob(b"no mesh"))), "solid cannot be made .The content is no mesh"),
+        (first(solid=MeshSolid(Blob(b"no mesh"))), "solid cannot be made .the content is no mesh"),
         (first(solid=MeshSolid(b"bytes")), r"solid\.content is not the content of a file"),  # type: ignore[arg-type]
         (first(solid=Box(width=0.0)), "width is 0.0; give a number between 1e-06 and"),
     ],

@@ -5,9 +5,10 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionComboBox
 from pytestqt.qtbot import QtBot
 
 from tests.panels.space.by_hand import (
@@ -27,6 +28,8 @@ from workbench.document.scene.looking import kind_of, kinds
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.panels.space.eye_view import horizon
 from workbench.panels.space.projection_page import ProjectionPage
+from workbench.panels.space.scene_view import fine
+from workbench.widgets.stepping.sentence_view import SentenceView
 
 
 @pytest.fixture
@@ -308,3 +311,50 @@ def test_the_run_takes_a_vertex_through_what_is_seen(qtbot: QtBot, page: Project
     page.go_home()
     settle(qtbot, page)
     assert "view" not in session.subject.arguments
+
+
+def test_an_empty_scene_has_no_vanishing_points(qtbot: QtBot, page: ProjectionPage) -> None:
+    assert page.eye.vanishing()
+    page.eye.show_scene(replace(page.eye.scene, objects=()))
+    assert page.eye.vanishing() == []
+
+
+def test_the_card_has_room_for_every_projection(page: ProjectionPage) -> None:
+    box = page.card.kind
+    option = QStyleOptionComboBox()
+    box.initStyleOption(option)
+    part = QStyle.SubControl.SC_ComboBoxEditField
+    room = box.style().subControlRect(QStyle.ComplexControl.CC_ComboBox, option, part, box).width()
+    assert max(box.fontMetrics().horizontalAdvance(kind.title) for kind in kinds()) <= room
+
+
+def test_a_fine_mesh_is_drawn_in_fine_lines() -> None:
+    assert fine(2.0, 100.0) == 2.0
+    assert fine(2.0, 8.0) == 1.0
+    assert fine(2.0, 0.0) > 0.0
+
+
+@pytest.mark.parametrize("which", ["eye", "outside"])
+def test_the_keys_of_the_step_bar_step_in_either_picture(
+    qtbot: QtBot, page: ProjectionPage, which: str
+) -> None:
+    run, view = page.session.run, getattr(page, which)
+    told = SentenceView(run)
+    qtbot.addWidget(told)
+    run.first()
+    told.refresh()
+    assert told.plain == "Nothing has been done yet; press the right arrow key for the first step."
+    seen = []
+    for key in (Qt.Key.Key_Right, Qt.Key.Key_Right, Qt.Key.Key_Left, Qt.Key.Key_End, Qt.Key.Key_Home):
+        qtbot.keyClick(view, key)
+        seen.append(run.position)
+    assert seen == [1, 2, 1, run.last_position, 0]
+    qtbot.keyClick(view, Qt.Key.Key_Right, SHIFT)
+    assert run.position == 0  # it turns instead
+
+
+def test_a_projection_that_is_seen_already_stays_as_it_is(page: ProjectionPage) -> None:
+    camera, count = camera_of(page), page.session.undo_stack.count()
+    page.card.chosen.emit(kind_of(camera))
+    page.session.flush()
+    assert (camera_of(page), page.session.undo_stack.count()) == (camera, count)

@@ -12,7 +12,8 @@ from workbench.language import _
 
 
 def _reason(error: ValueError) -> str:
-    return str(error).rstrip(".")
+    sentence = str(error).rstrip(".")
+    return sentence[:1].lower() + sentence[1:]  # it goes on with another
 
 
 def _points(thing: Object, _before: Any) -> Fault | None:

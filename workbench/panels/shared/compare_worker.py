@@ -1,13 +1,14 @@
 """Does jobs of comparison on a thread of its own; an answer to anything but the last question is dropped."""
 
-from contextlib import suppress
 from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
-from workbench.engine import background
 from workbench.engine.compiled import Stop, Stopped
 from workbench.rendering.work import Job, Outcome, outcome_of
+from workbench.session.answers import Answers
+
+_Answer = tuple[int, Outcome | None, str]
 
 
 class CompareWorker(QObject):
@@ -15,13 +16,13 @@ class CompareWorker(QObject):
 
     answered = Signal(object)
     failed = Signal(str)
-    _done = Signal(int, object, str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._token = 0
         self._stop: Stop | None = None
-        self._done.connect(self._take)
+        self._answers = Answers(self)
+        self._answers.arrived.connect(self._take)
 
     @property
     def busy(self) -> bool:
@@ -33,7 +34,7 @@ class CompareWorker(QObject):
         self.cancel()
         token, stop = self._token, Stop()
         self._stop = stop
-        background.thread(partial(self._work, token, job, stop), "compare", stop.set).start()
+        self._answers.ask(partial(_compared, token, job, stop), "compare", stop.set)
 
     def cancel(self) -> None:
         """The last question is not of interest any more."""
@@ -42,19 +43,8 @@ class CompareWorker(QObject):
             self._stop.set()
             self._stop = None
 
-    def _work(self, token: int, job: Job, stop: Stop) -> None:
-        outcome, problem = None, ""
-        try:
-            outcome = outcome_of(job, stop)
-        except Stopped:
-            return
-        except Exception as error:
-            problem = str(error)
-        # Whoever asked may be gone by now.
-        with suppress(RuntimeError):
-            self._done.emit(token, outcome, problem)
-
-    def _take(self, token: int, outcome: Outcome | None, problem: str) -> None:
+    def _take(self, answer: _Answer) -> None:
+        token, outcome, problem = answer
         if token != self._token:
             return
         self._stop = None
@@ -62,3 +52,12 @@ class CompareWorker(QObject):
             self.answered.emit(outcome)
         else:
             self.failed.emit(problem)
+
+
+def _compared(token: int, job: Job, stop: Stop) -> _Answer | None:
+    try:
+        return token, outcome_of(job, stop), ""
+    except Stopped:
+        return None
+    except Exception as error:
+        return token, None, str(error)

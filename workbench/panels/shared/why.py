@@ -1,36 +1,36 @@
 """Why this pixel? Every step that wrote, tested or refused it, with its numbers; a click goes there."""
 
-from contextlib import suppress
+from functools import partial
+from threading import Event
 
-from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QDockWidget, QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
 from workbench.algorithms import catalogue
 from workbench.document.model import Sheet
 from workbench.document.subjects import Subject
-from workbench.engine import background
 from workbench.language import _, ngettext
 from workbench.panels.panel import DockPart, PlainPanel
 from workbench.panels.stage.card import kind_title
 from workbench.rendering.why_steps import MOST, Abandoned, Answer, nothing_happened, why_steps
+from workbench.session.answers import Answers
 from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
 
 _SETTLE_MS = 150
 _PLACE = "why"
 _ICONS = {"wrote": ("pencil-simple", "text"), "tested": ("eye", "muted"), "refused": ("x", "warn")}
+_Looked = tuple[Event, list[Answer], str]
 
 
 class WhyList(QWidget):
     """The list over a session; it follows ``session.state.pixel`` and looks only while it is seen."""
 
-    found = Signal(int, object, str)
-
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self._question = 0
+        self._given_up = Event()
         self._asked: tuple[Sheet, tuple[int, int]] | None = None
         self.answers: list[Answer] = []
         self.caption = QLabel()
@@ -54,7 +54,8 @@ class WhyList(QWidget):
         self._settle.setSingleShot(True)
         self._settle.setInterval(_SETTLE_MS)
         self._settle.timeout.connect(self._look)
-        self.found.connect(self._take)
+        self._answers = Answers(self)
+        self._answers.arrived.connect(self._take)
         session.changed.connect(self._stale)
         session.state_changed.connect(self._state_changed)
         self._say_empty()
@@ -85,7 +86,7 @@ class WhyList(QWidget):
     def _stale(self, *_arguments: object) -> None:
         pixel = self._session.state.pixel
         if pixel is None:
-            self._question += 1
+            self._given_up.set()
             self._say_empty()
         elif self.isVisible() and self._asked != (self._session.sheet, pixel):
             self.list.setEnabled(False)
@@ -104,27 +105,16 @@ class WhyList(QWidget):
         session, pixel = self._session, self._session.state.pixel
         if pixel is None or not self.isVisible():
             return
-        self._question += 1
-        question, sheet = self._question, session.sheet
+        self._given_up.set()
+        self._given_up, sheet = Event(), session.sheet
         self._asked = (sheet, pixel)
         self.caption.setText(_("({x}, {y}): looking…").format(x=pixel[0], y=pixel[1]))
+        work = partial(_looked, self._given_up, sheet, pixel)
+        self._answers.ask(work, "why this pixel", self._given_up.set)
 
-        def work() -> None:
-            try:
-                answers = why_steps(sheet, *pixel, lambda: self._question != question)
-                said = "" if answers else nothing_happened(sheet, *pixel)
-            except Abandoned:
-                return
-            with suppress(RuntimeError):  # this panel is gone
-                self.found.emit(question, answers, said)
-
-        background.thread(work, "why this pixel", self._give_up).start()
-
-    def _give_up(self) -> None:
-        self._question += 1
-
-    def _take(self, question: int, answers: list[Answer], said: str) -> None:
-        if question != self._question or self._asked is None:
+    def _take(self, looked: _Looked) -> None:
+        question, answers, said = looked
+        if question is not self._given_up or self._asked is None:
             return
         sheet, (x, y) = self._asked
         self.answers = answers
@@ -173,6 +163,14 @@ class WhyList(QWidget):
             self._go(item)
         else:
             super().keyPressEvent(event)
+
+
+def _looked(given_up: Event, sheet: Sheet, pixel: tuple[int, int]) -> _Looked | None:
+    try:
+        answers = why_steps(sheet, *pixel, given_up.is_set)
+        return given_up, answers, "" if answers else nothing_happened(sheet, *pixel)
+    except Abandoned:
+        return None
 
 
 class WhyPanel(PlainPanel):

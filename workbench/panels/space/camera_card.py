@@ -69,7 +69,7 @@ class CameraCard(QFrame):
         self._fold = QToolButton()
         self._fold.setFixedSize(22, 22)
         self._fold.clicked.connect(lambda: self.set_open(self._body.isHidden()))
-        head = QHBoxLayout()
+        head = self._head = QHBoxLayout()
         head.setSpacing(4)
         head.addWidget(self.kind, 1)
         head.addWidget(self._fold)
@@ -187,7 +187,9 @@ class CameraCard(QFrame):
     def _fit(self) -> None:
         layout = self.layout()
         if layout is not None:
+            margins, room = layout.contentsMargins(), self._head.sizeHint().width()  # of the longest name
             width = _FOLDED_PX if self._body.isHidden() else _WIDTH_PX
+            width = max(width, room + margins.left() + margins.right())
             wraps = layout.hasHeightForWidth()
             height = layout.totalHeightForWidth(width) if wraps else layout.totalSizeHint().height()
             self.resize(width, height)

@@ -81,7 +81,7 @@ class EyeView(SceneView):
 
     def vanishing(self) -> list[tuple[int, tuple[float, float]]]:
         """Axis and place on the view plane of each principal vanishing point of the picture shown."""
-        if self._viewpoint is None:
+        if self._viewpoint is None or not any(thing.visible for thing in self.scene.objects):
             return []
         points = vanishing_points(self._viewpoint.matrix)
         return [(axis, point) for axis, point in enumerate(points) if point is not None]

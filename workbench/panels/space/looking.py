@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 
 import numpy as np
 from msgspec.structs import replace
@@ -9,7 +10,7 @@ from msgspec.structs import replace
 from workbench.algorithms.projection import vanishing_points, with_vanishing_point, with_vanishing_points
 from workbench.document.errors import DocumentError
 from workbench.document.scene.edits import set_camera
-from workbench.document.scene.looking import facing, orbited, projecting
+from workbench.document.scene.looking import facing, kind_of, orbited, projecting
 from workbench.document.scene.model import Camera, Point3D, Scene
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.document.state import seen_scene, with_look
@@ -109,7 +110,10 @@ class Looking:
         return min(others, key=lambda other: math.hypot(*other[1]), default=None)
 
     def choose(self, slug: str, name: str) -> str:
-        """Give the document another projection."""
+        """Give the document another projection; the one that is seen already stays as it is."""
+        with suppress(ValueError):  # what is seen now is of no kind
+            if slug == kind_of(self.camera):
+                return ""
         try:
             camera = projecting(self.camera, slug, self.radius)
         except ValueError as error:

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
-from PySide6.QtGui import QAction, QResizeEvent, QShowEvent
+from PySide6.QtGui import QAction, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from workbench.document.scene.model import Scene
@@ -24,9 +24,10 @@ from workbench.panels.space.outside_view import OutsideView
 from workbench.panels.space.polygon_tables import PolygonTablesView
 from workbench.panels.space.solids_offered import offers
 from workbench.rendering.scene.edge_picture import object_at
-from workbench.rendering.subjects.projection import KIND, seen_from, vertex_of
+from workbench.rendering.subjects.projection import KIND, is_of_a_vertex, seen_from, vertex_of
 from workbench.session.session import Session
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.stepping.step_bar import stepping_keys
 
 _BAR_PX, _CARD_GAP_PX = 44, 8
 _LEAST_BESIDE_PX = 560
@@ -225,6 +226,14 @@ class ProjectionPage(QWidget):
         self._kept = None
         self.refresh_soon()
 
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Keys that the views left step the run."""
+        do = None if event.modifiers() else stepping_keys(self.session.run).get(event.key())
+        if do is None:
+            super().keyPressEvent(event)
+        else:
+            do()
+
     def fit(self) -> None:
         """Show all of the scene in the view that has the focus."""
         self.focused.fit()
@@ -308,7 +317,7 @@ class ProjectionPage(QWidget):
     def vertex(self) -> Vertex | None:
         """The vertex that is stepped, where it is in the world."""
         subject = self.session.subject
-        if subject.kind != KIND or self.session.state.workspace != "space":
+        if not is_of_a_vertex(subject) or self.session.state.workspace != "space":
             return None
         chosen = vertex_of(self.session.sheet, subject)
         if chosen is None or not chosen[0].visible:
@@ -339,7 +348,7 @@ class ProjectionPage(QWidget):
         """The run goes through the matrices that the scene is seen by."""
         session = self.session
         subject, scene = session.state.subject, session.sheet.scene
-        if not self.isVisible() or self.eye.dragging or subject.kind != KIND or scene is None:
+        if not self.isVisible() or self.eye.dragging or not is_of_a_vertex(subject) or scene is None:
             return
         kept = {name: value for name, value in subject.arguments.items() if name == "vertex"}
         wanted = {**kept, **(seen_from(self.looking.camera) if self.looking.around else {})}

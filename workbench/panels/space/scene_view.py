@@ -37,6 +37,9 @@ _SHIFT_PER_KEY_PX = 24.0
 _ZOOM_PER_NOTCH = 1.2
 _MARGIN_PX = 44
 _LEAST_SCALE, _MOST_SCALE = 1e-6, 1e9
+_FINEST_PX = 0.3
+_PER_WIDTH = 8.0
+"""An edge is at least so many times as long as wide, on average: a fine mesh is drawn in fine lines."""
 _SIDES = {
     Qt.Key.Key_1: ("front", "back"),
     Qt.Key.Key_3: ("right", "left"),
@@ -48,6 +51,11 @@ _ARROWS = {
     Qt.Key.Key_Up: (0, 1),
     Qt.Key.Key_Down: (0, -1),
 }
+
+
+def fine(width_px: float, length_px: float) -> float:
+    """How wide lines of this average length are drawn that are ``width_px`` wide where there is room."""
+    return min(width_px, max(length_px / _PER_WIDTH, _FINEST_PX))
 
 
 class SceneView(QWidget):
@@ -263,6 +271,8 @@ class SceneView(QWidget):
             ratio, height = self.devicePixelRatioF(), self.device_size[1]
             x = (segments[:, 0::2] + 0.5) / ratio
             y = (height - 0.5 - segments[:, 1::2]) / ratio
+            length = float(np.hypot(np.diff(x, axis=1), np.diff(y, axis=1)).mean())
+            pen.setWidthF(fine(pen.widthF(), length))
             pen.setCapStyle(Qt.PenCapStyle.RoundCap)
             painter.setPen(pen)
             rows = zip(x.tolist(), y.tolist(), strict=True)

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
@@ -30,7 +29,7 @@ from workbench.panels.transform.tools import ChainSelectTool, PointDrag
 from workbench.panels.transform.view import TransformView
 from workbench.panels.transform.whole import WholeDock
 from workbench.rendering.mapping import device_map
-from workbench.rendering.subjects.chain import KIND, POINT, PRODUCT, VERTEX
+from workbench.rendering.subjects.chain import KIND, POINT, PRODUCT, at_vertex
 from workbench.session.session import Session
 
 EXAMPLE = "transform-pivot"
@@ -217,10 +216,7 @@ class TransformPanel(SteppedPanel):
         if figure is None or not figure.points_world:
             return
         following = (self.view.vertex + 1) % len(figure.points_world)
-        subject = self.session.state.subject
-        if subject.kind == KIND:
-            arguments = {**subject.arguments, VERTEX: following}
-            self.session.update_state(subject=replace(subject, arguments=arguments), step=0)
+        self.session.update_state(subject=at_vertex(self.session.state.subject, following), step=0)
 
     def _forget_question(self) -> None:
         self.view.asked = None

@@ -1,6 +1,7 @@
 """A figure's chain of transforms: its matrices multiplied one after another, or a point taken through."""
 
 import numpy as np
+from msgspec.structs import replace
 
 from workbench.algorithms import catalogue
 from workbench.document.fields import Number
@@ -24,6 +25,13 @@ def vertex_of(figure: AnyFigure, subject: Subject) -> int:
     number = subject.arguments.get(VERTEX, 0)
     assert isinstance(number, int)
     return min(number, len(figure.points_world) - 1)
+
+
+def at_vertex(subject: Subject, number: int) -> Subject:
+    """The chain of a subject at another vertex of its figure; what is no chain stays as it is."""
+    if subject.kind != KIND:
+        return subject
+    return replace(subject, arguments={**subject.arguments, VERTEX: number})
 
 
 def _figure(sheet: Sheet, subject: Subject) -> AnyFigure | None:

@@ -35,6 +35,11 @@ def vertex_of(sheet: Sheet, subject: Subject) -> tuple[Object, int] | None:
     return thing, min(number, len(thing.mesh.vertices) - 1)
 
 
+def is_of_a_vertex(subject: Subject) -> bool:
+    """Whether a vertex on its way into the picture is what is stepped."""
+    return subject.kind == KIND
+
+
 def seen_from(camera: Camera) -> dict[str, tuple[float, ...]]:
     """The arguments by which a subject is seen otherwise than by the camera of its scene."""
     view, plane = view_matrix(camera), projection_matrix(camera)
@@ -71,6 +76,7 @@ register(
     KIND,
     SubjectKind(
         title=_("A vertex on its way into the picture"),
+        invitation=_("Add an object in Space, to see how its vertices come into the picture, step by step."),
         calls=_calls,
         choices=lambda _sheet, _subject: (SLUG,),
         entries=(SLUG,),

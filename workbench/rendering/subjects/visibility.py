@@ -220,6 +220,7 @@ register(
     KIND,
     SubjectKind(
         title=_("How hidden surfaces are found"),
+        invitation=_("Add an object in Space, to see how hidden surfaces are found, step by step."),
         calls=_calls,
         choices=_choices,
         on_device=_on_device,

@@ -101,6 +101,10 @@ class SentenceView(QLabel):
             )
         if not parts and run.recording is not None and not len(run.recording):
             return (Part(_("Recording the run ..."), None),)
+        if not parts and not run.position and run.last_position:
+            return (
+                Part(_("Nothing has been done yet; press the right arrow key for the first step."), None),
+            )
         return parts
 
     def _write(self) -> None:

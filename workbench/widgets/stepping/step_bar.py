@@ -18,6 +18,17 @@ from workbench.widgets.stepping.step_slider import StepSlider
 HEIGHT = 44
 
 
+def stepping_keys(run: Run) -> dict[int, Callable[[], object]]:
+    """What plays a run, steps it and goes to its ends, by key."""
+    return {
+        Qt.Key.Key_Space: run.toggle_play,
+        Qt.Key.Key_Right: run.forward,
+        Qt.Key.Key_Left: run.back,
+        Qt.Key.Key_Home: run.first,
+        Qt.Key.Key_End: run.last,
+    }
+
+
 class StepBar(QWidget):
     """Drives a run. Its actions carry no keys: the shell's table of commands has them."""
 
@@ -195,14 +206,7 @@ class StepBar(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Space plays, arrows step, Home and End go to the ends, wherever the bar has the focus."""
-        keys: dict[int, Callable[[], object]] = {
-            Qt.Key.Key_Space: self._run.toggle_play,
-            Qt.Key.Key_Right: self._run.forward,
-            Qt.Key.Key_Left: self._run.back,
-            Qt.Key.Key_Home: self._run.first,
-            Qt.Key.Key_End: self._run.last,
-        }
-        do = keys.get(event.key())
+        do = stepping_keys(self._run).get(event.key())
         if do is None:
             super().keyPressEvent(event)
         else:

@@ -1,17 +1,18 @@
 """What a depth buffer gives and what it costs: advantages and limits, each with a number of this scene."""
 
-from contextlib import suppress
+from functools import partial
 
 from msgspec.structs import replace
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
-from workbench.engine import background
 from workbench.language import _, ngettext
 from workbench.panels.space.visibility.depth_run import DepthRun
+from workbench.rendering.mapping import Call
 from workbench.rendering.scene.depth_measures import DepthMeasures, distance_of, least_distance, measured
 from workbench.rendering.subjects.visibility import NOT_ROUNDED, backwards, depth_call
+from workbench.session.answers import Answers
 
 _BYTE, _DOUBLE = 8, 64
 _SCREEN = 1920, 1080
@@ -20,8 +21,6 @@ _FORMULA_BITS = 16
 
 class CostView(QScrollArea):
     """Measures only while it is seen, on a thread of its own."""
-
-    _found = Signal(int, object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -39,7 +38,8 @@ class CostView(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._found.connect(self._take)
+        self._answers = Answers(self)
+        self._answers.arrived.connect(self._take)
 
     def refresh(self, run: DepthRun | None) -> None:
         """Follow the run."""
@@ -63,7 +63,7 @@ class CostView(QScrollArea):
     def _ask(self, run: DepthRun) -> None:
         self._question += 1
         self._asked, self.measures = run.call, None
-        question, sheet, subject = self._question, run.sheet, run.subject
+        sheet, subject = run.sheet, run.subject
         other = {"backwards": not backwards(subject)}, {"bits": NOT_ROUNDED}
         calls = [
             depth_call(sheet, replace(subject, arguments={**subject.arguments, **each})) for each in other
@@ -72,15 +72,11 @@ class CostView(QScrollArea):
         assert reverse is not None
         assert unrounded is not None
         self.words.setText(_("Measuring…"))
+        work = partial(_measured, self._question, run.call, reverse, unrounded)
+        self._answers.ask(work, "measures of a depth buffer")
 
-        def work() -> None:
-            found = measured(run.call, reverse, unrounded)
-            with suppress(RuntimeError):  # this view is gone
-                self._found.emit(question, found)
-
-        background.thread(work, "measures of a depth buffer").start()
-
-    def _take(self, question: int, measures: DepthMeasures) -> None:
+    def _take(self, answer: tuple[int, DepthMeasures]) -> None:
+        question, measures = answer
         if question == self._question:
             self.measures = measures
             self._tell()
@@ -88,6 +84,10 @@ class CostView(QScrollArea):
     def _tell(self) -> None:
         if self._run is not None and self.measures is not None:
             self.words.setText(_told(self._run, self.measures))
+
+
+def _measured(question: int, *calls: Call) -> tuple[int, DepthMeasures]:
+    return question, measured(*calls)
 
 
 def _told(run: DepthRun, found: DepthMeasures) -> str:

@@ -50,6 +50,7 @@ from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.row_depths import RowDepths
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import theme_changed, tokens
+from workbench.widgets.stepping.step_bar import stepping_keys
 
 EXAMPLE = "overlapping-triangles"
 CARD_GAP_PX = 8
@@ -319,13 +320,7 @@ class VisibilityPage(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Home, End and Space are for the run."""
-        run = self.session.run
-        keys: dict[int, Callable[[], object]] = {
-            Qt.Key.Key_Home: run.first,
-            Qt.Key.Key_End: run.last,
-            Qt.Key.Key_Space: run.toggle_play,
-        }
-        do = keys.get(event.key())
+        do = stepping_keys(self.session.run).get(event.key())
         if do is None:
             super().keyPressEvent(event)
         else:
