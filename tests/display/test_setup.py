@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
 
 from workbench.display import vector_displays
 from workbench.display.setup import TubeSetup, currents_of_image, raster_tube, vector_beam, vector_tube
@@ -90,3 +91,12 @@ def test_a_stroke_costs_no_more_than_the_face_has_of_it(far: float) -> None:
     assert away.pieces == []
     face = slice(None), slice(8, -8)
     assert beyond.energy_per_frame(0)[face] == pytest.approx(within.energy_per_frame(0)[face], rel=1e-3)
+
+
+@given(
+    arrays.arrays(np.uint32, (3, 4), elements=st.integers(0, 0xFFFFFF)),
+    st.sampled_from([1.0, 1.8, 2.2, 2.8]),
+)
+def test_a_single_gun_follows_the_largest_of_three_currents(image: np.ndarray, gamma: float) -> None:
+    (single,) = currents_of_image(image, 1, gamma)
+    assert np.array_equal(single, currents_of_image(image, 3, gamma).max(axis=0))

@@ -89,8 +89,12 @@ def currents_of_image(image: NDArray[np.uint32], guns: int, gamma: float) -> NDA
     A single gun follows the strongest channel, so that every colour stays readable on one phosphor.
     """
     levels = np.array([_current(v, gamma) for v in range(256)])
-    channels = np.stack([levels[(image >> shift) & 0xFF] for shift in (16, 8, 0)])
-    return channels if guns == 3 else channels.max(axis=0, keepdims=True)
+    red, green, blue = (((image >> shift) & 0xFF).astype(np.uint8) for shift in (16, 8, 0))
+    if guns == 3:
+        return np.stack([levels[channel] for channel in (red, green, blue)])
+    # The law of the gun grows with the level, so the strongest channel alone is looked up
+    strongest: NDArray[np.float64] = levels[np.maximum(np.maximum(red, green), blue)]
+    return strongest[None]
 
 
 def currents_of_colour(colour: int, guns: int, gamma: float) -> tuple[float, ...]:
