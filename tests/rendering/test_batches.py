@@ -299,7 +299,7 @@ def test_a_picture_waits_for_no_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
         pytest.fail("a kernel was asked for")
 
     monkeypatch.setattr(compiled, "_kernel", refuse)
-    monkeypatch.setattr(raster, "at_hand", lambda *_given: False)
+    monkeypatch.setattr(at_hand, "_known", set())
     corners = [(float(17 * k % 53), float(29 * k % 37)) for k in range(100)]
     figure = Polyline("f1", points("f1", corners), "dda_line_fixed")
     picture = frame_buffer(document_of("Lines", 60, 40, [figure]).sheets[0])

@@ -6,9 +6,9 @@ from hypothesis import strategies as st
 from pytestqt.qtbot import QtBot
 
 from workbench.document.samples.examples import example_document
-from workbench.rendering import frame_buffer
 from workbench.rendering.emissions import _memory
 from workbench.rendering.memory import Memory, forget
+from workbench.rendering.raster import emitted, figure_calls
 from workbench.session.session import Session
 
 MOST = 40_000
@@ -43,7 +43,7 @@ def test_it_stays_small_and_keeps_what_was_asked_for_last(asked: list[tuple[int,
 def test_every_memory_forgets_when_another_document_is_opened(qtbot: QtBot) -> None:
     forget()
     session = Session(document=example_document())
-    frame_buffer(session.sheet)
+    emitted(figure_calls(session.sheet, session.sheet.figures[0])[0])
     assert len(_memory._kept) > 0
     session.new()
     assert len(_memory._kept) == _memory._bytes == 0

@@ -1,6 +1,7 @@
 """The docks of every workspace under rough handling: entered again and again, their tabs dragged about."""
 
 import random
+import sys
 from collections.abc import Iterator
 
 import pytest
@@ -16,6 +17,7 @@ from workbench.shell.hints import Hints
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
+from workbench.widgets.plots.library import library
 
 
 @pytest.fixture
@@ -50,9 +52,11 @@ def settle(times: int = 4) -> None:
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
-def test_switches_leave_the_number_of_widgets_unchanged(window: MainWindow) -> None:
+def test_switches_leave_the_number_of_widgets_unchanged(qtbot: QtBot, window: MainWindow) -> None:
     slugs = window.workspace_slugs
-    for slug in (*slugs, *slugs):
+    library.ask()
+    qtbot.waitUntil(lambda: "pyqtgraph" in sys.modules and library._there, timeout=30_000)
+    for slug in (*slugs, *slugs, *slugs):
         window.go(slug)
         settle()
     before = len(window.findChildren(QWidget)), len(QApplication.allWidgets())

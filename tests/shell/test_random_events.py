@@ -28,7 +28,8 @@ from tests.shell.keys.conftest import window as window
 from tests.smoke.test_real_window import MISSING
 from tests.smoke.test_real_window import environment as environment
 from tests.smoke.test_real_window import screen as screen
-from tests.soak.events import OFTEN_HIT, Hand, in_front, keys_pressed
+from tests.soak.events import in_front, keys_pressed
+from tests.soak.hand import OFTEN_HIT, Hand
 from tests.soak.monkey import settled
 from tests.soak.shorten import fewest
 from workbench.shell.window import MainWindow

@@ -2,19 +2,13 @@
 
 Each kind of event takes a ``Hand`` and draws what it does from the hand's own random numbers, so that an
 event depends on its seed and number and on what the window then shows, and on nothing before it.
-
-A hand only looks. ``findChildren`` and ``childAt`` would make Python's objects children of the widget that
-was asked: they would stay for as long as it does, and be called deleted when it is, though they had moved.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import wraps
-from random import Random
-from typing import Any
 
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QAction, QGuiApplication, QKeySequence
+from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -24,22 +18,13 @@ from PySide6.QtWidgets import (
     QMenu,
     QTabBar,
     QTextBrowser,
-    QWidget,
 )
 from shiboken6 import isValid
 
+from tests.soak.hand import CONTROL, PLAIN, Hand, name_of
 from workbench.shell.actions import commands, keys_elsewhere
 
 LEFT, RIGHT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.MiddleButton
-PLAIN, SHIFT, CONTROL = (
-    Qt.KeyboardModifier.NoModifier,
-    Qt.KeyboardModifier.ShiftModifier,
-    Qt.KeyboardModifier.ControlModifier,
-)
-OFTEN_HIT = (
-    *("PixelCanvas", "PlaneView", "EyeView", "OutsideView", "TubeView"),
-    *("HomogeneousView", "StageStrip", "MatrixStrip", "MatrixRow"),
-)
 LEFT_OUT = ("quit",)
 HELD = ("Ctrl", "Shift", "Alt")
 NUMBERS = (
@@ -75,83 +60,6 @@ MORE_KEYS = (
 )
 
 
-@dataclass
-class Hand:
-    """A hand over ``window`` that goes by its own random numbers."""
-
-    window: Any
-    rng: Random
-    tell: Callable[[str], None]
-
-    def top(self) -> QWidget:
-        """The window that the hand is over: what pops up, else mostly the main one."""
-        over = QApplication.activePopupWidget() or QApplication.activeModalWidget()
-        if over is not None:
-            return over
-        others = [w for w in QApplication.topLevelWidgets() if w.isVisible() and w is not self.window]
-        if others and self.rng.random() < 0.2:
-            return self.rng.choice(sorted(others, key=lambda w: (type(w).__name__, w.windowTitle())))
-        return self.window
-
-    def parts(self, top: QWidget | None = None) -> list[QWidget]:
-        """What can be seen of a window, or of all of them; what a dock behind a tab holds is out of sight."""
-        seen = [w for w in QApplication.allWidgets() if w.isVisible() and not w.visibleRegion().isEmpty()]
-        return [w for w in seen if top is None or w.window() is top]
-
-    def one_of(self, parts: list[QWidget]) -> QWidget:
-        """One of these, whose own order is that of their addresses: it may depend only on what is seen."""
-        return self.rng.choice(
-            sorted(parts, key=lambda w: (_name(w), *w.mapTo(w.window(), QPoint()).toTuple(), w.height()))
-        )
-
-    def under(self, top: QWidget, at: QPoint) -> QWidget:
-        """The part of a window that is seen at a place."""
-        seen = QApplication.widgetAt(top.mapToGlobal(at))
-        return seen if seen is not None and seen.window() is top else top
-
-    def target(self, top: QWidget) -> QWidget:
-        """A visible part of a window; rare kinds are hit as often as common ones, canvases more often."""
-        kinds: dict[str, list[QWidget]] = {}
-        for widget in self.parts(top) or [top]:
-            kinds.setdefault(type(widget).__name__, []).append(widget)
-        canvases = [name for name in OFTEN_HIT if name in kinds]
-        if canvases and self.rng.random() < 0.4:
-            return self.one_of(kinds[self.rng.choice(canvases)])
-        return self.one_of(kinds[self.rng.choice(sorted(kinds))])
-
-    def place(self, top: QWidget, widget: QWidget) -> QPoint:
-        """Somewhere in what is seen of a part of a window, in the window's coordinates; corners more often
-        than by chance."""
-        x, y = (self.rng.choice((0.0, 0.999, self.rng.random(), self.rng.random())) for _axis in "xy")
-        if not (isValid(widget) and isValid(top) and top.isAncestorOf(widget)):
-            return QPoint(int(x * self.window.width()), int(y * self.window.height()))
-        seen = widget.visibleRegion().boundingRect()
-        inside = seen.topLeft() + QPoint(int(x * seen.width()), int(y * seen.height()))
-        return widget.mapTo(top, inside)
-
-    def modifiers(self) -> Qt.KeyboardModifier:
-        """Mostly none."""
-        return self.rng.choice((PLAIN, PLAIN, PLAIN, PLAIN, SHIFT, CONTROL))
-
-    def act(self, event: Callable[..., None], top: QWidget, *how: Any) -> None:
-        """A mouse or key event of a window that may have gone, as a menu does when it is pressed."""
-        if isValid(top) and top.isVisible():
-            event(top.windowHandle(), *how)
-
-    def key(self, keys: str, asked: QWidget | None = None) -> None:
-        """Press a key, as written in the key table, where the focus is."""
-        combination = QKeySequence(keys)[0]
-        # A popup gets the keys of any window; asked for its own, QTest goes on with it when it has closed
-        top = (QApplication.focusWidget() or asked or self.window).window()
-        # One after the other: what is pressed may close the window that would be released
-        for event in (QTest.keyPress, QTest.keyRelease):
-            self.act(event, top, combination.key(), combination.keyboardModifiers())
-
-
-def _name(widget: QWidget) -> str:
-    return f"{type(widget).__name__} {widget.objectName() or widget.accessibleName()}".strip()
-
-
 Event = Callable[[Hand], str]
 
 
@@ -163,7 +71,7 @@ def in_front(event: Event) -> Event:
         before = QApplication.activePopupWidget() or QApplication.activeModalWidget()
         if before is None:
             return event(hand)
-        name = _name(before)
+        name = name_of(before)
         hand.key("Escape", before)
         return f"not done: left {name}"
 
@@ -175,7 +83,7 @@ def click(hand: Hand) -> str:
     widget = hand.target(top)
     at = hand.place(top, widget)
     under = hand.under(top, at)
-    hand.tell(f"{_name(under)} in {_name(under.parentWidget() or top)}")
+    hand.tell(f"{name_of(under)} in {name_of(under.parentWidget() or top)}")
     button = hand.rng.choice((LEFT, LEFT, LEFT, LEFT, LEFT, RIGHT, MIDDLE))
     modifiers = hand.modifiers()
     double = hand.rng.random() < 0.15
@@ -195,7 +103,7 @@ def drag(hand: Hand) -> str:
         return "left to dock_tab"
     if isinstance(top, QFileDialog) or isinstance(under.parentWidget(), QTextBrowser):
         return "not done: Qt would wait for the drop of a file or a text"
-    hand.tell(f"{_name(under)} in {_name(under.parentWidget() or top)}")
+    hand.tell(f"{name_of(under)} in {name_of(under.parentWidget() or top)}")
     button = hand.rng.choice((LEFT, LEFT, LEFT, LEFT, MIDDLE))
     modifiers = hand.modifiers()
     hand.act(QTest.mouseMove, top, start)
@@ -217,7 +125,7 @@ def wheel(hand: Hand) -> str:
     at = hand.place(top, widget)
     under = hand.under(top, at)
     turn = QPoint(0, hand.rng.choice((120, -120, 360, -360, 40)))
-    name = _name(under)
+    name = name_of(under)
     hand.act(QTest.wheelEvent, top, QPointF(at), turn, QPoint(), hand.modifiers())
     return f"{name} {turn.y()}"
 
@@ -244,7 +152,7 @@ def number(hand: Hand) -> str:
     text = hand.rng.choice(NUMBERS)
     top = field.window()
     at = field.mapTo(top, field.rect().center())
-    name = _name(field)
+    name = name_of(field)
     hand.act(QTest.mouseClick, top, LEFT, PLAIN, at)
     if isValid(field) and field.hasFocus():
         QTest.keyClick(field, Qt.Key.Key_A, CONTROL)

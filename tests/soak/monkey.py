@@ -35,7 +35,8 @@ from PySide6.QtGui import QDrag
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
-from tests.soak.events import KINDS, Hand
+from tests.soak.events import KINDS
+from tests.soak.hand import Hand
 
 MARK, SETTLED, LAST = 1_000, (8, 12), (16, 20)  # marks, the first is 1
 MOST_GROWTH_MB = 5.0

@@ -54,5 +54,8 @@ class _Collector(QObject):
 def collect_here() -> None:
     """From now on, garbage is collected on this thread, the one of the running application."""
     application = QCoreApplication.instance()
-    if application is not None and application.findChild(_Collector) is None:
+    if application is None:
+        return
+    if application.findChild(_Collector) is None:
         _Collector(application)
+    gc.disable()  # a library may have switched it on again

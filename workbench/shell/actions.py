@@ -380,7 +380,7 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (view, "V, W, K, P, H", _("Select, draw a window, a clip window, send a point, pan")),
         (space, "1, 3, 7", _("Look from the front, the right, the top; with Ctrl from the opposite side")),
         (space, "5", _("Exchange perspective and parallel projection")),
-        (space, "Shift+arrows", _("Turn by five degrees; with Ctrl shift the picture")),
+        (space, "Shift+Left, Shift+Right, Shift+Up, Shift+Down", _("Turn by 5 degrees; with Ctrl, shift")),
         (space, "+, -", _("Zoom in, out")),
         (curves, "P", _("Pen; from the end of an open curve it goes on")),
         (curves, "F", _("Draw freehand, and fit a curve")),
