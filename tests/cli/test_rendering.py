@@ -16,7 +16,8 @@ from workbench.exchange.mesh_reading import read_mesh
 from workbench.exchange.meshes import obj, ply, stl
 from workbench.rendering import render_scene
 
-MODELS = Path("/work/shared/data/models")
+# Meshes that everybody knows, in a folder beside the checkout; they are not part of the project
+MODELS = Path(__file__).resolve().parents[3] / "shared" / "data" / "models"
 
 
 @pytest.fixture

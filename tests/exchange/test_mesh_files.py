@@ -18,7 +18,8 @@ from workbench.exchange.mesh_reading import ImportedMesh, read_mesh
 from workbench.exchange.reading import Job, Reading
 from workbench.geometry.meshes import Faces, Mesh, triangulated
 
-MODELS = Path("/work/shared/data/models")
+# Meshes that everybody knows, in a folder beside the checkout; they are not part of the project
+MODELS = Path(__file__).resolve().parents[3] / "shared" / "data" / "models"
 CUBE = solids.cube()
 
 
