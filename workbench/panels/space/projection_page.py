@@ -14,7 +14,6 @@ from workbench.document.subjects import Subject
 from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.camera_card import CameraCard
-from workbench.panels.space.empty import EmptyScene
 from workbench.panels.space.eye_view import EyeView, Vertex
 from workbench.panels.space.family_dock import FamilyDock
 from workbench.panels.space.looking import Looking
@@ -23,6 +22,7 @@ from workbench.panels.space.objects_dock import ObjectsDock
 from workbench.panels.space.outside_view import OutsideView
 from workbench.panels.space.polygon_tables import PolygonTablesView
 from workbench.panels.space.solids_offered import offers
+from workbench.panels.stage.empty import EmptyState
 from workbench.rendering.scene.edge_picture import object_at
 from workbench.rendering.subjects.projection import KIND, is_of_a_vertex, seen_from, vertex_of
 from workbench.session.session import Session
@@ -55,7 +55,14 @@ class ProjectionPage(QWidget):
         self.objects = ObjectsDock(session)
         self.family = FamilyDock()
         self.tables = PolygonTablesView()
-        self.empty = EmptyScene(self.eye, partial(self.objects.add_solid, offers()[0]))
+        self.empty = EmptyState(
+            self.eye,
+            _("Nothing to look at."),
+            partial(self.objects.add_solid, offers()[0]),
+            _("Add a house"),
+            _("Put a house into the scene"),
+        )
+        self.empty.hide()
         self.beside = "both"
         self._actions: dict[str, QAction] = {}
         self._lay_out()
