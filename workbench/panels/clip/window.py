@@ -6,6 +6,7 @@ from msgspec.structs import replace
 from workbench.document.edits import set_clip
 from workbench.document.model import AnyFigure, Circle, Rectangle, Sheet
 from workbench.language import _
+from workbench.panels.stage.extent import GRIPS, SIDE_OF
 from workbench.panels.stage.gesture import Cell, HandleDrag, Modifiers, Tool, snapped
 from workbench.panels.stage.outline import distance_to, figure_at
 from workbench.panels.stage.tools import FigureTool, SelectTool
@@ -15,18 +16,7 @@ from workbench.session.session import Session
 from workbench.widgets.canvas.overlay import Handle
 
 PREFIX = "clip/"
-SIDES = {"left": "xmin", "right": "xmax", "bottom": "ymin", "top": "ymax"}
-_PLACES = {
-    "left bottom": (0.0, 0.0),
-    "right bottom": (1.0, 0.0),
-    "right top": (1.0, 1.0),
-    "left top": (0.0, 1.0),
-    "left": (0.0, 0.5),
-    "right": (1.0, 0.5),
-    "bottom": (0.5, 0.0),
-    "top": (0.5, 1.0),
-    "whole": (0.5, 0.5),
-}
+_PLACES = {**GRIPS, "whole": (0.5, 0.5)}
 
 
 def usual_window(sheet: Sheet) -> Rectangle:
@@ -105,7 +95,7 @@ class ClipDrag(HandleDrag):
                 value = min(value, (window.xmax if across else window.ymax) - pixel)
             else:
                 value = max(value, (window.xmin if across else window.ymin) + pixel)
-            window = replace(window, **{SIDES[side]: round(value, 9)})
+            window = replace(window, **{SIDE_OF[side]: round(value, 9)})
         return window
 
 

@@ -1,7 +1,20 @@
-"""What is said of a rectangle without area."""
+"""Rectangles that are dragged: their grips, and what is said of one without area."""
 
 from workbench.document.model import Rectangle
 from workbench.language import _
+
+# Where each grip of a rectangle lies, as shares of its width and height; and the side of each direction
+GRIPS = {
+    "left bottom": (0.0, 0.0),
+    "right bottom": (1.0, 0.0),
+    "right top": (1.0, 1.0),
+    "left top": (0.0, 1.0),
+    "left": (0.0, 0.5),
+    "right": (1.0, 0.5),
+    "bottom": (0.5, 0.0),
+    "top": (0.5, 1.0),
+}
+SIDE_OF = {"left": "xmin", "right": "xmax", "bottom": "ymin", "top": "ymax"}
 
 
 def no_extent(rectangle: Rectangle, viewport: bool = False) -> str:

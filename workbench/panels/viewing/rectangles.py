@@ -9,20 +9,10 @@ from workbench.document.building import Edit
 from workbench.document.model import Rectangle, View
 from workbench.document.view_edits import set_clip, set_viewport, set_window
 from workbench.language import _
+from workbench.panels.stage.extent import GRIPS, SIDE_OF
 from workbench.widgets.canvas.overlay import Handle
 
 SIDES = ("xmin", "ymin", "xmax", "ymax")
-GRIPS = {
-    "left bottom": (0.0, 0.0),
-    "right bottom": (1.0, 0.0),
-    "right top": (1.0, 1.0),
-    "left top": (0.0, 1.0),
-    "left": (0.0, 0.5),
-    "right": (1.0, 0.5),
-    "bottom": (0.5, 0.0),
-    "top": (0.5, 1.0),
-}
-_SIDE_OF = {"left": "xmin", "right": "xmax", "bottom": "ymin", "top": "ymax"}
 
 
 class Named(NamedTuple):
@@ -74,7 +64,7 @@ def moved(rectangle: Rectangle, dx: float, dy: float) -> Rectangle:
 def stretched(rectangle: Rectangle, grip: str, x: float, y: float, least: float) -> Rectangle:
     """The rectangle with the sides of a grip at (x, y), at least ``least`` wide and high."""
     for word in grip.split():
-        side = _SIDE_OF[word]
+        side = SIDE_OF[word]
         value = x if side in ("xmin", "xmax") else y
         if side.endswith("min"):
             value = min(value, getattr(rectangle, side.replace("min", "max")) - least)
