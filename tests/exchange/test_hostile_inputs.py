@@ -31,12 +31,23 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
         (SVG, """svg('<g fill="url(#' + ' ' * 200_000 + '"><line x2="1"/></g>')""", "read"),
         (SVG, "svg(doubling(17))", "more than 100,000 elements"),
         (SVG, "svg('<style>' + 'a' * 30_000 + '</style>')", "read"),
-        (SVG, """svg('<style>' + 'a{}' * 300_000 + '</style><rect width="1" height="1"/>')""", "read"),
-        (SVG, "svg('<style>' + 'a,' * 300_000 + 'b{fill:red}</style>')", "more than 50,000 selectors"),
         (
             SVG,
-            "svg('<style>' + ''.join(f'.a.b{k}{{fill:red}}' for k in range(40_000)) + '</style>'"
+            """svg('<style>' + 'a{}' * 300_000 + '</style><rect width="1" height="1"/>')""",
+            "has 900,000 characters",
+        ),
+        (SVG, """svg('<style>' + 'a{}' * 130_000 + '</style><rect width="1" height="1"/>')""", "read"),
+        (SVG, "svg('<style>' + 'a,' * 150_000 + 'b{fill:red}</style>')", "more than 10,000 selectors"),
+        (
+            SVG,
+            "svg('<style>' + ''.join(f'.a.b{k}{{fill:red}}' for k in range(9_000)) + '</style>'"
             """ + ''.join(f'<g class="a c{k}"/>' for k in range(40_000)))""",
+            "too many rules",
+        ),
+        (
+            SVG,
+            "svg('<style>' + ' '.join(f'g g g.a{k}{{fill:red}}' for k in range(9)) + '</style>'"
+            """ + '<g class="a0 a1 a2 a3 a4 a5 a6 a7 a8">' * 190 + '</g>' * 190)""",
             "too many rules",
         ),
         (SVG, """svg('<path d="M 0 0' + 'l1 1' * 250_000 + '"/>')""", "more than 200,000 points"),

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.exchange.svg_texts import SHEET, cubics, seen, svg
-from workbench.document.model import Circle, Curve, Polygon, Polyline
+from workbench.document.model import Circle, Curve, Line, Polygon, Polyline
 from workbench.document.transforms.links import Affine, Rotate, Scale, Translate
 from workbench.exchange.svg_paths import SvgError, read_svg
 
@@ -64,6 +64,12 @@ def test_style_sheets_say_what_is_painted() -> None:
     assert [type(figure) for figure in figures[3:5]] == [Polyline, Polygon]
 
 
+def test_what_a_property_cannot_be_is_not_there() -> None:
+    said = "<style>line{stroke:nothing;fill:#000}</style>"
+    line = '<line x2="9" style="stroke:red;stroke:no-such" fill="none"/>'
+    assert [figure.colour for figure in read_svg(svg(said + line), SHEET).figures] == [2]
+
+
 def test_of_rules_said_twice_each_keeps_its_own_turn() -> None:
     sheet = (
         "<style>.a { stroke: #f00; fill: none } .b { stroke: #000 } .a { fill: #000 }"
@@ -74,8 +80,8 @@ def test_of_rules_said_twice_each_keeps_its_own_turn() -> None:
         '<polygon class="a b" points="0,0 1,0 1,1"/>'
     )
     figures = read_svg(svg(f"{sheet}{body}"), SHEET).figures
-    assert [figure.colour for figure in figures] == [1, 1, 2, 2, 1]
-    assert isinstance(figures[-1], Polygon)
+    assert [figure.colour for figure in figures] == [1, 1, 2, 2, 1, 1]
+    assert [type(figure) for figure in figures[-2:]] == [Polygon, Polyline]
 
 
 def test_a_drawing_inside_a_drawing_has_a_frame_of_its_own() -> None:
@@ -89,3 +95,51 @@ def test_a_drawing_inside_a_drawing_has_a_frame_of_its_own() -> None:
 def test_entities_that_only_abbreviate_are_read() -> None:
     text = '<!DOCTYPE svg [<!ENTITY ns "http://www.w3.org/2000/svg">]><svg xmlns="&ns;"><line x2="1"/></svg>'
     assert len(read_svg(text, SHEET).figures) == 1
+
+
+def test_an_inside_and_an_outline_are_two_figures() -> None:
+    body = '<rect width="9" height="5" fill="#102030" stroke="red"/><path d="M0 0Q9 0 9 9Z" fill="red"/>'
+    drawing = read_svg(svg(body), SHEET)
+    area, outline, curved, curve = drawing.figures
+    assert [type(area), type(outline), type(curved), type(curve)] == [Polygon, Polyline, Polygon, Curve]
+    assert drawing.palette == (*SHEET.palette, 0x102030)
+    assert [figure.colour for figure in drawing.figures] == [3, 2, 2, 2]
+
+
+def test_what_has_the_colour_of_the_paper_is_still_seen() -> None:
+    drawing = read_svg(svg('<line x2="9" stroke="white"/><line x2="9" stroke="#f00" opacity=".5"/>'), SHEET)
+    assert [drawing.palette[figure.colour] for figure in drawing.figures] == [0x7F7F7F, 0xFF8080]
+    assert drawing.notes == (
+        "What has the colour of the paper is drawn in grey, to be seen.",
+        "Opacity is blended with the colour of the paper.",
+    )
+
+
+def test_one_bad_element_is_left_out_and_said() -> None:
+    bad = (
+        '<path d="M 0 0 L nan 1"/>',
+        '<polygon points="1,2 3"/>',
+        '<use href="http://example.org/a.svg#b"/>',
+        '<circle r="1e400"/>',
+        '<line x2="5" transform="spin(3)"/>',
+        '<line x2="1e11"/>',
+    )
+    good = '<line x2="9" transform="none" stroke="red"/>'
+    for element in bad:
+        drawing = read_svg(svg(f"<g>{element}</g>{good}"), SHEET)
+        assert [type(figure) for figure in drawing.figures] == [Line]
+        assert len(drawing.notes) == 1
+        assert drawing.notes[0].startswith("Left out: Line 1, column ")
+        assert drawing.notes[0].endswith(".")
+        with pytest.raises(SvgError, match="Line 1, column"):
+            read_svg(svg(element), SHEET)
+
+
+def test_css_transforms_have_units_and_an_origin() -> None:
+    how = "transform: translate(10px, 10%) rotate(.25turn); transform-origin: 50% 0"
+    (line,) = read_svg(svg(f'<line x2="9" stroke="red" style="{how}"/>'), SHEET).figures
+    assert np.allclose(seen(line), [[60, -40], [60, -31]])
+    (line,) = read_svg(
+        svg('<line x2="9" stroke="red" style="transform:scaleY(2)translateX(3px)"/>'), SHEET
+    ).figures
+    assert np.allclose(seen(line), [[3, 0], [12, 0]])

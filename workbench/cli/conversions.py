@@ -13,6 +13,7 @@ from msgspec.structs import replace
 from workbench.cli import outputs
 from workbench.cli.failure import BadInputError
 from workbench.document import DocumentError, Stored
+from workbench.document.edits import add_figures, set_palette
 from workbench.document.model import (
     MAX_SIDE_PX,
     WEIGHTS,
@@ -132,9 +133,9 @@ def _from_svg(
     root = read_tree(content)
     window = frame_of(root)
     sheet = _blank(window, wanted or _pixels(size_of(root) or (0.0, 0.0), window))
-    found = read_svg(root, sheet, tolerance)
-    document = _filled(source, sheet, found.figures)
-    return document, _approximated(found.approximated) + list(found.notes)
+    drawing = read_svg(root, sheet, tolerance)
+    document = _filled(source, sheet, drawing.figures, drawing.palette)
+    return document, _approximated(drawing.approximated) + list(drawing.notes)
 
 
 def _from_points(
@@ -179,9 +180,15 @@ def _blank(window: Rectangle, sides: tuple[int, int]) -> Sheet:
     return set_window(document.sheets[0].first_view.id, window)(document).sheets[0]
 
 
-def _filled(source: Path, sheet: Sheet, figures: Sequence[AnyFigure]) -> Document:
-    made = document_of(source.stem[:200], sheet.width_px, sheet.height_px, figures)
-    return set_window(made.sheets[0].first_view.id, sheet.first_view.window_world)(made)
+def _filled(
+    source: Path, sheet: Sheet, figures: Sequence[AnyFigure], palette: tuple[int, ...] = ()
+) -> Document:
+    blank = document_of(source.stem[:200], sheet.width_px, sheet.height_px, ())
+    only = blank.sheets[0]
+    if palette:
+        blank = set_palette(only.id, palette)(blank)
+    filled = add_figures(only.id, figures)(blank)
+    return set_window(only.first_view.id, sheet.first_view.window_world)(filled)
 
 
 def _pixels(stated: tuple[float, float], window: Rectangle) -> tuple[int, int]:

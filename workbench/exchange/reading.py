@@ -179,6 +179,7 @@ class _Blob(msgspec.Struct, tag=True):
 class _Drawn(msgspec.Struct, tag=True):
     approximated: list[tuple[str, float]]
     notes: list[str]
+    palette: list[int]
 
 
 class _Points(msgspec.Struct, tag=True):
@@ -214,9 +215,9 @@ def _parts(result: Result) -> Iterator[_Part]:
             for name, content in all_blobs(result).items():
                 for at in range(0, max(len(content), 1), _BLOB_IN_A_PART):
                     yield _Blob(name, content[at : at + _BLOB_IN_A_PART])
-        case Imported(figures=figures, approximated=approximated, notes=notes):
+        case Imported(figures=figures, approximated=approximated, notes=notes, palette=palette):
             yield from _batches(0, figures)
-            yield _Drawn(list(approximated), list(notes))
+            yield _Drawn(list(approximated), list(notes), list(palette))
         case Fitted(curve=curve, points=points, error=error):
             yield from _batches(0, [curve])
             yield _Fit(points, error)
@@ -258,8 +259,8 @@ def _joined(parts: list[_Part]) -> Result:
                 for digest in blobs_of(document):
                     del contents[digest]
                 return Stored(document, session, contents, each.origin, each.origin_stamp, each.blobs_beside)
-            case _Drawn(approximated=approximated, notes=notes):
-                return Imported(tuple(figures[0]), tuple(approximated), tuple(notes))
+            case _Drawn(approximated=approximated, notes=notes, palette=palette):
+                return Imported(tuple(figures[0]), tuple(approximated), tuple(notes), tuple(palette))
             case _Fit(points=points, error=error):
                 (curve,) = figures[0]
                 assert isinstance(curve, Curve)

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.algorithms.curves import Pieces
+from workbench.algorithms.curves import Pieces, polyline
 from workbench.document.curves.conversions import path_through
 from workbench.document.model import (
     AnyFigure,
@@ -18,13 +18,13 @@ from workbench.document.model import (
     Line,
     Polygon,
     Polyline,
-    Sheet,
     WorldPoint,
 )
 from workbench.exchange.path_data import Run, TooManyPointsError, runs
 from workbench.exchange.svg_arcs import Arc
-from workbench.exchange.svg_colours import colour_of, nearest_colour
-from workbench.exchange.svg_outlines import Outline, length_of, outline, points_of
+from workbench.exchange.svg_colours import BLACK, Colours, Paint, paint_of
+from workbench.exchange.svg_outlines import Outline, length_of, outline, pixels, points_of
+from workbench.exchange.svg_styles import share
 from workbench.exchange.svg_transforms import Placing
 from workbench.exchange.svg_tree import Element, SvgError
 from workbench.language import _
@@ -59,7 +59,7 @@ class Geometry:
         except TooManyPointsError as error:
             raise self.element.refusal(str(error)) from error
         except (ValueError, ArithmeticError, IndexError) as error:
-            raise self.element.refusal(_("the path cannot be understood; correct it.")) from error
+            raise self.element.unread(_("the path cannot be understood; correct it.")) from error
 
 
 @dataclass(slots=True, eq=False)
@@ -72,26 +72,31 @@ class Shape:
     geometry: Geometry
 
     @property
-    def fill(self) -> int | None:
-        """0xRRGGBB, or None; black where nothing is said."""
-        return colour_of(self._paint("fill", "black"))
+    def fill(self) -> Paint | None:
+        """What its inside is painted with, or None; black where nothing is said."""
+        return self._paint("fill", "black")
 
     @property
-    def stroke(self) -> int | None:
-        """0xRRGGBB, or None, also where nothing is said."""
-        return colour_of(self._paint("stroke", "none"))
+    def stroke(self) -> Paint | None:
+        """What its outline is painted with, or None, also where nothing is said or it has no width."""
+        width = self.style.get("stroke-width", "1")
+        return self._paint("stroke", "none") if pixels(width, 100.0) != 0.0 else None
 
     @property
-    def paint(self) -> int:
-        """The one colour that a figure gets: the line's, else the inside's, else black."""
-        stroke = self.stroke
-        return stroke if stroke is not None else self.fill or 0
+    def paint(self) -> Paint:
+        """The one colour that the figure it was made of has: the line's, else the inside's, else black."""
+        return self.stroke or self.fill or BLACK
 
     @property
     def hidden(self) -> bool:
         """Whether nothing of it is seen."""
         unseen = self.style.get("visibility", "") in ("hidden", "collapse") or "hidden" in self.style
         return unseen or (self.fill is None and self.stroke is None)
+
+    @property
+    def nonzero(self) -> bool:
+        """Whether what is inside is found by counting windings."""
+        return self.style.get("fill-rule", "") != "evenodd"
 
     def corners(self) -> Array:
         """Control points (n, 2) of its outline under its matrix."""
@@ -104,9 +109,13 @@ class Shape:
         parts = [part.points for part in self.geometry.outlines(self.placing.matrix, 1e9)]
         return np.vstack([np.zeros((0, 2)), *parts])
 
-    def _paint(self, name: str, default: str) -> str:
-        text = self.style.get(name, default)
-        return self.style.get("color", "black") if text == "currentColor" else text
+    def _paint(self, name: str, default: str) -> Paint | None:
+        paint = paint_of(self.style.get(name, default), self.style.get("color", "black"))
+        if paint is None:
+            return None
+        alpha = paint.alpha * (share(self.style.get(f"{name}-opacity", "1")) or 0.0)
+        alpha *= float(self.style.get("opacity", 1.0))
+        return paint._replace(alpha=alpha) if alpha > 0 else None
 
 
 @dataclass(slots=True)
@@ -119,26 +128,30 @@ class Made:
     notes: list[str] = field(default_factory=list)
 
 
-def figures_of(shape: Shape, matrix: Array, sheet: Sheet, tolerance: float) -> Made:
+def figures_of(shape: Shape, matrix: Array, colours: Colours, tolerance: float) -> Made:
     """The figures, world, of an element whose coordinates ``matrix`` (2, 3) takes to the world.
 
-    Raises: SvgError with the place.
+    An inside and an outline are two figures, the outline in front. Curved insides are polygons within
+    ``tolerance``; such a path that has an inside alone gets its outline too, to be edited as a curve.
+    Raises: UnreadError with the place, SvgError for too many points.
     """
     element = shape.element
     name = element.attributes.get("id", "")[:200]
     made = Made(name or _("<{tag}> in line {line}").format(tag=element.tag, line=element.line))
-    colour = nearest_colour(shape.paint, sheet)
-    plain = _plain_figure(shape, matrix, colour)
-    if plain is not None:
-        made.figures.append(plain)
-    else:
-        for run in shape.geometry.outlines(matrix, tolerance):
-            made.error = max(made.error, run.error)
-            made.figures += _curves(run, colour)
-        if shape.fill is not None and made.figures:
-            made.notes.append(_("The insides of curves are not filled here."))
+    fill, stroke = shape.fill, shape.stroke
+    outlines = [] if element.tag in ("circle", "ellipse") else shape.geometry.outlines(matrix, tolerance)
+    made.error = max((each.error for each in outlines), default=0.0)
+    if fill is not None and (area := _area(shape, matrix, outlines, colours.index_of(fill), tolerance)):
+        made.figures.append(area)
+    curved = any(degree != 1 for each in outlines for degree in each.degrees)
+    made.error += tolerance if curved and made.figures else 0.0
+    lined = stroke or fill or BLACK
+    if stroke is not None or not made.figures or curved:
+        made.figures += _lines(shape, matrix, outlines, colours.index_of(lined), tolerance)
     made.figures = [
-        _named(figure, name, not shape.hidden) for figure in made.figures if len(figure.points_world)
+        replace(figure, name=name, visible=not shape.hidden)
+        for figure in made.figures
+        if len(figure.points_world)
     ]
     if not made.figures:
         made.notes.append(_("{name} draws nothing.").format(name=made.name))
@@ -151,8 +164,10 @@ def _runs(element: Element) -> list[Run]:
         case "path":
             try:
                 return runs(element.attributes.get("d", ""))
-            except SvgError as error:
+            except TooManyPointsError as error:
                 raise element.refusal(str(error)) from error
+            except SvgError as error:
+                raise element.unread(str(error)) from error
         case "line":
             x1, y1, x2, y2 = (length_of(element, name) for name in ("x1", "y1", "x2", "y2"))
             return [Run([(x1, y1), (x2, y2)], [1])]
@@ -174,7 +189,8 @@ def _ellipse(element: Element) -> tuple[float, float, float, float]:
     if element.tag == "circle":
         r = length_of(element, "r")
         return x, y, r, r
-    return x, y, length_of(element, "rx"), length_of(element, "ry")
+    rx, ry = length_of(element, "rx", -1.0), length_of(element, "ry", -1.0)
+    return x, y, (ry if rx < 0 else rx), (rx if ry < 0 else ry)
 
 
 def _rectangle(element: Element) -> list[Run]:
@@ -198,27 +214,60 @@ def _rectangle(element: Element) -> list[Run]:
     return [Run(points, [1, Arc(rx, ry, 0.0, False, True)] * 4, True)]
 
 
-def _plain_figure(shape: Shape, matrix: Array, colour: int) -> AnyFigure | None:
-    """The figure that is exactly this element, if it is no path and there is one."""
-    element, filled = shape.element, shape.fill is not None
-    tag = element.tag
+def _area(
+    shape: Shape, matrix: Array, outlines: list[Outline], colour: int, tolerance: float
+) -> AnyFigure | None:
+    """The inside of an element, if it has any."""
+    if shape.element.tag in ("circle", "ellipse"):
+        plain = _round_figure(shape.element, matrix, colour, True)
+        if plain is not None:
+            return plain
+        outlines = shape.geometry.outlines(matrix, tolerance)
+    rings = [ring for each in outlines if len(ring := _corners(each, tolerance)) >= Polygon.least_points]
+    if not rings:
+        return None
+    ends = np.cumsum([len(ring) for ring in rings]).tolist()
+    if ends[-1] > Polygon.most_points:
+        raise shape.element.refusal(str(TooManyPointsError()))
+    points = tuple(WorldPoint("", x, y) for ring in rings for x, y in ring.tolist())
+    several = tuple(ends) if len(ends) > 1 else ()
+    return Polygon("", points, Polygon.algorithms[0], colour, ring_ends=several, nonzero=shape.nonzero)
+
+
+def _corners(drawn: Outline, tolerance: float) -> Array:
+    """The corners (n, 2) of a run, curves within ``tolerance``, none twice in a row."""
+    if any(degree != 1 for degree in drawn.degrees):
+        cubics = drawn.cubics()
+        corners = polyline(Pieces(np.arange(len(cubics) + 1.0), cubics), tolerance)
+    else:
+        corners = drawn.points
+    if len(corners):
+        corners = corners[np.any(corners != np.roll(corners, -1, axis=0), axis=1)]
+    return corners
+
+
+def _lines(
+    shape: Shape, matrix: Array, outlines: list[Outline], colour: int, tolerance: float
+) -> list[AnyFigure]:
+    """The outline of an element: the figure that is exactly it, or curves."""
+    tag = shape.element.tag
     if tag in ("circle", "ellipse"):
-        return _round_figure(element, matrix, colour, filled)
-    if tag == "path" or any(run.curved for run in shape.geometry.runs):
-        return None
-    drawn = shape.geometry.outlines(matrix, 1.0)
-    corners = drawn[0].points.tolist() if drawn else []
-    closed = tag in ("polygon", "rect")
-    if closed and len(corners) > 1 and corners[0] == corners[-1]:
-        corners.pop()
-    points = tuple(WorldPoint("", x, y) for x, y in corners)
-    if tag == "line":
-        return Line("", points, Line.algorithms[0], colour) if len(points) == 2 else None
-    if len(points) < 2:
-        return None
-    if closed and filled and len(points) >= Polygon.least_points:
-        return Polygon("", points, Polygon.algorithms[0], colour, nonzero=True)
-    return Polyline("", points, Polyline.algorithms[0], colour, closed=closed)
+        plain = _round_figure(shape.element, matrix, colour, False)
+        if plain is not None:
+            return [plain]
+        outlines = shape.geometry.outlines(matrix, tolerance)
+    elif tag != "path" and not any(run.curved for run in shape.geometry.runs):
+        corners = outlines[0].points.tolist() if outlines else []
+        closed = tag in ("polygon", "rect")
+        if closed and len(corners) > 1 and corners[0] == corners[-1]:
+            corners.pop()
+        points = tuple(WorldPoint("", x, y) for x, y in corners)
+        if len(points) < 2:
+            return []
+        if tag == "line":
+            return [Line("", points, Line.algorithms[0], colour)]
+        return [Polyline("", points, Polyline.algorithms[0], colour, closed=closed)]
+    return [figure for run in outlines for figure in _curves(run, colour)]
 
 
 def _round_figure(element: Element, matrix: Array, colour: int, filled: bool) -> AnyFigure | None:
@@ -254,7 +303,3 @@ def path_of(cubics: Array, closed: bool, colour: int) -> Curve:
     """The path of cubic pieces (m, 4, 2), world; ends that meet smoothly are joined so."""
     empty = Curve("", (), Curve.algorithms[0], colour, spline="bezier_path", closed=closed)
     return path_through(empty, Pieces(np.arange(len(cubics) + 1.0), cubics))
-
-
-def _named(figure: AnyFigure, name: str, visible: bool) -> AnyFigure:
-    return replace(figure, name=name, visible=visible)

@@ -1,12 +1,10 @@
 """Outlines of SVG elements as Bézier segments in the element's own coordinates; arcs become cubics.
 
-Lengths and transforms are understood by svgelements, after they were looked at strictly.
 Source: SVG 1.1, chapters 8 and 9.
 """
 
 import math
 import re
-from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,14 +12,24 @@ from numpy.typing import NDArray
 
 from workbench.exchange.path_data import LARGEST, MOST_POINTS, Run, TooManyPointsError, runs
 from workbench.exchange.svg_arcs import arc_pieces
-from workbench.exchange.svg_transforms import FUNCTION
+from workbench.exchange.svg_transforms import Function, functions_in, matrix_in
 from workbench.exchange.svg_tree import Element, SvgError
 from workbench.geometry.curves.cubic_pieces import raised_to_cubic
 from workbench.language import _
 
 Array = NDArray[np.float64]
 
-_LENGTH = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?(px|pt|pc|mm|cm|in|em|ex|Q|%)?")
+_LENGTH = re.compile(r"([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)(px|pt|pc|mm|cm|in|rem|em|ex|ch|Q|%)?")
+_UNITS = {
+    "px": 1.0,
+    "pt": 96.0 / 72.0,
+    "pc": 16.0,
+    "mm": 96.0 / 25.4,
+    "cm": 96.0 / 2.54,
+    "Q": 96.0 / 101.6,
+    "in": 96.0,
+    "rem": 16.0,
+}
 _LONGEST_LENGTH = 100
 # What makes the control points of a cubic of those of a segment of this degree.
 _RAISED = {degree: raised_to_cubic(np.eye(degree + 1)[None])[0] for degree in (1, 2, 3)}
@@ -95,58 +103,64 @@ def _close(placed: Outline) -> None:
         placed.degrees.append(1)
 
 
-def transform_of(element: Element) -> Array | None:
-    """The matrix (2, 3) of an element's ``transform``, None where it has none. Raises: SvgError."""
-    text = element.attributes.get("transform", "").strip()
+def functions_of(element: Element) -> tuple[Function, ...]:
+    """The functions of an element's ``transform``, about its ``transform-origin``. Raises: UnreadError."""
+    text = element.style.get("transform", "")
     if not text:
-        return None
-    placed: Array = np.full((2, 3), math.nan)
-    words, at = [], 0
-    while match := FUNCTION.match(text, at):
-        numbers = match[2].replace(",", " ").split()
-        if len(numbers) > 6 or any(len(number) > _LONGEST_LENGTH for number in numbers):
-            break
-        words.append(f"{match[1]}({' '.join(numbers)})")
-        at = match.end()
-    if at == len(text):
-        import svgelements
+        return ()
+    functions = functions_in(text, element.viewport)
+    origin = _origin_of(element) if functions else (0.0, 0.0)
+    if functions and origin is not None and any(origin):
+        x, y = origin
+        functions = (Function("translate", (x, y)), *functions, Function("translate", (-x, -y)))
+    sound = functions is not None and origin is not None
+    matrix = matrix_in(functions) if functions and sound else np.eye(2, 3)
+    if not (sound and np.isfinite(matrix).all() and np.abs(matrix).max() <= LARGEST):
+        raise element.unread(_("transform {text!r} cannot be read; correct it.").format(text=text[:40]))
+    return functions or ()
 
-        with suppress(ValueError, TypeError, IndexError, ZeroDivisionError, OverflowError, AttributeError):
-            m = svgelements.Matrix(" ".join(words))
-            placed = np.array([[m.a, m.c, m.e], [m.b, m.d, m.f]], float)
-    if not (np.isfinite(placed).all() and np.abs(placed).max() <= LARGEST):
-        raise element.refusal(_("transform {text!r} cannot be read; correct it.").format(text=text[:40]))
-    return placed
+
+def _origin_of(element: Element) -> tuple[float, float] | None:
+    """The place about which an element is transformed; None where it cannot be read."""
+    words = element.style.get("transform-origin", "").split()[:2]
+    if len(words) == 1:
+        words = ["50%", words[0]] if words[0] in ("top", "bottom") else [words[0], "50%"]
+    elif words and (words[0] in ("top", "bottom") or words[1] in ("left", "right")):
+        words = words[::-1]
+    names = {"left": "0", "top": "0", "center": "50%", "right": "100%", "bottom": "100%"}
+    x, y = (
+        pixels(names.get(word, word), whole, element.font_px)
+        for word, whole in zip(words or ["0", "0"], element.viewport, strict=True)
+    )
+    return (x, y) if math.isfinite(x + y) else None
+
+
+def pixels(text: str, whole: float, font_px: float = 16.0) -> float:
+    """A length in user units, of 100 % being ``whole``; not a number where it is none."""
+    match = _LENGTH.fullmatch(text.strip()) if len(text) <= _LONGEST_LENGTH else None
+    if match is None:
+        return math.nan
+    sizes = {**_UNITS, "%": whole / 100.0, "em": font_px, "ex": 0.5 * font_px, "ch": 0.5 * font_px}
+    return float(match[1]) * sizes[match[2] or "px"]
 
 
 def length_of(element: Element, name: str, default: float = 0.0) -> float:
-    """A coordinate or length in user units. Raises: SvgError."""
+    """A coordinate or length in user units. Raises: UnreadError."""
     text = element.attributes.get(name, "").strip()
     if not text or text == "auto":
         return default
-    match = _LENGTH.fullmatch(text) if len(text) <= _LONGEST_LENGTH else None
-    value = math.nan
-    if match and not match[1]:
-        value = float(text)
-    elif match:
-        width, height = element.viewport
-        whole = (
-            math.hypot(width, height) / math.sqrt(2.0) if name == "r" else height if "y" in name else width
-        )
-        whole = height if name == "height" else whole
-        import svgelements
-
-        with suppress(ValueError, TypeError, AttributeError):
-            length = svgelements.Length(text)
-            value = float(length.value(ppi=96.0, relative_length=whole or math.nan, font_size=16.0))
+    width, height = element.viewport
+    diagonal = math.hypot(width, height) / math.sqrt(2.0)
+    whole = diagonal if name == "r" else height if "y" in name or name == "height" else width
+    value = pixels(text, whole, element.font_px)
     if not (math.isfinite(value) and abs(value) <= LARGEST):
         sentence = _("{name} is {text!r}, which is not a length that can be drawn; correct it.")
-        raise element.refusal(sentence.format(name=name, text=text[:20]))
+        raise element.unread(sentence.format(name=name, text=text[:20]))
     return value
 
 
 def points_of(element: Element) -> list[tuple[float, float]]:
-    """The points of a polyline or polygon. Raises: SvgError."""
+    """The points of a polyline or polygon. Raises: UnreadError, and SvgError for too many."""
     text = element.attributes.get("points", "").strip()
     try:
         drawn = runs("M " + text) if text else []
@@ -155,5 +169,5 @@ def points_of(element: Element) -> list[tuple[float, float]]:
     except SvgError:
         drawn = [Run([]), Run([])]
     if len(drawn) > 1 or not set(text) <= _OF_PAIRS:
-        raise element.refusal(_("its points are no pairs of numbers; correct them."))
+        raise element.unread(_("its points are not pairs of numbers; correct them."))
     return drawn[0].points if drawn else []

@@ -1,36 +1,29 @@
-"""Style sheets inside an SVG, as far as drawing programs write them: elements, classes and ids, no nesting.
+"""What style sheets, attributes and ``style`` say about each element of an SVG, in the order of the cascade.
 
-Only what is read here of a look is kept. Source: CSS 2.1, chapters 5 and 6.
+Rules are parsed by tinycss2 and selectors compiled by cssselect2. Those that look at siblings or counts are
+left out, since they may take time without bound. Source: CSS 2.1, chapters 5 and 6; Selectors Level 3.
 """
 
-import re
 from collections import defaultdict
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
+from itertools import count
+from typing import TYPE_CHECKING, Any, NamedTuple
 
+from workbench.exchange.svg_colours import is_paint
+from workbench.exchange.svg_tree import PROPERTIES, Element
 from workbench.language import _
 
-INHERITED = ("fill", "stroke", "visibility", "color")
-# What an element may refer to by these changes how it looks, and no figure has it.
-REFERRING = (
-    "fill",
-    "stroke",
-    "clip-path",
-    "mask",
-    "filter",
-    "marker",
-    "marker-start",
-    "marker-mid",
-    "marker-end",
-)
-PROPERTIES = {*INHERITED, *REFERRING, "display"}
-MOST_SELECTORS = 50_000
-MOST_TRIALS = 2_000_000  # of a rule with an element
+if TYPE_CHECKING:
+    from cssselect2 import ElementWrapper
 
-_COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)|<!--|-->", re.DOTALL)
-_BRACE = re.compile(r"[{}]")
-_SELECTOR = re.compile(r"(\*|[\w-]*)((?:[.#][\w-]+)*)")
-_PART = re.compile(r"[.#][\w-]+")
+MOST_CHARACTERS = 400_000
+MOST_SELECTORS = 10_000
+MOST_TRIALS = 1_000_000  # of a selector with an element
+_SHORT = ("opacity", "fill-opacity", "stroke-opacity")
+_PAINTS = ("fill", "stroke", "color")
+
+Said = dict[str, tuple[str, bool]]
+"""Property -> its value, and whether it is important."""
 
 
 class StyleError(ValueError):
@@ -38,86 +31,200 @@ class StyleError(ValueError):
 
 
 class _Rule(NamedTuple):
-    """A selector; ``stated`` are property -> the number of the rule that says it last, and its value."""
+    """``descents``: how many of its parts may be any of the elements around an element."""
 
-    weight: tuple[int, int, int]
-    tag: str
-    parts: frozenset[str]
-    stated: dict[str, tuple[int, str]]
+    weight: tuple[Any, ...]
+    matches: Any
+    descents: int
+    said: Said
 
 
 class StyleSheet:
-    """The rules of all ``<style>`` elements. Raises StyleError where there are too many."""
+    """The rules of all ``<style>`` elements. Raises StyleError where they are too much.
+
+    ``left_out`` are selectors that are not understood here.
+    """
 
     def __init__(self, text: str) -> None:
-        self._rules: dict[str, list[_Rule]] = defaultdict(list)
-        self._ids: set[str] = set()
-        self._known: dict[tuple[str, str, str], dict[str, str]] = {}
+        self.left_out: list[str] = []
+        self._rules: dict[tuple[str, str], list[_Rule]] = defaultdict(list)
         self._selectors = self._trials = 0
-        same: dict[tuple[str, frozenset[str]], _Rule] = {}
-        for order, (selectors, stated) in enumerate(_rules(_COMMENT.sub("", text))):
-            for tag, parts in self._read(selectors):
-                rule = same.get((tag, parts))
-                if rule is None:
-                    ids = sum(part[0] == "#" for part in parts)
-                    rule = same[tag, parts] = _Rule((ids, len(parts) - ids, bool(tag)), tag, parts, {})
-                rule.stated.update({name: (order, value) for name, value in stated.items()})
-        for rule in same.values():
-            self._rules[min(rule.parts) if rule.parts else rule.tag].append(rule)
-            self._ids.update(part for part in rule.parts if part[0] == "#")
+        if "{" not in text:
+            return
+        if len(text) > MOST_CHARACTERS:
+            sentence = _("the style sheet has {size:,} characters; shorten it to {most:,}.")
+            raise StyleError(sentence.format(size=len(text), most=MOST_CHARACTERS))
+        import tinycss2
 
-    def _read(self, selectors: str) -> Iterator[tuple[str, frozenset[str]]]:
-        """Tag, empty for any, and classes and ids of each selector that is understood."""
-        self._selectors += selectors.count(",") + 1
+        orders = count()
+        for rule in tinycss2.parse_stylesheet(text, skip_comments=True, skip_whitespace=True):
+            if rule.type == "qualified-rule" and (said := _declared(rule.content)):
+                self._add(rule.prelude, said, next(orders))
+
+    @property
+    def empty(self) -> bool:
+        """Whether no rule says anything."""
+        return not self._rules
+
+    def _add(self, prelude: list[Any], said: Said, order: int) -> None:
+        from cssselect2 import SelectorError, compile_selector_list, parser
+
+        self._selectors += 1 + sum(token == "," for token in prelude)
         if self._selectors > MOST_SELECTORS:
             sentence = _("the style sheet has more than {most:,} selectors; leave some out.")
             raise StyleError(sentence.format(most=MOST_SELECTORS))
-        for selector in selectors.split(","):
-            match = _SELECTOR.fullmatch(selector.strip())
-            if match is not None and (match[1] or match[2]):
-                yield "" if match[1] == "*" else match[1], frozenset(_PART.findall(match[2]))
+        try:
+            parsed = list(parser.parse(prelude))
+            compiled = compile_selector_list(prelude)
+        except (SelectorError, NotImplementedError, RecursionError):
+            parsed, compiled = [], []
+        descents = [_descents(selector.parsed_tree) for selector in parsed]
+        if not compiled or None in descents:
+            import tinycss2
 
-    def style_of(self, tag: str, attributes: dict[str, str]) -> dict[str, str]:
-        """What the rules say about an element. Raises: StyleError."""
-        if not self._rules:
-            return {}
-        own = {f".{name}" for name in attributes.get("class", "").split()}
-        called = f"#{attributes['id']}" if "id" in attributes else ""
-        if called in self._ids:
-            own.add(called)
-        else:
-            called = ""
-        signature = (tag, attributes.get("class", ""), called)
-        if signature not in self._known:
-            self._known[signature] = self._matching(tag, own)
-        return self._known[signature]
+            self.left_out.append(tinycss2.serialize(prelude).strip()[:40])
+        for selector, around in zip(compiled, descents, strict=True):
+            if around is None or selector.never_matches or selector.pseudo_element is not None:
+                continue
+            key = ("#", selector.id) if selector.id else (".", selector.class_name or "")
+            key = key if key[1] else ("<", selector.local_name or "")
+            weight = (*selector.specificity, order)
+            self._rules[key].append(_Rule(weight, selector.test, around, said))
 
-    def _matching(self, tag: str, own: set[str]) -> dict[str, str]:
-        tried = [rule for key in (*own, tag, "") for rule in self._rules.get(key, ())]
-        self._trials += len(own) + sum(1 + len(rule.parts) for rule in tried)
+    def said_of(self, element: "ElementWrapper", depth: int) -> Iterator[Said]:
+        """What the rules say of an element ``depth`` elements deep, weakest first. Raises: StyleError."""
+        keys = [("#", element.id or ""), *((".", name) for name in element.classes)]
+        keys += [("<", element.local_name), ("<", "")]
+        tried = [rule for key in keys for rule in self._rules.get(key, ())]
+        self._trials += len(keys) + sum(1 + depth**rule.descents for rule in tried)
         if self._trials > MOST_TRIALS:
-            raise StyleError(_("the style sheet has too many rules for its classes; leave some out."))
-        said: dict[str, tuple[tuple[int, int, int], int, str]] = {}
-        for rule in tried:
-            if rule.tag in ("", tag) and rule.parts <= own:
-                for name, (order, value) in rule.stated.items():
-                    if name not in said or (rule.weight, order) >= said[name][:2]:
-                        said[name] = rule.weight, order, value
-        return {name: value for name, (_weight, _order, value) in said.items()}
+            raise StyleError(_("the style sheet has too many rules for its elements; leave some out."))
+        fitting = [rule for rule in tried if rule.matches(element)]
+        return (rule.said for rule in sorted(fitting, key=lambda rule: rule.weight))
 
 
-def _rules(text: str) -> Iterator[tuple[str, dict[str, str]]]:
-    """Selectors and declarations of each rule that has no other in it and says something that is read."""
-    before, begin, selectors = "", 0, ""
-    for brace in _BRACE.finditer(text):
-        part = text[begin : brace.start()]
-        if brace.group() == "}" and before == "{" and selectors and (stated := declarations(part)):
-            yield selectors, stated
-        before, begin, selectors = brace.group(), brace.end(), part
+def cascade(root: Element, elements: Sequence[Element]) -> list[str]:
+    """Set the ``style`` of all ``elements`` in ``root``; the selectors that were left out.
+
+    Raises: SvgError, at the element that a style sheet is too much for.
+    """
+    element = root
+    try:
+        sheet = StyleSheet("\n".join("".join(each.text) for each in elements if each.tag == "style"))
+        rules = {} if sheet.empty else _rules_of(root, sheet)
+        for element in elements:
+            element.style = _style(element, rules.get(element, {}))
+    except StyleError as error:
+        raise element.refusal(str(error)) from error
+    return sheet.left_out
 
 
-def declarations(text: str) -> dict[str, str]:
-    """Properties that are read and their values, as in ``fill: none; stroke: red``."""
-    written = (part.partition(":") for part in text.split(";"))
-    pairs = ((name.strip(), value) for name, colon, value in written if colon)
-    return {name: value.replace("!important", "").strip() for name, value in pairs if name in PROPERTIES}
+def _style(element: Element, ruled: Said) -> dict[str, str]:
+    """Attributes, rules and the ``style`` attribute; of equal importance the last one holds."""
+    own = declarations(element.attributes.get("style", ""))
+    said = {name: (value, False) for name, value in element.attributes.items() if _is_sound(name, value)}
+    for layer in (ruled, own):
+        said.update({name: pair for name, pair in layer.items() if pair[1] >= said.get(name, ("", False))[1]})
+    return {name: value.strip() for name, (value, _important) in said.items()}
+
+
+def _rules_of(root: Element, sheet: StyleSheet) -> dict[Element, Said]:
+    """What the rules say of each element in ``root`` of which they say anything. Raises: StyleError."""
+    from cssselect2 import ElementWrapper
+
+    ruled: dict[Element, Said] = {}
+    waiting = [(root, ElementWrapper.from_xml_root(_as_etree(root)), 0)]
+    while waiting:
+        element, wrapper, depth = waiting.pop()
+        said: Said = {}
+        for layer in sheet.said_of(wrapper, depth):
+            said.update({n: pair for n, pair in layer.items() if pair[1] >= said.get(n, ("", False))[1]})
+        if said:
+            ruled[element] = said
+        inside = zip(element.children, wrapper.iter_children(), strict=True)
+        waiting += [(child, its, depth + 1) for child, its in inside]
+    return ruled
+
+
+def _as_etree(root: Element) -> Any:
+    """The tree as selectors are matched against."""
+    from xml.etree.ElementTree import Element as Node
+
+    top = Node(root.tag or "-", root.attributes)
+    waiting = [(root, top)]
+    while waiting:
+        element, node = waiting.pop()
+        for child in element.children:
+            inner = Node(child.tag or "-", child.attributes)
+            node.append(inner)
+            waiting.append((child, inner))
+    return top
+
+
+def _descents(tree: Any) -> int | None:
+    """How many descendant combinators a selector has; None where it looks at siblings or counts."""
+    from cssselect2 import parser
+
+    if isinstance(tree, parser.CombinedSelector):
+        left, right = _descents(tree.left), _descents(tree.right)
+        if left is None or right is None or tree.combinator not in (" ", ">"):
+            return None
+        return left + right + int(tree.combinator == " ")
+    simple = (
+        parser.LocalNameSelector,
+        parser.NamespaceSelector,
+        parser.ClassSelector,
+        parser.IDSelector,
+        parser.AttributeSelector,
+    )
+    for part in tree.simple_selectors:
+        named = isinstance(part, parser.PseudoClassSelector) and part.name in ("root", "first-child", "hover")
+        if not (isinstance(part, simple) or named):
+            return None
+    return 0
+
+
+def declarations(text: str) -> Said:
+    """What a ``style`` attribute says, as in ``fill: none; stroke: red !important``."""
+    if ":" not in text:
+        return {}
+    import tinycss2
+
+    return _declared(tinycss2.parse_blocks_contents(text[:MOST_CHARACTERS]))
+
+
+def _declared(content: list[Any]) -> Said:
+    import tinycss2
+
+    said: Said = {}
+    if content and content[0].type not in ("declaration", "at-rule", "error"):
+        content = tinycss2.parse_blocks_contents(content)
+    for item in content:
+        if item.type != "declaration" or item.lower_name not in PROPERTIES:
+            continue
+        value = tinycss2.serialize(item.value).strip()
+        if _is_sound(item.lower_name, value) and item.important >= said.get(item.lower_name, ("", False))[1]:
+            said[item.lower_name] = value, item.important
+    return said
+
+
+def _is_sound(name: str, value: str) -> bool:
+    """Whether a property has a value it may have; any other counts as not being there."""
+    if name not in PROPERTIES:
+        return False
+    if name in _PAINTS:
+        return is_paint(value)
+    if name in _SHORT and value.strip() != "inherit":
+        return share(value) is not None
+    return True
+
+
+def share(text: str) -> float | None:
+    """An opacity, 0 to 1, of a number or percentage; None where it is neither."""
+    word = text.strip()
+    number = word.removesuffix("%")
+    try:
+        value = float(number[:40]) / (100.0 if number != word else 1.0)
+    except ValueError:
+        return None
+    return min(max(value, 0.0), 1.0) if value == value else None

@@ -28,11 +28,10 @@ from workbench.document.transforms.links import (
 
 Array = NDArray[np.float64]
 
-FUNCTION = re.compile(
-    r"\s*(matrix|translate|scale|rotate|skewX|skewY)\s*\(([-+.,eE\d\s]*)\)[\s,]*", re.IGNORECASE
-)
-
-_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+_FUNCTION = re.compile(r"\s*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
+_PART = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(px|deg|grad|rad|turn|%)?[\s,]*")
+_LONGEST_NUMBER = 100
+_MOST_FUNCTIONS = 1_000
 _COUNTS = {
     "matrix": (6,),
     "translate": (1, 2),
@@ -41,6 +40,14 @@ _COUNTS = {
     "skewx": (1,),
     "skewy": (1,),
 }
+# Those that only CSS has: the function they are, and where in it their number stands.
+_ALONG = {
+    "translatex": ("translate", "{} 0"),
+    "translatey": ("translate", "0 {}"),
+    "scalex": ("scale", "{} 1"),
+    "scaley": ("scale", "1 {}"),
+}
+_UNITS = {"px": 1.0, "deg": 1.0, "grad": 0.9, "rad": math.degrees(1.0), "turn": 360.0}
 
 
 class Function(NamedTuple):
@@ -86,14 +93,48 @@ def after(outer: Array, inner: Array) -> Array:
     return both
 
 
-def functions_in(text: str) -> tuple[Function, ...]:
-    """The functions of a ``transform`` that was found to be one; none where one has unusual numbers."""
-    functions = tuple(
-        Function(match[1].lower(), tuple(map(float, _NUMBER.findall(match[2]))))
-        for match in FUNCTION.finditer(text)
-    )
-    usual = all(len(function.numbers) in _COUNTS[function.name] for function in functions)
-    return functions if usual else ()
+def functions_in(text: str, whole: tuple[float, float] = (0.0, 0.0)) -> tuple[Function, ...] | None:
+    """The functions of a ``transform``, of SVG or CSS, ``whole`` being 100 % of a way across and down.
+
+    None where it cannot be read.
+    """
+    functions: list[Function] = []
+    at, text = 0, text.strip()
+    if text.lower() in ("", "none"):
+        return ()
+    while at < len(text):
+        match = _FUNCTION.match(text, at)
+        if match is None or len(functions) == _MOST_FUNCTIONS:
+            return None
+        name, inside = match[1].lower(), match[2]
+        if name in _ALONG:
+            name, places = _ALONG[name]
+            inside = places.format(inside)
+        numbers = _numbers_in(inside, whole)
+        if numbers is None or len(numbers) not in _COUNTS.get(name, ()):
+            return None
+        functions.append(Function(name, numbers))
+        at = match.end()
+    return tuple(functions)
+
+
+def _numbers_in(text: str, whole: tuple[float, float]) -> tuple[float, ...] | None:
+    """The numbers between the brackets of a function; None where something else is there."""
+    numbers: list[float] = []
+    at = 0
+    while at < len(text):
+        match = _PART.match(text, at)
+        if match is None or len(match[1]) > _LONGEST_NUMBER or len(numbers) == 6:
+            return None
+        unit = match[2] or "px"
+        numbers.append(float(match[1]) * (whole[len(numbers) % 2] / 100 if unit == "%" else _UNITS[unit]))
+        at = match.end()
+    return tuple(numbers)
+
+
+def matrix_in(functions: Sequence[Function]) -> Array:
+    """The matrix (2, 3) of functions one inside the other, y downwards."""
+    return product(np.eye(3), *map(_matrix, functions))[:2]
 
 
 def chain_of(functions: Sequence[Function], scale: float, dx: float, dy: float) -> tuple[AnyLink, ...] | None:

@@ -11,7 +11,6 @@ from typing import Any
 from xml.parsers import expat
 
 from workbench.document.storage.content import Progress, silent
-from workbench.exchange.svg_styles import PROPERTIES
 from workbench.language import _
 
 SVG = "http://www.w3.org/2000/svg"
@@ -26,6 +25,30 @@ GEOMETRY = {
     "circle": ("cx", "cy", "r"),
     "ellipse": ("cx", "cy", "rx", "ry"),
 }
+INHERITED = (
+    "fill",
+    "fill-opacity",
+    "fill-rule",
+    "stroke",
+    "stroke-opacity",
+    "stroke-width",
+    "visibility",
+    "color",
+    "font-size",
+)
+# What an element may refer to by these changes how it looks, and no figure has it.
+REFERRING = (
+    "fill",
+    "stroke",
+    "clip-path",
+    "mask",
+    "filter",
+    "marker",
+    "marker-start",
+    "marker-mid",
+    "marker-end",
+)
+PROPERTIES = {*INHERITED, *REFERRING, "display", "opacity", "transform", "transform-origin"}
 MOST_BYTES = 16 * 2**20
 MOST_ELEMENTS = 100_000
 MOST_DEPTH = 200
@@ -35,7 +58,7 @@ _LONGEST_NAMESPACE = 500
 _CHUNK = 2**20
 _READ = {name for names in GEOMETRY.values() for name in names} | PROPERTIES
 _READ |= {"own:figure", "own:geometry", "id", "class", "style", "transform", "href"}
-_READ |= {"viewBox", "preserveAspectRatio"}
+_READ |= {"viewBox", "preserveAspectRatio", "systemLanguage", "requiredExtensions"}
 # Elements without an <svg> around them, as they are copied from a page; it is put into the line before them.
 _FRAGMENT = re.compile(r"\s*<(?:path|g|line|polyline|polygon|rect|circle|ellipse)[\s/>]")
 _AROUND = (
@@ -49,13 +72,17 @@ class SvgError(ValueError):
     """An SVG text was refused: one sentence with the place, and nothing was taken over."""
 
 
+class UnreadError(SvgError):
+    """One element cannot be read and is left out, with all that is in it: a sentence with the place."""
+
+
 @dataclass(slots=True, eq=False)
 class Element:
     """One element: its local name (empty outside SVG), attributes and children; line and column from 1.
 
     Attributes without a namespace have their plain names, XLink's ``href`` too; our own begin with ``own:``.
-    ``viewport`` is what 100 % of width and height mean, 0 where that is not known; ``style`` what attributes
-    and style sheet say about its look; ``text`` the parts of what stands in a ``style`` element.
+    ``viewport`` is what 100 % of width and height mean, ``font_px`` what 1 em is; ``style`` what attributes
+    and style sheets say about its look; ``text`` the parts of what stands in a ``style`` element.
     """
 
     tag: str
@@ -63,19 +90,27 @@ class Element:
     line: int
     column: int
     children: list["Element"] = field(default_factory=list)
-    viewport: tuple[float, float] = (0.0, 0.0)
+    viewport: tuple[float, float] = (100.0, 100.0)
+    font_px: float = 16.0
     style: dict[str, str] = field(default_factory=dict)
     text: list[str] = field(default_factory=list)
 
     def refusal(self, sentence: str) -> SvgError:
-        """The error with ``sentence``, after where this element begins."""
+        """The error that refuses the whole file with ``sentence``, after where this element begins."""
+        return SvgError(self._with_place(sentence))
+
+    def unread(self, sentence: str) -> UnreadError:
+        """The error that leaves out this element, likewise."""
+        return UnreadError(self._with_place(sentence))
+
+    def _with_place(self, sentence: str) -> str:
         called = self.attributes.get("id", "")
         tag = self.tag[:40]
         name = f"<{tag}> {called[:40]!r}" if called else f"<{tag}>"
         where = _("Line {line}, column {column}, {name}").format(
             line=self.line, column=self.column, name=name
         )
-        return SvgError(f"{where}: {sentence}")
+        return f"{where}: {sentence}"
 
 
 def read_tree(text: str | bytes, progress: Progress = silent) -> Element:

@@ -3,7 +3,6 @@
 What an element says is read once, however often it is used.
 """
 
-import math
 import re
 from collections import Counter
 from typing import NamedTuple
@@ -14,17 +13,20 @@ from numpy.typing import NDArray
 from workbench.document.storage.content import Progress, silent
 from workbench.exchange.path_data import MOST_POINTS, TooManyPointsError
 from workbench.exchange.svg_figures import Geometry, Shape
-from workbench.exchange.svg_outlines import length_of, transform_of
-from workbench.exchange.svg_styles import (
+from workbench.exchange.svg_frames import frame_inside, measure
+from workbench.exchange.svg_outlines import functions_of, length_of
+from workbench.exchange.svg_styles import cascade, share
+from workbench.exchange.svg_transforms import Function, Placing, matrix_in
+from workbench.exchange.svg_tree import (
+    GEOMETRY,
     INHERITED,
-    PROPERTIES,
+    MOST_DEPTH,
+    MOST_ELEMENTS,
     REFERRING,
-    StyleError,
-    StyleSheet,
-    declarations,
+    Element,
+    UnreadError,
+    all_elements,
 )
-from workbench.exchange.svg_transforms import Function, Placing, after, functions_in
-from workbench.exchange.svg_tree import GEOMETRY, MOST_DEPTH, MOST_ELEMENTS, Element, all_elements
 from workbench.language import _, ngettext
 
 Array = NDArray[np.float64]
@@ -36,52 +38,54 @@ _BETWEEN_REPORTS = 100
 
 
 class Drawing(NamedTuple):
-    """What a tree shows, and a sentence for each kind of element that no figure can be made of."""
+    """What a tree shows.
+
+    ``notes``: a sentence for each kind of element that no figure can be made of; ``unread``: one for each
+    element that cannot be read.
+    """
 
     shapes: list[Shape]
     notes: list[str]
+    unread: list[str]
 
 
 class _Saying(NamedTuple):
     """What an element says of itself and of what is in it; ``references`` are the tags it refers to."""
 
-    matrix: Array | None
     functions: tuple[Function, ...]
     inherited: dict[str, str]
+    opacity: float
     references: list[str]
     geometry: Geometry | None
 
 
-def drawing_of(root: Element, viewport: tuple[float, float], progress: Progress = silent) -> Drawing:
-    """The shapes in ``root``, of whose width and height ``viewport`` is 100 %. Raises: SvgError."""
+def drawing_of(root: Element, viewport: tuple[float, float] | None, progress: Progress = silent) -> Drawing:
+    """The shapes in ``root``, of whose width and height ``viewport`` is 100 %, if it is known.
+
+    Raises: SvgError.
+    """
     walk = _Walk(root, viewport, progress)
     walk.into(root, Placing(np.eye(2, 3)), {})
-    return Drawing(walk.shapes, walk.notes())
+    return Drawing(walk.shapes, walk.notes(), list(walk.unread))
 
 
 class _Walk:
-    def __init__(self, root: Element, viewport: tuple[float, float], progress: Progress) -> None:
+    def __init__(self, root: Element, viewport: tuple[float, float] | None, progress: Progress) -> None:
         self.shapes: list[Shape] = []
+        self.unread: dict[str, None] = {}
         self._progress = progress
         self._left_out: Counter[str] = Counter()
         self._named: dict[str, Element] = {}
-        self._sayings: dict[Element, _Saying] = {}
+        self._sayings: dict[Element, _Saying | None] = {}
         self._using: list[Element] = []
         self._steps = self._depth = self._points = 0
         elements = all_elements(root)
-        element = root
-        try:
-            rules = StyleSheet("\n".join("".join(each.text) for each in elements))
-            for number, element in enumerate(elements):
-                if number % _BETWEEN_REPORTS == 0:
-                    progress(0.5 * number / len(elements))
-                element.viewport = viewport
-                said = {name: value for name, value in element.attributes.items() if name in PROPERTIES}
-                own = declarations(element.attributes.get("style", ""))
-                element.style = {**said, **rules.style_of(element.tag, element.attributes), **own}
-                self._named.setdefault(element.attributes.get("id", ""), element)
-        except StyleError as error:
-            raise element.refusal(str(error)) from error
+        progress(0.1)
+        self._left_out.update(f"style {selector}" for selector in cascade(root, elements))
+        progress(0.4)
+        for element in elements:
+            self._named.setdefault(element.attributes.get("id", ""), element)
+        measure(root, viewport)
 
     def into(self, element: Element, placing: Placing, style: dict[str, str]) -> None:
         """Go through one element and those in it, under what is around it and an inherited ``style``."""
@@ -94,37 +98,53 @@ class _Walk:
         if element.tag not in _GROUPS and element.tag not in GEOMETRY and element.tag != "use":
             self._left_out[element.tag] += element.tag not in _SILENT
             return
-        saying = self._sayings.get(element)
+        if element not in self._sayings:
+            self._sayings[element] = self._readable(element)
+        saying = self._sayings[element]
         if saying is None:
-            saying = self._sayings[element] = self._saying(element)
+            return
         self._left_out.update(saying.references)
-        if saying.inherited:
-            style = {**style, **saying.inherited}
-        if saying.matrix is not None:
-            placing = placing.within(saying.matrix, saying.functions)
+        if saying.inherited or saying.opacity < 1.0:
+            opacity = float(style.get("opacity", 1.0)) * saying.opacity
+            style = {**style, **saying.inherited, "opacity": repr(opacity)}
+        if saying.functions:
+            placing = placing.within(matrix_in(saying.functions), saying.functions)
         if saying.geometry is not None:
             self._points += saying.geometry.size
             if self._points > MOST_POINTS:
                 raise element.refusal(str(TooManyPointsError()))
             self.shapes.append(Shape(element, placing, style, saying.geometry))
-        elif element.tag == "use":
-            self._used(element, placing, style)
-        else:
-            if element.tag == "svg" and self._depth:
-                placing = placing.within(_inner_frame(element))
-            self._inside(element.children, placing, style)
+            return
+        try:
+            if element.tag == "use":
+                self._used(element, placing, style)
+            elif element.tag == "svg" and self._depth:
+                self._inside(element.children, placing.within(frame_inside(element, element)), style)
+            else:
+                self._inside(_drawn_in(element), placing, style)
+        except UnreadError as error:
+            self.unread[str(error)] = None
+
+    def _readable(self, element: Element) -> _Saying | None:
+        """What an element says; None, and a sentence kept, where it cannot be read."""
+        try:
+            return self._saying(element)
+        except UnreadError as error:
+            self.unread[str(error)] = None
+            return None
 
     def _saying(self, element: Element) -> _Saying:
         own = element.style
         inherited = {name: own[name] for name in INHERITED if own.get(name, "inherit") != "inherit"}
         if own.get("display", "") == "none":
             inherited["hidden"] = "yes"
+        opacity = share(own.get("opacity", "1"))
         links = (_REFERENCE.match(own.get(name, "")) for name in REFERRING)
         targets = [self._named.get(link[1].strip()) for link in links if link]
         return _Saying(
-            transform_of(element),
-            functions_in(element.attributes.get("transform", "")),
+            functions_of(element),
             inherited,
+            1.0 if opacity is None else opacity,
             [target.tag for target in targets if target is not None],
             Geometry.of(element) if element.tag in GEOMETRY else None,
         )
@@ -142,19 +162,20 @@ class _Walk:
         name = element.attributes.get("href", "").strip()
         target = self._named.get(name.removeprefix("#")) if name.startswith("#") else None
         if target is None:
-            raise element.refusal(_("it uses {name!r}, which is not there; add it.").format(name=name[:40]))
+            raise element.unread(_("it uses {name!r}, which is not there; add it.").format(name=name[:40]))
         if any(target is used for used in self._using):
-            raise element.refusal(
+            raise element.unread(
                 _("it uses {name!r}, which uses itself; break the circle.").format(name=name[:40])
             )
         x, y = length_of(element, "x"), length_of(element, "y")
         if x or y:
             moved = np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
             placing = placing.within(moved)
+        inside = [target]
+        if target.tag == "symbol" or (target.tag == "svg" and "viewBox" in target.attributes):
+            placing, inside = placing.within(frame_inside(target, element)), target.children
         self._using.append(target)
-        if target.tag == "symbol":
-            self._left_out["symbol viewBox"] += "viewBox" in target.attributes
-        self._inside(target.children if target.tag == "symbol" else [target], placing, style)
+        self._inside(inside, placing, style)
         self._using.pop()
 
     def notes(self) -> list[str]:
@@ -168,37 +189,13 @@ class _Walk:
         ]
 
 
-def _inner_frame(element: Element) -> Array:
-    """The matrix (2, 3) from the inside of a nested svg to its outside. Raises: SvgError."""
-    x, y = length_of(element, "x"), length_of(element, "y")
-    moved = np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
-    inner = stated_frame(element) if "viewBox" in element.attributes else None
-    width = length_of(element, "width", element.viewport[0])
-    height = length_of(element, "height", element.viewport[1])
-    if inner is None or not (width > 0 and height > 0):
-        return moved
-    sx, sy = width / inner[2], height / inner[3]
-    if "none" not in element.attributes.get("preserveAspectRatio", ""):
-        sx = sy = min(sx, sy)
-    left, top = 0.5 * (width - sx * inner[2]), 0.5 * (height - sy * inner[3])
-    return after(moved, np.array([[sx, 0.0, left - sx * inner[0]], [0.0, sy, top - sy * inner[1]]]))
-
-
-def stated_frame(root: Element) -> tuple[float, float, float, float] | None:
-    """x, y, width and height of the drawing as the file states them. Raises: SvgError."""
-    words = root.attributes.get("viewBox", "").replace(",", " ").split()
-    if words:
-        try:
-            x, y, width, height = (float(word) for word in words)
-        except ValueError:
-            x = y = width = height = math.nan
-        if not (width > 0 and height > 0 and math.isfinite(x + y + width + height)):
-            shown = root.attributes["viewBox"][:40]
-            sentence = _("viewBox {text!r} is not x, y, width and height, the last two above 0; correct it.")
-            raise root.refusal(sentence.format(text=shown))
-        return x, y, width, height
-    if all("%" not in root.attributes.get(name, "%") for name in ("width", "height")):
-        width, height = (length_of(root, name) for name in ("width", "height"))
-        if width > 0 and height > 0:
-            return 0.0, 0.0, width, height
-    return None
+def _drawn_in(element: Element) -> list[Element]:
+    """The children that are drawn: of a switch the first one that asks for nothing special."""
+    if element.tag != "switch":
+        return element.children
+    for child in element.children:
+        languages = child.attributes.get("systemLanguage", "en").lower().split(",")
+        plain = not child.attributes.get("requiredExtensions", "").strip()
+        if child.tag and plain and any(word.strip().startswith("en") for word in languages):
+            return [child]
+    return []

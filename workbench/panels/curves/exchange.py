@@ -10,10 +10,10 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
-from workbench.document.building import Edit, foreseen
+from workbench.document.building import Edit, both, foreseen
 from workbench.document.curves.edits import add_points
 from workbench.document.curves.pieces import goes_round
-from workbench.document.edits import add_figures
+from workbench.document.edits import add_figures, set_palette
 from workbench.document.errors import DocumentError
 from workbench.document.model import Curve, CurvePoint, Sheet
 from workbench.exchange.point_lists import Array, write_points
@@ -132,7 +132,10 @@ class CurveExchange(QObject):
         Raises: ValueError with one sentence.
         """
         try:
-            return result, foreseen(add_figures(sheet.id, result.figures), self.session.document)
+            edit = add_figures(sheet.id, result.figures)
+            if result.palette:
+                edit = both(set_palette(sheet.id, result.palette), edit)
+            return result, foreseen(edit, self.session.document)
         except DocumentError as problem:
             raise ValueError(problem.short) from None
 
@@ -148,7 +151,8 @@ class CurveExchange(QObject):
             count = len(drawing.figures)
             said = [ngettext("{n} figure imported.", "{n} figures imported.", count).format(n=count)]
             if drawing.error > 0:
-                said.append(_("Arcs are at most {error:.2g} off.").format(error=drawing.error))
+                text = _("Arcs and curved insides are at most {error:.2g} off.")
+                said.append(text.format(error=drawing.error))
             self.said.emit(" ".join([*said, *drawing.notes]))
 
     def _is_still(self, sheet: Sheet) -> bool:
