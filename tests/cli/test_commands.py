@@ -75,6 +75,30 @@ def test_the_three_formats_have_the_same_rows(capsys: pytest.CaptureFixture[str]
     assert len(rows) > 3
 
 
+def test_numbers_that_begin_with_a_minus_are_no_options(capsys: pytest.CaptureFixture[str]) -> None:
+    plain = printed(capsys, "trace", "bresenham_line", "-16", "0", "5", "5")
+    assert printed(capsys, "trace", "bresenham_line", "-0x10", "0", "5", "5") == plain
+    assert "-2.5" in printed(capsys, "trace", "liang_barsky", "-.5", "-1e0", "2", "2", "0", "0", "1", "1")
+
+
+def test_a_picture_may_have_blanks_between_its_digits(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    (tmp_path / "plain.txt").write_text("111\n101\n111\n")
+    (tmp_path / "wide.txt").write_text("1 1 1\n\n1 0 1 \n1\t1 1\n")
+    plain, wide = (
+        printed(capsys, "trace", "boundary_fill_4", f"@{tmp_path / name}", "1", "1", "2", "1")
+        for name in ("plain.txt", "wide.txt")
+    )
+    assert plain == wide
+    assert len(plain.splitlines()) > 1
+
+
+def test_a_run_that_draws_nothing_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    said = printed(capsys, "trace", "boundary_fill_4", "['000']", "9", "9", "2", "1").splitlines()
+    assert said[1:] == ["No rows: with these arguments nothing is drawn."]
+
+
 def test_pixels_are_what_is_emitted(capsys: pytest.CaptureFixture[str]) -> None:
     content = json.loads(
         printed(capsys, "trace", "dda_line", "-3", "2", "4", "-1", "--table", "pixels", "--format", "json")
@@ -128,6 +152,9 @@ def test_a_picture_can_be_written_on_the_command_line(capsys: pytest.CaptureFixt
         (("trase",), "trase"),
         (("trace",), "SLUG"),
         (("trace", "bresenham"), "bresenham_line"),
+        (("trace", "nosuch"), "There is no algorithm named 'nosuch'; list shows all of them."),
+        (("trace", "bresenham_line", "-5.", "0", "5", "5"), "x0 = -5.: it must be a whole number"),
+        (("trace", "bresenham_line", "-1e3", "0", "5", "5"), "x0 = -1e3: it must be a whole number"),
         (("trace", "bresenham_line", "1", "2", "3"), "4 arguments (x0 y0 x1 y1), and 3"),
         (("trace", "bresenham_line", "1", "2", "3", "x"), "y1 = x"),
         (("trace", "bresenham_line", "1", "2", "3", "4.5"), "y1 = 4.5: it must be a whole number"),

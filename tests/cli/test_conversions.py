@@ -72,6 +72,14 @@ def test_points_become_a_curve(capsys: pytest.CaptureFixture[str], folder: Path)
     assert curve.spline == "bezier_path"
 
 
+def test_points_near_the_end_of_the_world_become_a_curve(
+    capsys: pytest.CaptureFixture[str], folder: Path
+) -> None:
+    (folder / "far.csv").write_text("999999,0\n1000000,999999\n999000,5\n")
+    assert "pass 3 points" in printed(capsys, "convert", "far.csv", "-o", "far.gwb")
+    assert load(folder / "far.gwb").sheets[0].first_view.window_world.xmax == 1_000_000
+
+
 def test_a_sheet_is_chosen(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
     save(example_document(), "a.gwb")
     assert printed(capsys, "convert", "a.gwb", "-o", "a.svg", "--sheet", "1") == ""
@@ -99,9 +107,10 @@ def test_a_surface_becomes_a_mesh(capsys: pytest.CaptureFixture[str], folder: Pa
         (("convert", "nowhere.svg", "-o", "a.gwb"), "There is no file nowhere.svg; choose another"),
         (("convert", "a.doc", "-o", "a.gwb"), "a.doc: this cannot be read"),
         (("convert", "broken.svg", "-o", "a.gwb"), "broken.svg: Line 1, column 61, <path>: command 2"),
-        (("convert", "latin.csv", "-o", "a.gwb"), "latin.csv is not UTF-8 text; save it as UTF-8"),
+        (("convert", "latin.csv", "-o", "a.gwb"), "latin.csv: Line 2, column 1: '\xe4' is not a number"),
         (("convert", "broken.csv", "-o", "a.gwb"), "broken.csv: Line 2, column 1: 'b' is not a number"),
         (("convert", "one.csv", "-o", "a.gwb"), "one.csv: There are 1 points"),
+        (("convert", "tiny.csv", "-o", "a.gwb"), "tiny.csv: The points lie within 2e-09 of one another"),
         (("convert", "same.csv", "-o", "a.gwb"), "same.csv: All points are in one place"),
         (("convert", "a.svg", "-o", "a.gwb", "--tolerance", "0"), "The tolerance is 0"),
         (("convert", "a.svg", "-o", "a.gwb", "--tolerance", "nan"), "The tolerance is nan"),
@@ -129,6 +138,7 @@ def test_bad_input_is_named_in_one_line(
     (folder / "a.svg").write_text(SVG.format(""))
     (folder / "broken.svg").write_text(SVG.format('<path d="M 0 0 L 1"/>'))
     (folder / "broken.csv").write_text("1,2\nb,3\n")
+    (folder / "tiny.csv").write_text("1e-9,0\n2e-9,1e-9\n3e-9,5e-10\n")
     (folder / "one.csv").write_text("1,2\n")
     (folder / "same.csv").write_text("1,2\n1,2\n")
     (folder / "latin.csv").write_bytes(b"1,2\n\xe4,3\n")

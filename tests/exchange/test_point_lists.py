@@ -1,11 +1,14 @@
 """Points in and out: the ways in which tables write numbers, and where a wrong one is."""
 
+import codecs
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbench.exchange.point_lists import PointsError, read_points, write_points
+from workbench.document.errors import DocumentError
+from workbench.exchange.point_lists import PointsError, read_points, text_of, write_points
 
 number = st.floats(-1e6, 1e6)
 
@@ -34,10 +37,28 @@ def test_a_decimal_comma_is_understood(points: list[tuple[float, float]], separa
         "1,0 2,0\n3,0 4,5",
         "1;2;\n3;4.5;",
         "+1e0 20e-1\n3. 4.50",
+        "sep=;\nx;y\n1;2\n3;4,5",
+        '"1,0","2,0"\n"3,0","4,5"',
+        "1,2,\n3,4.5,,",
+        "1 2\t# first\n3 4.5 \t # second",
+        "1st coordinate, 2nd coordinate\n1, 2\n3, 4.5",
+        "(1, 2)\n(3, 4.5)",
+        "[1; 2],\n[3; 4,5]",
+        "[[1, 2], [3, 4.5]]",
+        "\ufeff[\n [\n  1,\n  2\n ],\n [3, 4.5]\n]",
     ],
 )
 def test_tables_are_written_in_many_ways(text: str) -> None:
     assert read_points(text).tolist() == [[1, 2], [3, 4.5]]
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-be", "cp1252"])
+def test_tables_are_saved_in_many_ways(encoding: str) -> None:
+    content = "Länge;Höhe\n1;2\n3;4,5".encode(encoding)
+    content = codecs.BOM_UTF16_BE + content if encoding == "utf-16-be" else content
+    assert read_points(text_of(content, "table.csv")).tolist() == [[1, 2], [3, 4.5]]
+    with pytest.raises(DocumentError, match=r"table\.csv is not UTF-8 text"):
+        text_of(b"\xff\0\x80", "table.csv")
 
 
 def test_a_minus_sign_may_be_typeset() -> None:

@@ -14,13 +14,13 @@ from pytestqt.qtbot import QtBot
 from workbench.session.recovery import recoverable
 from workbench.shell.files import Files
 from workbench.shell.questions import questions
-from workbench.shell.start import Building, make_window, start
+from workbench.shell.start import Building, has_display, make_window, start
 from workbench.shell.workspaces import workspaces
 
 pytestmark = pytest.mark.xdist_group("processes")
 
 ROOT = Path(__file__).resolve().parents[2]
-UNUSED = ("numba", "llvmlite", "pyqtgraph", "PIL", "svgelements", "scipy", "ssl", "PySide6.QtSvg")
+UNUSED = ("numba", "llvmlite", "pyqtgraph", "PIL", "tinycss2", "cssselect2", "scipy", "ssl", "PySide6.QtSvg")
 SLOW = (*UNUSED, "numpy", "qtawesome", "msgspec", "pygments")
 OURS = (
     "workbench.session",
@@ -268,3 +268,21 @@ def test_tour_without_a_temporary_folder_says_so_in_one_line(
     monkeypatch.setattr(tour.tempfile, "mkdtemp", none)
     assert tour.main([str(tmp_path)]) == 1
     assert capsys.readouterr().err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("environment", "system", "shown"),
+    [
+        ({}, "linux", False),
+        ({"DISPLAY": ""}, "linux", False),
+        ({"DISPLAY": ":0"}, "linux", True),
+        ({"WAYLAND_DISPLAY": "wayland-0"}, "linux", True),
+        ({"QT_QPA_PLATFORM": "offscreen"}, "linux", True),
+        ({}, "darwin", True),
+        ({}, "win32", True),
+    ],
+)
+def test_a_missing_display_is_known_before_qt_ends_the_process(
+    environment: dict[str, str], system: str, shown: bool
+) -> None:
+    assert has_display(environment, system) == shown

@@ -105,9 +105,10 @@ def get(slug: str) -> Entry:
     """The entry named ``slug``.
 
     Raises:
-        LookupError: there is none; the message names the nearest ones.
+        LookupError: there is none; the message names those that are near.
     """
     if slug in _BY_SLUG:
         return _BY_SLUG[slug]
-    close = difflib.get_close_matches(slug, _BY_SLUG, n=3) or list(_BY_SLUG)
-    raise LookupError(f"There is no algorithm named {slug!r}; did you mean {', '.join(close)}?")
+    close = difflib.get_close_matches(slug, _BY_SLUG, n=3)
+    hint = f"did you mean {', '.join(close)}?" if close else "list shows all of them."
+    raise LookupError(f"There is no algorithm named {slug!r}; {hint}")

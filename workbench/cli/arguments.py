@@ -1,7 +1,7 @@
 """The arguments of an algorithm, read from the words of a command line.
 
 A word is a Python literal, or ``@file`` for a literal in a file. A picture is rows of digits, the top row
-first: in the file one row a line, on the command line a list of texts.
+first: in the file one row a line, blanks between its digits or not, on the command line a list of texts.
 """
 
 import ast
@@ -41,7 +41,8 @@ def _read(parameter: Parameter, word: str) -> Any:
     try:
         text = read_text(word[1:], MOST_BYTES) if word.startswith("@") else word
         if parameter.kind == "image" and word.startswith("@"):
-            return _picture(text.split())
+            lines = ("".join(line.split()) for line in text.splitlines())
+            return _picture([line for line in lines if line])
         value = _CONVERT[parameter.kind](_literal(text))
         _check_range(parameter, value)
     except ValueError as error:

@@ -2,11 +2,12 @@
 
 import argparse
 import os
+import re
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from workbench import __version__
 from workbench.cli.failure import BadInputError, WorkError
@@ -17,6 +18,11 @@ _LONGEST_SENTENCE = 500  # whatever was typed and is quoted in it
 
 
 class _Parser(argparse.ArgumentParser):
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options)
+        # What argparse holds for a number and not for an option: any that Python writes.
+        self._negative_number_matcher = re.compile(r"-\.?[0-9]")
+
     def error(self, message: str) -> NoReturn:
         raise BadInputError(f"{message.rstrip('.')} ({self.prog} --help tells more)")
 
@@ -174,7 +180,8 @@ def _trace(options: argparse.Namespace) -> str:
     recording = traces.run(entry, read_arguments(entry, options.words))
     table = traces.TABLES[options.table](entry, recording)
     if options.format == "text":
-        return tables.to_text(table, subscripts=_writes_subscripts())
+        text = tables.to_text(table, subscripts=_writes_subscripts())
+        return text if table.rows else text + _("No rows: with these arguments nothing is drawn.") + "\n"
     return tables.to_csv(table) if options.format == "csv" else tables.to_json(table)
 
 

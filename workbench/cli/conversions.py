@@ -9,11 +9,12 @@ from typing import Any
 
 import numpy as np
 from msgspec.structs import replace
+from numpy.typing import NDArray
 
 from workbench.cli import outputs
 from workbench.cli.failure import BadInputError
 from workbench.document import DocumentError, Stored
-from workbench.document.edits import add_figures, set_palette
+from workbench.document.edits import set_palette
 from workbench.document.model import (
     MAX_SIDE_PX,
     WEIGHTS,
@@ -24,7 +25,7 @@ from workbench.document.model import (
 )
 from workbench.document.numbers import MAX_COORDINATE
 from workbench.document.samples.figures import document_of
-from workbench.document.storage.content import decoded, read_content, read_text
+from workbench.document.storage.content import read_content, read_text
 from workbench.document.storage.files import MAX_BYTES, decode
 from workbench.document.view_edits import set_window
 from workbench.exchange.readable import SUFFIXES, kind_of
@@ -35,6 +36,7 @@ _MOST_NET_BYTES = 8 * 2**20
 _MOST_NET_POINTS = 10_000
 _MOST_DEGREE = 15
 _LEAST_SIDE_PX = 16
+_LEAST_EXTENT, _LEAST_SHARE = 1e-6, 1e-9  # of points: of itself, and beside their coordinates
 _SHARE = 0.005  # of the size of the points, the tolerance of a curve fitted to them
 
 
@@ -93,7 +95,7 @@ def _read(
 ) -> tuple[Document, list[str]]:
     """A document of one sheet, and what there is to say about it."""
     from workbench.exchange.mesh_reading import MOST_BYTES as MOST_MESH_BYTES
-    from workbench.exchange.point_lists import MOST_CHARACTERS
+    from workbench.exchange.point_lists import MOST_CHARACTERS, text_of
     from workbench.exchange.svg_tree import MOST_BYTES
 
     kind = kind_of(source)
@@ -103,7 +105,7 @@ def _read(
         raise BadInputError(sentence.format(file=source, kinds=", ".join(SUFFIXES)))
     try:
         content = read_content(source, most[kind])
-        text = decoded(content, source) if kind == "points" else ""
+        text = text_of(content, source) if kind == "points" else ""
     except DocumentError as error:
         raise BadInputError(str(error)) from None
     try:
@@ -146,16 +148,29 @@ def _from_points(
     from workbench.exchange.svg_figures import MOST_PIECES, path_of
 
     points = read_points(text)
-    low, high = points.min(axis=0), points.max(axis=0)
-    extent = float((high - low).max())
+    window = _window_around(points)
+    extent = float(np.ptp(points, axis=0).max())
     within = tolerance or max(_SHARE * extent, 1e-9)
     pieces, error = fit_pieces(points, within, most_pieces=MOST_PIECES)
-    edge, closed = 0.05 * extent, len(points) > 2 and np.array_equal(points[0], points[-1])
-    window = Rectangle(*(low - edge).tolist(), *(high + edge).tolist())
+    closed = len(points) > 2 and np.array_equal(points[0], points[-1])
     sheet = _blank(window, wanted or _pixels((0.0, 0.0), window))
     document = _filled(source, sheet, [path_of(pieces.controls, closed, 1)])
     sentence = _("{count} Bézier pieces pass {points} points within {error:.3g}.")
     return document, [sentence.format(count=len(pieces.controls), points=len(points), error=error)]
+
+
+def _window_around(points: NDArray[np.float64]) -> Rectangle:
+    """A window with an edge around points (n, 2), within what a coordinate may be. Raises: PointsError."""
+    from workbench.exchange.point_lists import PointsError
+
+    low, high = points.min(axis=0), points.max(axis=0)
+    extent, size = float((high - low).max()), float(np.abs(points).max())
+    if 0.0 < extent <= max(_LEAST_EXTENT, _LEAST_SHARE * size):
+        sentence = _("The points lie within {extent:.3g} of one another; scale them up, or give others.")
+        raise PointsError(sentence.format(extent=extent))
+    edge = 0.05 * extent
+    low, high = np.maximum(low - edge, -MAX_COORDINATE), np.minimum(high + edge, MAX_COORDINATE)
+    return Rectangle(*low.tolist(), *high.tolist())
 
 
 def _from_mesh(source: Path, content: bytes, wanted: tuple[int, int] | None) -> tuple[Document, list[str]]:
@@ -183,11 +198,10 @@ def _blank(window: Rectangle, sides: tuple[int, int]) -> Sheet:
 def _filled(
     source: Path, sheet: Sheet, figures: Sequence[AnyFigure], palette: tuple[int, ...] = ()
 ) -> Document:
-    blank = document_of(source.stem[:200], sheet.width_px, sheet.height_px, ())
-    only = blank.sheets[0]
+    filled = document_of(source.stem[:200], sheet.width_px, sheet.height_px, figures)
+    only = filled.sheets[0]
     if palette:
-        blank = set_palette(only.id, palette)(blank)
-    filled = add_figures(only.id, figures)(blank)
+        filled = set_palette(only.id, palette)(filled)
     return set_window(only.first_view.id, sheet.first_view.window_world)(filled)
 
 

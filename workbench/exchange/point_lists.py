@@ -1,19 +1,23 @@
 """Points from text and as text: a CSV file, or what a table on the clipboard gives.
 
-Two numbers a line, parted by commas, semicolons, tabs or blanks; a comma may be the decimal sign where
-something else parts the numbers. One heading line is passed over, as are empty lines and those after #.
+Two numbers a line, parted by commas, semicolons, tabs or blanks, in brackets or not; a comma may be the
+decimal sign where something else parts the numbers, or quotes hold them together. A line such as ``sep=;``,
+one heading line, empty lines and what stands after # are passed over.
 """
 
+import codecs
 import io
 import math
 import re
 from collections.abc import Iterable
+from pathlib import Path
 
+import msgspec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from workbench.document.numbers import MAX_COORDINATE
-from workbench.document.storage.content import Progress, silent
+from workbench.document.storage.content import Progress, decoded, silent
 from workbench.language import _
 
 Array = NDArray[np.float64]
@@ -22,14 +26,34 @@ MOST_POINTS = 100_000
 MOST_CHARACTERS = 16 * 2**20
 LONGEST_LINE = 10_000
 _BETWEEN_REPORTS = 1000
+_MOST_JSON = 4 * 2**20
 
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
 _DECIMAL_COMMA = re.compile(r"\d,\d")
 _SEPARATORS = {"\t": r"\t", ";": ";", ",": ",", " ": r"\s+"}
+_STATED = re.compile(r"sep=([,;\t])", re.IGNORECASE)
+_QUOTED = re.compile(r'"([^"]*)"')
+_BRACKETED = re.compile(r"[(\[{]+([^()\[\]{}]*)[)\]}]+[,;]?")
+_HELD = "\x1f"  # stands for a comma between quotes, which parts nothing
 
 
 class PointsError(ValueError):
     """Text that holds no points: one sentence with line and column."""
+
+
+def text_of(content: bytes, path: Path | str) -> str:
+    """The text of a list of points as tables are saved: UTF-8, UTF-16, or else as Windows writes it.
+
+    Raises: DocumentError where it is no text.
+    """
+    if content[:2] in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE):
+        return content.decode("utf-16", "replace")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        if b"\0" in content:
+            return decoded(content, path)
+        return content.decode("cp1252", "replace")
 
 
 def read_points(text: str, progress: Progress = silent) -> Array:
@@ -37,7 +61,12 @@ def read_points(text: str, progress: Progress = silent) -> Array:
     if len(text) > MOST_CHARACTERS:
         sentence = _("The list has {size:,} characters, and at most {most:,} can be read; give fewer points.")
         raise PointsError(sentence.format(size=len(text), most=MOST_CHARACTERS))
+    pairs = _pairs_of_json(text)
+    if pairs is not None:
+        text = "\n".join(f"{x!r} {y!r}" for x, y in pairs)
     lines = _lines(text)
+    stated = _STATED.fullmatch(lines[0][1].strip()) if lines else None
+    lines = lines[1:] if stated else lines
     if not lines:
         raise PointsError(_("There are no points; give two numbers a line."))
     if _is_heading(lines[0][1]):
@@ -47,7 +76,7 @@ def read_points(text: str, progress: Progress = silent) -> Array:
     if len(lines) > MOST_POINTS:
         sentence = _("There are more than {most:,} points, which is all that can be read; give fewer.")
         raise PointsError(sentence.format(most=MOST_POINTS))
-    separator, comma = _dialect([line for _number, line in lines])
+    separator, comma = _dialect([line for _number, line in lines], stated[1] if stated else "")
     points = np.empty((len(lines), 2))
     for row, (number, line) in enumerate(lines):
         if row % _BETWEEN_REPORTS == 0:
@@ -56,16 +85,33 @@ def read_points(text: str, progress: Progress = silent) -> Array:
     return points
 
 
+def _pairs_of_json(text: str) -> list[tuple[float, float]] | None:
+    """The pairs in a list of pairs such as programs write; None where the text is none."""
+    text = text.strip("\ufeff \t\r\n")
+    if not text.startswith("[") or len(text) > _MOST_JSON:
+        return None
+    try:
+        pairs = msgspec.json.decode(text, type=list[tuple[float, float]])
+    except msgspec.MsgspecError:
+        return None
+    return pairs or None
+
+
 def _lines(text: str) -> list[tuple[int, str]]:
     """Number and content of the lines that say something, of no more than are read and a heading."""
     said: list[tuple[int, str]] = []
     for number, line in enumerate(io.StringIO(text, newline=None), 1):
-        content = line.partition("#")[0].strip(" \r\n\ufeff")
+        content, comment, _rest = line.partition("#")
+        content = (content.rstrip() if comment else content).strip(" \r\n\ufeff")
         if not content or content.isspace():
             continue
         if len(content) > LONGEST_LINE:
             sentence = _("Line {line}: it has {size:,} characters; give x and y, and nothing else.")
             raise PointsError(sentence.format(line=number, size=len(content)))
+        if content[0] in "([{" and (bracketed := _BRACKETED.fullmatch(content)):
+            content = bracketed[1]
+        if '"' in content:
+            content = _QUOTED.sub(lambda cell: cell[1].replace(",", _HELD), content)
         said.append((number, content))
         if len(said) > MOST_POINTS + 1:
             break
@@ -78,8 +124,10 @@ def write_points(points: ArrayLike, separator: str = ",") -> str:
     return "".join(f"{a}{separator}{b}\n" for a, b in (("x", "y"), *((repr(x), repr(y)) for x, y in rows)))
 
 
-def _dialect(lines: list[str]) -> tuple[str, bool]:
-    """What parts the numbers, and whether a comma is the decimal sign."""
+def _dialect(lines: list[str], stated: str) -> tuple[str, bool]:
+    """What parts the numbers, if it is not ``stated``, and whether a comma is the decimal sign."""
+    if stated:
+        return stated, stated != ","
     for sign in ("\t", ";"):
         if any(sign in line for line in lines):
             return sign, any("," in line for line in lines)
@@ -99,7 +147,7 @@ def _has_decimal_comma(line: str) -> bool:
 
 def _is_heading(line: str) -> bool:
     cells = re.split(r"[\t;,\s]+", line.strip())
-    return not any(_NUMBER.match(cell.strip('"').replace("\u2212", "-")) for cell in cells)
+    return not any(_NUMBER.fullmatch(cell.replace(_HELD, ".").replace("\u2212", "-")) for cell in cells)
 
 
 def _point(number: int, line: str, separator: str, comma: bool) -> tuple[float, float]:
@@ -114,10 +162,10 @@ def _point(number: int, line: str, separator: str, comma: bool) -> tuple[float, 
 
 
 def _value(line: int, column: int, cell: str, comma: bool) -> float:
-    text = cell.strip().strip('"').strip()
+    text = cell.strip()
     plain = text.replace(",", ".", 1) if comma else text
-    plain = plain.replace("\u2212", "-")
-    where = {"line": line, "column": column, "text": text[:30]}
+    plain = plain.replace(_HELD, ".", 1).replace("\u2212", "-")
+    where = {"line": line, "column": column, "text": text[:30].replace(_HELD, ",")}
     if not _NUMBER.fullmatch(plain):
         sentence = _("Line {line}, column {column}: {text!r} is not a number; correct it.")
         raise PointsError(sentence.format(**where))

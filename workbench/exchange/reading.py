@@ -20,7 +20,7 @@ from msgspec.structs import replace
 
 from workbench.document.model import AnyFigure, Curve, Document, Sheet
 from workbench.document.state import SessionState
-from workbench.document.storage.content import Progress, Stopped, decoded, part, read_content, silent
+from workbench.document.storage.content import Progress, Stopped, part, read_content, silent
 from workbench.document.storage.embedding import as_text, blobs_of, from_text, with_contents
 from workbench.document.storage.files import MAX_BYTES, Stored, all_blobs, decode
 from workbench.exchange import mesh_reading
@@ -28,7 +28,7 @@ from workbench.exchange.figures import read_figures
 from workbench.exchange.fitted_curve import fitted
 from workbench.exchange.mesh_pieces import Piece, pieces_of, whole
 from workbench.exchange.mesh_reading import ImportedMesh
-from workbench.exchange.point_lists import MOST_CHARACTERS, Array, read_points
+from workbench.exchange.point_lists import MOST_CHARACTERS, Array, read_points, text_of
 from workbench.exchange.svg_reading import Imported, read_svg
 from workbench.exchange.svg_tree import MOST_BYTES
 from workbench.language import _
@@ -109,7 +109,7 @@ def read_now(job: Job, progress: Progress = silent) -> Result:
         return read_svg(content if job.path else content.decode("utf-8", "replace"), job.sheet, progress=rest)
     if job.kind == "mesh":
         return mesh_reading.read_mesh(content, Path(job.path).suffix, rest)
-    text = decoded(content, job.path)
+    text = text_of(content, job.path)
     if job.kind == "points":
         return read_points(text, rest)
     assert job.sheet is not None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import threading
+from collections.abc import Mapping
 from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
@@ -124,6 +125,12 @@ def make_window(settings: Settings | None = None, offered: Sequence[Workspace] |
     return MainWindow(kept, themes, offered)
 
 
+def has_display(environment: Mapping[str, str], system: str) -> bool:
+    """Whether Qt will have something to draw on; without it, it ends the process."""
+    names = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+    return system != "linux" or any(environment.get(name) for name in names)
+
+
 def start(argv: Sequence[str]) -> int:
     """Open the window, with the file named on the command line if there is one; the exit status."""
     words = [word for word in argv if word != QUIT_AFTER_FIRST_FRAME]
@@ -136,6 +143,10 @@ def start(argv: Sequence[str]) -> int:
     if path is not None and not os.path.isfile(path):
         sys.stderr.write(_("There is no file {path}.").format(path=words[0]) + "\n")
         return 2
+    if not has_display(os.environ, sys.platform):
+        sentence = _("There is no display to open a window on; log in to a desktop, or set DISPLAY.")
+        sys.stderr.write(sentence + "\n")
+        return 1
     application = QApplication([PROGRAM])
     window = make_window()
     if QUIT_AFTER_FIRST_FRAME in argv:

@@ -100,10 +100,16 @@ def test_points_that_are_refused_are_not_said_to_be_there(zigzag):
 
 def test_an_svg_path_on_the_clipboard_becomes_a_figure(qtbot):
     panel = opened(qtbot)
-    path = (
-        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 64 48"><path d="M8 8C20 40 40 40 56 8"/></svg>'
-    )
+    path = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 64 48"><path fill="none" stroke="black" d="M8 8C20 40 40 40 56 8"/></svg>'
     QApplication.clipboard().setText(path)
+    panel.exchange.paste()
+    assert the_curve(panel).spline == "bezier_path"
+    assert len(places(panel)) == 4
+
+
+def test_path_data_on_the_clipboard_becomes_a_curve(qtbot):
+    panel = opened(qtbot)
+    QApplication.clipboard().setText(" M10 10 C 20 40 40 40 56 8\n")
     panel.exchange.paste()
     assert the_curve(panel).spline == "bezier_path"
     assert len(places(panel)) == 4
@@ -167,7 +173,9 @@ def test_the_construction_is_saved_as_a_picture(zigzag, tmp_path, ending):
 def test_a_long_svg_is_read_beside_and_comes_in_as_one_step_of_undo(qtbot):
     panel = opened(qtbot)
     said = told(panel)
-    paths = "".join(f'<path d="M {k} 0 C {k} 20 {k + 9} 20 {k + 9} 0"/>' for k in range(500))
+    paths = "".join(
+        f'<path fill="none" stroke="red" d="M {k} 0 C {k} 20 {k + 9} 20 {k + 9} 0"/>' for k in range(500)
+    )
     panel.exchange.take_svg(f'<svg xmlns="http://www.w3.org/2000/svg">{paths}</svg>')
     assert panel.session.sheet.figures == ()
     assert said == []  # that it is read is said by the window, once

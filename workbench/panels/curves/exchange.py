@@ -1,5 +1,6 @@
 """Curves in and out: points by clipboard and CSV, paths by SVG."""
 
+import re
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -25,6 +26,8 @@ from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.curves.freehand import FIT_PX, fit_words
 from workbench.panels.stage.actions import PanelCommand
 from workbench.session.incoming import Prepare
+
+_PATH_DATA = re.compile(r"\s*[Mm]\s*[-+.\d][^<>&\"]*\Z")
 
 
 class CurveExchange(QObject):
@@ -67,10 +70,15 @@ class CurveExchange(QObject):
         return [(curve.points_world[k].x, curve.points_world[k].y) for k in numbers]
 
     def paste(self) -> None:
-        """Points on the clipboard go on the end of the selected curve, or make one; SVG becomes figures."""
+        """Points on the clipboard go on the end of the selected curve, or make one; SVG becomes figures.
+
+        So does what stands in the ``d`` of a path alone.
+        """
         text = QGuiApplication.clipboard().text()
         if "<svg" in text or "<path" in text:
             self.take_svg(text)
+        elif _PATH_DATA.match(text):
+            self.take_svg(f'<path fill="none" stroke="black" d="{text.strip()}"/>')
         else:
             self.take_points(text)
 
