@@ -100,7 +100,8 @@ def test_points_that_are_refused_are_not_said_to_be_there(zigzag):
 
 def test_an_svg_path_on_the_clipboard_becomes_a_figure(qtbot):
     panel = opened(qtbot)
-    path = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 64 48"><path fill="none" stroke="black" d="M8 8C20 40 40 40 56 8"/></svg>'
+    drawn = '<path fill="none" stroke="black" d="M8 8C20 40 40 40 56 8"/>'
+    path = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 64 48">{drawn}</svg>'
     QApplication.clipboard().setText(path)
     panel.exchange.paste()
     assert the_curve(panel).spline == "bezier_path"
