@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
@@ -124,3 +125,26 @@ def test_g2_changes_the_lengths_of_both_handles_alone() -> None:
     assert moves["p3"][1] == moves["p5"][1] == 30
     made, _moved = smoothed(curve, 0, "G2")
     assert curves.joints(pieces_of(made))[0].geometric == "G2"
+
+
+@pytest.mark.parametrize("spline", ["b_spline", "catmull_rom", "natural_cubic"])
+@pytest.mark.parametrize("kind", ["G1", "C1"])
+def test_what_is_smooth_already_stays_where_it_is(spline: str, kind: str) -> None:
+    curve = the_curve(curve_of([(5, 5), (15, 30), (30, 35), (45, 8), (60, 10), (70, 30)], spline=spline))
+    assert smoothing_moves(curve, 0, kind) == {}
+    assert smoothing_moves(curve, 1, kind) == {}
+
+
+@pytest.mark.parametrize("lengths", [(0.0, 0.0), (1e-7, 0.0), (5.0, 4.0)])
+def test_beside_a_straight_piece_the_other_handle_turns(lengths: tuple[float, float]) -> None:
+    one, other = lengths
+    path = [(0, 0), (one, 0), (30 - other, 0), (30, 0), (40, 9), (50, 30), (60, 30)]
+    for turned in (False, True):
+        points = path[::-1] if turned else path
+        curve = the_curve(curve_of(points, spline="bezier_path"))
+        made, moves = smoothed(curve, 0, "G1")
+        assert list(moves) == [curve.points_world[2 if turned else 4].id]
+        assert curves.joints(pieces_of(made), tolerance=1e-6)[0].geometric >= "G1"
+        ((x, y),) = moves.values()
+        assert math.isclose(math.dist((x, y), (30, 0)), math.dist((40, 9), (30, 0)))
+        assert smoothing_moves(made, 0, "G1") == {}

@@ -152,14 +152,42 @@ def test_a_conversion_looks_the_same_and_says_so(qtbot, spline):
 @pytest.mark.parametrize("kind", ["G1", "C1", "C2"])
 def test_a_joint_is_made_smooth_and_the_points_moved_are_named(qtbot, kind):
     panel = opened(qtbot, curve_through(*SEVEN, spline="bezier_path"))
-    said = panel.commands.smooth(0, kind)
+    said = panel.commands.smooth([0], kind)
     (found,) = joints(pieces_of(the_curve(panel)))
     best = found.geometric if kind[0] == "G" else found.parametric
     assert best >= kind
     assert "H1" in said
-    assert kind in panel.commands.smooth(0, kind)
+    assert kind in panel.commands.smooth([0], kind)
     panel.session.undo_stack.undo()
     assert places(panel) == list(SEVEN)
+
+
+def test_the_chosen_joints_are_made_smooth_and_an_end_is_none(qtbot):
+    path = ((2, 2), (4, 12), (10, 14), (14, 8), (20, 4), (24, 6), (28, 12), (30, 18), (36, 20), (40, 16))
+    panel = opened(qtbot, curve_through(*path, spline="bezier_path"))
+    said, ids = sentences(panel), [point.id for point in the_curve(panel).points_world]
+    panel.focus.choose([ids[9]])
+    panel.commands.smooth_here("G1")
+    assert said[-1] == "An end of the curve is no joint; choose a point between two pieces."
+    panel.focus.choose([ids[7]])  # a handle of the second joint
+    panel.commands.smooth_here("G1")
+    assert places(panel)[:5] == [*path[:5]]
+    assert places(panel)[5:] != [*path[5:]]
+    panel.session.undo_stack.undo()
+    panel.focus.choose([ids[3], ids[6]])
+    panel.commands.smooth_here("C1")
+    assert [joint.parametric for joint in joints(pieces_of(the_curve(panel)))] == ["C1", "C1"]
+    panel.session.undo_stack.undo()
+    assert places(panel) == [*path]
+
+
+def test_what_was_said_of_a_joint_goes_with_undo(qtbot):
+    panel = opened(qtbot, curve_through(*SEVEN, spline="bezier_path"))
+    panel.beside.smoothing_wanted.emit(0, "C1")
+    assert "H1" in panel.beside.continuity.words.text()
+    panel.session.undo_stack.undo()
+    panel.beside.refresh()
+    assert "H1" not in panel.beside.continuity.words.text()
 
 
 def test_the_button_of_the_table_smooths_and_says_what_moved(qtbot):

@@ -109,6 +109,7 @@ def joint_moves(curve: Curve, index: int, joint: str) -> Places:
 
     Both handles turn onto the mean of their directions; those of a symmetric joint get their mean length. A
     handle that lies on the point gets a length; where both do, they lie along the leg between the neighbours.
+    Beside one straight piece that piece stays as it is, and the other handle turns.
     """
     before, after = handles_of(curve, index)
     if joint == "corner" or before is None or after is None:
@@ -122,6 +123,15 @@ def joint_moves(curve: Curve, index: int, joint: str) -> Places:
     count = len(points)
     neighbours = [(index + step) % count if curve.closed else index + step for step in (-3, 3)]
     ends = [place(points[n]) if 0 <= n < count else here for n in neighbours]
+    straight = _straight_way(curve, index, ends) if joint == "smooth" else None
+    if straight is not None:
+        side, way = straight
+        x, y = way
+        handle, sign = (after, 1.0) if side == 0 else (before, -1.0)
+        length = lengths[1 - side] or math.dist(ends[1 - side], here) / 3.0
+        where = here[0] + sign * length * x, here[1] + sign * length * y
+        near = math.dist(where, place(points[handle])) <= _ROUNDING * length
+        return {} if near else {points[handle].id: where}
     if not any(lengths):
         way = ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]
         lengths = [math.dist(end, here) / 3.0 for end in ends]
@@ -143,6 +153,28 @@ def joint_moves(curve: Curve, index: int, joint: str) -> Places:
         return {}
     now = {points[h].id: place(points[h]) for h in (before, after)}
     return {name: where for name, where in places.items() if where != now[name]}
+
+
+def _straight_way(curve: Curve, index: int, ends: list[Place]) -> tuple[int, Place] | None:
+    """Of the pieces before (0) and after (1) the point at ``index`` the one that is straight, if one is.
+
+    With it the direction, of length 1, in which the path goes along it.
+    """
+    points, count = curve.points_world, len(curve.points_world)
+    here = place(points[index])
+    ways: list[Place | None] = []
+    for step, end in zip((-1, 1), ends, strict=True):
+        length = math.dist(here, end)
+        handles = [points[(index + step * k) % count] for k in (1, 2)]
+        x, y = ((end[0] - here[0]) / length, (end[1] - here[1]) / length) if length else (0.0, 0.0)
+        off = max(abs((p.x - here[0]) * y - (p.y - here[1]) * x) for p in handles)
+        ways.append((step * x, step * y) if length and off <= _ROUNDING * length else None)
+    if (ways[0] is None) == (ways[1] is None):
+        return None
+    side = 0 if ways[0] is not None else 1
+    way = ways[side]
+    assert way is not None
+    return side, way
 
 
 def _fits(joint: str, arms: list[Place], within: float) -> bool:

@@ -35,6 +35,7 @@ from workbench.language import _
 Array = NDArray[np.float64]
 
 SMOOTHNESS = ("G1", "C1", "G2", "C2")
+AGREEMENT = 1e-6  # what counts as nothing at a joint, as a part of the sizes compared
 _NEAR_END = 0.1
 _ROUNDS = 30
 _LINEAR = ("bezier", *B_SPLINES)
@@ -122,7 +123,7 @@ def smoothed(curve: Curve, joint: int, kind: str) -> tuple[Curve, Places]:
 
 
 def smoothing_moves(curve: Curve, joint: int, kind: str) -> Places:
-    """Where points, by id, go to make a joint G1, C1, G2 or C2; none where it is so already.
+    """Where points, by id, go to make a joint G1, C1, G2 or C2; none where it is so already, as measured.
 
     Joints are numbered as by ``curves.joints``: 0 is between the first two pieces, and of a closed curve the
     last is at its begin. Of a path only the handles at the joint move, of a B-spline the points around it as
@@ -134,11 +135,22 @@ def smoothing_moves(curve: Curve, joint: int, kind: str) -> Places:
     if not 0 <= joint < count:
         sentence = _("There is no joint {number}; this curve has {count} of them.")
         raise ValueError(sentence.format(number=joint, count=count))
+    if _is_smooth(curve, joint, kind):
+        return {}
     if is_path(curve):
         return _handle_moves(curve, 3 * ((joint + 1) % len(joints_of(curve)[0])), kind)
     if curve.spline == "bezier" or (curve.spline in B_SPLINES and _even(curve)):
         return _least_moves(curve, joint, int(kind[1]))
     raise ValueError(_("The joints of this curve follow a rule; convert it to a path to change one of them."))
+
+
+def _is_smooth(curve: Curve, joint: int, kind: str) -> bool:
+    """Whether a joint is G1, C1, G2 or C2 by the measure of the table of joints."""
+    measured = curves.joints(pieces_of(curve), goes_round(curve), AGREEMENT)
+    if joint >= len(measured):  # beside a piece without length
+        return False
+    now = measured[joint].geometric if kind[0] == "G" else measured[joint].parametric
+    return now >= kind
 
 
 def _even(curve: Curve) -> bool:
@@ -223,7 +235,7 @@ def _least_moves(curve: Curve, joint: int, order: int) -> Places:
         jumps.append(factor * (right - left))
     conditions, points = np.array(jumps), points_of(curve)
     missing = -conditions @ points
-    change = np.linalg.lstsq(conditions, missing, rcond=None)[0]
+    change = np.linalg.lstsq(conditions, missing, rcond=1e-10)[0]
     if order > made.degree or not np.allclose(conditions @ (points + change), 0.0, atol=1e-9 * _size(curve)):
         raise ValueError(_("With this degree the joint cannot be made so smooth; raise the degree before."))
     wanted = {point.id: points[i] + change[i] for i, point in enumerate(curve.points_world)}

@@ -7,9 +7,10 @@ from msgspec.structs import replace
 
 from workbench.algorithms import curves
 from workbench.document.curves.pieces import ends_steer, fault_of, goes_round
+from workbench.document.curves.shaping import AGREEMENT
 from workbench.document.model import THROUGH, Curve, Sheet
 from workbench.language import _
-from workbench.panels.curves.joints import MOST_JOINTS, TOLERANCE
+from workbench.panels.curves.joints import MOST_JOINTS
 from workbench.panels.curves.names import is_handle, look_of, spline_title
 from workbench.panels.curves.shape import Array, device_pieces, device_points
 from workbench.widgets.canvas.drawing import Pattern
@@ -114,7 +115,7 @@ def _through(sheet: Sheet, curve: Curve) -> Array:
 
 
 def _smoothness(pieces: curves.Pieces, closed: bool) -> str:
-    found = curves.joints(pieces, closed, TOLERANCE)[:MOST_JOINTS]
+    found = curves.joints(pieces, closed, AGREEMENT)[:MOST_JOINTS]
     if not found:
         return "C\N{INFINITY}"
     worst = [min(_order(getattr(joint, name)) for joint in found) for name in ("parametric", "geometric")]

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces, piece_points
 from workbench.document.curves.pieces import fault_of, parameter_at, share_at
-from workbench.document.model import B_SPLINES
+from workbench.document.model import B_SPLINES, Curve
 from workbench.language import _
 from workbench.panels.curves.basis import MOST, NOTHING, Basis, basis_of
 from workbench.panels.curves.compare import MEASURED_DEGREE, compared, measures, rows, why_none
@@ -54,6 +54,7 @@ class CurveDocks(QObject):
         self.focus = focus
         self.basis, self.curvature, self.hodograph = BasisPlot(), CurvaturePlot(), HodographPlot()
         self.insight, self.continuity = CurveInsight(focus), ContinuityTable()
+        self._said_of: Curve | None = None
         self.continuity.joint_activated.connect(self._go_to_joint)
         self.continuity.joint_selected.connect(self._hover_joint)
         self.continuity.smoothing_wanted.connect(self.smoothing_wanted)
@@ -122,6 +123,9 @@ class CurveDocks(QObject):
         self._later.stop()
         begun = time.perf_counter()
         curve = self.focus.curve
+        if curve is not self._said_of:
+            self._said_of = curve
+            self.continuity.say("")
         self._pieces = None if curve is None else device_pieces(self.focus.session.shown, curve)
         self._u = None if curve is None or self._pieces is None else parameter_at(curve, self.focus.u)
         self._took_ms = (time.perf_counter() - begun) * 1e3
@@ -201,6 +205,11 @@ class CurveDocks(QObject):
     def _show_joints(self) -> None:
         curve = self.focus.curve
         self.continuity.set_joints([] if curve is None else joints(self.focus.session.shown, curve))
+
+    def say_of_joint(self, text: str) -> None:
+        """A sentence beneath the joints, that goes when the curve is another, as after undo."""
+        self._said_of = self.focus.curve
+        self.continuity.say(text)
 
     def _show_measures(self) -> None:
         self.insight.say(_measures(self._pieces, self._u))

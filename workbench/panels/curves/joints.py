@@ -4,13 +4,13 @@ import numpy as np
 
 from workbench.algorithms import curves
 from workbench.document.curves.pieces import ends_steer, goes_round
+from workbench.document.curves.shaping import AGREEMENT
 from workbench.document.model import THROUGH, Curve, Sheet
 from workbench.panels.curves.names import point_name
 from workbench.panels.curves.shape import device_pieces
 from workbench.widgets.tables.continuity_table import Joint
 
 MOST_JOINTS = 300
-TOLERANCE = 1e-6
 
 
 def joints(sheet: Sheet, curve: Curve) -> list[Joint]:
@@ -18,7 +18,7 @@ def joints(sheet: Sheet, curve: Curve) -> list[Joint]:
     pieces = device_pieces(sheet, curve)
     if pieces is None:
         return []
-    found = curves.joints(pieces, goes_round(curve), TOLERANCE)
+    found = curves.joints(pieces, goes_round(curve), AGREEMENT)
     kept = pieces.knots[np.append(np.diff(pieces.knots) > 0, True)]
     return [
         Joint(joint_name(curve, number), float(kept[number + 1]), one)

@@ -1,5 +1,6 @@
 """Commands that cut, join, turn, convert and smooth curves; each says what it did, and how exactly."""
 
+from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
@@ -9,8 +10,9 @@ from workbench.document.curves.cutting import insert_on_curve, insertion_note, s
 from workbench.document.curves.degrees import lower_degree, lowered, raise_degree
 from workbench.document.curves.joining import ALIGNMENTS, align, join, reverse
 from workbench.document.curves.knot_removal import knots_fault, remove_knot
+from workbench.document.curves.paths import is_path, joint_of, place
 from workbench.document.curves.pieces import fault_of, goes_round, knots_of, parameter_at, pieces_of
-from workbench.document.curves.shaping import SMOOTHNESS, smooth_joint, smoothing_moves
+from workbench.document.curves.shaping import SMOOTHNESS, smooth_joint, smoothed
 from workbench.document.edits import add_figure, both, remove_figures
 from workbench.document.model import Curve, Polyline, WorldPoint
 from workbench.language import _
@@ -220,46 +222,56 @@ class CurveOperations(CurveCommands):
     # Joints
 
     def smooth_here(self, kind: str) -> None:
-        """Make the joint smooth that is chosen, or the one nearest to u."""
+        """Make the joints smooth that are chosen, or the one nearest to u."""
 
         def make(curve: Curve) -> None:
-            joint = self._joint_here(curve)
-            if joint is None:
-                self.said.emit(_("This curve has one piece, so it has no joints."))
-            else:
-                self.said.emit(self.smooth(joint, kind))
+            try:
+                joints = self._joints_here(curve)
+            except ValueError as problem:
+                self.said.emit(str(problem))
+                return
+            self.said.emit(self.smooth(joints, kind))
 
         self.with_curve(make)
 
-    def smooth(self, joint: int, kind: str) -> str:
-        """Make a joint G1, C1, G2 or C2; the sentence that says which points moved, or why none."""
+    def smooth(self, joints: Sequence[int], kind: str) -> str:
+        """Make joints G1, C1, G2 or C2; the sentence that says which points moved, or why none."""
         curve = self.focus.curve
         if curve is None:
             return _("Select one curve first.")
+        smoother = curve
         try:
-            moves = smoothing_moves(curve, joint, kind)
+            for joint in joints:
+                smoother = smoothed(smoother, joint, kind)[0]
         except ValueError as problem:
             return str(problem)
-        if not moves:
+        after = {point.id: place(point) for point in smoother.points_world}
+        names = [point_name(curve, k) for k, p in enumerate(curve.points_world) if place(p) != after[p.id]]
+        if not names:
             return _("The joint is {kind} already.").format(kind=kind)
-        if not self.apply(smooth_joint(curve.id, joint, kind), _("Make it {kind}").format(kind=kind)):
+        edit = both(*(smooth_joint(curve.id, joint, kind) for joint in joints))
+        if not self.apply(edit, _("Make it {kind}").format(kind=kind)):
             return ""
-        names = [point_name(curve, k) for k, p in enumerate(curve.points_world) if p.id in moves]
         return _("It is {kind} now; moved: {points}.").format(kind=kind, points=", ".join(names))
 
-    def _joint_here(self, curve: Curve) -> int | None:
-        try:
-            knots = np.unique(pieces_of(curve).knots)
-        except ValueError:
-            return None
+    def _joints_here(self, curve: Curve) -> list[int]:
+        """The joints of the chosen points of a path, their handles' too, or the one nearest to u.
+
+        Raises: ValueError where there is none.
+        """
+        knots = np.unique(pieces_of(curve).knots)
         count = len(knots) - 1
-        if count < 2:
-            return None
-        anchors = [k // 3 for k in self.focus.numbers(curve) if k % 3 == 0]
-        if curve.spline == "bezier_path" and anchors:
-            inner = anchors[0] - 1
-            return (
-                (inner % count if curve.closed else inner) if 0 <= inner < count - 1 or curve.closed else None
-            )
+        around = goes_round(curve)
+        if count < 2 and not around:
+            raise ValueError(_("This curve has one piece, so it has no joints."))
+        chosen = self.focus.numbers(curve) if is_path(curve) else []
+        if chosen:
+            points = {at // 3 for k in chosen if (at := joint_of(curve, k)) is not None}
+            joints = sorted({(k - 1) % count if around else k - 1 for k in points})
+            inner = [joint for joint in joints if 0 <= joint < count - 1 or around]
+            if not inner:
+                raise ValueError(_("An end of the curve is no joint; choose a point between two pieces."))
+            return inner
         u = parameter_at(curve, self.focus.u)
-        return int(np.abs(knots[1:-1] - u).argmin())
+        ends = knots[1:] if around else knots[1:-1]
+        return [int(np.abs(ends - u).argmin())]

@@ -146,9 +146,9 @@ class CurvesPanel(SteppedPanel):
             self.commands.insert(curve, share_at(curve, u))
 
     def _smooth(self, joint: int, kind: str) -> None:
-        said = self.commands.smooth(joint, kind)
+        said = self.commands.smooth([joint], kind)
         self.refresh()
-        self.beside.continuity.say(said)
+        self.beside.say_of_joint(said)
 
     def _let_go_of_plot(self, *_arguments: object) -> None:
         self.commands.let_go()
