@@ -168,7 +168,12 @@ class CurveCommands(QObject):
             return
         if not self._pull.busy:
             self._pull.begin()
-        self._pull.show(self.knot_edit(curve, knot, lambda address: set_knot(address, u)), _("Move knot"))
+            self._pulled = curve
+        if knot not in {each.id for each in self._pulled.knots} and not knot.startswith("#"):
+            # It became free by this pull, which does all it does to the curve as it was.
+            knot = f"#{[each.id for each in curve.knots].index(knot)}"
+        edit = self.knot_edit(self._pulled, knot, lambda address: set_knot(address, u))
+        self._pull.show(edit, _("Move knot"))
 
     def knot_edit(self, curve: Curve, knot: str, change: Callable[[str], Edit]) -> Edit:
         """What is done to a knot, by id, or by # and its number where a rule makes it; these become free."""
