@@ -7,10 +7,11 @@
 A fault is an exception nobody caught, on any thread, a Qt warning, a warning of Python or in the log, a
 crash, an event without an end, or memory that grows. The log names each event before it is done.
 
-Memory is what the process holds at rest: an empty picture in Draw in a window as large as at first, garbage
-collected, and what was freed given back by the allocator (``malloc_trim``), which else keeps tens of
-megabytes of it, at times more and at times less. A single mark still swings by 25 MB: the median of the marks
-at 8,000 to 12,000 events is compared with that of the marks at 16,000 to 20,000.
+Memory is what the process holds for itself at rest, pages of library files aside: an empty picture, which
+every workspace has been entered with, in a window as large as at first, garbage collected, and what was freed
+given back by the allocator (``malloc_trim``), which else keeps tens of megabytes of it, at times more and at
+times less. The median of the marks at 8,000 to 12,000 events is compared with that of the marks at 16,000 to
+20,000.
 """
 
 import argparse
@@ -37,6 +38,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
 from tests.soak.events import KINDS
 from tests.soak.hand import Hand
+from workbench.shell.workspaces import workspaces
 
 MARK, SETTLED, LAST = 1_000, (8, 12), (16, 20)  # marks, the first is 1
 MOST_GROWTH_MB = 5.0
@@ -156,16 +158,17 @@ class Monkey(QObject):
             if before is not None:
                 before.close()
         self._window.session.new()
-        self._window.go("draw")
         self._window.resize(*SIZE)
-        QTest.qWait(_REST_MS)
+        for workspace in (*workspaces(), workspaces()[0]):  # each keeps what it showed until it is entered
+            self._window.go(workspace.slug)
+            QTest.qWait(_REST_MS)
         for _again in range(3):
             gc.collect()
         if _TRIM is not None:
             _TRIM(0)
         with open("/proc/self/statm") as numbers:
-            pages = int(numbers.read().split()[1])
-        self.megabytes.append(pages * os.sysconf("SC_PAGESIZE") / 1e6)
+            _size, resident, of_files, *_rest = map(int, numbers.read().split())
+        self.megabytes.append((resident - of_files) * os.sysconf("SC_PAGESIZE") / 1e6)
         print(f"# {self._done} events, {self.megabytes[-1]:.1f} MB", file=self._log, flush=True)
 
     def _finish(self) -> None:
