@@ -10,7 +10,7 @@ from tests.document.curves.test_edits import the_curve
 from workbench.document.check import check
 from workbench.document.curves.conversions import convert, converted
 from workbench.document.curves.pieces import pieces_of, points_of
-from workbench.document.model import Document
+from workbench.document.model import Curve, CurvePoint, Document
 
 
 @settings(max_examples=30)
@@ -30,3 +30,16 @@ def test_a_curve_of_another_kind_is_no_farther_off_than_is_said(document: Docume
     assert off(made, dense(curve)[::8]) <= error / size + 1e-6
     if kind != "hermite" and curve.spline != "nurbs" and pieces_of(curve).degree <= 3:
         assert error == 0.0
+
+
+@pytest.mark.parametrize("kind", ["b_spline", "nurbs"])
+@pytest.mark.parametrize("pieces", [1, 2, 5])
+def test_a_path_that_goes_round_stays_closed_as_a_b_spline(kind: str, pieces: int) -> None:
+    chance = np.random.default_rng(pieces)
+    points = tuple(CurvePoint(f"p{k}", *xy) for k, xy in enumerate(chance.uniform(0, 50, (3 * pieces, 2))))
+    path = Curve("f1", points, "dda_line", 1, spline="bezier_path", closed=True)
+    made, error = converted(path, kind)
+    assert made.closed
+    assert len(made.points_world) == 3 * pieces
+    assert error < 1e-12
+    np.testing.assert_allclose(pieces_of(made).controls, pieces_of(path).controls, atol=1e-9)

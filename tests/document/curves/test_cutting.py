@@ -1,6 +1,7 @@
 """Points put into curves, and curves cut in two: the same curve, by dense evaluation."""
 
 import numpy as np
+import pytest
 from hypothesis import assume, given, settings
 from numpy.typing import NDArray
 
@@ -23,7 +24,7 @@ from workbench.document.curves.cutting import insert_on_curve, inserted, inserti
 from workbench.document.curves.paths import place
 from workbench.document.curves.pieces import goes_round, pieces_of, points_of
 from workbench.document.curves.settings import set_knot_rule
-from workbench.document.model import Curve, Document
+from workbench.document.model import Curve, CurvePoint, Document
 
 
 @settings(max_examples=30)
@@ -135,3 +136,13 @@ def test_a_curve_with_free_closed_knots_takes_a_knot_anywhere() -> None:
         stayed = [np.allclose(after[name], at) for name, at in before.items()]
         assert sum(stayed) >= len(stayed) - 2
         document = new
+
+
+@pytest.mark.parametrize("spline", ["bezier", "bezier_path", "b_spline", "catmull_rom"])
+@pytest.mark.parametrize("share", [0.0, 1e-10, 1e-12, 1.0 - 1e-10, 1.0])
+def test_there_is_nothing_to_cut_off_at_an_end_within_rounding(spline: str, share: float) -> None:
+    points = tuple(CurvePoint(f"p{k}", 9.0 * k, 5.0 * (k % 2)) for k in range(4))
+    curve = Curve("f1", points, "dda_line", 1, spline=spline)
+    knots = pieces_of(curve).knots
+    with pytest.raises(ValueError, match="At the end of a curve there is nothing to cut off"):
+        parts(curve, float(knots[0] + share * (knots[-1] - knots[0])))

@@ -119,7 +119,7 @@ def _as_bezier(curve: Curve) -> Curve:
 
 
 def _as_b_spline(curve: Curve, spline: str, tolerance: float) -> tuple[Curve, float]:
-    """A B-spline with every knot between pieces as often as its degree."""
+    """A B-spline with every knot between pieces as often as its degree; what goes round stays closed."""
     if curve.spline in B_SPLINES and np.ptp(weights_of(curve)) == 0:
         return replace(curve, spline=spline), 0.0
     if curve.spline == "b_spline":
@@ -129,16 +129,21 @@ def _as_b_spline(curve: Curve, spline: str, tolerance: float) -> tuple[Curve, fl
     if pieces.weights is not None or pieces.degree > 7:
         pieces, error = curves.to_cubic_pieces(pieces, tolerance)
     degree = pieces.degree
-    rows = np.vstack([pieces.controls[:, :-1].reshape(-1, 2), pieces.controls[-1, -1:]])
+    rows = pieces.controls[:, :-1].reshape(-1, 2)
     values = np.repeat(pieces.knots, degree)
-    values = np.concatenate([values[:1], values, values[-1:]])
+    around = goes_round(curve) and len(rows) >= 3
+    if around:
+        values = values[degree - 1 :]
+    else:
+        rows = np.vstack([rows, pieces.controls[-1, -1:]])
+        values = np.concatenate([values[:1], values, values[-1:]])
     ids = _ids_at(curve, rows, 0.0)
     made = replace(
         curve,
         points_world=tuple(CurvePoint(name, *_pair(row)) for name, row in zip(ids, rows, strict=True)),
         spline=spline,
         degree=degree,
-        closed=False,
+        closed=around,
         knot_rule="free",
         knots=tuple(Knot("", float(u)) for u in values),
     )

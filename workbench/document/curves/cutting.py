@@ -174,7 +174,8 @@ def parts(curve: Curve, u: float) -> tuple[Curve, Curve | None]:
     """The parts of a curve before and after u; of a closed one the whole, open there. Raises: ValueError."""
     pieces = pieces_of(curve)
     piece, v = place_of(pieces.knots, u)
-    if not goes_round(curve) and not pieces.knots[0] < u < pieces.knots[-1]:
+    nothing = _ROUNDING * float(pieces.knots[-1] - pieces.knots[0])
+    if not goes_round(curve) and not pieces.knots[0] + nothing < u < pieces.knots[-1] - nothing:
         raise ValueError(_("At the end of a curve there is nothing to cut off; choose a u between its ends."))
     if curve.spline == "bezier":
         if 0.0 < v < 1.0:
