@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, Rectangle, SeedFill, Sheet
 from workbench.document.samples.examples import example
 from workbench.document.samples.figures import document_of, points_at
-from workbench.rendering import painter_of, why
+from workbench.rendering import frame_buffer, painter_of, why
 from workbench.rendering.why_steps import Abandoned, nothing_happened, why_steps
 
 SIDE = 12
@@ -86,6 +86,19 @@ def test_what_nothing_touched_is_answered_in_words() -> None:
     triangle = example("triangle").document.sheets[0]
     assert "outside by even-odd" in nothing_happened(triangle, 0, 8)
     assert "No figure" in nothing_happened(replace(line, figures=()), 2, 2)
+
+
+def test_what_was_clipped_away_is_said_to_be_clipped() -> None:
+    line = example("line").document.sheets[0]
+    pixels = frame_buffer(line)
+    y, x = (int(places[-1]) for places in np.nonzero(pixels != line.background))
+    left = Rectangle(-0.5, -0.5, x - 2.0, line.height_px - 0.5)
+    clipped = replace(line, views=(replace(line.first_view, clip_world=left),))
+    assert why_steps(clipped, x, y) == []
+    assert nothing_happened(clipped, x, y).endswith(
+        f" would come to ({x}, {y}), but this part of it is clipped away."
+    )
+    assert "passes" in nothing_happened(clipped, 0, line.height_px - 1)
 
 
 def test_a_question_is_given_up_when_nobody_waits() -> None:

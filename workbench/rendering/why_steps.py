@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Literal, NamedTuple
 
 import numpy as np
+from msgspec.structs import replace
 
 from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure, Polygon, Sheet
@@ -154,7 +155,11 @@ def _told(touch: StepTouch, step: Step | None, cell: tuple[int, int]) -> tuple[V
 
 
 def nothing_happened(sheet: Sheet, x: int, y: int) -> str:
-    """Why no figure touched a pixel, in words: which polygon it is outside of, or that none came near."""
+    """Why no figure touched a pixel: it was clipped away, is outside of a polygon, or none came near."""
+    clipped = _clipped_away(sheet, x, y)
+    if clipped is not None:
+        sentence = _("{name} would come to ({x}, {y}), but this part of it is clipped away.")
+        return sentence.format(name=clipped, x=x, y=y)
     said = []
     for figure in sheet.figures:
         if isinstance(figure, Polygon) and figure.visible:
@@ -175,6 +180,19 @@ def nothing_happened(sheet: Sheet, x: int, y: int) -> str:
     return text.format(x=x, y=y, name=name, away=away)
 
 
+def _clipped_away(sheet: Sheet, x: int, y: int) -> str | None:
+    """The figure in front that would have painted a pixel if nothing were clipped."""
+    if all(view.clip_world is None for view in sheet.views):
+        return None
+    whole = replace(sheet, views=tuple(replace(view, clip_world=None) for view in sheet.views))
+    figure = int(painter_of(whole)[y, x]) if 0 <= x < sheet.width_px and 0 <= y < sheet.height_px else -1
+    return _called(sheet.figures[figure]) if figure >= 0 else None
+
+
+def _called(figure: AnyFigure) -> str:
+    return figure.name or _(catalogue.get(figure.drawn_with).title)
+
+
 def _distance(sheet: Sheet, x: int, y: int) -> tuple[str, int] | None:
     """The figure that painted nearest to a pixel, and how many pixels away that is."""
     painter = painter_of(sheet)
@@ -184,5 +202,4 @@ def _distance(sheet: Sheet, x: int, y: int) -> tuple[str, int] | None:
     away = np.maximum(np.abs(columns - x), np.abs(rows - y))
     nearest = int(np.argmin(away))
     figure = sheet.figures[int(painter[rows[nearest], columns[nearest]])]
-    title = _(catalogue.get(figure.drawn_with).title)
-    return figure.name or title, int(away[nearest])
+    return _called(figure), int(away[nearest])

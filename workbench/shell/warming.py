@@ -89,7 +89,9 @@ class Warming(QObject):
         self._progressed.emit(progress.done, progress.total)
 
     def _tell(self, done: int, total: int) -> None:
-        self._window.status.preparing(_("Preparing {done} of {total}").format(done=done, total=total))
+        self._window.status.preparing(
+            _("Preparing algorithm {done} of {total}").format(done=done, total=total)
+        )
 
     def _end(self, text: str, reason: str) -> None:
         if self._thread is not None:

@@ -262,9 +262,13 @@ def _malformed(data: bytes, message: str) -> DocumentError:
 
 def _broken(data: bytes, offset: int, problem: str) -> DocumentError:
     field = path_at(data, offset).removeprefix("document.")
+    if not data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{"):
+        return DocumentError("", _("This is not a picture of Graphics Workbench; choose another file."))
+    if not field:
+        sentence = _("The file {problem} at line {line}; open another copy of it.")
+        return DocumentError("", sentence.format(problem=problem, line=line_of(data, offset)))
     sentence = _("The file {problem} at line {line}, in {field}; open another copy of it.")
-    where = field or _("its outermost object")
-    return DocumentError(field, sentence.format(problem=problem, line=line_of(data, offset), field=where))
+    return DocumentError(field, sentence.format(problem=problem, line=line_of(data, offset), field=field))
 
 
 def _kinds() -> dict[str, str]:
