@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QKeySequence
 
 from workbench.language import _
-from workbench.shell import clipboard
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -20,7 +19,8 @@ if TYPE_CHECKING:
 @dataclass(frozen=True, slots=True)
 class Command:
     """One command. ``needs`` is "document", "run" or "answer" (a wrong one): what waits until one is there;
-    ``separated`` draws a line above it in its menu.
+    ``separated`` draws a line above it in its menu. ``focused_key`` is a key that parts of the
+    window answer while they have the focus: the menu tells it.
     """
 
     id: str
@@ -32,6 +32,7 @@ class Command:
     menu: str = ""
     needs: str = ""
     separated: bool = False
+    focused_key: str = ""
 
 
 def key_text(key: str) -> str:
@@ -57,7 +58,8 @@ def submenu_titles() -> tuple[tuple[str, str, str], ...]:
 
 def commands() -> tuple[Command, ...]:
     """The table."""
-    from workbench.shell.export_commands import export_commands  # made of these rows' kind
+    from workbench.shell.edit_commands import edit_commands  # made of these rows' kind
+    from workbench.shell.export_commands import export_commands
 
     return (
         Command(
@@ -122,47 +124,7 @@ def commands() -> tuple[Command, ...]:
             "file",
             separated=True,
         ),
-        Command(
-            "undo",
-            _("Undo"),
-            lambda w: w.undo(),
-            ("Ctrl+Z",),
-            "arrow-u-up-left",
-            _("Take the last edit back"),
-            "edit",
-            "document",
-        ),
-        Command(
-            "redo",
-            _("Redo"),
-            lambda w: w.redo(),
-            ("Ctrl+Shift+Z", "Ctrl+Y"),
-            "arrow-u-up-right",
-            _("Make the edit again"),
-            "edit",
-            "document",
-        ),
-        Command(
-            "copy",
-            _("Copy"),
-            clipboard.copy,
-            ("Ctrl+C",),
-            "copy",
-            _("Copy what has the focus: figures, the picture, or a table"),
-            "edit",
-            "document",
-            separated=True,
-        ),
-        Command(
-            "paste",
-            _("Paste"),
-            clipboard.paste,
-            ("Ctrl+V",),
-            "clipboard-text",
-            _("Paste figures, points or SVG"),
-            "edit",
-            "document",
-        ),
+        *edit_commands(),
         Command(
             "settings",
             _("Settings"),
@@ -212,6 +174,17 @@ def commands() -> tuple[Command, ...]:
             _("Go to the end of the run"),
             "run",
             "run",
+        ),
+        Command(
+            "play",
+            _("Play or pause"),
+            lambda w: w.run_do("toggle_play"),
+            (),
+            "play",
+            _("Go on step by step, or stop"),
+            "run",
+            "run",
+            focused_key="Space",
         ),
         Command(
             "detail",
@@ -270,6 +243,25 @@ def commands() -> tuple[Command, ...]:
             ("Ctrl+K",),
             "magnifying-glass",
             _("Type a few letters of any command"),
+            "view",
+        ),
+        Command(
+            "light_theme",
+            _("Light theme"),
+            lambda w: w.choose_theme("light"),
+            (),
+            "sun",
+            _("Dark words on light"),
+            "view",
+            separated=True,
+        ),
+        Command(
+            "dark_theme",
+            _("Dark theme"),
+            lambda w: w.choose_theme("dark"),
+            (),
+            "moon",
+            _("Light words on dark"),
             "view",
         ),
         Command(

@@ -26,20 +26,62 @@ def paste(window: "MainWindow") -> None:
         window.say_status(_("Nothing can be pasted here; go to a workspace with a canvas."))
 
 
+def cut(window: "MainWindow") -> None:
+    """Copy the selection of a field, or the selected figures or points, and remove them."""
+    if not _let(window, "cut"):
+        window.say_status(_("There is nothing here to cut; select a figure first."))
+
+
+def delete(window: "MainWindow") -> None:
+    """Remove the selection of a field, or what is selected in the picture."""
+    if not _let(window, "delete"):
+        window.say_status(_("There is nothing here to delete; select a figure first."))
+
+
+def duplicate(window: "MainWindow") -> None:
+    """Copy the selected figures beside themselves."""
+    if not _let(window, "duplicate"):
+        window.say_status(_("There is nothing here to duplicate; select a figure first."))
+
+
+def select_all(window: "MainWindow") -> None:
+    """Select all words of a field, or all figures or points."""
+    if not _let(window, "select_all"):
+        window.say_status(_("There is nothing here to select; go to a workspace with a canvas."))
+
+
+_Text = QLineEdit | QPlainTextEdit | QTextEdit
+_OF_PANELS = {"delete": "delete_selected", "duplicate": "duplicate_selected"}
+
+
 def _let(window: "MainWindow", act: str) -> bool:
     """Let the first part do it that can; False when none can."""
-    return any(_can(part, act) and getattr(part, act)() is not False for part in _parts(window))
+    return any(_acts(part, act) for part in _parts(window))
 
 
-def _can(part: object, act: str) -> bool:
-    """Whether a part knows how; text also needs a selection to copy, and to be open to what is pasted."""
-    if isinstance(part, QLineEdit):
-        selected = part.hasSelectedText()
-    elif isinstance(part, QPlainTextEdit | QTextEdit):
-        selected = part.textCursor().hasSelection()
+def _acts(part: object, act: str) -> bool:
+    """Let a part do it; False where it cannot, as text without what that takes."""
+    if not isinstance(part, _Text):
+        do = getattr(part, _OF_PANELS.get(act, act), None)
+        return callable(do) and do() is not False
+    if not _is_fit(part, act):
+        return False
+    if act == "select_all":
+        part.selectAll()
+    elif act != "delete":
+        getattr(part, act)()
+    elif isinstance(part, QLineEdit):
+        part.del_()
     else:
-        return callable(getattr(part, act, None))
-    return selected if act == "copy" else not part.isReadOnly()
+        part.textCursor().removeSelectedText()
+    return True
+
+
+def _is_fit(part: _Text, act: str) -> bool:
+    """Whether a text has a selection where the act takes one, and is open to what changes it."""
+    selected = part.hasSelectedText() if isinstance(part, QLineEdit) else part.textCursor().hasSelection()
+    fit = {"copy": selected, "select_all": True, "paste": True, "cut": selected, "delete": selected}
+    return fit.get(act, False) and (act in ("copy", "select_all") or not part.isReadOnly())
 
 
 def _parts(window: "MainWindow") -> Iterator[object]:

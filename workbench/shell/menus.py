@@ -31,7 +31,8 @@ class Menus(QObject):
         self.actions: dict[str, QAction] = {}
         self.submenus: dict[str, QMenu] = {}
         for command in self.commands.values():
-            action = QAction(command.text, window)
+            told = f"\t{key_text(command.focused_key)}" if command.focused_key else ""
+            action = QAction(command.text + told, window)
             action.setObjectName(command.id)
             action.setShortcuts([QKeySequence(key) for key in command.keys])
             keys = f" ({key_text(command.keys[0])})" if command.keys else ""
@@ -99,7 +100,7 @@ class Menus(QObject):
             if command.id == "open":
                 self._recent = menu.addMenu(_("Open recent"))
                 self._recent.aboutToShow.connect(self._fill_recent)
-            if command.id == "paste":
+            if command.id == "select_all":
                 self._transforms = menu.addMenu(_("Transform"))
                 self._transforms.aboutToShow.connect(self._fill_transforms)
             for inner, title, follows in submenu_titles():

@@ -3,10 +3,12 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.shell.keys.focus import press, settle, work_in
+from workbench.document.building import without_ids
+from workbench.document.model import Line
 from workbench.exchange.figures import MIME
 from workbench.panels.stage.clipboard import copy_figures, figures_held
 from workbench.shell.window import MainWindow
@@ -53,6 +55,62 @@ def test_the_canvas_copies_its_figures_or_else_the_picture(window: MainWindow, p
     assert ways == {(1, -1)}
     press(panel.canvas, "Ctrl+Z")
     settle()
+    assert len(session.sheet.figures) == count
+
+
+def test_what_is_cut_is_pasted_and_other_programs_get_it_as_svg(window: MainWindow) -> None:
+    work_in(window, "draw")
+    panel, session = window.panels("draw")[0], window.session
+    before = session.sheet.figures
+    session.update_state(selection=(), active="")
+    press(panel.canvas, "Ctrl+X")
+    assert session.sheet.figures == before
+    assert "nothing here to cut" in window.status.hover.text()
+    session.update_state(selection=(before[0].id,), active=before[0].id)
+    press(panel.canvas, "Ctrl+X")
+    settle()
+    assert session.sheet.figures == before[1:]
+    data = QGuiApplication.clipboard().mimeData()
+    assert bytes(data.data("image/svg+xml").data()).startswith(b"<?xml")
+    assert panel.paste()
+    settle()
+    assert without_ids(session.sheet.figures[-1]) == without_ids(before[0])
+
+
+@pytest.mark.parametrize("place", ["draw", "clip"])
+def test_svg_of_another_program_is_pasted_with_its_colours(window: MainWindow, place: str) -> None:
+    work_in(window, place)
+    session = window.session
+    count, palette = len(session.sheet.figures), session.sheet.palette
+    text = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><line x2="9" stroke="#123456"/></svg>'
+    QGuiApplication.clipboard().setText(text)
+    window.panels(place)[0].paste()
+    settle()
+    assert [type(figure) for figure in session.sheet.figures[count:]] == [Line]
+    assert session.sheet.palette == (*palette, 0x123456)
+    session.undo_stack.undo()
+    assert (len(session.sheet.figures), session.sheet.palette) == (count, palette)
+
+
+def test_the_menu_acts_on_what_has_the_focus(window: MainWindow) -> None:
+    work_in(window, "draw")
+    panel, session = window.panels("draw")[0], window.session
+    count = len(session.sheet.figures)
+    panel.canvas.setFocus()
+    actions = window.menus.actions
+    actions["select_all"].trigger()
+    assert len(session.state.selection) == count
+    actions["duplicate"].trigger()
+    assert len(session.sheet.figures) == 2 * count
+    actions["delete"].trigger()
+    assert len(session.sheet.figures) == count
+    field = window.findChild(QLineEdit, "step") or window.findChildren(QLineEdit)[0]
+    field.setFocus()
+    field.setText("123")
+    actions["select_all"].trigger()
+    assert field.selectedText() == "123"
+    actions["delete"].trigger()
+    assert field.text() == ""
     assert len(session.sheet.figures) == count
 
 
@@ -167,7 +225,7 @@ def test_text_that_is_only_read_leaves_copy_and_paste_to_the_picture(window: Mai
     source = window.findChild(SourceText)
     assert source.isReadOnly()
     figures = window.session.sheet.figures
-    copy_figures(list(figures[:1]))
+    copy_figures(window.session.sheet, list(figures[:1]))
     source.setFocus()
     press(source, "Ctrl+V")
     settle()

@@ -3,48 +3,67 @@
 from collections.abc import Callable
 from functools import partial
 
+from msgspec.structs import replace
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
-from workbench.document.building import Edit, foreseen, moved_by, without_ids
-from workbench.document.edits import add_figures
+from workbench.document.building import Edit, both, foreseen, moved_by, without_ids
+from workbench.document.edits import add_figures, set_palette
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Sheet
 from workbench.exchange.figures import MIME, write_figures
-from workbench.exchange.reading import Job
+from workbench.exchange.reading import LIMITS, Job
 from workbench.exchange.svg_reading import Imported
+from workbench.exchange.svg_writing import write_svg
 from workbench.language import _, ngettext
 from workbench.session.session import Session
 
+_SVG = "image/svg+xml"
 _BESIDE = 1.0, -1.0
 
 
-def copy_figures(figures: list[AnyFigure]) -> str:
-    """Put figures on the clipboard; the sentence that says so."""
+def copy_figures(sheet: Sheet, figures: list[AnyFigure]) -> str:
+    """Put figures of a sheet on the clipboard, for other programs as SVG; the sentence that says so."""
     data = QMimeData()
     data.setData(MIME, write_figures(figures))
+    data.setData(_SVG, write_svg(replace(sheet, figures=tuple(figures), scene=None)).text.encode())
     QGuiApplication.clipboard().setMimeData(data)
     return ngettext("{n} figure copied.", "{n} figures copied.", len(figures)).format(n=len(figures))
 
 
 def figures_held() -> bool:
-    """Whether the clipboard has figures."""
+    """Whether the clipboard has figures of this program."""
     data = QGuiApplication.clipboard().mimeData()
     return data is not None and data.hasFormat(MIME)  # on some systems an empty clipboard is None
 
 
 def paste_figures(session: Session, say: Callable[[str], object]) -> None:
-    """Put the clipboard's figures on the sheet and select them; ``say`` is given what became of it.
+    """Put the clipboard's figures, or its SVG, on the sheet and select them; ``say`` tells what became of it.
 
     They come to where they were, or beside those that are there still. Many are read beside the interface.
     """
-    if not figures_held():
+    sheet = session.sheet
+    job = _job_held(sheet)
+    if job is None:
         say(_("There are no figures on the clipboard; copy some first."))
         return
-    job = Job("figures", content=bytes(QGuiApplication.clipboard().mimeData().data(MIME).data()))
-    sheet = session.sheet
     take, prepare = partial(_take, session, sheet, say), partial(_placed, session, sheet)
     session.incoming.read(job, _("figures"), take, say, prepare)
+
+
+def _job_held(sheet: Sheet) -> Job | None:
+    """How the figures on the clipboard are read; None where there are none."""
+    data = QGuiApplication.clipboard().mimeData()
+    if data is None:
+        return None
+    if data.hasFormat(MIME):
+        return Job("figures", content=bytes(data.data(MIME).data()))
+    if data.hasFormat(_SVG):
+        return Job("drawing", content=bytes(data.data(_SVG).data()), sheet=sheet)
+    text = data.text() if data.hasText() else ""
+    if "<svg" in text or "<path" in text:
+        return Job("drawing", content=text[: LIMITS["drawing"] + 1].encode(), sheet=sheet)
+    return None
 
 
 def _placed(session: Session, sheet: Sheet, pasted: Imported) -> Edit:
@@ -53,8 +72,11 @@ def _placed(session: Session, sheet: Sheet, pasted: Imported) -> Edit:
     figures = [without_ids(each) for each in pasted.figures]
     while taken.intersection(figures):
         figures = [moved_by(each, *_BESIDE) for each in figures]
+    edit = add_figures(sheet.id, figures)
+    if pasted.palette:
+        edit = both(set_palette(sheet.id, pasted.palette), edit)
     try:
-        return foreseen(add_figures(sheet.id, figures), session.document)
+        return foreseen(edit, session.document)
     except DocumentError as problem:
         raise ValueError(problem.short) from None
 

@@ -163,9 +163,17 @@ class SteppedPanel(FigurePanel):
     def copy(self) -> bool:
         """Put the selected figures on the clipboard, or with none selected the picture."""
         if chosen := self.selected():
-            self.hover_text.emit(copy_figures(chosen))
+            self.hover_text.emit(copy_figures(self.session.sheet, chosen))
         else:
             self.exporter.copy_picture()
+        return True
+
+    def cut(self) -> bool:
+        """Put what is selected on the clipboard and remove it; False where nothing is."""
+        if not self.selected() or self.gesturing:
+            return False
+        self.copy()
+        self.delete_selected()
         return True
 
     def paste(self) -> bool:
