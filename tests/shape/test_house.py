@@ -38,7 +38,7 @@ def _named(tree: ast.AST) -> Iterator[str]:
 
 
 class Read(NamedTuple):
-    """What a file says of itself, and every name that it reads, as a dotted text, and module that it imports."""
+    """What a file says of itself, and all that it reads by name, as dotted texts, or imports."""
 
     purpose: str | None
     names: frozenset[str]
