@@ -24,6 +24,8 @@ ROOT = Path(__file__).resolve().parent.parent
 os.environ["QT_QPA_PLATFORM"] = "offscreen"
 os.environ["LANGUAGE"] = "en"
 os.environ.setdefault("GRAPHICS_WORKBENCH_CACHE", str(ROOT / ".pytest_cache" / "compiled"))
+# Of the many processes that tests start, each would compile hundreds of modules anew.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 settings.register_profile(
     "workbench", deadline=None, max_examples=60, suppress_health_check=[HealthCheck.too_slow]
@@ -72,10 +74,21 @@ def _threads() -> Iterator[None]:
         assert background.end_all()
 
 
+def pytest_collection_finish() -> None:
+    """What was imported lives as long as the process: no collection looks through it again."""
+    gc.collect()
+    gc.freeze()
+
+
 @pytest.fixture(autouse=True)
 def _garbage() -> Iterator[None]:
-    """Collect what an application collects from its event loop, which no longer turns after a test."""
+    """Drop what an application drops from its event loop, which no longer turns after a test."""
     yield
+    widgets = sys.modules.get("PySide6.QtWidgets")
+    if widgets is not None and (application := widgets.QApplication.instance()) is not None:
+        from PySide6.QtCore import QEvent
+
+        application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     if not gc.isenabled():
         gc.collect(1)
 
