@@ -24,6 +24,9 @@ ROOT = Path(__file__).resolve().parent.parent
 os.environ["QT_QPA_PLATFORM"] = "offscreen"
 os.environ["LANGUAGE"] = "en"
 os.environ.setdefault("GRAPHICS_WORKBENCH_CACHE", str(ROOT / ".pytest_cache" / "compiled"))
+# The tests are on all cores already: more threads for small products only wait for one another, and busily.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+os.environ.setdefault("OMP_NUM_THREADS", "1")
 # Of the many processes that tests start, each would compile hundreds of modules anew.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
