@@ -36,6 +36,8 @@ settings.register_profile(
 settings.register_profile("ci", settings.get_profile("workbench"), derandomize=True)
 settings.load_profile("ci" if os.environ.get("CI") else "workbench")
 
+MOST_WIDGETS_LEFT = 500
+
 _numbers = itertools.count()
 
 
@@ -85,20 +87,29 @@ def pytest_collection_finish() -> None:
 
 @pytest.fixture(autouse=True)
 def _garbage() -> Iterator[None]:
-    """Drop what an application drops from its event loop, which no longer turns after a test."""
+    """Drop what an application drops from its event loop, which no longer turns after a test.
+
+    What has grown old, such as whole windows, is looked for once there is much of it: widgets that are left
+    cost memory, and time whenever events are handed out.
+    """
     yield
     widgets = sys.modules.get("PySide6.QtWidgets")
-    if widgets is not None and (application := widgets.QApplication.instance()) is not None:
+    application = widgets.QApplication.instance() if widgets is not None else None
+    left = 0
+    if application is not None:
         from PySide6.QtCore import QEvent
 
         application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    if not gc.isenabled():
+        left = len(application.allWidgets())
+    if left > MOST_WIDGETS_LEFT:
+        gc.collect()
+    elif not gc.isenabled():
         gc.collect(1)
 
 
 @pytest.fixture(scope="module", autouse=True)
 def _old_garbage() -> Iterator[None]:
-    """The same for what has grown old, such as whole windows."""
+    """The same for all that has grown old."""
     yield
     if not gc.isenabled():
         gc.collect()
