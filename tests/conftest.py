@@ -24,12 +24,19 @@ ROOT = Path(__file__).resolve().parent.parent
 os.environ["QT_QPA_PLATFORM"] = "offscreen"
 os.environ["LANGUAGE"] = "en"
 os.environ.setdefault("GRAPHICS_WORKBENCH_CACHE", str(ROOT / ".pytest_cache" / "compiled"))
+# The tests are on all cores already: more threads for small products only wait for one another, and busily.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+# Of the many processes that tests start, each would compile hundreds of modules anew.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 settings.register_profile(
     "workbench", deadline=None, max_examples=60, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.register_profile("ci", settings.get_profile("workbench"), derandomize=True)
 settings.load_profile("ci" if os.environ.get("CI") else "workbench")
+
+MOST_WIDGETS_LEFT = 500
 
 _numbers = itertools.count()
 
@@ -72,17 +79,37 @@ def _threads() -> Iterator[None]:
         assert background.end_all()
 
 
+def pytest_collection_finish() -> None:
+    """What was imported lives as long as the process: no collection looks through it again."""
+    gc.collect()
+    gc.freeze()
+
+
 @pytest.fixture(autouse=True)
 def _garbage() -> Iterator[None]:
-    """Collect what an application collects from its event loop, which no longer turns after a test."""
+    """Drop what an application drops from its event loop, which no longer turns after a test.
+
+    What has grown old, such as whole windows, is looked for once there is much of it: widgets that are left
+    cost memory, and time whenever events are handed out.
+    """
     yield
-    if not gc.isenabled():
+    widgets = sys.modules.get("PySide6.QtWidgets")
+    application = widgets.QApplication.instance() if widgets is not None else None
+    left = 0
+    if application is not None:
+        from PySide6.QtCore import QEvent
+
+        application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        left = len(application.allWidgets())
+    if left > MOST_WIDGETS_LEFT:
+        gc.collect()
+    elif not gc.isenabled():
         gc.collect(1)
 
 
 @pytest.fixture(scope="module", autouse=True)
 def _old_garbage() -> Iterator[None]:
-    """The same for what has grown old, such as whole windows."""
+    """The same for all that has grown old."""
     yield
     if not gc.isenabled():
         gc.collect()

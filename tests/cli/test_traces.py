@@ -4,6 +4,7 @@ import copy
 import csv
 import io
 import json
+from dataclasses import replace
 
 import pytest
 
@@ -14,6 +15,7 @@ from workbench.cli.failure import WorkError
 from workbench.exchange.tables import to_csv, to_json, to_text
 
 ENTRIES = catalogue.entries()
+MOST_WRITTEN = 300
 
 
 @pytest.mark.parametrize("table", list(traces.TABLES))
@@ -22,6 +24,7 @@ def test_every_row_fits_its_headings(entry: Entry, table: str) -> None:
     made = traces.TABLES[table](entry, traces.run(entry, copy.deepcopy(entry.example)))
     assert made.rows
     assert {len(row) for row in made.rows} == {len(made.columns)}
+    made = replace(made, rows=made.rows[:: 1 + len(made.rows) // MOST_WRITTEN])
     assert len(to_text(made).splitlines()) == len(made.rows) + 1
     assert len(list(csv.reader(io.StringIO(to_csv(made))))) == len(made.rows) + 1
     assert len(json.loads(to_json(made))["rows"]) == len(made.rows)

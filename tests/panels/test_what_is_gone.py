@@ -33,6 +33,7 @@ def session() -> Iterator[Session]:
     made.update_state(selection=("f1",), active="f1")
     yield made
     made.close()
+    made.deleteLater()
 
 
 def show(qtbot: QtBot, widget: QWidget) -> None:

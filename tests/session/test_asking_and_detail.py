@@ -30,6 +30,7 @@ def session(qtbot: QtBot) -> Iterator[Session]:
     recorded(session, qtbot)
     yield session
     session.close()
+    session.deleteLater()
 
 
 def test_a_follower_leaves_detail_and_shows_the_step_of_the_run(session: Session, qtbot: QtBot) -> None:

@@ -23,6 +23,7 @@ def session(qtbot: QtBot) -> Iterator[Session]:
     session = Session()
     yield session
     session.close()
+    session.deleteLater()
 
 
 @settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])

@@ -18,6 +18,7 @@ def session(qtbot: QtBot) -> Session:
     qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
     yield session
     session.close()
+    session.deleteLater()
 
 
 def recorded(session: Session, qtbot: QtBot) -> None:

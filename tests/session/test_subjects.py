@@ -35,6 +35,7 @@ def session(qtbot: QtBot) -> Iterator[Session]:
     recorded(session, qtbot)
     yield session
     session.close()
+    session.deleteLater()
 
 
 def recorded(session: Session, qtbot: QtBot) -> None:

@@ -7,7 +7,9 @@ listed, compared or matched, and what shows a step reads no variable of a text b
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -113,24 +115,48 @@ def variables_read(tree: ast.AST) -> Iterator[str]:
             yield name
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
-def test_an_algorithm_is_named_only_where_one_is_chosen(path: Path) -> None:
+class Known(NamedTuple):
+    """What a file knows of algorithms: the slugs in it, those it decides by or lists, variables it reads."""
+
+    slugs: frozenset[str]
+    decided: list[str]
+    listed: list[str]
+    variables: list[str]
+
+
+@cache
+def known(path: Path) -> Known:
     tree = ast.parse(path.read_text(encoding="utf-8"))
-    assert set(slugs_in(tree)) <= CHOSEN.get(name_of(path), set())
-    assert [slug for node in decisions(tree) for slug in slugs_in(node)] == []
-    if "samples" not in path.parts:  # an example may show several beside one another
-        assert [slug for node in lists(tree) for slug in slugs_in(node)] == []
+    slugs = frozenset(slugs_in(tree))
+    if not slugs:
+        return Known(slugs, [], [], list(variables_read(tree)))
+    decided = [slug for node in decisions(tree) for slug in slugs_in(node)]
+    listed = [slug for node in lists(tree) for slug in slugs_in(node)]
+    return Known(slugs, decided, listed, list(variables_read(tree)))
 
 
-@pytest.mark.parametrize("path", DRAWING, ids=name_of)
-def test_no_variable_of_a_text_is_known_where_steps_are_drawn(path: Path) -> None:
-    assert list(variables_read(ast.parse(path.read_text(encoding="utf-8")))) == []
+def test_an_algorithm_is_named_only_where_one_is_chosen() -> None:
+    named = {name_of(path): known(path).slugs for path in FILES}
+    assert {name: slugs for name, slugs in named.items() if not slugs <= CHOSEN.get(name, set())} == {}
+
+
+def test_nothing_is_decided_by_which_algorithm_it_is() -> None:
+    assert [(name_of(path), known(path).decided) for path in FILES if known(path).decided] == []
+
+
+def test_algorithms_are_listed_by_their_entries_only() -> None:
+    elsewhere = [path for path in FILES if "samples" not in path.parts]  # an example may show several
+    assert [(name_of(path), known(path).listed) for path in elsewhere if known(path).listed] == []
+
+
+def test_no_variable_of_a_text_is_known_where_steps_are_drawn() -> None:
+    assert [(name_of(path), known(path).variables) for path in DRAWING if known(path).variables] == []
 
 
 def test_every_place_that_is_excepted_is_there() -> None:
     for name, slugs in CHOSEN.items():
         (path,) = [path for path in FILES if name_of(path) == name]
-        assert set(slugs_in(ast.parse(path.read_text(encoding="utf-8")))) == slugs
+        assert known(path).slugs == slugs
 
 
 @pytest.mark.parametrize(

@@ -39,6 +39,7 @@ def session(qtbot):
     made = Session(document=example("clip").document)
     yield made
     made.close()
+    made.deleteLater()
 
 
 @pytest.fixture

@@ -23,7 +23,10 @@ def opened(qtbot, *curves):
         session.apply(add_figure(session.sheet.id, curve), "Draw")
     session.undo_stack.clear()
     panel = CurvesPanel(session)
+    session.setParent(panel)  # goes with it, as with the window of the program
     qtbot.addWidget(panel)
+    for _name, _title, dock, _area in panel.docks():  # in no window, they would outlive the panel
+        qtbot.addWidget(dock)
     panel.resize(1000, 640)
     panel.show()
     qtbot.waitExposed(panel)

@@ -26,6 +26,7 @@ def session() -> Iterator[Session]:
     made.flush()
     yield made
     made.close()
+    made.deleteLater()
 
 
 @pytest.fixture

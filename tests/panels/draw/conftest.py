@@ -10,7 +10,10 @@ from workbench.session.session import Session
 
 @pytest.fixture
 def session(qtbot):
-    return Session(document=blank_sheet(64, 48))
+    made = Session(document=blank_sheet(64, 48))
+    yield made
+    made.close()
+    made.deleteLater()
 
 
 @pytest.fixture

@@ -24,6 +24,7 @@ def session() -> Iterator[Session]:
     session = Session()
     yield session
     session.close()
+    session.deleteLater()
 
 
 @pytest.fixture

@@ -165,6 +165,7 @@ def session(qtbot):
     made.update_state(subject=Subject("clipper"), active="f6")
     yield made
     made.close()
+    made.deleteLater()
 
 
 @pytest.fixture

@@ -28,6 +28,7 @@ def session(qtbot):
     made = Session(document=example("overlapping-triangles").document)
     yield made
     made.close()
+    made.deleteLater()
 
 
 @pytest.fixture

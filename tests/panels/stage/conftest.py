@@ -32,3 +32,4 @@ def opened(qtbot):
     yield make
     for session in sessions:
         session.close()
+        session.deleteLater()

@@ -54,6 +54,7 @@ def opened(qtbot):
     yield make
     for session in sessions:
         session.close()
+        session.deleteLater()
 
 
 def draw(qtbot, panel, tool, how):

@@ -57,6 +57,7 @@ def opened(qtbot):
     yield make
     for session in sessions:
         session.close()
+        session.deleteLater()
 
 
 def places(panel):

@@ -24,6 +24,7 @@ def session(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> Session:
     session.update_state(active=sheet.figures[-1].id)
     yield session
     session.close()
+    session.deleteLater()
 
 
 def inked(pixels: np.ndarray, background: int) -> int:

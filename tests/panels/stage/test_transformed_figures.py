@@ -47,6 +47,7 @@ def opened(qtbot):
     yield make
     for session in sessions:
         session.close()
+        session.deleteLater()
 
 
 def line(chain):

@@ -13,6 +13,7 @@ def session(qtbot):
     made = Session(document=example("transform-pivot").document)
     yield made
     made.close()
+    made.deleteLater()
 
 
 @pytest.fixture

@@ -13,6 +13,7 @@ def session(qtbot):
     made = Session(document=example("view-numbers").document)
     yield made
     made.close()
+    made.deleteLater()
 
 
 @pytest.fixture

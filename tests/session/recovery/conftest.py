@@ -15,3 +15,4 @@ def session(qtbot: QtBot, tmp_path: Path) -> Session:
     session.start_autosave(tmp_path)
     yield session
     session.close()
+    session.deleteLater()
