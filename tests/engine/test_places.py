@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from workbench.engine import compiled
 from workbench.engine.lowering import lower
@@ -61,7 +62,7 @@ def test_only_subscripts_of_several_items_are_marked() -> None:
     assert written("a[x]") == "a[x]"
 
 
-def test_only_a_counted_number_beside_a_name_or_field_is_marked() -> None:
+def test_only_a_small_number_beside_a_name_or_field_is_marked() -> None:
     def written(text: str) -> str:
         node = ast.parse(text, mode="eval").body
         assert isinstance(node, ast.BinOp)
@@ -74,14 +75,16 @@ def test_only_a_counted_number_beside_a_name_or_field_is_marked() -> None:
     assert written("x - f(n)") == "x - f(n)"
 
 
-def scaled(count: int, slope: float) -> Iterator[tuple[float, int]]:
+def scaled(values: NDArray[np.float64], slope: float, back: int) -> Iterator[tuple[float, int]]:
     """A number that is counted beside a float, and beside a whole one that may be negative."""
+    (count,) = values.shape
     for k in range(count):
-        yield k * slope, k - count
+        yield k * slope, k - back
 
 
 def test_what_is_marked_is_the_same_number() -> None:
+    values = np.zeros(9)
     for slope in (0.1, -1e300, float("inf")):
         assert "_beside(k, slope)" in lower(scaled).text
-        expected = np.array(list(scaled(9, slope)), float)
-        assert np.array_equal(compiled.collect(scaled, 9, slope), expected, equal_nan=True)
+        expected = np.array(list(scaled(values, slope, 5)), float)
+        assert np.array_equal(compiled.collect(scaled, values, slope, 5), expected, equal_nan=True)

@@ -179,7 +179,7 @@ class _Rewriter(ast.NodeTransformer):
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
         self.generic_visit(node)
-        return met(node, self.counted)
+        return met(node, self.within)
 
     def visit_If(self, node: ast.If) -> ast.stmt | list[ast.stmt]:
         written = choices(node, self.within)

@@ -25,7 +25,7 @@ def register(numba: Any) -> None:
     @extending.overload(places.beside, strict=False)
     def _beside(count: Any, other: Any) -> Any:
         if isinstance(other, types.Float):
-            return lambda count, other: types.float64(types.uint64(count))
+            return lambda count, other: types.float64(types.int32(count))
         return lambda count, other: count
 
     @extending.intrinsic

@@ -2,8 +2,9 @@
 
 An array indexed by whole numbers asks at each access whether they count from the end. A loop variable of
 ``range(n)`` or ``range(max(..., 0), ...)`` that nothing else binds is never negative: as an unsigned number
-it says so, and the loop runs two to three times as fast. Beside a floating number it becomes one: unsigned,
-without AVX-512, four at a time instead of one after the other. What it means stays the same.
+it says so, and the loop runs two to three times as fast. Beside a floating number it becomes one: of 32 bits
+where it stays below the side of an array, which nobody's memory has room for 2^31 of. Without AVX-512 that is
+four at a time instead of one after the other. What it means stays the same.
 """
 
 import ast
@@ -16,7 +17,7 @@ _COUNTING = {"range", "max"}
 
 
 def beside(count: int, other: float) -> int:
-    """A number that is never negative, where it meets another in a sum or a product."""
+    """A number below the side of an array, where it meets another in a sum or a product."""
     return count
 
 
@@ -67,11 +68,11 @@ def unsigned(subscript: ast.Subscript, counted: frozenset[str]) -> ast.Subscript
     return subscript
 
 
-def met(node: ast.BinOp, counted: frozenset[str]) -> ast.BinOp:
-    """``node`` with a name in ``counted`` on its left beside the name or field on its right."""
+def met(node: ast.BinOp, small: Container[str]) -> ast.BinOp:
+    """``node`` with a name in ``small`` on its left beside the name or field on its right."""
     match node:
         case ast.BinOp(
             left=ast.Name(id=name), op=ast.Add() | ast.Sub() | ast.Mult(), right=ast.Name() | ast.Attribute()
-        ) if name in counted:
+        ) if name in small:
             node.left = ast.Call(ast.Name(BESIDE, ast.Load()), [node.left, node.right], [])
     return node
