@@ -34,7 +34,7 @@ def register(numba: Any) -> None:
             flag, value, kept = values
             value = context.cast(builder, value, new, old)
             flag = context.cast(builder, flag, taken, types.boolean)
-            if old.bitwidth < 32:
+            if old.bitwidth < 32 or isinstance(new, types.Float) > isinstance(old, types.Float):
                 return builder.select(flag, value, kept)
             # LLVM makes a masked store of any choice that it sees through, but not through turned bytes.
             bits = context.get_value_type(types.Integer.from_bitwidth(old.bitwidth))
