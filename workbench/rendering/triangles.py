@@ -69,7 +69,7 @@ def drawn(
         reached = corners.take(reaching, axis=0), colours.take(reaching)
         paint(depth_buffer, band, 0, band, nearest, shifted, *reached)
 
-    _finish([_threads().submit(draw, low, high) for low, high in pairwise(edges)])
+    _finish([threads().submit(draw, low, high) for low, high in pairwise(edges)])
     return image, depth
 
 
@@ -99,7 +99,8 @@ def _any_corner(of_point: NDArray[np.bool_], corners: NDArray[np.int64]) -> NDAr
 
 
 @cache
-def _threads() -> ThreadPoolExecutor:
+def threads() -> ThreadPoolExecutor:
+    """What works at triangles; nothing that runs there may wait for another that does."""
     return ThreadPoolExecutor(THREADS, thread_name_prefix="triangles")
 
 

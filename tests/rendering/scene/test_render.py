@@ -251,7 +251,7 @@ def test_the_wireframe_of_a_cube_has_each_edge_once() -> None:
 def test_device_corners_lie_on_the_grid() -> None:
     mesh = solids.sphere(3.0)
     view = Viewpoint.of(Camera(), (640, 480), None, mesh.vertices)
-    drawn = view.drawn(mesh.vertices, np.concatenate([f[:3][None] for f in mesh.faces]))
+    drawn = view.drawn(mesh.vertices, np.concatenate([f[:3][None] for f in mesh.faces]), mesh.vertices)
     scaled = drawn.corners[:, :2] * 4096
     assert np.array_equal(scaled, np.round(scaled))
     assert 0 <= drawn.corners[:, 2].min() <= drawn.corners[:, 2].max() <= 1

@@ -53,8 +53,8 @@ def object_at(scene: Scene, size: Size, window: Rectangle, x: float, y: float) -
     viewpoint = Viewpoint.of(scene.camera, size, window, np.zeros((0, 3)))
     nearest, name = np.inf, ""
     visible = [thing for thing in scene.objects if thing.visible]
-    for thing, (mesh, (triangles, _faces), *_rest) in zip(visible, placed(scene), strict=True):
-        drawn = viewpoint.drawn(mesh.vertices, triangles)
+    for thing, (mesh, (triangles, _faces), _material, lasting) in zip(visible, placed(scene), strict=True):
+        drawn = viewpoint.drawn(mesh.vertices, triangles, lasting.box)
         a, b, c = drawn.corners[drawn.triangles].transpose(1, 0, 2)
         area = _cross(a, b, c[:, 0], c[:, 1])
         shares = np.stack([_cross(b, c, x, y), _cross(c, a, x, y), _cross(a, b, x, y)])

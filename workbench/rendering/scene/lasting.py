@@ -1,6 +1,7 @@
 """What of a mesh in the world lasts while only the camera moves, found when it is first asked for."""
 
 from functools import cached_property
+from itertools import product
 from math import pi, sqrt
 
 import numpy as np
@@ -13,7 +14,7 @@ _DIRECTIONS = 256
 
 class Lasting:
     """Of the faces (m,): unit normals and middles, in rows x, y and z (3, m), and the distances (m,) of their
-    planes from the origin, along the normals; the edges; and the points that are outermost.
+    planes from the origin, along the normals; a box around all; the edges; and the points that are outermost.
     """
 
     def __init__(self, mesh: Mesh) -> None:
@@ -42,6 +43,14 @@ class Lasting:
         sums = [np.add.reduceat(x[faces.corners], faces.starts) for x in vertices.T]
         middles: Array = np.stack(sums) / faces.sizes
         return middles
+
+    @cached_property
+    def box(self) -> Array:
+        """The corners (8, 3) of a box around all vertices, none where there are none."""
+        columns = self._mesh.vertices.T
+        if not columns.size:
+            return np.zeros((0, 3))
+        return np.array(list(product(*((x.min(), x.max()) for x in columns))))
 
     @cached_property
     def edges(self) -> Index:

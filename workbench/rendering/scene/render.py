@@ -16,7 +16,7 @@ from workbench.language import _
 from workbench.rendering.scene.lasting import Lasting
 from workbench.rendering.scene.shading import flat_colours
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
-from workbench.rendering.triangles import drawn
+from workbench.rendering.triangles import drawn, threads
 
 Picture = tuple[NDArray[np.uint32], NDArray[np.float64]]
 
@@ -129,16 +129,23 @@ def device_triangles(
     """What of ``parts`` lies before the camera, on a picture of ``size``. Raises: ValueError, a sentence."""
     meshes = [] if window else [mesh.vertices for mesh, *_rest in parts]
     viewpoint = Viewpoint.of(camera, size, window, np.concatenate([np.zeros((0, 3)), *meshes]))
-    nothing = np.zeros(0, np.int64)
-    pieces = [DeviceTriangles(np.zeros((0, 3)), nothing.reshape(0, 3), nothing, nothing, nothing)]
+    pieces: list[DeviceTriangles] = []
     count = 0
     for number, (mesh, (cut, face_of), material, lasting) in enumerate(parts):
-        device = viewpoint.drawn(mesh.vertices, cut)
-        faces = face_of[device.owners]
-        colours = flat_colours(lasting, material, lights, viewpoint.viewer)[faces]
-        numbers = np.full(len(faces), number)
-        pieces.append(DeviceTriangles(device.corners, device.triangles + count, colours, numbers, faces))
+        shading = threads().submit(flat_colours, lasting, material, lights, viewpoint.viewer)
+        device = viewpoint.drawn(mesh.vertices, cut, lasting.box)
+        faces = face_of if device.triangles is cut else face_of[device.owners]
+        colours = shading.result()
+        if not (device.triangles is cut and len(cut) == len(mesh.faces)):  # else each is a face of its own
+            colours = colours[faces]
+        numbers = np.broadcast_to(number, len(faces))
+        triangles = device.triangles + count if count else device.triangles
+        pieces.append(DeviceTriangles(device.corners, triangles, colours, numbers, faces))
         count += len(device.corners)
+    if len(pieces) == 1:
+        return pieces[0]
+    nothing = np.zeros(0, np.int64)
+    pieces.insert(0, DeviceTriangles(np.zeros((0, 3)), nothing.reshape(0, 3), nothing, nothing, nothing))
     return DeviceTriangles(*map(np.concatenate, zip(*pieces, strict=True)))
 
 

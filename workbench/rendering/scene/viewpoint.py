@@ -68,18 +68,19 @@ class Viewpoint(NamedTuple):
         placed: Array = points_world @ self.matrix[:, :3].T + self.matrix[:, 3]
         return placed
 
-    def drawn(self, points_world: Array, triangles: Index) -> Drawn:
-        """What of the triangles lies before the camera, on the device."""
-        points, parts, owners = clip_triangles(
-            self.homogeneous(points_world), triangles, np.concatenate([DEPTH_PLANES, self._reach()])
-        )
-        before = points[:, 3] > LEAST_W
-        if not before.all():
-            good = before[parts].all(axis=1)
-            parts, owners = parts[good], owners[good]
-        if not (before.all() and len(points) == len(points_world)):  # some are of no use
-            used, number = np.unique(parts, return_inverse=True)
-            points, parts = points[used], number.reshape(-1, 3)
+    def drawn(self, points_world: Array, triangles: Index, around: Array) -> Drawn:
+        """What of the triangles lies before the camera, on the device.
+
+        ``around`` (k, 3): the corners of something convex that all points lie in. Where it is before the
+        camera as a whole, ``triangles`` are themselves those that are drawn.
+        """
+        points, parts, owners = self.homogeneous(points_world), triangles, np.arange(len(triangles))
+        box, planes = self.homogeneous(around), np.concatenate([DEPTH_PLANES, self._reach()])
+        if (box @ planes.T < 0).any() or (box[:, 3] <= LEAST_W).any():
+            points, parts, owners = clip_triangles(points, triangles, planes)
+            good = (points[:, 3] > LEAST_W)[parts].all(axis=1)
+            used, number = np.unique(parts[good], return_inverse=True)
+            points, parts, owners = points[used], number.reshape(-1, 3), owners[good]
         corners = points[:, :3] / points[:, 3:]
         device = self.device
         for axis in (0, 1):
