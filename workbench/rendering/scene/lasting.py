@@ -45,6 +45,12 @@ class Lasting:
         return middles
 
     @cached_property
+    def squares(self) -> Array:
+        """The squares (m,) of how far the middles are from the origin."""
+        squares: Array = (self.middles * self.middles).sum(axis=0)
+        return squares
+
+    @cached_property
     def box(self) -> Array:
         """The corners (8, 3) of a box around all vertices, none where there are none."""
         columns = self._mesh.vertices.T
