@@ -118,6 +118,11 @@ class SceneView(QWidget):
         if not (self.dragging and self.worker.busy):  # else the picture that is awaited is painted
             self.update()
 
+    @property
+    def picture_is_current(self) -> bool:
+        """Whether what is painted is the scene as it is now."""
+        return self._picture is not None and not self.worker.busy
+
     def set_shows(self, shows: Shows) -> None:
         """Show faces, edges or both."""
         if shows != self.shows:
