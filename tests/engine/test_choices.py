@@ -69,6 +69,7 @@ def test_an_item_that_may_not_be_there_is_written_by_a_branch_alone(branch: str)
         "for y in range(h):\n    for x in range(n, w):",
         "for y in range(h):\n    for x in range(max(n, w)):",
         "w = n\nfor y in range(h):\n    for x in range(w):",
+        "min = max\nfor y in range(h):\n    for x in range(min(n, w)):",
         "a = b\nfor y in range(h):\n    for x in range(w):",
         "for x in range(n):\n    y = x\nfor y in range(h):\n    for x in range(w):",
     ],

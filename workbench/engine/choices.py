@@ -35,6 +35,8 @@ def bounded(tree: ast.FunctionDef, counted: frozenset[str]) -> dict[str, tuple[s
                         sides[each.id] = array, axis
             case ast.For(target=ast.Name(id=name), iter=ast.Call(args=[*_start, limit])):
                 limits.setdefault(name, []).append(_upper(limit))
+    if "min" in bound:
+        return {}
     once = {side: place for side, place in sides.items() if bound[side] == bound[place[0]] == 1}
     found = {name: {once.get(limit) for limit in limits[name]} for name in counted}
     return {name: place for name, (place, *others) in found.items() if place is not None and not others}

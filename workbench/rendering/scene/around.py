@@ -35,5 +35,5 @@ def window_of(camera: Camera, size: Size, points_world: Array) -> Rectangle:
 @lru_cache(maxsize=8)
 def whole_window(scene: Scene, size: Size) -> Rectangle:
     """The window in which the camera of a scene sees all of it, and a margin; found once."""
-    meshes = [mesh.vertices for mesh, *_rest in placed(scene)]
-    return window_of(scene.camera, size, np.concatenate([np.zeros((0, 3)), *meshes]))
+    outermost = [lasting.outermost for *_rest, lasting in placed(scene)]
+    return window_of(scene.camera, size, np.concatenate([np.zeros((0, 3)), *outermost]))

@@ -76,5 +76,7 @@ class Lasting:
         away = np.sqrt(1.0 - y * y)
         spiral = np.stack([away * np.cos(round_axis), y, away * np.sin(round_axis)], axis=1)
         directions = np.concatenate([spiral, np.eye(3), -np.eye(3)])
-        farthest: Array = points[np.unique([int((points @ direction).argmax()) for direction in directions])]
+        columns = np.ascontiguousarray(points.T, np.float32)  # a third of the time
+        rows = directions.astype(np.float32)
+        farthest: Array = points[np.unique([int((row @ columns).argmax()) for row in rows])]
         return farthest
