@@ -12,8 +12,9 @@ from workbench.algorithms.visibility.depth_buffer import depth_buffer
 from workbench.engine.compiled import Stop, Stopped, paint
 from workbench.language import _
 
-# One band of rows for each: every band beyond the first costs a copy of the vertices.
 THREADS = 2
+# Every band of rows beyond the first costs a copy of the vertices; of few vertices, more bands share better.
+_FEW_VERTICES = 20_000
 FARTHEST = 1.0
 
 
@@ -56,7 +57,8 @@ def drawn(
     width, height = size
     image = np.zeros((height, width), np.uint32)
     depth = np.full((height, width), FARTHEST)
-    edges = [height * band // THREADS for band in range(THREADS + 1)]
+    bands = THREADS if len(points) > _FEW_VERTICES else 2 * THREADS
+    edges = [height * band // bands for band in range(bands + 1)]
     y = points[:, 1]
 
     def draw(low_row: int, end_row: int) -> None:
