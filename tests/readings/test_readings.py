@@ -94,13 +94,32 @@ class _Raised(ast.NodeTransformer):
             del node.body[0]
         return node
 
+    def visit_For(self, node: ast.For) -> ast.For:
+        """A branch whose items were chosen is a branch again."""
+        self.generic_visit(node)
+        branch: ast.If | None = None
+        body: list[ast.stmt] = []
+        for statement in node.body:
+            match statement:
+                case ast.Assign(targets=[ast.Name(id="_taken")], value=test):
+                    branch = ast.If(test, [], [])
+                    body.append(branch)
+                case ast.Assign(value=ast.Call(func=ast.Name(id="_chosen"), args=[_, value, _])) if branch:
+                    branch.body.append(ast.Assign(statement.targets, value))
+                case ast.If(test=ast.Name(id="_taken")) if branch:
+                    branch.body += statement.body
+                case _:
+                    body.append(statement)
+        node.body = body
+        return node
+
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.stmt:
         assert node.value is not None
         return ast.Assign([node.target], node.value, lineno=node.lineno)
 
     def visit_Call(self, node: ast.Call) -> ast.expr:
         self.generic_visit(node)
-        if isinstance(node.func, ast.Name) and node.func.id == "_place":
+        if isinstance(node.func, ast.Name) and node.func.id in ("_place", "_beside"):
             return node.args[0]
         if not (node.args and isinstance(node.args[0], ast.Name) and node.args[0].id == "_sink"):
             return node

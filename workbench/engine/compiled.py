@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Emits
-from workbench.engine import arguments, at_hand, kernel_files, sinks
+from workbench.engine import arguments, at_hand, kernel_files, overloads
 from workbench.engine.drivers import PAINTING, drivers, ticking_drivers
 from workbench.engine.lowering import Lowered, Variant, lower
 from workbench.engine.processor import load_llvm, mask_short_loops
@@ -54,23 +54,11 @@ def _numba() -> ModuleType | None:
         with imports_in_turn, short_turns:
             load_llvm()
             import numba
-            from numba.extending import overload, register_jitable
+            import numba.extending
     except ImportError:
         return None
     mask_short_loops()
-    for shared in sinks.SHARED:
-        register_jitable(shared)
-
-    @overload(sinks.emit, strict=False)
-    def _emit(sink: Any, *values: Any) -> Any:
-        return sinks.body(sink.instance_class, len(values))
-
-    @overload(sinks.tick, strict=False)
-    def _tick(sink: Any, slot: Any, block: Any) -> Any:
-        return sinks.TICKS[sink.instance_class]
-
-    register_jitable(sinks.probe)
-
+    overloads.register(numba)
     return numba
 
 

@@ -1,7 +1,8 @@
 """The only rewriter: from the text that is shown to one that emits into a sink.
 
-``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; subscripts that
-are never negative are marked so (``places``); nothing else of what runs is touched.
+``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; numbers that
+are never negative are marked so (``places``), branches that write items become ``choices``; nothing else of
+what runs is touched.
 Everything that the function calls is found by its global name and written, callees first, into one text that
 stands alone: constants as literals, records imported.
 
@@ -23,8 +24,9 @@ from typing import Any, Literal
 import numpy as np
 
 from workbench.engine.blocks import blocks
+from workbench.engine.choices import CHOSEN, bounded, choices
 from workbench.engine.parsing import parse_expression
-from workbench.engine.places import PLACE, counted_up, unsigned
+from workbench.engine.places import BESIDE, PLACE, counted_up, met, unsigned
 from workbench.engine.texts import SINK, VISIT, Text, arity, gather, parameters, parse, recursive
 from workbench.language import _
 
@@ -111,7 +113,9 @@ class _Rewriter(ast.NodeTransformer):
     def __init__(self, text: Text, sinks: set[FunctionType]) -> None:
         self.text = text
         self.sinks = sinks
-        self.counted = counted_up(text.tree, {*text.callees, *text.constants})
+        own_names = {*text.callees, *text.constants}
+        self.counted = counted_up(text.tree, own_names)
+        self.within = {} if "min" in own_names else bounded(text.tree, self.counted)
 
     def rewritten(self) -> ast.FunctionDef:
         tree = parse(self.text.source, self.text.first)  # far cheaper than a deep copy
@@ -172,6 +176,16 @@ class _Rewriter(ast.NodeTransformer):
     def visit_Subscript(self, node: ast.Subscript) -> ast.expr:
         self.generic_visit(node)
         return unsigned(node, self.counted)
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
+        self.generic_visit(node)
+        return met(node, self.within)
+
+    def visit_If(self, node: ast.If) -> ast.stmt | list[ast.stmt]:
+        written = choices(node, self.within)
+        if written is None:
+            return self.generic_visit(node)  # type: ignore[return-value]
+        return [self.visit(each) for each in written]
 
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.stmt:
         if node.value is None:
@@ -318,7 +332,12 @@ def _module(texts: list[Text], functions: list[ast.FunctionDef], inlined: bool) 
     if any(" = numpy.array(" in line for line in literals):
         imports.insert(0, "import numpy")
     sinks = "from workbench.engine.sinks import emit, probe, tick"
-    head = "\n".join([f"from numpy import uint64 as {PLACE}", sinks, *imports, *literals])
+    own = [
+        f"from numpy import uint64 as {PLACE}",
+        f"from workbench.engine.places import beside as {BESIDE}",
+        f"from workbench.engine.choices import chosen as {CHOSEN}",
+    ]
+    head = "\n".join([*own, sinks, *imports, *literals])
     marks = ["@part\n" if inlined and _worth_inlining(text) else "@reading\n" for text in texts[:-1]]
     marks.append("@reading\n")
     written = [mark + ast.unparse(function) for mark, function in zip(marks, functions, strict=True)]

@@ -10,14 +10,15 @@ from types import FunctionType
 from typing import Any
 
 from workbench.engine.blocks import blocks
+from workbench.engine.choices import CHOSEN, TAKEN
 from workbench.engine.dialect import DialectError, refusals
 from workbench.engine.parsing import parse_expression, parse_module
-from workbench.engine.places import PLACE
+from workbench.engine.places import BESIDE, PLACE
 from workbench.language import _
 
 # Names that the rewritten text brings with it.
 SINK, VISIT = "_sink", "_visit"
-RESERVED = {SINK, VISIT, PLACE, "emit", "tick", "probe"}
+RESERVED = {SINK, VISIT, PLACE, BESIDE, CHOSEN, TAKEN, "emit", "tick", "probe"}
 
 
 @dataclass(frozen=True, slots=True)

@@ -83,6 +83,14 @@ class Mesh(NamedTuple):
     faces: Faces
 
 
+def edges_of(mesh: Mesh) -> Index:
+    """The edges (e, 2) of a mesh, each once."""
+    here, after = mesh.faces.corners, mesh.faces.following
+    count = len(mesh.vertices)
+    numbers = np.unique(np.minimum(here, after) * count + np.maximum(here, after))
+    return np.stack([numbers // count, numbers % count], axis=1)
+
+
 def face_normals(vertices: Array, faces: Faces) -> Array:
     """A normal (m, 3) of each face, outwards, as long as twice its area (Newell's): the sum over its fan."""
     triangles, owners = _fan(faces)

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionComboBox
 from pytestqt.qtbot import QtBot
 
@@ -25,6 +25,7 @@ from tests.panels.space.by_hand import (
 )
 from workbench.algorithms.projection import vanishing_points
 from workbench.document.scene.looking import kind_of, kinds
+from workbench.document.scene.model import Camera
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.panels.space.eye_view import horizon
 from workbench.panels.space.projection_page import ProjectionPage
@@ -66,6 +67,31 @@ def test_home_goes_back_to_the_view_of_the_document(qtbot: QtBot, page: Projecti
     page.go_home()
     settle(qtbot, page)
     assert page.looking.camera == camera_of(page)
+
+
+def test_during_a_drag_the_picture_comes_first_and_at_its_end_all_is_shown(
+    qtbot: QtBot, page: ProjectionPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shown_by: list[Camera] = []
+    monkeypatch.setattr(page.strip, "show_camera", lambda camera, _anew: shown_by.append(camera))
+    page._rest.setInterval(60_000)
+    middle = QPointF(page.eye.rect().center())
+    qtbot.mousePress(page.eye, LEFT, pos=middle.toPoint())
+    for k in range(1, 5):
+        where = middle + QPointF(20.0 * k, 0)
+        place = page.eye.mapToGlobal(where)
+        QApplication.sendEvent(
+            page.eye, QMouseEvent(QEvent.Type.MouseMove, where, place, NONE, LEFT, Qt.KeyboardModifier(0))
+        )
+        QApplication.processEvents()
+    assert page.eye.scene.camera == page.looking.camera
+    assert shown_by == []
+    page._rest.timeout.emit()
+    assert shown_by == [page.looking.camera]
+    qtbot.mouseRelease(page.eye, LEFT, pos=where.toPoint())
+    qtbot.waitUntil(lambda: len(shown_by) > 1)
+    assert shown_by[-1] == page.looking.camera
+    assert not page._rest.isActive()
 
 
 def test_shift_pans_the_wheel_zooms_at_the_pointer_and_neither_turns(

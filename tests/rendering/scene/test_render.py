@@ -198,7 +198,7 @@ def test_a_mirrored_solid_is_lit_as_its_mirror_image() -> None:
 def test_faces_look_outwards_after_any_mirror() -> None:
     for sx in (-2.0, 2.0):
         thing = Object("o1", Bracket(), "m1", transforms=(Scale3D("t1", sx=sx), Translate3D("t2", ty=3.0)))
-        ((mesh, (triangles, owners), _material),) = placed(Scene((thing,), (Material("m1"),)))
+        ((mesh, (triangles, owners), *_rest),) = placed(Scene((thing,), (Material("m1"),)))
         for cut in (triangles, triangulated(*mesh)[0]):
             assert trimesh.Trimesh(mesh.vertices, cut, process=False).volume == pytest.approx(2 * 1.75)
         assert np.bincount(owners).tolist() == (mesh.faces.sizes - 2).tolist()
@@ -251,7 +251,7 @@ def test_the_wireframe_of_a_cube_has_each_edge_once() -> None:
 def test_device_corners_lie_on_the_grid() -> None:
     mesh = solids.sphere(3.0)
     view = Viewpoint.of(Camera(), (640, 480), None, mesh.vertices)
-    drawn = view.drawn(mesh.vertices, np.concatenate([f[:3][None] for f in mesh.faces]))
+    drawn = view.drawn(mesh.vertices, np.concatenate([f[:3][None] for f in mesh.faces]), mesh.vertices)
     scaled = drawn.corners[:, :2] * 4096
     assert np.array_equal(scaled, np.round(scaled))
     assert 0 <= drawn.corners[:, 2].min() <= drawn.corners[:, 2].max() <= 1

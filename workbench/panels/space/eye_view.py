@@ -142,9 +142,9 @@ class EyeView(SceneView):
 
     def _corners_of_chosen(self) -> Array:
         visible = [thing for thing in self.scene.objects if thing.visible]
-        for thing, (mesh, *_rest) in zip(visible, placed(self.scene), strict=True):
+        for thing, (*_rest, lasting) in zip(visible, placed(self.scene), strict=True):
             if thing.id == self.chosen or (not self.chosen and thing is visible[0]):
-                screen = self.projected(mesh.vertices)
+                screen = self.projected(lasting.outermost)
                 corners: Array = screen[np.isfinite(screen).all(axis=1)]
                 return corners
         return np.zeros((0, 2))

@@ -128,6 +128,6 @@ class Looking:
 
 
 def points_of(scene: Scene | None) -> Array:
-    """All vertices (n, 3) of what is visible, world."""
-    meshes = [] if scene is None else [mesh.vertices for mesh, *_rest in placed(scene)]
-    return np.concatenate(meshes or [np.zeros((0, 3))])
+    """The outermost vertices (n, 3) of what is visible, world."""
+    parts = () if scene is None else placed(scene)
+    return np.concatenate([np.zeros((0, 3)), *(lasting.outermost for *_rest, lasting in parts)])

@@ -19,7 +19,6 @@ from workbench.panels.space.looking import points_of
 from workbench.panels.space.scene_view import SceneView
 from workbench.panels.space.strokes import label, lines, outline
 from workbench.rendering.scene.render import placed
-from workbench.rendering.scene.wireframe import edges_of
 from workbench.widgets.look.tokens import colour, tokens
 
 _ASIDE, _ABOVE = math.radians(-58.0), math.radians(18.0)
@@ -154,14 +153,16 @@ class OutsideView(SceneView):
             label(painter, self.size(), eye + np.array([0.0, 34.0]), text, now.text)
 
     def _chosen_mesh(self) -> tuple[Mesh, Index] | None:
-        """The mesh of the chosen object, else of the first, in the world, and its edges."""
+        """The mesh of the chosen object, else of the first, in the world, and its edges; none where there are
+        too many to be told apart."""
         visible = [thing for thing in self.seen.objects if thing.visible]
         chosen = next((k for k, thing in enumerate(visible) if thing.id == self.chosen), 0)
         parts = placed(self.seen)
         if not parts:
             return None
-        mesh = parts[chosen][0]
-        return mesh, edges_of(mesh)
+        mesh, *_rest, lasting = parts[chosen]
+        few = len(mesh.faces.corners) <= 4 * _MOST_EDGES
+        return mesh, lasting.edges[:_MOST_EDGES] if few else np.zeros((0, 2), np.int64)
 
     def _paint_projectors(self, painter: QPainter, eye: Array | None) -> None:
         """From the vertices of the chosen object to the eye, or in parallel to the plane."""
@@ -169,13 +170,12 @@ class OutsideView(SceneView):
         if chosen is None:
             return
         mesh, edges = chosen
-        image = self.projected(self._images(mesh.vertices))
-        if len(mesh.vertices) <= _MOST_PROJECTORS:
+        image = self.projected(self._images(mesh.vertices)) if len(edges) else np.zeros((0, 2))
+        if 0 < len(image) <= _MOST_PROJECTORS:
             pen = QPen(colour(now.muted, 170), 1)
             ends = image if eye is None else np.broadcast_to(eye, image.shape)
             lines(painter, self.projected(mesh.vertices), ends, pen)
         pen = QPen(colour(now.data[0]), 1.5)
-        edges = edges[:_MOST_EDGES]
         lines(painter, image[edges[:, 0]], image[edges[:, 1]], pen)
         if self.vertex is not None:
             place = np.array([self.vertex.place])

@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
 
@@ -31,6 +31,7 @@ from workbench.widgets.stepping.step_bar import stepping_keys
 
 _BAR_PX, _CARD_GAP_PX = 44, 8
 _LEAST_BESIDE_PX = 560
+_REST_MS = 50
 Command = tuple[str, str, str, str, Callable[[], object]]
 
 
@@ -67,6 +68,8 @@ class ProjectionPage(QWidget):
         self._actions: dict[str, QAction] = {}
         self._lay_out()
         self._waiting = False
+        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self._refresh_rest)
         self._kept: Scene | None = None
         self._connect()
         self.refresh()
@@ -167,6 +170,7 @@ class ProjectionPage(QWidget):
             lambda axis, x, y, pinned: self.say(self.looking.vanish(axis, (x, y), pinned))
         )
         eye.turn_ended.connect(self._follow)
+        eye.turn_ended.connect(self.refresh_soon)
         eye.view_changed.connect(self._view_changed)
         self.card.chosen.connect(self.choose)
         self.family.tree.chosen.connect(self.choose)
@@ -300,6 +304,15 @@ class ProjectionPage(QWidget):
             self._show_outside()
             self.outside.stand_aside()
         self._show_outside()
+        if not self.eye.dragging or anew:
+            self._refresh_rest(anew)
+        elif not self._rest.isActive():
+            self._rest.start()
+
+    def _refresh_rest(self, anew: bool = False) -> None:
+        """Show beside the picture what it is seen by; during a drag less often than that."""
+        self._rest.stop()
+        scene, chosen = self.eye.scene, self.session.state.thing
         self.strip.show_camera(scene.camera, anew)
         self.card.show_camera(scene.camera, self.looking.around)
         self.family.show_camera(scene.camera, self.card.kind.currentData() or "")

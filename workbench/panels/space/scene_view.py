@@ -92,6 +92,7 @@ class SceneView(QWidget):
         self.worker.failed.connect(self._refuse)
         self._job: SceneJob | None = None
         self._picture: EdgePicture | None = None
+        self._rows = np.zeros((0, 0), np.uint32)  # the image only refers to them
         self._image = QImage()
         self._image_came = False
         self._viewpoint: Viewpoint | None = None
@@ -114,7 +115,13 @@ class SceneView(QWidget):
         if scene != self.scene:
             self.scene = scene
             self.redraw()
-        self.update()
+        if not (self.dragging and self.worker.busy):  # else the picture that is awaited is painted
+            self.update()
+
+    @property
+    def picture_is_current(self) -> bool:
+        """Whether what is painted is the scene as it is now."""
+        return self._picture is not None and not self.worker.busy
 
     def set_shows(self, shows: Shows) -> None:
         """Show faces, edges or both."""
@@ -159,10 +166,10 @@ class SceneView(QWidget):
         self._image = QImage()
         if picture.pixels is not None:
             self._image_came = True
-            flipped = np.ascontiguousarray(picture.pixels[::-1])
-            height, width = flipped.shape
-            form = QImage.Format.Format_ARGB32
-            self._image = QImage(flipped.data, width, height, width * 4, form).copy()
+            self._rows = np.ascontiguousarray(picture.pixels[::-1])
+            height, width = self._rows.shape
+            form = QImage.Format.Format_ARGB32_Premultiplied  # no pixel lets through a part only
+            self._image = QImage(self._rows.data, width, height, width * 4, form)
         self.view_changed.emit(self.scale)
         self.update()
 

@@ -1,12 +1,14 @@
 """Where a camera stands so that the whole of something is before it."""
 
 import math
+from functools import lru_cache
 
 import numpy as np
 
 from workbench.document.model import Rectangle
-from workbench.document.scene.model import Camera, Point3D
+from workbench.document.scene.model import Camera, Point3D, Scene
 from workbench.geometry.meshes import Array
+from workbench.rendering.scene.render import placed
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
 
 _TOWARDS_EYE = np.array([0.55, 0.45, 1.0])
@@ -28,3 +30,10 @@ def camera_around(points_world: Array, eye: Point3D | None = None, look_at: Poin
 def window_of(camera: Camera, size: Size, points_world: Array) -> Rectangle:
     """The window, in the proportions of ``size``, in which ``camera`` sees all points, and a margin."""
     return Viewpoint.of(camera, size, None, points_world).window
+
+
+@lru_cache(maxsize=8)
+def whole_window(scene: Scene, size: Size) -> Rectangle:
+    """The window in which the camera of a scene sees all of it, and a margin; found once."""
+    outermost = [lasting.outermost for *_rest, lasting in placed(scene)]
+    return window_of(scene.camera, size, np.concatenate([np.zeros((0, 3)), *outermost]))

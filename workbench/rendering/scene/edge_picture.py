@@ -16,7 +16,6 @@ from workbench.geometry.meshes import Array, Index
 from workbench.rendering.scene.render import placed, render_scene
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
 from workbench.rendering.scene.volume import DEPTH_PLANES, LEAST_W, clip_segments
-from workbench.rendering.scene.wireframe import edges_of
 
 MOST_EDGES = 20_000
 _MOST_SAMPLES = 400_000
@@ -54,8 +53,8 @@ def object_at(scene: Scene, size: Size, window: Rectangle, x: float, y: float) -
     viewpoint = Viewpoint.of(scene.camera, size, window, np.zeros((0, 3)))
     nearest, name = np.inf, ""
     visible = [thing for thing in scene.objects if thing.visible]
-    for thing, (mesh, (triangles, _faces), _material) in zip(visible, placed(scene), strict=True):
-        drawn = viewpoint.drawn(mesh.vertices, triangles)
+    for thing, (mesh, (triangles, _faces), _material, lasting) in zip(visible, placed(scene), strict=True):
+        drawn = viewpoint.drawn(mesh.vertices, triangles, lasting.box)
         a, b, c = drawn.corners[drawn.triangles].transpose(1, 0, 2)
         area = _cross(a, b, c[:, 0], c[:, 1])
         shares = np.stack([_cross(b, c, x, y), _cross(c, a, x, y), _cross(a, b, x, y)])
@@ -77,12 +76,13 @@ def _edges(scene: Scene, viewpoint: Viewpoint) -> tuple[Array, Index]:
     """Both ends (n, 6) of each edge as (x, y, depth, x, y, depth), and the number of its object."""
     numbers = [number for number, thing in enumerate(scene.objects) if thing.visible]
     parts, owners = [np.zeros((0, 6))], [np.zeros(0, np.int64)]
-    meshes = [mesh for mesh, *_rest in placed(scene)]
-    pairs = [edges_of(mesh) for mesh in meshes]
-    if sum(map(len, pairs)) > MOST_EDGES:
+    things = placed(scene)
+    corners = sum(len(mesh.faces.corners) for mesh, *_rest in things)
+    # Two faces at most meet at nearly every edge: far too many need not be told apart.
+    if corners > 4 * MOST_EDGES or sum(len(lasting.edges) for *_rest, lasting in things) > MOST_EDGES:
         return parts[0], owners[0]
-    for number, mesh, edges in zip(numbers, meshes, pairs, strict=True):
-        begin, end, _of = clip_segments(viewpoint.homogeneous(mesh.vertices), edges, DEPTH_PLANES)
+    for number, (mesh, *_rest, lasting) in zip(numbers, things, strict=True):
+        begin, end, _of = clip_segments(viewpoint.homogeneous(mesh.vertices), lasting.edges, DEPTH_PLANES)
         good = (begin[:, 3] > LEAST_W) & (end[:, 3] > LEAST_W)
         parts.append(np.concatenate([_on_device(viewpoint, each[good]) for each in (begin, end)], axis=1))
         owners.append(np.full(len(parts[-1]), number))

@@ -13,9 +13,10 @@ from workbench.document.scene.model import Camera, Light, Material, Object, Scen
 from workbench.document.scene.solids import mesh_over
 from workbench.geometry.meshes import Array, Faces, Index, Mesh, triangulated
 from workbench.language import _
+from workbench.rendering.scene.lasting import Lasting
 from workbench.rendering.scene.shading import flat_colours
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
-from workbench.rendering.triangles import depth_buffer_triangles
+from workbench.rendering.triangles import drawn, threads
 
 Picture = tuple[NDArray[np.uint32], NDArray[np.float64]]
 
@@ -32,7 +33,7 @@ class DeviceTriangles(NamedTuple):
     faces: Index
 
 
-METHODS: dict[str, Callable[..., Picture]] = {depth_buffer.__name__: depth_buffer_triangles}
+METHODS: dict[str, Callable[..., Picture]] = {depth_buffer.__name__: drawn}
 """How hidden surfaces are found, by slug: from device triangles, their colours and the size."""
 
 SHADINGS = ("flat",)
@@ -57,7 +58,8 @@ def render_mesh(
     nothing is. Raises: ValueError, a sentence.
     """
     mesh = _checked(vertices, faces)
-    return _rendered([(mesh, triangulated(*mesh), _MESH_MATERIAL)], (), camera, method, size, "flat", window)
+    part = mesh, triangulated(*mesh), _MESH_MATERIAL, Lasting(mesh)
+    return _rendered([part], (), camera, method, size, "flat", window)
 
 
 def render_scene(
@@ -67,13 +69,21 @@ def render_scene(
     return _rendered(placed(scene), scene.lights, scene.camera, method, size, shading, window)
 
 
-Part = tuple[Mesh, tuple[Index, Index], Material]
+Part = tuple[Mesh, tuple[Index, Index], Material, Lasting]
 
 
-def placed(scene: Scene) -> list[Part]:
-    """Each visible object: its mesh in the world, its triangles and their faces, its material."""
-    materials = {material.id: material for material in scene.materials}
-    return [(*_in_world(thing), materials[thing.material]) for thing in scene.objects if thing.visible]
+def placed(scene: Scene) -> tuple[Part, ...]:
+    """Each visible object: its mesh in the world, its triangles and their faces, its material, and what lasts
+    while only the camera moves."""
+    return _placed(scene.objects, scene.materials)
+
+
+@lru_cache(maxsize=2)
+def _placed(objects: tuple[Object, ...], materials: tuple[Material, ...]) -> tuple[Part, ...]:
+    of_id = {material.id: material for material in materials}
+    seen = [thing for thing in objects if thing.visible]
+    parts = [(*_in_world(thing), of_id[thing.material]) for thing in seen]
+    return tuple((*part, Lasting(part[0])) for part in parts)
 
 
 def _in_world(thing: Object) -> tuple[Mesh, tuple[Index, Index]]:
@@ -117,18 +127,25 @@ def device_triangles(
     window: Rectangle | None,
 ) -> DeviceTriangles:
     """What of ``parts`` lies before the camera, on a picture of ``size``. Raises: ValueError, a sentence."""
-    every = np.concatenate([mesh.vertices for mesh, *_rest in parts] or [np.zeros((0, 3))])
-    viewpoint = Viewpoint.of(camera, size, window, every)
-    nothing = np.zeros(0, np.int64)
-    pieces = [DeviceTriangles(np.zeros((0, 3)), nothing.reshape(0, 3), nothing, nothing, nothing)]
+    meshes = [] if window else [mesh.vertices for mesh, *_rest in parts]
+    viewpoint = Viewpoint.of(camera, size, window, np.concatenate([np.zeros((0, 3)), *meshes]))
+    pieces: list[DeviceTriangles] = []
     count = 0
-    for number, (mesh, (cut, face_of), material) in enumerate(parts):
-        drawn = viewpoint.drawn(mesh.vertices, cut)
-        faces = face_of[drawn.owners]
-        colours = flat_colours(*mesh, material, lights, viewpoint.viewer)[faces]
-        numbers = np.full(len(faces), number)
-        pieces.append(DeviceTriangles(drawn.corners, drawn.triangles + count, colours, numbers, faces))
-        count += len(drawn.corners)
+    for number, (mesh, (cut, face_of), material, lasting) in enumerate(parts):
+        shading = threads().submit(flat_colours, lasting, material, lights, viewpoint.viewer)
+        device = viewpoint.drawn(mesh.vertices, cut, lasting.box)
+        faces = face_of if device.triangles is cut else face_of[device.owners]
+        colours = shading.result()
+        if not (device.triangles is cut and len(cut) == len(mesh.faces)):  # else each is a face of its own
+            colours = colours[faces]
+        numbers = np.broadcast_to(number, len(faces))
+        triangles = device.triangles + count if count else device.triangles
+        pieces.append(DeviceTriangles(device.corners, triangles, colours, numbers, faces))
+        count += len(device.corners)
+    if len(pieces) == 1:
+        return pieces[0]
+    nothing = np.zeros(0, np.int64)
+    pieces.insert(0, DeviceTriangles(np.zeros((0, 3)), nothing.reshape(0, 3), nothing, nothing, nothing))
     return DeviceTriangles(*map(np.concatenate, zip(*pieces, strict=True)))
 
 

@@ -3,13 +3,12 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from workbench.algorithms.viewing import window_to_viewport
 from workbench.document.model import Rectangle, whole_sheet
 from workbench.document.scene.model import Camera
 from workbench.document.scene.viewing import projection_matrix, view_matrix
-from workbench.geometry.meshes import Array, Faces, Index
+from workbench.geometry.meshes import Array, Index
 from workbench.language import _
 from workbench.rendering.limits import REACH_PX
 from workbench.rendering.scene.volume import DEPTH_PLANES, LEAST_W, clip_triangles, side_planes
@@ -69,16 +68,19 @@ class Viewpoint(NamedTuple):
         placed: Array = points_world @ self.matrix[:, :3].T + self.matrix[:, 3]
         return placed
 
-    def drawn(self, points_world: Array, triangles: Index) -> Drawn:
-        """What of the triangles lies before the camera, on the device."""
-        points, parts, owners = clip_triangles(
-            self.homogeneous(points_world), triangles, np.concatenate([DEPTH_PLANES, self._reach()])
-        )
-        w = points[:, 3]
-        good = (w > LEAST_W)[parts].all(axis=1)
-        parts, owners = parts[good], owners[good]
-        used, number = np.unique(parts, return_inverse=True)
-        points, parts = points[used], number.reshape(-1, 3)
+    def drawn(self, points_world: Array, triangles: Index, around: Array) -> Drawn:
+        """What of the triangles lies before the camera, on the device.
+
+        ``around`` (k, 3): the corners of something convex that all points lie in. Where it is before the
+        camera as a whole, ``triangles`` are themselves those that are drawn.
+        """
+        points, parts, owners = self.homogeneous(points_world), triangles, np.arange(len(triangles))
+        box, planes = self.homogeneous(around), np.concatenate([DEPTH_PLANES, self._reach()])
+        if (box @ planes.T < 0).any() or (box[:, 3] <= LEAST_W).any():
+            points, parts, owners = clip_triangles(points, triangles, planes)
+            good = (points[:, 3] > LEAST_W)[parts].all(axis=1)
+            used, number = np.unique(parts[good], return_inverse=True)
+            points, parts, owners = points[used], number.reshape(-1, 3), owners[good]
         corners = points[:, :3] / points[:, 3:]
         device = self.device
         for axis in (0, 1):
@@ -100,14 +102,6 @@ def refuse_size(size: Size) -> None:
     if not (1 <= width <= _MOST_SIDE_PX and 1 <= height <= _MOST_SIDE_PX):
         sentence = _("A picture of {width} x {height} pixels cannot be drawn; give sides from 1 to {most}.")
         raise ValueError(sentence.format(width=width, height=height, most=_MOST_SIDE_PX))
-
-
-def seen_faces(viewer: Array, points_world: Array, faces: Faces, normals: Array) -> NDArray[np.bool_]:
-    """The faces (m,) that are seen from in front: N . (eye - P) > 0, or N . direction > 0."""
-    firsts = points_world[faces.corners[faces.starts]]
-    towards = viewer[:3] - viewer[3] * firsts
-    in_front: NDArray[np.bool_] = (normals * towards).sum(axis=1) > 0
-    return in_front
 
 
 def _around(matrix: Array, points_world: Array, size: Size) -> Rectangle:

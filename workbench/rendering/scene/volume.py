@@ -28,8 +28,11 @@ def clip_triangles(points: Array, triangles: Index, planes: Array) -> tuple[Arra
     owners = np.arange(len(triangles))
     for plane in planes:
         away = points @ plane
-        kept = (away >= 0)[triangles]
-        count = kept.sum(axis=1)
+        inside = away >= 0
+        if inside.all():
+            continue
+        kept = inside[triangles]
+        count = kept.view(np.int8) @ np.ones(3, np.int8)
         if (count == 3).all():
             continue
         parts, part_owners = [triangles[count == 3]], [owners[count == 3]]

@@ -5,7 +5,7 @@ import numpy as np
 from workbench.algorithms.transforms import Matrix
 from workbench.document.scene.model import Camera, Scene
 from workbench.document.scene.viewing import projection_matrix, view_matrix
-from workbench.geometry.meshes import Array, Index, Mesh
+from workbench.geometry.meshes import Array, Mesh, edges_of
 from workbench.rendering.scene.render import placed
 from workbench.rendering.scene.volume import DEPTH_PLANES, LEAST_W, clip_segments
 
@@ -21,14 +21,6 @@ def wireframe(scene: Scene) -> Array:
 def wireframe_of_mesh(mesh: Mesh, camera: Camera) -> Array:
     """The same of one mesh in the world."""
     return _segments(mesh, projection_matrix(camera) @ view_matrix(camera))
-
-
-def edges_of(mesh: Mesh) -> Index:
-    """The edges (e, 2) of a mesh, each once."""
-    here, after = mesh.faces.corners, mesh.faces.following
-    count = len(mesh.vertices)
-    numbers = np.unique(np.minimum(here, after) * count + np.maximum(here, after))
-    return np.stack([numbers // count, numbers % count], axis=1)
 
 
 def _segments(mesh: Mesh, matrix: Matrix) -> Array:

@@ -13,8 +13,7 @@ from workbench.document.subjects import Subject
 from workbench.geometry.meshes import Array
 from workbench.language import _
 from workbench.rendering.mapping import Call
-from workbench.rendering.scene.around import window_of
-from workbench.rendering.scene.render import placed
+from workbench.rendering.scene.around import whole_window
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
 KIND = "projection"
@@ -59,8 +58,7 @@ def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
     camera = sheet.scene.camera
     model = np.eye(4) if thing.matrix is None else thing.matrix
     size = sheet.width_px, sheet.height_px
-    every = np.concatenate([mesh.vertices for mesh, *_rest in placed(sheet.scene)] or [np.zeros((0, 3))])
-    window, whole = window_of(camera, size, every), whole_sheet(*size)
+    window, whole = whole_window(sheet.scene, size), whole_sheet(*size)
     sides = [(each.xmin, each.ymin, each.xmax, each.ymax) for each in (window, whole)]
     arguments = (
         model,

@@ -94,7 +94,7 @@ def fault_of(sheet: Sheet) -> str:
 @lru_cache(maxsize=16)
 def _fault(scene: Scene) -> str:
     try:
-        count = sum(len(cut) for _mesh, (cut, _faces), _material in placed(scene))
+        count = sum(len(cut) for _mesh, (cut, _faces), *_rest in placed(scene))
     except ValueError as problem:
         return str(problem)
     if count > MOST_TRIANGLES:

@@ -1,0 +1,59 @@
+"""Flat colours beside Lambert's law, face by face."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from workbench.document.scene.model import Light, Material, Point3D
+from workbench.geometry.meshes import Faces, Mesh, face_normals
+from workbench.rendering.scene.lasting import Lasting
+from workbench.rendering.scene.shading import flat_colours
+
+MATERIAL = Material("m1", "", 0x4080FF, 0.25, 0.6)
+FACES = Faces.of([[0, 1, 2], [2, 1, 3], [3, 4, 5], [0, 4, 5], [1, 5, 2]])
+
+
+def by_hand(mesh, lights, viewer):
+    """The channels (m, 3) of each face, 0 to 255, not yet rounded."""
+    found = []
+    for face, normal in zip(mesh.faces, face_normals(*mesh), strict=True):
+        corners = mesh.vertices[face]
+        middle = corners.mean(axis=0)
+        towards = viewer[:3] - viewer[3] * corners[0]
+        if normal @ towards <= 0:
+            normal = -normal
+        light_sum = np.full(3, MATERIAL.ambient)
+        ways = [(np.array(each.position.xyz) - (not each.distant) * middle, each) for each in lights]
+        if not lights:
+            way = viewer[:3] - viewer[3] * middle
+            ways = [(way + np.array([0, 0.6 * math.dist(way, (0, 0, 0)), 0]), Light("l1"))]
+        for way, light in ways:
+            cosine = (normal @ way) / math.sqrt((normal @ normal) * (way @ way))
+            channels = np.array([light.colour >> shift & 255 for shift in (16, 8, 0)]) / 255
+            light_sum = light_sum + MATERIAL.diffuse * max(cosine, 0) * light.intensity * channels
+        channels = np.array([MATERIAL.colour >> shift & 255 for shift in (16, 8, 0)])
+        found.append(np.minimum(light_sum * channels, 255))
+    return np.array(found)
+
+
+@pytest.mark.parametrize(
+    "lights",
+    [
+        (),
+        (Light("l1"),),
+        (Light("l1", Point3D(1, 2, 3), distant=False, intensity=0.7),),
+        (Light("l1", colour=0xFF8000), Light("l2", Point3D(-3, 1, 0), colour=0x20FF40, distant=False)),
+    ],
+    ids=["viewer", "distant", "near", "two colours"],
+)
+@given(seed=st.integers(0, 10**6), from_a_point=st.booleans())
+def test_each_face_is_lit_by_the_cosine(lights, seed, from_a_point) -> None:
+    rng = np.random.default_rng(seed)
+    mesh = Mesh(rng.normal(size=(6, 3)), FACES)
+    viewer = np.append(rng.normal(size=3) * 5, float(from_a_point))
+    colours = flat_colours(Lasting(mesh), MATERIAL, lights, viewer)
+    channels = np.stack([colours >> shift & 255 for shift in (16, 8, 0)], axis=1)
+    assert np.abs(channels - by_hand(mesh, lights, viewer)).max() <= 0.5 + 1e-6
