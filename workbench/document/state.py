@@ -54,7 +54,8 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     is stepped in, ``positions`` has what each of them steps, and where it stands. ``ask_first`` hides the
     next pixel until it was guessed. ``pixel`` (x, y) is the one that is asked about: why is it as it is.
     ``thing`` is the chosen object of a scene, ``looks`` (by sheet) tell where somebody looks from instead of
-    the scene's camera. ``frames`` (by sheet) are those that are shown, 0 where none is given.
+    the scene's camera. ``frames`` (by sheet) are those that are shown, 0 where none is given;
+    with ``auto_key`` whatever is changed in one gets a key there.
     """
 
     sheet: str = ""
@@ -69,6 +70,7 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     thing: str = ""
     looks: dict[str, Look] = {}
     frames: dict[str, int] = {}
+    auto_key: bool = False
 
     @property
     def position(self) -> Position:
