@@ -1,0 +1,67 @@
+"""The tracks of a session as the timeline shows them."""
+
+from itertools import pairwise
+
+from workbench.document.model import Sheet
+from workbench.document.motion.evaluation import loose
+from workbench.document.motion.groups import group_of
+from workbench.document.motion.model import Key, Track
+from workbench.document.motion.tracks import motion_of
+from workbench.language import _
+from workbench.panels.animate.names import easing_titles, label_of, value_text
+from workbench.widgets.timeline.rows import KeyShown, Pace, TimelineShown, TrackShown
+
+_SLOW_LEAVING = ("ease_in", "ease_in_out", "ease_in_cubic", "ease_in_out_cubic", "spline")
+_SLOW_ARRIVING = ("ease_out", "ease_in_out", "ease_out_cubic", "ease_in_out_cubic", "spline")
+_SLOWER = 0.5
+
+
+def timeline_of(sheet: Sheet, shown: Sheet, frame: int, reach: int, chosen: str) -> TimelineShown:
+    """All tracks of a sheet, with the values that they have on the sheet ``shown``, in its frame."""
+    motion = motion_of(sheet)
+    astray = set(loose(sheet))
+    rows = tuple(_row(sheet, shown, track, track.target in astray) for track in motion.tracks)
+    return TimelineShown(rows, motion.frames, frame, reach, chosen)
+
+
+def _row(sheet: Sheet, shown: Sheet, track: Track, astray: bool) -> TrackShown:
+    titles = easing_titles()
+    keys = []
+    before: Key | None = None
+    for key, following in pairwise((*track.keys, None)):
+        assert key is not None
+        leaving = "none" if following is None else leaving_pace(key)
+        arriving = "none" if before is None else arriving_pace(before)
+        keys.append(KeyShown(key.id, key.frame, arriving, leaving, titles[key.easing]))
+        before = key
+    group = group_of(sheet, track.target)
+    colours: tuple[str, ...] = ()
+    if group is not None and group.kind == "colour":
+        colours = tuple("#" + "".join(f"{round(c):02X}" for c in key.value) for key in track.keys)
+    problem = _("nothing there") if astray else ""
+    return TrackShown(
+        track.target,
+        label_of(sheet, track.target),
+        value_text(shown, track.target),
+        tuple(keys),
+        colours,
+        problem,
+    )
+
+
+def leaving_pace(key: Key) -> Pace:
+    """How fast the value moves just after a key."""
+    if key.easing == "constant":
+        return "held"
+    if key.easing == "bezier":
+        return "slow" if key.y1 < _SLOWER * key.x1 or key.x1 == key.y1 == 0.0 else "fast"
+    return "slow" if key.easing in _SLOW_LEAVING else "fast"
+
+
+def arriving_pace(before: Key) -> Pace:
+    """How fast it moves just before the next key."""
+    if before.easing == "constant":
+        return "held"
+    if before.easing == "bezier":
+        return "slow" if 1.0 - before.y2 < _SLOWER * (1.0 - before.x2) else "fast"
+    return "slow" if before.easing in _SLOW_ARRIVING else "fast"
