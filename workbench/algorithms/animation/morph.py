@@ -149,7 +149,7 @@ ENTRY = Entry(
         View(
             block="Count the edges of both outlines",
             sentence="The first outline has {first_edges} edges, the second {second_edges}: "
-            "L_max = {most}, L_min = {fewest}.",
+            "the larger number is {most}, the smaller {fewest}.",
         ),
         View(
             block="Share the edges of the longer list among those of the shorter",
@@ -158,8 +158,14 @@ ENTRY = Entry(
         ),
         View(
             block="Share the edges of the longer list among those of the shorter",
+            when="extra > 0",
             sentence="N_e = {most} mod {fewest} = {extra} edges are cut into {pieces + 1} pieces, "
             "the other {fewest - extra} into N_s = {most} div {fewest} = {pieces}.",
+        ),
+        View(
+            block="Share the edges of the longer list among those of the shorter",
+            sentence="{most} mod {fewest} is 0: each of the {fewest} edges is cut into "
+            "N_s = {most} div {fewest} = {pieces}.",
         ),
         View(
             block="Move a vertex that part of its way",

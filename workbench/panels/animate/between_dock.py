@@ -3,7 +3,16 @@
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
 
 from workbench.algorithms.animation.easing_words import easing_formula, way_text
 from workbench.algorithms.animation.easings import BEZIER, LINEAR, NEAREST_HANDLES, eased
@@ -18,7 +27,7 @@ from workbench.widgets.look.type_faces import code_font
 from workbench.widgets.timeline.easing_curve import EasingCurve
 
 
-class BetweenDock(QWidget):
+class BetweenDock(QScrollArea):
     """One interval of the chosen track. ``easing_wanted`` sends the name of an easing, ``handles_dragged``
     those of a Bézier easing, ``handles_dropped`` that they were let go, ``stepping_wanted`` nothing more.
     """
@@ -51,15 +60,26 @@ class BetweenDock(QWidget):
         self.sums.setWordWrap(True)
         self.sums.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.sums.setAccessibleName(_("Arithmetic of this frame"))
-        self.step = QPushButton(_("Step through it"))
+        self.step = QPushButton(_("Step"))
         self.step.setToolTip(_("Work out these frames one by one, in the hand table and the source"))
         self.step.clicked.connect(lambda: self.stepping_wanted.emit())
-        column = QVBoxLayout(self)
+        row = QHBoxLayout()
+        row.addWidget(self.easing, 1)
+        row.addWidget(self.step)
+        inner = QWidget()
+        self.setWidget(inner)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        column = QVBoxLayout(inner)
         column.setContentsMargins(12, 8, 12, 8)
-        column.setSpacing(8)
-        for widget in (self.title, self.easing, self.curve, self.note, self.sums):
-            column.addWidget(widget, 1 if widget is self.curve else 0)
-        column.addWidget(self.step, 0, Qt.AlignmentFlag.AlignLeft)
+        column.setSpacing(6)
+        column.addWidget(self.title)
+        column.addLayout(row)
+        column.addWidget(self.curve, 1)
+        for widget in (self.note, self.sums):
+            column.addWidget(widget)
+        column.addStretch(0)
 
     def show_interval(self, sheet: Sheet, shown: Sheet, track: Track | None, frame: int) -> None:
         """Show the keys of a track around a frame; without a track what to do."""
@@ -67,6 +87,7 @@ class BetweenDock(QWidget):
         self.key = around[0] if around is not None else None
         for widget in (self.easing, self.curve, self.sums, self.step):
             widget.setVisible(around is not None)
+        self.note.setVisible(around is None)
         if track is None:
             self.title.setText(_("Nothing moves yet"))
             self.note.setText(_("Turn auto-key on, go to another frame, and move a figure."))
@@ -91,12 +112,12 @@ class BetweenDock(QWidget):
             None if first.easing in ("constant", SPLINE) else handles,
             t if inside else None,
         )
-        self.note.setText(_note(first, code))
+        self.curve.setToolTip(_note(first, code))
         self.sums.setText("\n".join(_sums(sheet, shown, track, around, frame)) if inside else "")
 
 
 def _note(key: Key, code: int) -> str:
-    """What is to be known of the handles."""
+    """What is to be known of the curve and its handles."""
     if key.easing == SPLINE:
         return _(
             "A spline: the slope at a key comes from its neighbours in time. Step through it to see how."

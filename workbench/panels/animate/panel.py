@@ -25,12 +25,12 @@ from workbench.document.motion.tracks import motion_of, track_on
 from workbench.document.subjects import Subject
 from workbench.language import _, ngettext
 from workbench.panels.animate.between_dock import BetweenDock
+from workbench.panels.animate.card import AnimateCard
 from workbench.panels.animate.names import easing_titles, label_of
 from workbench.panels.animate.rows import timeline_of
 from workbench.panels.animate.view import USUAL_REACH, AnimateView
 from workbench.panels.panel import DockPart
 from workbench.panels.stage.actions import PanelCommand
-from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.stepped import SteppedPanel
 from workbench.panels.stage.tools import CircleTool, LineTool, PolygonTool, PolylineTool, SelectTool
@@ -57,7 +57,7 @@ class AnimatePanel(SteppedPanel):
         kinds = (SelectTool, CircleTool, PolygonTool, LineTool, PolylineTool)
         super().__init__(session, [kind(session) for kind in kinds], parent)
         self.title = _("Animate")
-        self.card = ParameterCard(session, self.canvas)
+        self.card: AnimateCard = AnimateCard(session, self.canvas)
         self.view = AnimateView(session, self.canvas, self.second, self.card)
         self.transport, self.between = Transport(session), BetweenDock()
         self.timeline = Timeline(easing_titles().items())
@@ -74,7 +74,7 @@ class AnimatePanel(SteppedPanel):
                 ("fit_frames", _("Show all frames"), "arrows-out-line-horizontal", "", self.timeline.fit),
                 ("copy_keys", _("Copy the chosen keys"), "copy", "", self._copy_keys),
                 ("paste_keys", _("Paste keys here"), "clipboard-text", "", self._paste_keys),
-                ("step_track", _("Step through the in-betweens"), "footprints", "", self._step_track),
+                ("step_track", _("Step through the in-betweens"), "list-numbers", "", self._step_track),
             ],
         )
 

@@ -53,12 +53,12 @@ def path_marks(moving: Sheet, frame: int) -> Iterator[Mark]:
     step = -(-motion.frames // MOST_SPOTS)
     yield Stroke(path, "muted", "hair")
     for x, y in path.tolist():
-        yield Spot(x, y, "text", "dot", "small")
+        yield Spot(x, y, "text", "dot", "pixel")
     keyed = sorted({key.frame // step for track in motion.tracks for key in track.keys})
     for number in keyed:
         if number < len(path):
             x, y = path[number].tolist()
-            yield Spot(x, y, "accent", "square", "medium")
+            yield Spot(x, y, "accent", "square", "small")
     x, y = path[min(frame // step, len(path) - 1)].tolist()
     yield Spot(x, y, "accent", "ring", "large")
 

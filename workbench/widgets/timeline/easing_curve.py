@@ -39,7 +39,7 @@ class EasingCurve(QWidget):
             _("Drag a handle to shape the easing; arrows move it by a little, Page Up chooses the other one")
         )
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setMinimumSize(140, 140)
+        self.setMinimumSize(140, 110)
         theme_changed.connect(self.update)
 
     def show_easing(self, ease: Callable[[float], float], handles: Handles | None, at: float | None) -> None:

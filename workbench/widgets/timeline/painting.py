@@ -19,23 +19,20 @@ def tick_step(pixels_per_frame: float) -> int:
 
 def key_path(centre: QPointF, arriving: Pace, leaving: Pace) -> QPainterPath:
     """The shape of a key: each half is pointed at full speed, round where it is slow, square where held."""
-    path = QPainterPath()
-    for side, pace in ((-1, arriving), (1, leaving)):
-        half = QPainterPath()
-        x, y, r = centre.x(), centre.y(), KEY_PX
+    x, y, r = centre.x(), centre.y(), KEY_PX
+    path = QPainterPath(QPointF(x, y - r))
+    for side, pace in ((1, leaving), (-1, arriving)):
+        top = side  # the right half is drawn downwards, the left one back up
         if pace == "slow":
-            half.moveTo(x, y - r)
-            half.arcTo(QRectF(x - r, y - r, 2 * r, 2 * r), 90.0, 180.0 * -side)
-        elif pace == "held":
-            half.addRect(QRectF(min(x, x + side * r), y - r, r, 2 * r))
+            path.arcTo(QRectF(x - r, y - r, 2 * r, 2 * r), 90.0 * side, -180.0)
         elif pace == "fast":
-            half.moveTo(x, y - r)
-            half.lineTo(x + side * r, y)
-            half.lineTo(x, y + r)
+            path.lineTo(x + side * r, y)
         else:
-            half.addRect(QRectF(min(x, x + side * 2.0), y - r, 2.0, 2 * r))
-        half.closeSubpath()
-        path = path.united(half)
+            out = r if pace == "held" else 2.0
+            path.lineTo(x + side * out, y - top * r)
+            path.lineTo(x + side * out, y + top * r)
+        path.lineTo(x, y + top * r)
+    path.closeSubpath()
     return path
 
 

@@ -5,7 +5,7 @@ An editor, so it paints itself. It changes nothing: it sends what a hand or the 
 
 from collections.abc import Collection
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleEvent,
@@ -26,6 +26,13 @@ from workbench.widgets.timeline.rows import KeyShown, TimelineShown
 from workbench.widgets.timeline.scale import LABEL_PX, ROW_PX, RULER_PX, Scale, fitting, zoomed
 
 _ZOOM = 1.25
+_OWN_KEYS = frozenset(
+    (
+        *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Home, Qt.Key.Key_End),
+        *(Qt.Key.Key_K, Qt.Key.Key_Delete, Qt.Key.Key_Backspace, Qt.Key.Key_Space),
+        *(Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape),
+    )
+)
 
 
 class Timeline(QWidget):
@@ -299,6 +306,15 @@ class Timeline(QWidget):
         return menu
 
     # By keyboard
+
+    def event(self, event: QEvent) -> bool:
+        """Its own keys are no commands of what stands around it: Delete takes keys and not figures."""
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            plain = not event.modifiers() & Qt.KeyboardModifier.ControlModifier
+            if plain and Qt.Key(event.key()) in _OWN_KEYS:
+                event.accept()
+                return True
+        return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrows, Home and End, K, Delete, Space, and the menu of the chosen keys."""

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QWidget
 
 from workbench.language import _
@@ -16,7 +16,7 @@ from workbench.widgets.look.type_faces import code_font
 HEIGHT = 44
 _FIELD_PX = 52
 _SPEEDS = (0.25, 0.5, 1.0, 2.0)
-_NARROW_PX = 860
+_NARROW_PX, _NARROWER_PX = 860, 700
 
 
 class Transport(QWidget):
@@ -112,9 +112,10 @@ class Transport(QWidget):
             row.addWidget(widget)
             row.addSpacing(12 if widget is self.length else 4)
         row.addStretch(1)
-        row.addWidget(self._button(self.auto_key, words=True))
-        row.addSpacing(4)
-        row.addWidget(self._button(self.ghosts, words=True))
+        self._worded = [self._button(action, words=True) for action in (self.auto_key, self.ghosts)]
+        for button in self._worded:
+            row.addWidget(button)
+            row.addSpacing(4)
         row.addSpacing(8)
         for action in (self.zoom_out, self.zoom_in):
             row.addWidget(self._button(action))
@@ -178,9 +179,17 @@ class Transport(QWidget):
                 field.setText(f"{value:g}")
         self.auto_key.setChecked(self._session.state.auto_key)
         set_icon(self.auto_key, "record", "error" if self._session.state.auto_key else "text")
-        narrow = self.width() < _NARROW_PX
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """What has no room goes, first the rate, then what comes after the last frame and the words."""
+        super().resizeEvent(event)
         for widget in (self._a_second, self.rate, self.speed):
-            widget.setVisible(not narrow)
+            widget.setVisible(self.width() >= _NARROW_PX)
+        wide = self.width() >= _NARROWER_PX
+        self.mode.setVisible(wide)
+        style = Qt.ToolButtonStyle
+        for button in self._worded:
+            button.setToolButtonStyle(style.ToolButtonTextBesideIcon if wide else style.ToolButtonIconOnly)
 
     def _played(self, on: bool) -> None:
         set_icon(self.play, "pause" if on else "play")
