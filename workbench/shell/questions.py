@@ -79,7 +79,7 @@ def questions() -> tuple[Question, ...]:
             _("Animation"),
             "animate",
             "animate-ball",
-            7,
+            9,
         ),
         Question(
             10,

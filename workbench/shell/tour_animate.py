@@ -18,7 +18,7 @@ _TELLING = 34
 def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
     """Name of each picture, and what brings the window there."""
     return [
-        ("animate-ball", partial(_open, slug="animate-ball", frame=_TELLING, track=1)),
+        ("animate-ball", partial(_open, slug="animate-ball", frame=_TELLING)),
         ("animate-letter", partial(_open, slug="animate-letter", frame=18)),
         ("animate-clock", partial(_open, slug="animate-clock", frame=20)),
         ("animate-pendulum", partial(_open, slug="animate-pendulum", frame=8)),
@@ -27,7 +27,7 @@ def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
     ]
 
 
-def _open(window: MainWindow, slug: str, frame: int, track: int = 0) -> AnimatePanel:
+def _open(window: MainWindow, slug: str, frame: int) -> AnimatePanel:
     from workbench.panels.animate.panel import AnimatePanel
 
     window.open_example(slug)
@@ -35,14 +35,14 @@ def _open(window: MainWindow, slug: str, frame: int, track: int = 0) -> AnimateP
     session.frames.show(frame)
     panel = panel_of(window.panels("animate"), AnimatePanel)
     motion = session.frames.motion
-    panel.timeline.track_chosen.emit(motion.tracks[track].target)
+    panel.timeline.track_chosen.emit(motion.tracks[0].target)
     window.arrangements.bring_forward("between")
     return panel
 
 
 def _stepped(window: MainWindow) -> None:
     """The falling of the ball, at the in-between in the middle."""
-    _open(window, "animate-ball", _TELLING, 1)
+    _open(window, "animate-ball", _TELLING)
     window.session.update_state(step=7)
     window.arrangements.bring_forward("hand_table")
 

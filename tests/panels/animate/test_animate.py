@@ -66,8 +66,8 @@ def test_the_ruler_is_dragged_to_a_frame_and_everything_shows_it(qtbot, panel: A
     assert panel.transport.frame.text() == "34"
     ball = panel.session.shown.figures[-1]
     assert (ball.points_world[0].x, ball.points_world[0].y) == pytest.approx((152.0, 35.456), abs=1e-3)
-    assert panel.timeline.shown.tracks[1].value == "35.4558"
-    qtbot.mouseClick(panel.timeline, LEFT, pos=frame_place(panel, 1, 30))
+    assert panel.timeline.shown.tracks[0].value == "35.4558"
+    qtbot.mouseClick(panel.timeline, LEFT, pos=frame_place(panel, 0, 30))
     settle()
     assert "46 + 0.292893 · (10 − 46) = 35.4558" in panel.between.sums.text()
     assert "frame 34 of 58" in panel.timeline.accessibleDescription()
@@ -75,12 +75,12 @@ def test_the_ruler_is_dragged_to_a_frame_and_everything_shows_it(qtbot, panel: A
 
 
 def test_a_key_is_dragged_in_time_as_one_step_of_undo(qtbot, panel: AnimatePanel) -> None:
-    assert frames_on(panel, 1) == [0, 16, 28, 40, 49, 58]
-    pull(qtbot, panel, key_place(panel, 1, 2), frame_place(panel, 1, 31))
-    assert frames_on(panel, 1) == [0, 16, 31, 40, 49, 58]
+    assert frames_on(panel, 0) == [0, 16, 28, 40, 49, 58]
+    pull(qtbot, panel, key_place(panel, 0, 2), frame_place(panel, 0, 31))
+    assert frames_on(panel, 0) == [0, 16, 31, 40, 49, 58]
     panel.session.undo_stack.undo()
     settle()
-    assert frames_on(panel, 1) == [0, 16, 28, 40, 49, 58]
+    assert frames_on(panel, 0) == [0, 16, 28, 40, 49, 58]
 
 
 def test_a_box_chooses_keys_that_move_and_go_together(qtbot, panel: AnimatePanel) -> None:
@@ -97,15 +97,15 @@ def test_a_box_chooses_keys_that_move_and_go_together(qtbot, panel: AnimatePanel
 
 
 def test_a_double_click_and_the_letter_k_set_keys(qtbot, panel: AnimatePanel) -> None:
-    qtbot.mouseDClick(panel.timeline, LEFT, pos=frame_place(panel, 0, 20))
+    qtbot.mouseDClick(panel.timeline, LEFT, pos=frame_place(panel, 1, 20))
     settle()
-    assert frames_on(panel, 0) == [0, 20, 58]
+    assert frames_on(panel, 1) == [0, 20, 58]
     panel.session.frames.show(33)
     panel.timeline.setFocus()
     settle()
     qtbot.keyClick(panel.timeline, Qt.Key.Key_K)
     settle()
-    assert frames_on(panel, 0) == [0, 20, 33, 58]
+    assert frames_on(panel, 1) == [0, 20, 33, 58]
 
 
 def test_the_keyboard_goes_from_frame_to_frame_and_from_track_to_track(qtbot, panel: AnimatePanel) -> None:
@@ -134,25 +134,25 @@ def test_the_keyboard_goes_from_frame_to_frame_and_from_track_to_track(qtbot, pa
 
 
 def test_an_easing_is_chosen_in_the_menu_of_a_key_and_beside_its_curve(qtbot, panel: AnimatePanel) -> None:
-    qtbot.mouseClick(panel.timeline, LEFT, pos=key_place(panel, 0, 0))
+    qtbot.mouseClick(panel.timeline, LEFT, pos=key_place(panel, 1, 0))
     settle()
     menu = panel.timeline.key_menu()
     next(action for action in menu.actions() if action.text() == "Cubic ease in").trigger()
     settle()
-    track = track_on(panel.session.sheet, target_of(panel, 0))
+    track = track_on(panel.session.sheet, target_of(panel, 1))
     assert track is not None
     assert track.keys[0].easing == "ease_in_cubic"
     assert panel.between.easing.currentText() == "Cubic ease in"
     panel.between.easing.setCurrentIndex(1)
     panel.between.easing.activated.emit(1)
     settle()
-    assert track_on(panel.session.sheet, target_of(panel, 0)).keys[0].easing == "linear"  # type: ignore[union-attr]
+    assert track_on(panel.session.sheet, target_of(panel, 1)).keys[0].easing == "linear"  # type: ignore[union-attr]
 
 
 def test_a_dragged_handle_makes_the_easing_bezier_and_that_is_said(qtbot, panel: AnimatePanel) -> None:
     said: list[str] = []
     panel.hover_text.connect(said.append)
-    qtbot.mouseClick(panel.timeline, LEFT, pos=frame_place(panel, 1, 5))
+    qtbot.mouseClick(panel.timeline, LEFT, pos=frame_place(panel, 0, 5))
     settle()
     curve = panel.between.curve
     curve.resize(200, 180)
@@ -163,7 +163,7 @@ def test_a_dragged_handle_makes_the_easing_bezier_and_that_is_said(qtbot, panel:
     qtbot.mouseMove(curve, end)
     qtbot.mouseRelease(curve, LEFT, pos=end)
     settle()
-    key = track_on(panel.session.sheet, target_of(panel, 1)).keys[0]  # type: ignore[union-attr]
+    key = track_on(panel.session.sheet, target_of(panel, 0)).keys[0]  # type: ignore[union-attr]
     assert key.easing == "bezier"
     assert (key.x1, key.y1) == pytest.approx((0.6, 0.2), abs=0.02)
     assert any("Bézier" in sentence for sentence in said)
@@ -211,7 +211,7 @@ def test_what_is_typed_wrong_is_said(qtbot, panel: AnimatePanel) -> None:
 
 
 def test_stepping_the_in_betweens_shows_their_frames(qtbot, panel: AnimatePanel) -> None:
-    qtbot.mouseClick(panel.timeline, LEFT, pos=frame_place(panel, 1, 30))
+    qtbot.mouseClick(panel.timeline, LEFT, pos=frame_place(panel, 0, 30))
     panel.session.frames.show(30)
     settle()
     panel.between.step.click()
@@ -226,14 +226,14 @@ def test_stepping_the_in_betweens_shows_their_frames(qtbot, panel: AnimatePanel)
 
 
 def test_keys_are_copied_and_pasted_at_the_frame_that_is_shown(qtbot, panel: AnimatePanel) -> None:
-    qtbot.mouseClick(panel.timeline, LEFT, pos=key_place(panel, 0, 0))
+    qtbot.mouseClick(panel.timeline, LEFT, pos=key_place(panel, 1, 0))
     panel.timeline.setFocus()
     settle()
     assert panel.copy()
     panel.session.frames.show(30)
     assert panel.paste()
     settle()
-    assert frames_on(panel, 0) == [0, 30, 58]
+    assert frames_on(panel, 1) == [0, 30, 58]
 
 
 def test_the_ends_of_the_ghosts_are_dragged(qtbot, panel: AnimatePanel) -> None:

@@ -95,8 +95,8 @@ def _ball() -> Document:
     def tracks(figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
         body = figures[-1]
         centre = body.points_world[0].id
-        yield f"{body.id}/{centre}/x", [(0, (16.0,), "linear"), (58, (248.0,), "linear")]
         yield f"{body.id}/{centre}/y", heights
+        yield f"{body.id}/{centre}/x", [(0, (16.0,), "linear"), (58, (248.0,), "linear")]
         yield (
             f"{body.id}/radius_y_world",
             [(frame, (7.0 * factor,), easing) for frame, (factor,), easing in squash],
