@@ -66,7 +66,7 @@ def test_the_ruler_is_dragged_to_a_frame_and_everything_shows_it(qtbot, panel: A
     assert panel.transport.frame.text() == "34"
     ball = panel.session.shown.figures[-1]
     assert (ball.points_world[0].x, ball.points_world[0].y) == pytest.approx((152.0, 35.456), abs=1e-3)
-    assert panel.timeline.shown.tracks[0].value == "35.4558"
+    assert panel.timeline.shown.values[target_of(panel, 0)] == "35.4558"
     qtbot.mouseClick(panel.timeline, LEFT, pos=frame_place(panel, 0, 30))
     settle()
     assert "46 + 0.292893 · (10 − 46) = 35.4558" in panel.between.sums.text()

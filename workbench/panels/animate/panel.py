@@ -26,8 +26,8 @@ from workbench.document.subjects import Subject
 from workbench.language import _, ngettext
 from workbench.panels.animate.between_dock import BetweenDock
 from workbench.panels.animate.card import AnimateCard
-from workbench.panels.animate.names import easing_titles, label_of
-from workbench.panels.animate.rows import timeline_of
+from workbench.panels.animate.names import easing_titles, label_of, value_text
+from workbench.panels.animate.rows import rows_of
 from workbench.panels.animate.view import USUAL_REACH, AnimateView
 from workbench.panels.panel import DockPart
 from workbench.panels.stage.actions import PanelCommand
@@ -36,11 +36,13 @@ from workbench.panels.stage.stepped import SteppedPanel
 from workbench.panels.stage.tools import CircleTool, LineTool, PolygonTool, PolylineTool, SelectTool
 from workbench.rendering.subjects.track import KIND, at_frame
 from workbench.session.session import Session
+from workbench.widgets.timeline.rows import TimelineShown
 from workbench.widgets.timeline.timeline import Timeline
 from workbench.widgets.timeline.transport import Transport
 
 EXAMPLE = "animate-ball"
 _TIMELINE_PX, _LOW_TIMELINE_PX, _LOW_PX = 170, 100, 460
+_MANY = 24
 _DRAG = "drag keys"
 _EASE = "shape easing"
 
@@ -90,6 +92,7 @@ class AnimatePanel(SteppedPanel):
         timeline.easing_wanted.connect(self._ease)
         timeline.reach_wanted.connect(self._set_reach)
         timeline.play_wanted.connect(frames.toggle)
+        timeline.scrolled.connect(self.refresh_soon)
         transport.said.connect(self.hover_text)
         transport.length_wanted.connect(lambda count: self._set_motion(frames=count))
         transport.rate_wanted.connect(lambda rate: self._set_motion(rate=rate))
@@ -138,7 +141,14 @@ class AnimatePanel(SteppedPanel):
         track = self._track()
         shown = frames.sheet
         chosen = track.target if track is not None else ""
-        self.timeline.show_tracks(timeline_of(sheet, shown, frames.number, self.view.reach, chosen))
+        rows = rows_of(sheet)
+        seen = (
+            self.timeline.seen if self.timeline.shown.tracks is rows else [row.target for row in rows[:_MANY]]
+        )
+        values = {target: value_text(shown, target) for target in {*seen, chosen} if target}
+        self.timeline.show_tracks(
+            TimelineShown(rows, frames.count, frames.number, self.view.reach, chosen, values)
+        )
         self.transport.refresh()
         if self.between.isVisible() and not frames.playing:
             self.between.show_interval(sheet, shown, track, frames.number)

@@ -1,5 +1,6 @@
 """The tracks of a session as the timeline shows them."""
 
+from functools import lru_cache
 from itertools import pairwise
 
 from workbench.document.model import Sheet
@@ -8,24 +9,22 @@ from workbench.document.motion.groups import group_of
 from workbench.document.motion.model import Key, Track
 from workbench.document.motion.tracks import motion_of
 from workbench.language import _
-from workbench.panels.animate.names import easing_titles, label_of, value_text
-from workbench.widgets.timeline.rows import KeyShown, Pace, TimelineShown, TrackShown
+from workbench.panels.animate.names import easing_titles, label_of
+from workbench.widgets.timeline.rows import KeyShown, Pace, TrackShown
 
 _SLOW_LEAVING = ("ease_in", "ease_in_out", "ease_in_cubic", "ease_in_out_cubic", "spline")
 _SLOW_ARRIVING = ("ease_out", "ease_in_out", "ease_out_cubic", "ease_in_out_cubic", "spline")
 _SLOWER = 0.5
 
 
-def timeline_of(sheet: Sheet, shown: Sheet, frame: int, reach: int, chosen: str) -> TimelineShown:
-    """All tracks of a sheet, with the values that they have on the sheet ``shown``, in its frame."""
-    motion = motion_of(sheet)
-    astray = set(loose(sheet))
-    rows = tuple(_row(sheet, shown, track, track.target in astray) for track in motion.tracks)
-    return TimelineShown(rows, motion.frames, frame, reach, chosen)
+@lru_cache(maxsize=4)
+def rows_of(sheet: Sheet) -> tuple[TrackShown, ...]:
+    """The tracks of a sheet; they are the same in every frame."""
+    astray, titles = set(loose(sheet)), easing_titles()
+    return tuple(_row(sheet, track, track.target in astray, titles) for track in motion_of(sheet).tracks)
 
 
-def _row(sheet: Sheet, shown: Sheet, track: Track, astray: bool) -> TrackShown:
-    titles = easing_titles()
+def _row(sheet: Sheet, track: Track, astray: bool, titles: dict[str, str]) -> TrackShown:
     keys = []
     before: Key | None = None
     for key, following in pairwise((*track.keys, None)):
@@ -39,14 +38,7 @@ def _row(sheet: Sheet, shown: Sheet, track: Track, astray: bool) -> TrackShown:
     if group is not None and group.kind == "colour":
         colours = tuple("#" + "".join(f"{round(c):02X}" for c in key.value) for key in track.keys)
     problem = _("nothing there") if astray else ""
-    return TrackShown(
-        track.target,
-        label_of(sheet, track.target),
-        value_text(shown, track.target),
-        tuple(keys),
-        colours,
-        problem,
-    )
+    return TrackShown(track.target, label_of(sheet, track.target), tuple(keys), colours, problem)
 
 
 def leaving_pace(key: Key) -> Pace:

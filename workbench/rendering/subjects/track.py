@@ -31,8 +31,9 @@ def at_frame(target: str, frame: int) -> Subject:
 def track_of(sheet: Sheet, subject: Subject) -> Track | None:
     """The track that a subject names, or else the first one; None where the sheet has none that moves."""
     target = str(subject.arguments.get("target", ""))
-    tracks = [each for each in motion_of(sheet).tracks if group_of(sheet, each.target) is not None]
-    return (track_on(sheet, target) if target else None) or next(iter(tracks), None)
+    if target and (track := track_on(sheet, target)) is not None:
+        return track
+    return next((each for each in motion_of(sheet).tracks if group_of(sheet, each.target) is not None), None)
 
 
 def keys_around(track: Track, frame: int) -> tuple[Key, Key] | None:

@@ -64,6 +64,7 @@ def paint_track(
     painter: QPainter,
     scale: Scale,
     track: TrackShown,
+    value: str,
     top: float,
     width: float,
     chosen: bool,
@@ -78,7 +79,7 @@ def paint_track(
     painter.setPen(colour(now.line))
     painter.drawLine(QPointF(0, top + ROW_PX - 0.5), QPointF(width, top + ROW_PX - 0.5))
     metrics = QFontMetricsF(painter.font())
-    value = track.problem or track.value
+    value = track.problem or value
     value_px = metrics.horizontalAdvance(value)
     room = LABEL_PX - 26 - value_px
     painter.setPen(colour(now.text))

@@ -41,7 +41,8 @@ class Timeline(QWidget):
     ``frame_wanted`` sends a frame, ``track_chosen`` a target, ``keys_dragged`` by how many frames the chosen
     keys are wanted from where they were pressed, ``keys_dropped`` that the hand let go, ``key_wanted`` a
     target and a frame, ``deletion_wanted`` nothing more, ``easing_wanted`` the name of one, ``reach_wanted``
-    how far the ghosts reach, ``play_wanted`` that it is played or stopped.
+    how far the ghosts reach, ``play_wanted`` that it is played or stopped; ``scrolled``: other tracks
+    are seen.
     """
 
     frame_wanted = Signal(int)
@@ -54,6 +55,7 @@ class Timeline(QWidget):
     reach_wanted = Signal(int)
     play_wanted = Signal()
     selection_changed = Signal()
+    scrolled = Signal()
 
     def __init__(self, easings: Collection[tuple[str, str]], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -84,12 +86,10 @@ class Timeline(QWidget):
         """Show this from now on."""
         if shown == self._shown:
             return
-        refit = self._fits or shown.frames < self._scale.first
-        self._shown = shown
-        known = {key.id for track in shown.tracks for key in track.keys}
-        if not self._selected <= known:
-            self._choose_keys(self._selected & known)
-        if refit:
+        before, self._shown = self._shown, shown
+        if shown.tracks is not before.tracks and self._selected:
+            self._choose_keys(self._selected & {key.id for track in shown.tracks for key in track.keys})
+        if shown.frames != before.frames and (self._fits or shown.frames < self._scale.first):
             self.fit()
         self._top = max(min(self._top, len(shown.tracks) - 1), 0)
         self.setAccessibleDescription(self.reading)
@@ -100,6 +100,12 @@ class Timeline(QWidget):
     def shown(self) -> TimelineShown:
         """What is shown."""
         return self._shown
+
+    @property
+    def seen(self) -> tuple[str, ...]:
+        """The targets of the tracks that are seen."""
+        rows = int((self.height() - RULER_PX) // ROW_PX) + 1
+        return tuple(track.target for track in self._shown.tracks[self._top : self._top + rows])
 
     @property
     def scale(self) -> Scale:
@@ -119,7 +125,8 @@ class Timeline(QWidget):
         if track is None:
             return frame
         key = next((key for key in track.keys if key.frame == self._shown.frame), None)
-        words = [f"{track.label}: {track.value}", frame, *([_("a key"), key.words] if key else [])]
+        value = self._shown.values.get(track.target, "")
+        words = [f"{track.label}: {value}", frame, *([_("a key"), key.words] if key else [])]
         if self._selected:
             count = len(self._selected)
             words.append(ngettext("{n} key chosen", "{n} keys chosen", count).format(n=count))
@@ -188,7 +195,8 @@ class Timeline(QWidget):
                 break
             track = shown.tracks[number]
             chosen = track.target == shown.chosen
-            paint_track(painter, self._scale, track, top, self.width(), chosen, self._selected)
+            value = shown.values.get(track.target, "")
+            paint_track(painter, self._scale, track, value, top, self.width(), chosen, self._selected)
         paint_ruler(painter, self._scale, shown, self.width())
         paint_frame(painter, self._scale, shown, self.height())
         if not self._band.isNull():
@@ -285,6 +293,7 @@ class Timeline(QWidget):
             self.zoom(_ZOOM if turned > 0 else 1 / _ZOOM)
         elif turned:
             self._top = max(min(self._top - (1 if turned > 0 else -1), len(self._shown.tracks) - 1), 0)
+            self.scrolled.emit()
             self.update()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
