@@ -46,6 +46,8 @@ class BetweenDock(QScrollArea):
         self.easing = QComboBox()
         for name, title in easing_titles().items():
             self.easing.addItem(title, name)
+        self.easing.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.easing.setMinimumContentsLength(8)
         self.easing.setAccessibleName(_("Easing"))
         self.easing.setToolTip(_("How the value goes from this key to the next one"))
         self.easing.activated.connect(lambda _index: self.easing_wanted.emit(self.easing.currentData()))

@@ -46,15 +46,25 @@ def _what(sheet: Sheet, group: Group | None, attribute: str) -> str:
         return _("outline")
     if group.kind == "turn":
         return _("turn")
+    point = _point_name(sheet, group)
     if attribute == WHOLE:
-        return _("place")
+        return point or _("place")
     if len(group.slots) > 1:
         return attribute.rpartition(".")[2].replace("_", " ")
     number, path = group.slots[0].number, group.slots[0].path
     holder = read(sheet, path[:-1])
     if len(path) > 2 and "transforms" in path:
         return f"{title(holder).lower()} {number.symbol or number.label}"
-    return number.symbol if len(number.symbol) == 1 else number.label
+    short = number.symbol if len(number.symbol) == 1 else number.label
+    return _("{number} of {point}").format(number=short, point=point) if point else short
+
+
+def _point_name(sheet: Sheet, group: Group) -> str:
+    """Which of several points of a figure it is; empty where it is none, or the only one."""
+    kind, at, *rest = group.slots[0].path
+    if kind != "figures" or rest[0] != OUTLINE or len(sheet.figures[int(at)].points_world) < 2:
+        return ""
+    return f"P{rest[1]}"
 
 
 def value_text(sheet: Sheet, target: str) -> str:

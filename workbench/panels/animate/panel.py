@@ -136,9 +136,10 @@ class AnimatePanel(SteppedPanel):
 
     def show_now(self) -> None:
         """Canvas, timeline and in-between as the session is now."""
+        track = self._track()
+        self.view.target = track.target if track is not None else ""
         super().show_now()
         sheet, frames = self.session.sheet, self.session.frames
-        track = self._track()
         shown = frames.sheet
         chosen = track.target if track is not None else ""
         rows = rows_of(sheet)

@@ -26,27 +26,27 @@ def alone(sheet: Sheet, figure: AnyFigure) -> Sheet:
 
 
 @lru_cache(maxsize=16)
-def path_of(moving: Sheet) -> NDArray[np.float64]:
-    """The middle (n, 2) of the points of the only figure of a sheet in every frame, device coordinates.
+def path_of(moving: Sheet, point: str = "") -> NDArray[np.float64]:
+    """The middle (n, 2) of the only figure of a sheet, or one of its points, in every frame, on the device.
 
     Of more than 600 frames every second, third and so on.
     """
     frames = motion_of(moving).frames
     step = -(-frames // MOST_SPOTS)
-    return np.array([_middle(at(moving, frame)) for frame in range(0, frames, step)], np.float64)
+    return np.array([_middle(at(moving, frame), point) for frame in range(0, frames, step)], np.float64)
 
 
-def _middle(sheet: Sheet) -> tuple[float, float]:
+def _middle(sheet: Sheet, point: str) -> tuple[float, float]:
     figure = sheet.figures[0]
-    places = [(point.x, point.y) for point in figure.points_world]
+    places = [(each.x, each.y) for each in figure.points_world if not point or each.id == point]
     x, y = np.array(places, np.float64).mean(axis=0).tolist()
     place = figure_map(sheet, figure).point(x, y)
     return float(place[0]), float(place[1])
 
 
-def path_marks(moving: Sheet, frame: int) -> Iterator[Mark]:
+def path_marks(moving: Sheet, frame: int, point: str = "") -> Iterator[Mark]:
     """A mark for each frame, so that speed is seen, larger ones at keys, and a ring where it is now."""
-    path = path_of(moving)
+    path = path_of(moving, point)
     if len(path) < 2 or not np.ptp(path, axis=0).any():
         return
     motion = motion_of(moving)

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from workbench.algorithms.marks import Mark
+from workbench.document.model import AnyFigure
 from workbench.panels.animate.path import alone, ghosts, path_marks
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.compose import Composition, Progress
@@ -15,13 +16,17 @@ USUAL_REACH = 9
 
 
 class AnimateView(FigureView):
-    """Shows a session on canvases and card; ``reach``: how many frames before and after are ghosts."""
+    """Shows a session on canvases and card; ``reach``: how many frames before and after are ghosts.
+
+    ``target`` is that of the chosen track.
+    """
 
     def __init__(
         self, session: Session, canvas: PixelCanvas, second: PixelCanvas, card: ParameterCard
     ) -> None:
         super().__init__(session, canvas, second, card)
         self.reach = USUAL_REACH
+        self.target = ""
 
     def stepped_run(self) -> Run | None:
         """The session's run when it is that of a track and something of it is recorded."""
@@ -51,6 +56,12 @@ class AnimateView(FigureView):
             made, overlay=replace(overlay, ideal=(), drawn=(*overlay.drawn, *self._moving(), *stepped))
         )
 
+    def _point(self, figure: AnyFigure) -> str:
+        """The point whose path is drawn: the one that the chosen track moves, where it moves one."""
+        name, *rest = self.target.split("/")
+        points = {point.id for point in figure.points_world}
+        return rest[0] if name == figure.id and rest and rest[0] in points else ""
+
     def _moving(self) -> tuple[Mark, ...]:
         figure, frames = self.session.active_figure, self.session.frames
         if figure is None or self.session.sheet.motion is None:
@@ -59,4 +70,7 @@ class AnimateView(FigureView):
         if own.motion is None or not own.motion.tracks:
             return ()
         reach = 0 if frames.playing else self.reach
-        return (*ghosts(own, frames.number, reach), *path_marks(own, frames.number))
+        return (
+            *ghosts(own, frames.number, reach),
+            *path_marks(own, frames.number, self._point(own.figures[0])),
+        )

@@ -56,7 +56,7 @@ class EasingCurve(QWidget):
 
     def sizeHint(self) -> QSize:
         """A square."""
-        return QSize(190, 170)
+        return QSize(190, 130)
 
     @property
     def _area(self) -> QRectF:

@@ -197,6 +197,10 @@ class Timeline(QWidget):
             chosen = track.target == shown.chosen
             value = shown.values.get(track.target, "")
             paint_track(painter, self._scale, track, value, top, self.width(), chosen, self._selected)
+        if not shown.tracks:
+            painter.setPen(colour(now.muted))
+            words = _("Nothing moves yet. Turn auto-key on, go to another frame, and move a figure.")
+            painter.drawText(self.rect().adjusted(0, RULER_PX, 0, 0), Qt.AlignmentFlag.AlignCenter, words)
         paint_ruler(painter, self._scale, shown, self.width())
         paint_frame(painter, self._scale, shown, self.height())
         if not self._band.isNull():
