@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation, Slerp
 from tests.algorithms.runs import arguments
 from workbench.algorithms import catalogue
 from workbench.algorithms.animation import slerp
-from workbench.algorithms.animation.slerp import straight_turn_degrees
+from workbench.algorithms.animation.turns import straight_turn_degrees
 
 runs = arguments(catalogue.get("slerp"))
 Run = tuple[Any, ...]

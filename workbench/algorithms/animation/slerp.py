@@ -15,6 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.animation.refusals import refuse_in_betweens, refuse_quaternion
+from workbench.algorithms.animation.turns import (
+    rounded_degrees,
+    straight_turn_degrees,
+    turn_degrees,
+    turns_in_question,
+)
 from workbench.algorithms.entry import Entry, Law, Parameter, View
 from workbench.algorithms.marks import MOST_SPOTS, Mark, Spot, Stroke, along
 
@@ -71,28 +77,6 @@ def normalised(quaternion: NDArray[Any]) -> tuple[float, float, float, float]:
     size = length(w, x, y, z)
     refuse_quaternion(size)
     return w / size, x / size, y / size, z / size
-
-
-def turn_degrees(omega: float, t: float) -> float:
-    """How far the figure has turned, degrees: twice the angle of the quaternions."""
-    return 2.0 * math.degrees(t * omega)
-
-
-def straight_turn_degrees(omega: float, t: float) -> float:
-    """How far it would have turned by going straight along the chord, and bringing that to length 1."""
-    return 2.0 * math.degrees(math.atan2(t * math.sin(omega), 1.0 - t + t * math.cos(omega)))
-
-
-def turns_in_question(omega: float, t: float) -> tuple[float, ...]:
-    """What a person who is asked first may choose from, degrees; nothing where all ways agree."""
-    turns = (turn_degrees(omega, t), straight_turn_degrees(omega, t), turn_degrees(omega, t * t))
-    different = sorted({rounded_degrees(turn) for turn in turns})
-    return tuple(different) if len(different) > 1 else ()
-
-
-def rounded_degrees(turn: float) -> float:
-    """Degrees as they are asked for, with three digits behind the point."""
-    return round(turn, 3) + 0.0
 
 
 def marks(

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
@@ -47,7 +47,7 @@ class BetweenDock(QScrollArea):
         for name, title in easing_titles().items():
             self.easing.addItem(title, name)
         self.easing.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.easing.setMinimumContentsLength(8)
+        self.easing.setMinimumContentsLength(5)
         self.easing.setAccessibleName(_("Easing"))
         self.easing.setToolTip(_("How the value goes from this key to the next one"))
         self.easing.activated.connect(lambda _index: self.easing_wanted.emit(self.easing.currentData()))
@@ -72,6 +72,7 @@ class BetweenDock(QScrollArea):
         self.setWidget(inner)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setMinimumSize(220, 180)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         column = QVBoxLayout(inner)
         column.setContentsMargins(12, 8, 12, 8)
@@ -82,6 +83,10 @@ class BetweenDock(QScrollArea):
         for widget in (self.note, self.sums):
             column.addWidget(widget)
         column.addStretch(0)
+
+    def sizeHint(self) -> QSize:
+        """As high as all of it, where there is room."""
+        return QSize(260, 320)
 
     def show_interval(self, sheet: Sheet, shown: Sheet, track: Track | None, frame: int) -> None:
         """Show the keys of a track around a frame; without a track what to do."""
