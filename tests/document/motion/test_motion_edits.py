@@ -6,7 +6,7 @@ import pytest
 from msgspec.structs import replace
 
 from tests.document.motion.moving import still, track, with_tracks
-from workbench.document.addresses import changed, highest
+from workbench.document.addresses import changed, highest, resolve
 from workbench.document.edits import (
     add_sheet,
     both,
@@ -18,6 +18,7 @@ from workbench.document.edits import (
     set_attribute,
 )
 from workbench.document.errors import DocumentError
+from workbench.document.fields import numbers_of
 from workbench.document.model import Circle, Document
 from workbench.document.motion.auto_key import auto_key
 from workbench.document.motion.edits import (
@@ -33,6 +34,7 @@ from workbench.document.motion.edits import (
     set_motion,
 )
 from workbench.document.motion.evaluation import at
+from workbench.document.motion.model import Key, Motion
 from workbench.document.storage.files import Stored, decode, encode
 
 RADIUS = "f1/radius_world"
@@ -197,6 +199,27 @@ def test_changes_of_keys_have_addresses() -> None:
     assert {str(each) for each in changed(document, moved)} == {f"s1/{track_id}/{key}/frame"}
     set_by_hand = set_attribute(f"s1/{track_id}/{key}/frame", 12)(document)
     assert set_by_hand.sheets == moved.sheets
+
+
+@pytest.mark.parametrize("name", [*numbers_of(Key), *numbers_of(Motion)])
+def test_every_number_of_a_motion_has_an_address_and_a_range(name: str) -> None:
+    document = moving()
+    motion = document.sheets[0].motion
+    assert motion is not None
+    track_id, key = motion.tracks[0].id, motion.tracks[0].keys[0]
+    if name == "value":
+        at_number = f"s1/{track_id}/{key.id}/value.0"
+        assert resolve(document, at_number) == 4.0
+        return
+    kind, place = (
+        (Key, f"s1/{track_id}/{key.id}/{name}") if name in numbers_of(Key) else (Motion, f"s1/motion.{name}")
+    )
+    number = numbers_of(kind)[name]
+    for wrong in (number.low - 1, number.high + 1):
+        with pytest.raises(DocumentError, match=name):
+            set_attribute(place, number.type(wrong))(document)
+    kept = set_attribute(place, number.type(number.low))(document)
+    assert resolve(kept, place) == number.low
 
 
 def test_a_sheet_added_beside_itself_has_a_motion_of_its_own() -> None:
