@@ -30,6 +30,7 @@ from workbench.document.model import (
     SeedFill,
     WorldPoint,
 )
+from workbench.document.motion.model import Motion
 from workbench.document.samples.examples import blank_sheet
 from workbench.document.scene.model import Scene
 from workbench.document.state import SessionState as State
@@ -38,7 +39,7 @@ from workbench.document.storage.files import decode, encode
 from workbench.document.transforms.links import Affine, Reflect, Rotate, Scale, Shear, Translate
 
 # What a scene is made of has laws of its own, in ``scene/test_scene.py``.
-PICTURE = [kind for kind in structs_in(Document) if kind not in structs_in(Scene)]
+PICTURE = [kind for kind in structs_in(Document) if kind not in structs_in(Scene) | structs_in(Motion)]
 STRUCTS = [*PICTURE, TubeSettings]
 # The sides that cannot lie at that end of their range, since the other side would have to lie beyond it.
 WITHOUT_EXTENT = {("xmin", 1), ("ymin", 1), ("xmax", 0), ("ymax", 0)}

@@ -7,11 +7,14 @@ import sys
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from workbench import __version__
 from workbench.cli.failure import BadInputError, WorkError
 from workbench.language import _, legible
+
+if TYPE_CHECKING:
+    from workbench.document.model import Sheet
 
 PROGRAM = "graphics-workbench"
 _LONGEST_SENTENCE = 500  # whatever was typed and is quoted in it
@@ -87,6 +90,19 @@ def _parser() -> argparse.ArgumentParser:
     draw.add_argument("--sheet", metavar="NUMBER", type=int, default=1, help=_("which sheet, counted from 1"))
     draw.add_argument("--cell", metavar="SIZE", type=int, default=1, help=_("each pixel becomes SIZE x SIZE"))
     draw.set_defaults(run=_draw)
+
+    moving = commands.add_parser("animate", help=_("a sheet that moves, as a GIF or a PNG for each frame"))
+    moving.add_argument("document", metavar="FILE.gwb", type=Path)
+    moving.add_argument(
+        "-o", "--output", metavar="OUT", type=Path, required=True, help=_(".gif, or .png for each frame")
+    )
+    moving.add_argument("--size", metavar="WxH", type=_size, help=_("pixels of each picture"))
+    moving.add_argument("--rate", metavar="N", type=float, help=_("pictures a second"))
+    moving.add_argument(
+        "--sheet", metavar="NUMBER", type=int, default=1, help=_("which sheet, counted from 1")
+    )
+    moving.add_argument("--contacts", action="store_true", help=_("one PNG with up to 24 frames"))
+    moving.set_defaults(run=_animate)
 
     change = commands.add_parser("convert", help=_("SVG or points to a document, a document to SVG"))
     change.add_argument("file", metavar="IN", type=Path, help=_("a .gwb, .svg, .csv, .tsv or .txt file"))
@@ -191,11 +207,19 @@ def _writes_subscripts() -> bool:
 
 def _draw(options: argparse.Namespace) -> str:
     from workbench.cli import outputs
-    from workbench.document import DocumentError, load
     from workbench.document.stand_ins import stand_ins
     from workbench.rendering import frame_buffer
 
     file_format = outputs.format_for("picture", path=options.output)
+    sheet = _sheet(options)
+    outputs.write(file_format, (frame_buffer(sheet), options.cell), options.output)
+    return "\n".join(stand_ins([sheet]))
+
+
+def _sheet(options: argparse.Namespace) -> "Sheet":
+    """The sheet of a document that is asked for."""
+    from workbench.document import DocumentError, load
+
     try:
         sheets = load(options.document).sheets
     except DocumentError as error:
@@ -208,5 +232,26 @@ def _draw(options: argparse.Namespace) -> str:
                 file=options.document, count=len(sheets), number=options.sheet
             )
         )
-    outputs.write(file_format, (frame_buffer(sheets[options.sheet - 1]), options.cell), options.output)
-    return "\n".join(stand_ins(sheets[options.sheet - 1 : options.sheet]))
+    sheet: Sheet = sheets[options.sheet - 1]
+    return sheet
+
+
+def _animate(options: argparse.Namespace) -> str:
+    from workbench.cli import outputs
+    from workbench.exchange.moving_sheets import MovingSheet, Size
+
+    kind = "contacts" if options.contacts else "animation"
+    file_format = outputs.format_for(kind, path=options.output)
+    sheet = _sheet(options)
+    if sheet.motion is None:
+        raise BadInputError(_("{file}: nothing moves on this sheet.").format(file=options.document))
+    rate = options.rate
+    if rate is not None and not rate > 0.0:
+        sentence = _("The rate is {rate:g}; give a number of pictures a second above 0.")
+        raise BadInputError(sentence.format(rate=rate))
+    try:
+        content = MovingSheet(sheet, options.size and Size(*options.size), rate or 0.0)
+    except ValueError as error:
+        raise BadInputError(str(error)) from None
+    outputs.write(file_format, content, options.output)
+    return ""

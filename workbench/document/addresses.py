@@ -3,9 +3,9 @@
 As text: ``s1/width_px``, ``s1/palette.2``, ``s1/v3/window_world.xmin``, ``s1/f2/radius_world``,
 ``s1/f2/p3/x``, ``s1/f2/t4/angle``. A view of a sheet, and an object, a material or a light of its scene,
 stand where a figure does, a knot or a link of a chain where a point does: ``s1/scene.camera.eye.x``,
-``s1/o5/solid.radius``, ``s1/o5/t6/angle``. ``*`` in place of the attribute means the whole sheet, figure
-or point; ``sheets``, ``s1/figures``, ``s1/scene.objects`` and ``s1/f2/points_world`` mean what is in the
-list and in which order.
+``s1/o5/solid.radius``, ``s1/o5/t6/angle``; so do a track of its motion and its keys: ``s1/a7/k8/frame``.
+``*`` in place of the attribute means the whole sheet, figure or point; ``sheets``, ``s1/figures``,
+``s1/scene.objects`` and ``s1/f2/points_world`` mean what is in the list and in which order.
 """
 
 from collections.abc import Collection
@@ -18,6 +18,7 @@ from workbench.document.differences import between
 from workbench.document.errors import DocumentError
 from workbench.document.fields import Field, fields_of, parts_of
 from workbench.document.model import AnyFigure, Document, Sheet, View, WorldPoint
+from workbench.document.motion.model import Track
 from workbench.document.parts import number_of
 from workbench.document.scene.model import Thing
 from workbench.language import _
@@ -95,10 +96,10 @@ def point_with(figure: AnyFigure, point: str) -> WorldPoint:
     raise _no_point(figure, point)
 
 
-def _no_point(holder: AnyFigure | Thing, point: str) -> DocumentError:
+def _no_point(holder: AnyFigure | Thing | Track, point: str) -> DocumentError:
     sentence = (
         _("{figure!r} has no part {id!r}; it may have been removed.")
-        if isinstance(holder, Thing)
+        if isinstance(holder, Thing | Track)
         else _("Figure {figure!r} has no point {id!r}; it may have been removed.")
     )
     return DocumentError(f"{holder.id}/{point}", sentence.format(figure=holder.id, id=point))
@@ -113,8 +114,8 @@ def view_with(document: Document, view: str) -> tuple[Sheet, View]:
     raise DocumentError(view, _("There is no view {id!r}; it may have been removed.").format(id=view))
 
 
-def part_with(holder: AnyFigure | Thing, part: str) -> Any:
-    """The point, knot or link with this id of a figure or of what a scene has; raises DocumentError."""
+def part_with(holder: AnyFigure | Thing | Track, part: str) -> Any:
+    """The point, knot, link or key with this id of what has such parts; raises DocumentError."""
     candidate = next((candidate for candidate in holder.parts if candidate.id == part), None)
     if candidate is None:
         raise _no_point(holder, part)
@@ -134,7 +135,7 @@ def owner(document: Document, address: Address) -> Any:
     for view in sheet.views:
         if view.id == address.figure and not address.point:
             return view
-    for thing in sheet.scene.things if sheet.scene else ():
+    for thing in sheet.things[len(sheet.figures) :]:
         if thing.id == address.figure:
             return part_with(thing, address.point) if address.point else thing
     raise DocumentError(

@@ -24,6 +24,8 @@ from workbench.document.model import (
     View,
     WorldPoint,
 )
+from workbench.document.motion.model import Track
+from workbench.document.motion.tracks import with_track, without_orphans
 from workbench.document.numbers import COORDINATE
 from workbench.document.scene.model import Scene, Thing
 from workbench.document.transforms.chains import read_only_reason
@@ -36,12 +38,12 @@ Numbered = TypeVar("Numbered", bound=AnyFigure | Thing)
 
 
 def checked(change: Callable[Arguments, Edit]) -> Callable[Arguments, Edit]:
-    """``change``, whose edits are checked before anybody sees their result."""
+    """``change``, whose edits are checked before anybody sees them; tracks go with what they hang on."""
 
     @wraps(change)
     def make(*args: Arguments.args, **kwargs: Arguments.kwargs) -> Edit:
         unchecked = change(*args, **kwargs)
-        return lambda document: check(unchecked(document), document)
+        return lambda document: check(without_orphans(document, unchecked(document)), document)
 
     return make
 
@@ -123,6 +125,8 @@ def with_owner(document: Document, where: Address, changed: Any) -> Document:
         holder = owner(document, replace(where, point="", attribute="*"))
         lists = _of_parts(holder, lambda old: changed if old.id == where.point else old)
         changed = replace(holder, **lists)
+    if isinstance(changed, Track):
+        return with_track(document, where.sheet, changed)
     if isinstance(changed, Thing):
         return with_thing(document, changed)
     if where.figure:

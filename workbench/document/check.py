@@ -42,6 +42,8 @@ MAX_VIEWS = 64
 MAX_LINKS = 200
 MAX_OBJECTS = 1_000
 MAX_LIGHTS = 8
+MAX_TRACKS = 10_000
+MAX_KEYS = 100_000
 MAX_NAME = 200
 
 _ID = attrgetter("id")
@@ -64,6 +66,10 @@ def labels() -> dict[str, str]:
         "materials": _("list of materials"),
         "lights": _("list of lights"),
         "points": _("list of points"),
+        "tracks": _("list of tracks"),
+        "keys": _("list of keys"),
+        "target": _("address"),
+        "easing": _("easing"),
         "window_world": _("window"),
         "viewport_device": _("viewport"),
         "algorithm": _("algorithm"),
@@ -151,6 +157,8 @@ def _limits(kind: type, name: str) -> tuple[int, float, str]:
         "materials": (0, MAX_PALETTE, _("material")),
         "lights": (0, MAX_LIGHTS, _("light")),
         "entries": (16, 16, _("entry")),
+        "tracks": (0, MAX_TRACKS, _("track")),
+        "keys": (1, MAX_KEYS, _("key")),
     }.get(name, (0, math.inf, ""))
 
 

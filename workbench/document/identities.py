@@ -51,6 +51,9 @@ def new_ids_sound(before: Document, document: Document) -> bool:
             if old.scene is not sheet.scene:
                 before_it, after_it = (each.scene.things if each.scene else () for each in (old, sheet))
                 _exchanged(before_it, after_it, gone, come)
+            if old.motion is not sheet.motion:
+                old_tracks, tracks = (each.motion.tracks if each.motion else () for each in (old, sheet))
+                _exchanged(old_tracks, tracks, gone, come)
     gone += all_ids(sheets.values())
     new = set(come).difference(gone)
     if len(set(come)) != len(come) or not are_ids(new):
@@ -85,8 +88,10 @@ def ids(document: Document) -> Iterator[tuple[str, str]]:
 
 
 def _ids_below(above: str, holder: Any) -> Iterator[tuple[str, str]]:
-    if isinstance(holder, Sheet) and holder.scene is not None:
-        yield from _ids_below(f"{above}scene.", holder.scene)
+    if isinstance(holder, Sheet):
+        for name in ("scene", "motion"):
+            if (inner := getattr(holder, name)) is not None:
+                yield from _ids_below(f"{above}{name}.", inner)
     for name in parts_of(type(holder)):
         for index, part in enumerate(getattr(holder, name)):
             yield f"{above}{name}[{index}].id", part.id

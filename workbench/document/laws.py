@@ -16,6 +16,7 @@ from workbench.document.model import (
     Rectangle,
     Sheet,
 )
+from workbench.document.motion import laws as motion_laws
 from workbench.document.scene import laws as scene_laws
 from workbench.document.transforms.chains import LARGEST
 from workbench.language import _
@@ -127,6 +128,7 @@ def _extent(rectangle: Rectangle, _before: Any) -> Fault | None:
 
 LAWS: dict[type, tuple[Callable[[Any, Any], Fault | None], ...]] = {
     **scene_laws.LAWS,
+    **motion_laws.LAWS,
     Sheet: (_held_colours, _clippable),
     Figure: (_drawable, _chain),
     Polygon: (_rings,),

@@ -11,6 +11,7 @@ import msgspec
 
 from workbench.algorithms.catalogue import clipping, drawing
 from workbench.document.fields import Choice, Number
+from workbench.document.motion.model import Motion
 from workbench.document.numbers import MAX_COORDINATE, coordinate
 from workbench.document.parts import WithParts
 from workbench.document.scene.model import Scene
@@ -293,7 +294,7 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
     The figures come from back to front. ``background`` is the palette index of the paper: the canvas shows it
     as the theme's canvas colour, the tube as an unlit screen. The clippers work where a view clips; of these
     too a slug that the catalogue does not have is kept. The view plane of the ``scene``, if there is one, is
-    the sheet's world.
+    the sheet's world. All else is as the sheet stands; ``motion.evaluation.at`` gives it in a frame.
     """
 
     letter: ClassVar[str] = "s"
@@ -311,6 +312,7 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
     line_clipper: str = LINE_CLIPPERS[0]
     polygon_clipper: str = POLYGON_CLIPPERS[0]
     scene: Scene | None = None
+    motion: Motion | None = None
 
     @property
     def lines_clipped_with(self) -> str:
@@ -324,8 +326,10 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
 
     @property
     def things(self) -> tuple[Any, ...]:
-        """What has an id of its own and parts: the figures, and what the scene is made of."""
-        return self.figures if self.scene is None else (*self.figures, *self.scene.things)
+        """What has an id of its own and parts: figures, what the scene is made of, and tracks."""
+        scene = () if self.scene is None else self.scene.things
+        tracks = () if self.motion is None else self.motion.tracks
+        return (*self.figures, *scene, *tracks) if scene or tracks else self.figures
 
     @property
     def first_view(self) -> View:

@@ -28,6 +28,7 @@ from workbench.document.model import (
     View,
     whole_sheet,
 )
+from workbench.document.motion.tracks import with_new_ids
 from workbench.document.parts import number_of
 from workbench.document.scene.renaming import with_fresh_ids
 
@@ -52,13 +53,15 @@ def add_sheet(sheet: Sheet, index: int | None = None) -> Edit:
                 view = replace(view, id=f"{view.letter}{next(fresh)}")
             taken.add(view.id)
             views.append(view)
-        added = replace(sheet, id=identity, views=tuple(views), figures=(), scene=None)
+        added = replace(sheet, id=identity, views=tuple(views), figures=(), scene=None, motion=None)
         document = replace(document, sheets=(*document.sheets[:at], added, *document.sheets[at:]))
         figures: list[AnyFigure] = []
+        renamed: dict[str, str] = {}
         for figure in sheet.figures:
-            figure = plain(figure)
+            old, figure = figure.ids, plain(figure)
             if not all(figure.ids) or not taken.isdisjoint(figure.ids):
                 figure = with_ids(without_ids(figure), fresh, fresh)
+                renamed |= zip(old, figure.ids, strict=True)
             taken.update(figure.ids)
             figures.append(figure)
         if sheet.scene is not None:
@@ -66,6 +69,10 @@ def add_sheet(sheet: Sheet, index: int | None = None) -> Edit:
                 plain(sheet.scene), lambda thing: not all(thing.ids) or not taken.isdisjoint(thing.ids), fresh
             )
             added = replace(added, scene=scene)
+            pairs = zip(sheet.scene.things, scene.things, strict=True)
+            renamed |= {old: new for was, thing in pairs for old, new in zip(was.ids, thing.ids, strict=True)}
+        if sheet.motion is not None:
+            added = replace(added, motion=with_new_ids(plain(sheet.motion), renamed, fresh))
         return with_figures(document, added, tuple(figures))
 
     return edit

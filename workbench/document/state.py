@@ -1,6 +1,6 @@
 """What a session keeps in the file beside the picture: it is saved, but never a step of undo."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeVar
 
 import msgspec
 from msgspec.structs import replace
@@ -10,9 +10,12 @@ from workbench.document.faults import shown
 from workbench.document.fields import Number, numbers_of
 from workbench.document.identities import all_ids
 from workbench.document.model import MAX_SIDE_PX, Document, Sheet
+from workbench.document.motion.model import MAX_FRAMES
 from workbench.document.scene.model import Camera, Scene
 from workbench.document.subjects import Position, Subject, fault_in, is_word, missing
 from workbench.language import _
+
+T = TypeVar("T")
 
 LONGEST_TIME_S = 1e9
 
@@ -51,7 +54,8 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     is stepped in, ``positions`` has what each of them steps, and where it stands. ``ask_first`` hides the
     next pixel until it was guessed. ``pixel`` (x, y) is the one that is asked about: why is it as it is.
     ``thing`` is the chosen object of a scene, ``looks`` (by sheet) tell where somebody looks from instead of
-    the scene's camera.
+    the scene's camera. ``frames`` (by sheet) are those that are shown, 0 where none is given;
+    with ``auto_key`` whatever is changed in one gets a key there.
     """
 
     sheet: str = ""
@@ -65,6 +69,8 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     tube: TubeSettings = TubeSettings()
     thing: str = ""
     looks: dict[str, Look] = {}
+    frames: dict[str, int] = {}
+    auto_key: bool = False
 
     @property
     def position(self) -> Position:
@@ -143,6 +149,14 @@ def check_state(state: SessionState, document: Document) -> SessionState:
         if all(sheet.id != sheet_id for sheet in document.sheets):
             raise refuse("session.looks", missing(sheet_id))
         check_part(look, f"session.looks.{sheet_id}")
+    for sheet_id, frame in state.frames.items():
+        if all(sheet.id != sheet_id for sheet in document.sheets):
+            raise refuse("session.frames", missing(sheet_id))
+        if not 0 <= frame < MAX_FRAMES:
+            problem = _("is {value}; give a frame from 0 to {last}")
+            raise refuse(
+                f"session.frames.{sheet_id}", problem.format(value=shown(frame), last=MAX_FRAMES - 1)
+            )
     for workspace in (state.workspace, *state.positions):
         if workspace and not is_word(workspace):
             raise refuse("session.workspace", _("is no name of a workspace; give one such as draw"))
@@ -182,7 +196,8 @@ def cleaned(state: SessionState, document: Document) -> SessionState:
         active=active,
         positions=positions,
         thing=state.thing if not state.thing or state.thing in _objects(document) else "",
-        looks=_looks_on(state, document),
+        looks=_on_sheets(state.looks, document),
+        frames=_on_sheets(state.frames, document),
     )
     return state if left == state else left
 
@@ -191,12 +206,12 @@ def _objects(document: Document) -> frozenset[str]:
     return frozenset(each.id for sheet in document.sheets if sheet.scene for each in sheet.scene.objects)
 
 
-def _looks_on(state: SessionState, document: Document) -> dict[str, Look]:
-    """The looks at the sheets that there are."""
-    if not state.looks:
-        return state.looks
+def _on_sheets(by_sheet: dict[str, T], document: Document) -> dict[str, T]:
+    """What is of the sheets that there are."""
+    if not by_sheet:
+        return by_sheet
     sheets = {sheet.id for sheet in document.sheets}
-    return {sheet: look for sheet, look in state.looks.items() if sheet in sheets}
+    return {sheet: value for sheet, value in by_sheet.items() if sheet in sheets}
 
 
 def _ids_for(state: SessionState, document: Document) -> frozenset[str]:

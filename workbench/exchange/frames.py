@@ -2,6 +2,7 @@
 
 import io
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -20,13 +21,19 @@ _MOST_PIXELS = 300_000_000  # of all pictures together: so many bytes are held w
 
 
 class Frames(Protocol):
-    """``parts`` pictures, (h, w, 3) each, the top row first; each is seen for ``seconds`` in a GIF."""
+    """``parts`` pictures, (h, w, 3) each, the top row first; each is seen for ``seconds`` in a GIF.
+
+    Where it ``rests`` the last one stays three times as long.
+    """
 
     @property
     def parts(self) -> int: ...
 
     @property
     def seconds(self) -> float: ...
+
+    @property
+    def rests(self) -> bool: ...
 
     def image(self, number: int) -> Picture:
         """Picture ``number``, from 0."""
@@ -46,8 +53,9 @@ def each_png(frames: Frames, put: Put, told: Progress) -> None:
 
 
 def animation(frames: Frames, put: Put, told: Progress) -> None:
-    """One GIF of all pictures, which begins anew when it has ended; its last picture stays three times as
-    long. A GIF counts hundredths of a second.
+    """One GIF of all pictures, which begins anew when it has ended.
+
+    A GIF counts hundredths of a second: of 24 pictures a second some are seen for 4 and some for 5.
     """
 
     def told_of_each() -> "Iterator[Image.Image]":
@@ -60,18 +68,24 @@ def animation(frames: Frames, put: Put, told: Progress) -> None:
     if first.width * first.height * frames.parts > _MOST_PIXELS:
         sentence = _("A GIF of {parts} pictures {width} pixels wide is too large; choose a smaller size.")
         raise ValueError(sentence.format(parts=frames.parts, width=first.width))
-    each = max(round(100 * frames.seconds), 2) * 10
     file = _Telling(lambda: told(frames.parts, frames.parts))
     first.save(
         file,
         "GIF",
         save_all=True,
         append_images=images,
-        duration=[each] * (frames.parts - 1) + [3 * each],
+        duration=delays_ms(frames),
         loop=0,
         optimize=False,
     )
     put(file.getvalue())
+
+
+def delays_ms(frames: Frames) -> list[int]:
+    """How long each picture of a GIF is seen, in whole hundredths that add up to the time of all."""
+    ends = [round(100 * frames.seconds * number) for number in range(frames.parts + 1)]
+    delays = [max(end - start, 2) * 10 for start, end in pairwise(ends)]
+    return [*delays[:-1], 3 * delays[-1]] if frames.rests else delays
 
 
 def indexed(picture: Picture) -> "Image.Image":

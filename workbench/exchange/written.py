@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from workbench.document.storage.files import pieces_of
 from workbench.exchange import meshes, tables
 from workbench.exchange.frames import animation, each_png, one_png
+from workbench.exchange.moving_sheets import contact_sheet
 from workbench.exchange.pictures import png
 from workbench.exchange.point_lists import write_points
 from workbench.exchange.svg_writing import Exported
@@ -82,6 +83,7 @@ def _mesh(make: Callable[..., bytes]) -> Encode:
 # mesh         (vertices, faces), faces as ``Faces.of`` takes them
 # wireframe    (segments, window, size), as ``wireframe_svg`` takes them
 # step, run    frames.Frames
+# animation    moving_sheets.MovingSheet, and the same as one picture of many: contacts
 # derivation   diagrams.Derivation
 FORMATS: tuple[FileFormat, ...] = (
     FileFormat("document", ".gwb", "Graphics Workbench", whole(pieces_of)),
@@ -99,6 +101,9 @@ FORMATS: tuple[FileFormat, ...] = (
     FileFormat("step", ".png", "PNG", one_png),
     FileFormat("run", ".png", "PNG", each_png, numbered=True),
     FileFormat("run", ".gif", "GIF", animation),
+    FileFormat("animation", ".gif", "GIF", animation),
+    FileFormat("animation", ".png", "PNG", each_png, numbered=True),
+    FileFormat("contacts", ".png", "PNG", contact_sheet),
     FileFormat("derivation", ".svg", "SVG", whole(_derivation)),
 )
 

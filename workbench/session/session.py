@@ -1,7 +1,6 @@
 """The session: the one holder of the open document, of undo, of what is selected and where the run stands.
 
-Three kinds of state: the document (undone, saved), the session's state (saved, not undone), and the view
-(docks, zoom), which lives in the settings and not here.
+Three kinds of state: the document (undone, saved), the session's (saved, not undone), the view's (settings).
 """
 
 from collections.abc import Callable
@@ -24,6 +23,7 @@ from workbench.language import _
 from workbench.rendering.memory import forget
 from workbench.rendering.subjects.registry import checked, kind_of
 from workbench.session.following import Following
+from workbench.session.frames import Frames
 from workbench.session.incoming import Incoming
 from workbench.session.origins import text_of
 from workbench.session.recovery import Recoverable, RecoveryFile
@@ -77,7 +77,7 @@ class Session(QObject):
         self.incoming = Incoming(self)
         self.run, self.followers = Run(self), (Run(self),)
         self._following = Following(self, self.run, self.followers)
-        self.unfolding = Unfolding(self)
+        self.unfolding, self.frames = Unfolding(self), Frames(self)
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
         self.undo_stack.cleanChanged.connect(self._clean_changed)
         self.undo_stack.indexChanged.connect(self._index_changed)
@@ -94,7 +94,7 @@ class Session(QObject):
 
     @property
     def shown(self) -> Sheet:
-        """The current sheet as it is painted: all of it, or what a large one has unfolded to.
+        """The current sheet in its frame as it is painted: all of it, or what a large one has unfolded to.
 
         Edits, runs and what leaves the program are of ``sheet``.
         """
@@ -125,13 +125,13 @@ class Session(QObject):
         """What a file of this session holds."""
         return Stored(self.document, self.state, self._blobs)
 
-    def apply(self, edit: Edit, name: str, merge: str = "") -> None:
-        """Do ``edit`` as one step of undo called ``name``; raises DocumentError with everything untouched.
-
+    def apply(self, edit: Edit, name: str, merge: str = "", on: Document | None = None) -> None:
+        """Do ``edit`` in the frame that is shown, as one step of undo called ``name``, to the document or to
+        ``on``, with which a drag began; raises DocumentError with everything untouched.
         Edits with the same ``merge`` token become one step, until ``end_merge`` or any other edit.
         """
         old = self.document
-        new = edit(old)
+        new = self.frames.edited(edit)(on or old)
         if new == old:
             return
         if self._merging and self._merging[0] != merge:

@@ -53,8 +53,8 @@ class Unfolding(QObject):
 
     @property
     def shown(self) -> Sheet:
-        """The current sheet, or, while it unfolds, the same with those of its figures that are ready."""
-        sheet = self._session.sheet
+        """The current sheet in its frame, or, while it unfolds, with those of its figures that are ready."""
+        sheet = self._session.frames.sheet
         if sheet is not self._whole or self._part is None:
             self._look(sheet)
         return self._part or sheet
@@ -66,7 +66,7 @@ class Unfolding(QObject):
             self._ready, self._frame = {}, frame
         self._whole = sheet
         waiting = self._waiting(sheet)
-        if len(waiting) > FEW:
+        if len(waiting) > FEW and self._session.sheet is sheet:
             state = self._session.state
             chosen = {*state.selection, state.active}
             for figure in islice((each for each in waiting if each.id in chosen), FEW):
@@ -96,7 +96,7 @@ class Unfolding(QObject):
             prepare(sheet, figure)
 
     def _turn(self) -> None:
-        sheet = self._session.sheet
+        sheet = self._session.frames.sheet
         if sheet is not self._whole:
             self._timer.stop()  # who shows the other sheet begins anew
             self.grown.emit()

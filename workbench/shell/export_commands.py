@@ -2,6 +2,7 @@
 
 from workbench.language import _
 from workbench.shell.actions import Command
+from workbench.shell.motion_exports import export_animation, export_contacts
 from workbench.shell.scene_exports import export_mesh, export_scene_picture, export_wireframe
 
 
@@ -77,6 +78,27 @@ def export_commands() -> tuple[Command, ...]:
             (),
             "dots-three",
             _("The chosen points, or all, as a list that can be imported again"),
+            "export",
+            "document",
+        ),
+        Command(
+            "export_animation",
+            _("Export the animation..."),
+            export_animation,
+            (),
+            "film-strip",
+            _("Every frame in a GIF that moves, or as a PNG of its own"),
+            "export",
+            "document",
+            separated=True,
+        ),
+        Command(
+            "export_contacts",
+            _("Export a sheet of frames..."),
+            export_contacts,
+            (),
+            "grid-four",
+            _("Up to 24 frames side by side as one PNG, for a report"),
             "export",
             "document",
         ),

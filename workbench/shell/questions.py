@@ -73,7 +73,14 @@ def questions() -> tuple[Question, ...]:
             "curves",
             "curve-interpolation",
         ),
-        Question(9, _("How do a few key frames become a smooth motion?"), _("Animation")),
+        Question(
+            9,
+            _("How do a few key frames become a smooth motion?"),
+            _("Animation"),
+            "animate",
+            "animate-ball",
+            9,
+        ),
         Question(
             10,
             _("Row by row or stroke by stroke: how do raster and random scan draw one picture?"),

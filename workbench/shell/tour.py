@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from workbench.language import _
+from workbench.shell.tour_animate import animate_scenes
 from workbench.shell.tour_curves import curve_scenes
 from workbench.shell.tour_space import space_scenes
 from workbench.shell.tour_transform import transform_scenes
@@ -193,6 +194,7 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("clip-empty", lambda window: _empty(window, "clip")),
         *transform_scenes(),
         *viewing_scenes(),
+        *animate_scenes(),
         *curve_scenes(),
         *space_scenes(),
         ("display", _display),

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 from workbench.language import _
 
 if TYPE_CHECKING:
+    from workbench.panels.animate.panel import AnimatePanel
     from workbench.panels.clip.panel import ClipPanel
     from workbench.panels.curves.panel import CurvesPanel
     from workbench.panels.display.panel import DisplayPanel
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
     # Every panel there is conforms.
     PANELS: tuple[type[Panel], ...] = (
+        AnimatePanel,
         ClipPanel,
         ComparePanel,
         CurvesPanel,
@@ -160,6 +162,16 @@ def workspaces() -> tuple[Workspace, ...]:
             steps=True,
             topics=("projection", "visibility"),
             lower=("hand_table", "fragments", "depth_cost", "variables"),
+        ),
+        Workspace(
+            "animate",
+            _("Animate"),
+            _("Key frames, the frames between them, and how they get their speed"),
+            "film-strip",
+            ("workbench.panels.animate.panel:AnimatePanel", inspector, tube),
+            steps=True,
+            topics=("animation",),
+            lower=("hand_table", "source", "variables", "about", "tube"),
         ),
         Workspace(
             "display",

@@ -50,6 +50,7 @@ def test_the_pieces_are_what_the_whole_is(document: Document, blobs: dict[str, b
     whole = msgspec.json.decode(msgspec.json.encode(document))
     for sheet in whole["sheets"]:
         assert sheet.pop("scene") is None
+        assert sheet.pop("motion") is None
     assert raw["document"] == whole
     assert {name: base64.b64decode(text) for name, text in raw["blobs"].items()} == blobs
 

@@ -63,7 +63,14 @@ def test_the_text_is_readable(tmp_path: Path) -> None:
     assert '    "name": "A line",\n    "width_px": 40,\n' in text
 
 
-STEPPED = {1: ("figure", 3), 2: ("clipper", 3), 3: ("curve", 3), 4: ("clipper", 7), 5: ("curve", 3)}
+STEPPED = {
+    1: ("figure", 3),
+    2: ("clipper", 3),
+    3: ("curve", 3),
+    4: ("clipper", 7),
+    5: ("curve", 3),
+    6: ("curve", 3),
+}
 
 
 @pytest.mark.parametrize("version", range(1, VERSION + 1))

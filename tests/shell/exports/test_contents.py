@@ -59,6 +59,25 @@ def test_the_drawing_is_xml_and_the_step_is_too(qtbot: QtBot, window: MainWindow
     assert len(list(ElementTree.parse(tmp_path / "s.svg").iter())) > 20
 
 
+def test_a_sheet_that_moves_is_a_gif_frames_and_a_sheet_of_frames(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    trigger(window, "export_animation")  # nothing moves: that is said, and nothing is asked
+    window.session.open_example("animate-clock")
+    trigger(window, "export_animation")
+    type_name(qtbot, window, "a")
+    said = written(qtbot, window)
+    assert "a.gif is written" in said
+    assert "hundredths of a second" in said
+    with Image.open(tmp_path / "a.gif") as gif:
+        assert (gif.n_frames, gif.size) == (61, (640, 640))
+    trigger(window, "export_contacts")
+    type_name(qtbot, window, "all")
+    written(qtbot, window)
+    with Image.open(tmp_path / "all.png") as whole:
+        assert whole.size == (5 * 644, 5 * 644)
+
+
 def test_the_hand_table_in_each_format(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
     for name in ("t", "t.json", "t.html"):
         trigger(window, "export_hand")

@@ -1,6 +1,7 @@
 """Documents that are there from the start: a blank sheet, and small pictures worth looking at."""
 
 from workbench.document.model import AnyFigure, Circle, Document, Ellipse
+from workbench.document.samples.animate import animate_examples
 from workbench.document.samples.clip import clip_examples
 from workbench.document.samples.curves import curve_examples
 from workbench.document.samples.figures import (
@@ -88,6 +89,7 @@ def examples() -> list[Example]:
         *curve_examples(),
         *space_examples(),
         *visibility_examples(),
+        *animate_examples(),
     ]
 
 

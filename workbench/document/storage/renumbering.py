@@ -7,6 +7,7 @@ from msgspec.structs import replace
 from workbench.document.addresses import highest
 from workbench.document.building import with_ids, without_ids
 from workbench.document.model import Document
+from workbench.document.motion.tracks import with_new_ids
 from workbench.document.scene.renaming import with_fresh_ids
 from workbench.document.state import SessionState
 from workbench.document.subjects import Position
@@ -30,7 +31,12 @@ def with_room(document: Document, state: SessionState) -> tuple[Document, Sessio
         views = tuple(replace(view, id=f"v{next(fresh)}") for view in sheet.views)
         renamed |= {old.id: new.id for old, new in zip(sheet.views, views, strict=True)}
         scene = sheet.scene and with_fresh_ids(sheet.scene, lambda _thing: True, fresh)
-        sheets.append(replace(sheet, id=renamed[sheet.id], figures=figures, views=views, scene=scene))
+        if sheet.scene and scene:
+            for thing, renewed in zip(sheet.scene.things, scene.things, strict=True):
+                renamed |= zip(thing.ids, renewed.ids, strict=True)
+        motion = sheet.motion and with_new_ids(sheet.motion, renamed, fresh)
+        lists = {"figures": figures, "views": views}
+        sheets.append(replace(sheet, id=renamed[sheet.id], scene=scene, motion=motion, **lists))
     selection = tuple(renamed[figure] for figure in state.selection)
     named = {"sheet": renamed.get(state.sheet, ""), "active": renamed.get(state.active, "")}
     positions = {workspace: _renamed(there, renamed) for workspace, there in state.positions.items()}

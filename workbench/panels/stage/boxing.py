@@ -74,7 +74,7 @@ class Boxing(QObject):
     def selected(self) -> list[AnyFigure]:
         """The selected figures of the sheet, from back to front."""
         chosen = set(self.session.state.selection)
-        return [figure for figure in self.session.sheet.figures if figure.id in chosen]
+        return [figure for figure in self.session.frames.sheet.figures if figure.id in chosen]
 
     def boxed(self) -> tuple[str, ...]:
         """The ids of what the box is around."""
@@ -82,11 +82,11 @@ class Boxing(QObject):
 
     def extent(self) -> Extent | None:
         """How far that reaches, device; None where there is nothing to be seen."""
-        return extent_of(self.session.sheet, self.selected())
+        return extent_of(self.session.frames.sheet, self.selected())
 
     def outlines(self) -> list[Curve]:
         """That as polylines (n, 2), where the first view shows them, device."""
-        first = replace(self.session.sheet, views=self.session.sheet.views[:1])
+        first = replace(self.session.frames.sheet, views=self.session.sheet.views[:1])
         return [line for figure in self.selected() if figure.visible for line in outline(first, figure)]
 
     def weight(self) -> int:

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 
 from workbench.algorithms import catalogue
 from workbench.document.addresses import declared_at, resolve
+from workbench.document.building import with_sheet
 from workbench.document.edits import Edit, set_algorithm, set_attribute, set_sheet_size
 from workbench.document.errors import DocumentError
 from workbench.document.fields import Number, numbers_of
@@ -245,7 +246,8 @@ class ParameterCard(FoldingCard):
                 self._grid.addWidget(field, k, 0, 1, 2)
 
     def _number(self, address: str) -> float:
-        return round(float(resolve(self._session.document, address)), 6)
+        session = self._session
+        return round(float(resolve(with_sheet(session.document, session.frames.sheet), address)), 6)
 
     def apply(self, edit: Edit, name: str, merge: str = "") -> str:
         """Do an edit; the sentence that says why it was refused, or an empty one."""

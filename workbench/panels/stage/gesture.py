@@ -66,7 +66,7 @@ class Gesture(QObject):
             self._before = None
             return False
         try:
-            self.session.apply(lambda _document: edit(before), name, self._merge)
+            self.session.apply(edit, name, self._merge, on=before)
         except DocumentError as problem:
             self.failed.emit(problem.short)
             return False
@@ -149,12 +149,12 @@ class HandleDrag(Gesture):
     def _figure(self) -> AnyFigure | None:
         """The figure whose handle is held."""
         identity = self.held.split("/")[1]
-        return next((figure for figure in self.session.sheet.figures if figure.id == identity), None)
+        return next((figure for figure in self.session.frames.sheet.figures if figure.id == identity), None)
 
     def drag(self, x: float, y: float) -> Cell:
         """Put it to the nearest pixel, which is returned."""
         cell = snapped(x, y)
-        sheet, figure = self.session.sheet, self._figure()
+        sheet, figure = self.session.frames.sheet, self._figure()
         if figure is None or not self.busy:
             return cell
         _sheet, _figure, *rest = self.held.split("/")
@@ -169,7 +169,7 @@ class HandleDrag(Gesture):
 
     def _radius(self, figure: AnyFigure, name: str, cell: Cell) -> float:
         """The radius of this name, world, that reaches ``cell``: a whole number of pixels without a chain."""
-        scale = figure_map(self.session.sheet, figure)
+        scale = figure_map(self.session.frames.sheet, figure)
         middle = figure.points_world[0]
         label = {"radius_x_world": "rx", "radius_y_world": "ry"}.get(name, "r")
         if isinstance(scale, FigureMap):
@@ -189,7 +189,9 @@ class HandleDrag(Gesture):
         if len(ids) < 2 or point not in ids:
             return f"({cell[0]}, {cell[1]})"
         other = figure.points_world[ids.index(point) - 1 if ids.index(point) else 1]
-        return span_text(snapped(*figure_map(self.session.sheet, figure).point(other.x, other.y)), cell)
+        return span_text(
+            snapped(*figure_map(self.session.frames.sheet, figure).point(other.x, other.y)), cell
+        )
 
     def release(self) -> None:
         """Let go of it."""

@@ -50,6 +50,7 @@ class Pages:
     font: QFont
     width: int = PICTURE_WIDTH
     seconds: float = 1.0
+    rests: bool = True
 
     def image(self, number: int) -> Frame:
         """Page ``number`` as pixels, (h, w, 3), the top row first."""

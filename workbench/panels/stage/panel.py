@@ -310,7 +310,7 @@ class FigurePanel(PlainPanel, QWidget):
     def selected(self) -> list[AnyFigure]:
         """The selected figures of the sheet, from back to front."""
         chosen = set(self.session.state.selection)
-        return [figure for figure in self.session.sheet.figures if figure.id in chosen]
+        return [figure for figure in self.session.frames.sheet.figures if figure.id in chosen]
 
     def delete_selected(self) -> None:
         """Remove the selected figures."""

@@ -70,7 +70,7 @@ class SelectTool(Tool):
         self._kept = tuple(kept for kept in self._kept if kept in there)
         inside = []
         for figure in figures:
-            curves = outline(self.session.sheet, figure)
+            curves = outline(self.session.frames.sheet, figure)
             points = np.concatenate(curves) if curves else np.empty((0, 2))
             if len(points) and ((points >= low) & (points <= high)).all():
                 inside.append(figure.id)

@@ -66,7 +66,7 @@ class FigureView:
         made = self.completed(made, progress)
         self.comparison = made.comparison
         chosen = set(session.state.selection)
-        selected = [figure for figure in session.sheet.figures if figure.id in chosen]
+        selected = [figure for figure in session.frames.sheet.figures if figure.id in chosen]
         overlay = with_band(with_selection(made.overlay, sheet, selected, drag.held), tool.band)
         overlay = with_answer(with_asked(overlay, session.state.pixel), session.run.answered)
         snap = tool.snap if isinstance(tool, FigureTool) else None
@@ -141,7 +141,7 @@ class FigureView:
         run = self.stepped_run()
         progress = self.progress() if number is None or run is None else progress_at(run, number)
         session = self.session
-        made = compose(session.sheet, session.active_figure, progress, self.compared(), LIGHT)
+        made = compose(session.frames.sheet, session.active_figure, progress, self.compared(), LIGHT)
         return self.completed(made, progress, number)
 
     def answer(self, cell: Cell) -> bool:

@@ -1,0 +1,57 @@
+"""A track becomes the calls of the text that makes its in-betweens."""
+
+import numpy as np
+import pytest
+
+from tests.document.motion.moving import HOUSE, sheet_of, track
+from workbench.document.errors import DocumentError
+from workbench.document.motion.evaluation import at
+from workbench.document.subjects import Subject
+from workbench.rendering.raster import emitted
+from workbench.rendering.subjects.registry import calls_of, checked, kind_of
+from workbench.rendering.subjects.track import at_frame, keys_around
+
+RADIUS = "f1/radius_world"
+
+
+def test_a_number_is_that_of_every_frame() -> None:
+    moving = track(RADIUS, (2, (1.0,)), (8, (9.0,)), (20, (3.0,)), easing="ease_out")
+    sheet = sheet_of(moving)
+    for frame, (first, last) in ((0, (2, 8)), (5, (2, 8)), (8, (8, 20)), (40, (8, 20))):
+        (call,) = calls_of(sheet, at_frame(RADIUS, frame))
+        assert call.entry.slug == "tween"
+        rows = emitted(call)
+        assert rows[[0, -1], 0].tolist() == [first, last]
+        for number, value in rows.tolist():
+            assert at(sheet, int(number)).figures[0].radius_world == pytest.approx(value)  # type: ignore[union-attr]
+    assert [key.frame for key in keys_around(moving, 3) or ()] == [2, 8]
+
+
+def test_a_spline_is_stepped_as_one_and_a_point_number_by_number() -> None:
+    sheet = sheet_of(track("f1/p1/*", (0, (1.0, 2.0)), (4, (9.0, 5.0)), (9, (3.0, 3.0)), easing="spline"))
+    subject = at_frame("f1/p1/*", 2)
+    assert kind_of(subject).choices(sheet, subject) == ("spline_tween", "tween")
+    x, y = calls_of(sheet, subject)
+    assert [row[1] for row in emitted(x).tolist()][4] == 9.0
+    assert [row[1] for row in emitted(y).tolist()][9] == 3.0
+
+
+def test_an_outline_is_morphed() -> None:
+    house = tuple(number for corner in HOUSE for number in corner)
+    sheet = sheet_of(track("f2/points_world", (0, house), (10, (0.0, 0.0, 6.0, 0.0, 3.0, 6.0))))
+    (call,) = calls_of(sheet, at_frame("f2/points_world", 5))
+    assert call.entry.slug == "morph"
+    points = at(sheet, 5).figures[1].points_world
+    np.testing.assert_allclose(emitted(call), [(p.x, p.y) for p in points])
+
+
+def test_without_two_keys_there_is_nothing_to_step() -> None:
+    assert calls_of(sheet_of(), Subject("track")) == []
+    assert calls_of(sheet_of(track(RADIUS, (2, (1.0,)))), Subject("track")) == []
+    assert calls_of(sheet_of(track("f9/x", (0, (1.0,)), (4, (2.0,)))), Subject("track")) == []
+
+
+@pytest.mark.parametrize("arguments", [{"frame": -1}, {"frame": 0.5}, {"target": 3}, {"other": 1}])
+def test_arguments_of_another_kind_are_refused(arguments: dict[str, object]) -> None:
+    with pytest.raises(DocumentError):
+        checked(Subject("track", arguments=arguments))  # type: ignore[arg-type]

@@ -1,0 +1,217 @@
+"""Edits of the motion of a sheet: keys set, moved, scaled in time, removed, pasted; easings, length, rate.
+
+Keys are named by their ids. Where a key comes to a frame that has one already, it takes its place.
+"""
+
+from collections.abc import Callable, Collection, Iterable, Sequence
+from typing import NamedTuple
+
+from msgspec.structs import replace
+
+from workbench.document.addresses import highest, new_ids, sheet_with
+from workbench.document.building import Edit, checked, number, remembering, whole_number
+from workbench.document.errors import DocumentError
+from workbench.document.model import Document
+from workbench.document.motion.evaluation import at
+from workbench.document.motion.groups import group_of, value_of
+from workbench.document.motion.model import EASINGS, LINEAR, Key, Motion, Track
+from workbench.document.motion.tracks import motion_of, track_on, with_keys, with_motion, with_track
+from workbench.language import _
+
+
+class CopiedKey(NamedTuple):
+    """A key as it is pasted: on which target, and how many frames after the first that was copied."""
+
+    target: str
+    after: int
+    key: Key
+
+
+@checked
+def set_key(
+    sheet: str, target: str, frame: int, value: Iterable[float] | None = None, easing: str = ""
+) -> Edit:
+    """Set a key in a frame, by default with what is seen there; where there is one, it gets the value.
+
+    ``easing`` leads to the next key, by default that of the key before. Raises: DocumentError for a target
+    that cannot be keyed.
+    """
+    where = whole_number(frame)
+
+    def edit(document: Document) -> Document:
+        on = sheet_with(document, sheet)
+        seen = at(on, where) if type(where) is int else on
+        group = group_of(seen, target)
+        if group is None:
+            sentence = _("{target} cannot be keyed; choose a number, a point, a colour or an outline.")
+            raise DocumentError(target, sentence.format(target=target))
+        numbers = value_of(seen, group) if value is None else tuple(map(number, value))
+        return with_key(document, sheet, target, where, numbers, easing)
+
+    return edit
+
+
+def with_key(
+    document: Document, sheet: str, target: str, frame: int, value: tuple[float, ...], easing: str = ""
+) -> Document:
+    """``document`` with a key; the track is made where there is none. It is not checked."""
+    track = track_on(sheet_with(document, sheet), target)
+    if track is None:
+        own, key = new_ids(document, "", 2)
+        first = Key(f"{Key.letter}{key}", frame, value, easing or LINEAR)
+        return with_track(document, sheet, Track(f"{Track.letter}{own}", target, (first,)))
+    there = next((key for key in track.keys if key.frame == frame), None)
+    if there is None:
+        like = next((key for key in reversed(track.keys) if key.frame < frame), track.keys[0])
+        there = replace(like, id=new_ids(document, Key.letter, 1)[0], frame=frame)
+    changed = replace(there, value=value, easing=easing or there.easing)
+    others = (key for key in track.keys if key.frame != frame)
+    keys = tuple(sorted((*others, changed), key=lambda key: key.frame))
+    return with_track(document, sheet, replace(track, keys=keys))
+
+
+def _changing(sheet: str, keys: Collection[str], change: Callable[[Key], Key | None]) -> Edit:
+    """Change these keys, or with None remove them; they take the places of those that stay."""
+    chosen = frozenset(keys)
+
+    def changed(track: tuple[Key, ...]) -> tuple[Key, ...]:
+        new = (change(key) for key in track if key.id in chosen)
+        return *(key for key in track if key.id not in chosen), *(key for key in new if key is not None)
+
+    def edit(document: Document) -> Document:
+        known = {key.id for track in motion_of(sheet_with(document, sheet)).tracks for key in track.keys}
+        for missing in sorted(chosen - known):
+            sentence = _("There is no key {id!r}; it may have been removed.")
+            raise DocumentError(missing, sentence.format(id=missing))
+        after = with_keys(document, sheet, changed)
+        return remembering(document, after) if highest(after) < highest(document) else after
+
+    return edit
+
+
+@checked
+def move_keys(sheet: str, keys: Collection[str], by: int) -> Edit:
+    """Move keys in time by so many frames, at most so far that the first of them comes to frame 0."""
+    chosen = frozenset(keys)
+
+    def edit(document: Document) -> Document:
+        tracks = motion_of(sheet_with(document, sheet)).tracks
+        first = min((key.frame for track in tracks for key in track.keys if key.id in chosen), default=0)
+        shift = max(whole_number(by), -first)
+        return _changing(sheet, chosen, lambda key: replace(key, frame=key.frame + shift))(document)
+
+    return edit
+
+
+@checked
+def scale_keys(sheet: str, keys: Collection[str], factor: float, about: int) -> Edit:
+    """Take keys ``factor`` times as far from the frame ``about``, to whole frames, none before frame 0.
+
+    Raises: DocumentError where two of a track would come to one frame.
+    """
+    chosen = frozenset(keys)
+
+    def scaled(key: Key) -> Key:
+        return replace(key, frame=max(int(about + (key.frame - about) * factor + 0.5), 0))
+
+    def edit(document: Document) -> Document:
+        for track in motion_of(sheet_with(document, sheet)).tracks:
+            frames = [scaled(key).frame for key in track.keys if key.id in chosen]
+            if len(set(frames)) < len(frames):
+                sentence = _("Two keys of {target} would come to one frame; scale them less.")
+                raise DocumentError(track.target, sentence.format(target=track.target))
+        return _changing(sheet, chosen, scaled)(document)
+
+    return edit
+
+
+@checked
+def remove_keys(sheet: str, keys: Collection[str]) -> Edit:
+    """Remove keys; a track without any goes too, and its number stays as the sheet has it."""
+    return _changing(sheet, keys, lambda key: None)
+
+
+@checked
+def set_easing(sheet: str, keys: Collection[str], easing: str, **shape: float) -> Edit:
+    """Let these keys lead to the next ones by an easing; ``shape`` has numbers of a key such as x1."""
+    if easing not in EASINGS:
+        sentence = _("There is no easing {easing!r}; choose one of {choices}.")
+        raise DocumentError("easing", sentence.format(easing=easing, choices=", ".join(EASINGS)))
+    numbers = {name: number(value) for name, value in shape.items()}
+    return _changing(sheet, keys, lambda key: replace(key, easing=easing, **numbers))
+
+
+@checked
+def insert_time(sheet: str, frame: int, count: int) -> Edit:
+    """Put ``count`` frames before a frame: it, and all keys from it on, come later."""
+
+    def edit(document: Document) -> Document:
+        longer = with_keys(
+            document,
+            sheet,
+            lambda keys: [replace(k, frame=k.frame + count) if k.frame >= frame else k for k in keys],
+        )
+        motion = motion_of(sheet_with(longer, sheet))
+        return with_motion(longer, sheet, replace(motion, frames=motion.frames + count))
+
+    return edit
+
+
+@checked
+def remove_time(sheet: str, frame: int, count: int) -> Edit:
+    """Take ``count`` frames away, from a frame on, with their keys; later keys come so much earlier."""
+
+    def earlier(keys: tuple[Key, ...]) -> Iterable[Key]:
+        left = [key for key in keys if not frame <= key.frame < frame + count]
+        return [replace(key, frame=key.frame - count) if key.frame >= frame else key for key in left]
+
+    def edit(document: Document) -> Document:
+        shorter = with_keys(document, sheet, earlier)
+        motion = motion_of(sheet_with(shorter, sheet))
+        left = replace(motion, frames=max(motion.frames - count, 1))
+        return remembering(document, with_motion(shorter, sheet, left))
+
+    return edit
+
+
+@checked
+def set_motion(sheet: str, frames: int | None = None, rate: float | None = None) -> Edit:
+    """Set the number of frames, or how many of them a second has; keys beyond the end stay."""
+
+    def edit(document: Document) -> Document:
+        motion: Motion = motion_of(sheet_with(document, sheet))
+        if frames is not None:
+            motion = replace(motion, frames=whole_number(frames))
+        if rate is not None:
+            motion = replace(motion, rate=number(rate))
+        return with_motion(document, sheet, motion)
+
+    return edit
+
+
+def copied_keys(document: Document, sheet: str, keys: Collection[str]) -> tuple[CopiedKey, ...]:
+    """These keys, to be pasted later."""
+    tracks = motion_of(sheet_with(document, sheet)).tracks
+    chosen = [(track.target, key) for track in tracks for key in track.keys if key.id in keys]
+    first = min((key.frame for _target, key in chosen), default=0)
+    return tuple(CopiedKey(target, key.frame - first, key) for target, key in chosen)
+
+
+@checked
+def paste_keys(sheet: str, keys: Sequence[CopiedKey], frame: int) -> Edit:
+    """Put copied keys on their tracks, the first of them in this frame; what is not there gets none."""
+
+    def edit(document: Document) -> Document:
+        for target, after, key in keys:
+            on = sheet_with(document, sheet)
+            if group_of(on, target) is None:
+                continue
+            track = track_on(on, target) or Track(new_ids(document, Track.letter, 1)[0], target, ())
+            document = with_track(document, sheet, track)
+            pasted = replace(key, id=new_ids(document, Key.letter, 1)[0], frame=frame + after)
+            others = (each for each in track.keys if each.frame != pasted.frame)
+            ordered = tuple(sorted((*others, pasted), key=lambda each: each.frame))
+            document = with_track(document, sheet, replace(track, keys=ordered))
+        return document
+
+    return edit

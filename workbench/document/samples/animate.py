@@ -1,0 +1,185 @@
+"""The built-in pictures that move: a bouncing ball, a letter that becomes another, a clock, a pendulum."""
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from itertools import count
+
+from msgspec.structs import replace
+
+from workbench.document.building import with_ids, without_ids
+from workbench.document.model import AnyFigure, Circle, Document, Ellipse, Rectangle, Sheet, View
+from workbench.document.motion.model import Key, Motion, Track
+from workbench.document.samples.figures import PALETTE, Example, Places, line, points_at, polygon
+from workbench.document.transforms.links import Rotate
+from workbench.language import _
+
+Numbers = tuple[float, ...]
+# Frame, value, and the easing that leads to the next key
+Keyed = tuple[int, Numbers, str]
+Tracks = Callable[[Sequence[AnyFigure]], Iterable[tuple[str, Sequence[Keyed]]]]
+
+
+def animate_examples() -> list[Example]:
+    """In the order of the list that a person sees."""
+    return [
+        Example(
+            "animate-ball",
+            _("A bouncing ball"),
+            _("Four key frames a bounce: it leaves the ground fast and turns slowly, by its easing alone."),
+            "animate",
+            _ball(),
+        ),
+        Example(
+            "animate-letter",
+            _("A letter becomes another"),
+            _("An L of six corners becomes an E of twelve: its edges are cut until both have as many."),
+            "animate",
+            _letter(),
+        ),
+        Example(
+            "animate-clock",
+            _("A clock runs"),
+            _("Each hand is one angle with two keys; the long one goes round twelve times as often."),
+            "animate",
+            _clock(),
+        ),
+        Example(
+            "animate-pendulum",
+            _("A pendulum"),
+            _("Three keys swing it; easing in and out makes it slow at the ends and fast in the middle."),
+            "animate",
+            _pendulum(),
+        ),
+    ]
+
+
+def _document(
+    name: str, size: tuple[int, int], figures: Sequence[AnyFigure], frames: int, tracks: Tracks
+) -> Document:
+    """One sheet of pixels whose figures, numbered, have these tracks."""
+    wide, high = size
+    whole = Rectangle(-0.5, -0.5, wide - 0.5, high - 0.5)
+    own, parts = count(1), count(1)
+    numbered = tuple(with_ids(without_ids(figure), own, parts) for figure in figures)
+    names = count(1)
+    motion = Motion(
+        frames,
+        24.0,
+        tuple(
+            Track(
+                f"a{next(names)}",
+                target,
+                tuple(Key(f"k{next(names)}", frame, value, easing) for frame, value, easing in keys),
+            )
+            for target, keys in tracks(numbered)
+        ),
+    )
+    view = View("v1", whole, whole)
+    return Document((Sheet("s1", name, wide, high, (view,), PALETTE, numbered, motion=motion),))
+
+
+def _ball() -> Document:
+    """The ball of the course's falling: from 46 to 10 in twelve frames, from 28 to 40."""
+    turns = [(0, 74.0), (16, 10.0), (28, 46.0), (40, 10.0), (49, 26.0), (58, 10.0)]
+    heights: list[Keyed] = [
+        (frame, (height,), "ease_out" if height == 10.0 else "ease_in") for frame, height in turns
+    ]
+    touches = [frame for frame, height in turns if height == 10.0]
+    squash: list[Keyed] = [(0, (1.0,), "linear")]
+    for touch in touches[:-1]:
+        squash += [(touch - 2, (1.0,), "linear"), (touch, (0.7,), "linear"), (touch + 2, (1.0,), "linear")]
+    ball = Ellipse(
+        "", points_at((16.0, 74.0)), "ellipse_fill", 2, _("Ball"), radius_x_world=7.0, radius_y_world=7.0
+    )
+
+    def tracks(figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
+        body = figures[-1]
+        centre = body.points_world[0].id
+        yield f"{body.id}/{centre}/y", heights
+        yield f"{body.id}/{centre}/x", [(0, (16.0,), "linear"), (58, (248.0,), "linear")]
+        yield (
+            f"{body.id}/radius_y_world",
+            [(frame, (7.0 * factor,), easing) for frame, (factor,), easing in squash],
+        )
+        yield (
+            f"{body.id}/colour",
+            [(0, (0x56, 0xB4, 0xE9), "linear"), (58, (0xFF, 0x8A, 0x4C), "linear")],
+        )
+
+    ground = line((0, 1), (263, 1), 7, name=_("Ground"))
+    return _document(_("A bouncing ball"), (264, 88), [ground, ball], 59, tracks)
+
+
+_L: Places = [(8.0, 6.0), (38.0, 6.0), (38.0, 14.0), (18.0, 14.0), (18.0, 58.0), (8.0, 58.0)]
+_E: Places = [
+    *((8.0, 6.0), (38.0, 6.0), (38.0, 14.0), (18.0, 14.0), (18.0, 28.0), (34.0, 28.0), (34.0, 36.0)),
+    *((18.0, 36.0), (18.0, 50.0), (38.0, 50.0), (38.0, 58.0), (8.0, 58.0)),
+]
+
+
+def _letter() -> Document:
+    def flat(places: Places) -> Numbers:
+        return tuple(number for place in places for number in place)
+
+    def tracks(figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
+        yield (
+            f"{figures[0].id}/points_world",
+            [
+                (0, flat(_L), "linear"),
+                (6, flat(_L), "ease_in_out"),
+                (30, flat(_E), "linear"),
+                (36, flat(_E), "ease_in_out"),
+                (60, flat(_L), "linear"),
+            ],
+        )
+
+    letter = polygon([_L], 1, _("Letter"))
+    return _document(_("A letter becomes another"), (48, 64), [letter], 61, tracks)
+
+
+def _clock() -> Document:
+    middle = (32.0, 32.0)
+
+    def hand(width: float, length: float, colour: int, name: str) -> AnyFigure:
+        x, y = middle
+        corners = [(x - width, y - 4.0), (x + width, y - 4.0), (x, y + length)]
+        return replace(
+            polygon([corners], colour, name), transforms=(Rotate("", angle=0.0, x_pivot=x, y_pivot=y),)
+        )
+
+    marks: list[AnyFigure] = []
+    for hour in range(12):
+        way = math.radians(30.0 * hour)
+        ends = [(middle[0] + far * math.sin(way), middle[1] + far * math.cos(way)) for far in (25.0, 28.0)]
+        marks.append(line(ends[0], ends[1], 7, name=_("{hour} o'clock").format(hour=hour or 12)))
+
+    def tracks(figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
+        for figure, turn in ((figures[-2], 360.0), (figures[-1], 30.0)):
+            yield (
+                f"{figure.id}/{figure.transforms[0].id}/angle",
+                [(0, (0.0,), "linear"), (60, (-turn,), "linear")],
+            )
+
+    figures = [*marks, hand(1.5, 22.0, 2, _("Minute hand")), hand(2.0, 14.0, 1, _("Hour hand"))]
+    return _document(_("A clock runs"), (64, 64), figures, 61, tracks)
+
+
+def _pendulum() -> Document:
+    pivot = (60.0, 76.0)
+    rest = (60.0, 20.0)
+
+    def turned(figure: AnyFigure) -> AnyFigure:
+        return replace(figure, transforms=(Rotate("", angle=35.0, x_pivot=pivot[0], y_pivot=pivot[1]),))
+
+    bob = Circle("", points_at(rest), "midpoint_circle", 1, _("Bob"), radius_world=6.0)
+    rod = line(pivot, rest, 7, name=_("Rod"))
+
+    def tracks(figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
+        for figure in figures[1:]:
+            yield (
+                f"{figure.id}/{figure.transforms[0].id}/angle",
+                [(0, (35.0,), "ease_in_out"), (24, (-35.0,), "ease_in_out"), (48, (35.0,), "linear")],
+            )
+
+    beam = line((30, 77), (90, 77), 7, name=_("Beam"))
+    return _document(_("A pendulum"), (121, 84), [beam, turned(rod), turned(bob)], 49, tracks)

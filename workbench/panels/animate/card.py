@@ -1,0 +1,9 @@
+"""The card of Animate: the numbers of what is selected in the frame that is shown, without algorithms."""
+
+from workbench.panels.stage.card import ParameterCard
+
+
+class AnimateCard(ParameterCard):
+    """As everywhere; what a figure is drawn by is no matter here."""
+
+    offers_algorithms = False

@@ -1,0 +1,81 @@
+"""What a person calls what a track moves, and the easings."""
+
+from workbench.document.model import Sheet
+from workbench.document.motion.groups import OUTLINE, WHOLE, Group, group_of, read, value_of
+from workbench.document.motion.model import EASINGS
+from workbench.document.transforms.names import title
+from workbench.language import _
+from workbench.panels.stage.card import kind_title
+
+
+def easing_titles() -> dict[str, str]:
+    """The easings in the order of a menu."""
+    titles = (
+        _("Held"),
+        _("Linear"),
+        _("Ease in"),
+        _("Ease out"),
+        _("Ease in and out"),
+        _("Cubic ease in"),
+        _("Cubic ease out"),
+        _("Cubic ease in and out"),
+        _("Bézier"),
+        _("Spline through keys"),
+    )
+    return dict(zip(EASINGS, titles, strict=True))
+
+
+def label_of(sheet: Sheet, target: str) -> str:
+    """What a target is called: of which figure, and what of it."""
+    name, *_between, attribute = target.split("/") if "/" in target else ("", target)
+    group = group_of(sheet, target)
+    figure = next((each for each in sheet.figures if each.id == name), None)
+    thing = next((each for each in sheet.things if each.id == name), None)
+    owner = (getattr(thing, "name", "") or (kind_title(figure) if figure is not None else name)) or _(
+        "Camera"
+    )
+    return f"{owner}, {_what(sheet, group, attribute)}"
+
+
+def _what(sheet: Sheet, group: Group | None, attribute: str) -> str:
+    if group is None:
+        return attribute
+    if group.kind == "colour":
+        return _("colour, RGB")
+    if attribute == OUTLINE:
+        return _("outline")
+    if group.kind == "turn":
+        return _("turn")
+    point = _point_name(sheet, group)
+    if attribute == WHOLE:
+        return point or _("place")
+    if len(group.slots) > 1:
+        return attribute.rpartition(".")[2].replace("_", " ")
+    number, path = group.slots[0].number, group.slots[0].path
+    holder = read(sheet, path[:-1])
+    if len(path) > 2 and "transforms" in path:
+        return f"{title(holder).lower()} {number.symbol or number.label}"
+    short = number.symbol if len(number.symbol) == 1 else number.label
+    return _("{number} of {point}").format(number=short, point=point) if point else short
+
+
+def _point_name(sheet: Sheet, group: Group) -> str:
+    """Which of several points of a figure it is; empty where it is none, or the only one."""
+    kind, at, *rest = group.slots[0].path
+    if kind != "figures" or rest[0] != OUTLINE or len(sheet.figures[int(at)].points_world) < 2:
+        return ""
+    return f"P{rest[1]}"
+
+
+def value_text(sheet: Sheet, target: str) -> str:
+    """The value of a target as it is on a sheet, short."""
+    group = group_of(sheet, target)
+    if group is None:
+        return ""
+    value = value_of(sheet, group)
+    if group.kind == "colour":
+        return "#" + "".join(f"{round(channel):02X}" for channel in value)
+    if target.endswith(OUTLINE):
+        return _("{n} points").format(n=len(value) // 2)
+    numbers = ", ".join(f"{number:.6g}" for number in value[:3]).replace("-", "−")
+    return f"({numbers})" if len(value) > 1 else numbers

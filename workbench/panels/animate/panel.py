@@ -1,0 +1,309 @@
+"""The Animate panel: the picture in a frame, and under it the timeline with its tracks."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent, QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from workbench.document.building import Edit
+from workbench.document.errors import DocumentError
+from workbench.document.model import Document
+from workbench.document.motion.edits import (
+    CopiedKey,
+    copied_keys,
+    move_keys,
+    paste_keys,
+    remove_keys,
+    set_easing,
+    set_key,
+    set_motion,
+)
+from workbench.document.motion.evaluation import in_frame
+from workbench.document.motion.model import BEZIER_NAME, Track
+from workbench.document.motion.tracks import motion_of, track_on
+from workbench.document.subjects import Subject
+from workbench.language import _, ngettext
+from workbench.panels.animate.between_dock import BetweenDock
+from workbench.panels.animate.card import AnimateCard
+from workbench.panels.animate.names import easing_titles, label_of, value_text
+from workbench.panels.animate.rows import rows_of
+from workbench.panels.animate.view import USUAL_REACH, AnimateView
+from workbench.panels.panel import DockPart
+from workbench.panels.stage.actions import PanelCommand
+from workbench.panels.stage.gesture import Modifiers
+from workbench.panels.stage.stepped import SteppedPanel
+from workbench.panels.stage.tools import CircleTool, LineTool, PolygonTool, PolylineTool, SelectTool
+from workbench.rendering.subjects.track import KIND, at_frame
+from workbench.session.session import Session
+from workbench.widgets.timeline.rows import TimelineShown
+from workbench.widgets.timeline.timeline import Timeline
+from workbench.widgets.timeline.transport import Transport
+
+EXAMPLE = "animate-ball"
+_TIMELINE_PX, _LOW_TIMELINE_PX, _LOW_PX = 170, 100, 460
+_MANY = 24
+_DRAG = "drag keys"
+_EASE = "shape easing"
+
+
+class AnimatePanel(SteppedPanel):
+    """Canvas, tools and card over the transport and the timeline. What is stepped is the chosen track."""
+
+    slug = "animate"
+    first_tool = "circle"
+    usual = Subject(KIND)
+    view: AnimateView
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        kinds = (SelectTool, CircleTool, PolygonTool, LineTool, PolylineTool)
+        super().__init__(session, [kind(session) for kind in kinds], parent)
+        self.title = _("Animate")
+        self.card: AnimateCard = AnimateCard(session, self.canvas)
+        self.view = AnimateView(session, self.canvas, self.second, self.card)
+        self.transport, self.between = Transport(session), BetweenDock()
+        self.timeline = Timeline(easing_titles().items())
+        self.chosen = ""
+        self._copied: tuple[CopiedKey, ...] = ()
+        self._before: Document | None = None
+        self._connect_timeline()
+        self.start(
+            _("Nothing moves yet. Draw a figure, turn auto-key on, and move it in another frame."),
+            [
+                ("frame_play", _("Play the frames"), "play", "", session.frames.toggle),
+                ("set_key", _("Set a key here"), "key", "K", self._key_here),
+                ("auto_key", _("Auto-key on or off"), "record", "", self.transport.auto_key.toggle),
+                ("fit_frames", _("Show all frames"), "arrows-out-line-horizontal", "", self.timeline.fit),
+                ("copy_keys", _("Copy the chosen keys"), "copy", "", self._copy_keys),
+                ("paste_keys", _("Paste keys here"), "clipboard-text", "", self._paste_keys),
+                ("step_track", _("Step through the in-betweens"), "list-numbers", "", self._step_track),
+            ],
+        )
+
+    def _connect_timeline(self) -> None:
+        timeline, transport, between = self.timeline, self.transport, self.between
+        frames = self.session.frames
+        timeline.frame_wanted.connect(frames.show)
+        timeline.track_chosen.connect(self._choose_track)
+        timeline.keys_dragged.connect(self._drag_keys)
+        timeline.keys_dropped.connect(self._drop_keys)
+        timeline.key_wanted.connect(self._set_key)
+        timeline.deletion_wanted.connect(self._delete_keys)
+        timeline.easing_wanted.connect(self._ease)
+        timeline.reach_wanted.connect(self._set_reach)
+        timeline.play_wanted.connect(frames.toggle)
+        timeline.scrolled.connect(self.refresh_soon)
+        transport.said.connect(self.hover_text)
+        transport.length_wanted.connect(lambda count: self._set_motion(frames=count))
+        transport.rate_wanted.connect(lambda rate: self._set_motion(rate=rate))
+        transport.ghosts_toggled.connect(lambda on: self._set_reach(USUAL_REACH if on else 0))
+        transport.zoom_wanted.connect(timeline.zoom)
+        between.easing_wanted.connect(self._ease_interval)
+        between.handles_dragged.connect(self._drag_handles)
+        between.handles_dropped.connect(self._drop_keys)
+        between.stepping_wanted.connect(self._step_track)
+        frames.played.connect(self.refresh_soon)
+        self.session.run.moved.connect(self._follow_run)
+
+    def begin(
+        self, middle: QWidget, card: QWidget, invitation: str, commands: Sequence[PanelCommand]
+    ) -> None:
+        """The timeline lies under the canvas."""
+        both = QWidget()
+        column = QVBoxLayout(both)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(middle, 1)
+        column.addWidget(self.transport)
+        column.addWidget(self.timeline)
+        super().begin(both, card, invitation, commands)
+        self.setFocusProxy(self.canvas)
+
+    def docks(self) -> list[DockPart]:
+        """The in-between of the frame that is shown."""
+        return [("between", _("In-between"), self.between, Qt.DockWidgetArea.RightDockWidgetArea)]
+
+    def show_example(self) -> None:
+        """Open the bouncing ball."""
+        self.session.open_example(EXAMPLE)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The canvas keeps most of the height."""
+        super().resizeEvent(event)
+        self.timeline.setFixedHeight(_TIMELINE_PX if self.height() >= _LOW_PX else _LOW_TIMELINE_PX)
+
+    # What is shown
+
+    def show_now(self) -> None:
+        """Canvas, timeline and in-between as the session is now."""
+        track = self._track()
+        self.view.target = track.target if track is not None else ""
+        super().show_now()
+        sheet, frames = self.session.sheet, self.session.frames
+        shown = frames.sheet
+        chosen = track.target if track is not None else ""
+        rows = rows_of(sheet)
+        seen = (
+            self.timeline.seen if self.timeline.shown.tracks is rows else [row.target for row in rows[:_MANY]]
+        )
+        values = {target: value_text(shown, target) for target in {*seen, chosen} if target}
+        self.timeline.show_tracks(
+            TimelineShown(rows, frames.count, frames.number, self.view.reach, chosen, values)
+        )
+        self.transport.refresh()
+        if self.between.isVisible() and not frames.playing:
+            self.between.show_interval(sheet, shown, track, frames.number)
+        if sheet.motion is not None and (held := in_frame(sheet, frames.number).held) and not frames.playing:
+            what = ", ".join(label_of(sheet, target) for target in held if "/" in target)
+            if what:
+                self.hover_text.emit(
+                    _("{what}: held at the end of its range in this frame.").format(what=what)
+                )
+
+    def _track(self) -> Track | None:
+        """The chosen track, or else one of the active figure, or the first."""
+        sheet = self.session.sheet
+        tracks = motion_of(sheet).tracks
+        if (track := track_on(sheet, self.chosen)) is not None:
+            return track
+        active = self.session.active_figure
+        own = [each for each in tracks if active is not None and each.target.startswith(f"{active.id}/")]
+        return next(iter((*own, *tracks)), None)
+
+    def _choose_track(self, target: str) -> None:
+        self.chosen = target
+        name = target.split("/")[0]
+        if any(figure.id == name for figure in self.session.sheet.figures):
+            self.session.update_state(active=name, selection=(name,))
+        self._aim_run()
+        self.refresh_soon()
+
+    def _set_reach(self, reach: int) -> None:
+        self.view.reach = reach
+        self.transport.ghosts.blockSignals(True)
+        self.transport.ghosts.setChecked(reach > 0)
+        self.transport.ghosts.blockSignals(False)
+        self.refresh_soon()
+
+    # What is done to keys
+
+    @property
+    def _sheet(self) -> str:
+        return self.session.sheet.id
+
+    def _edit(self, edit: Edit, name: str, merge: str = "", on: Document | None = None) -> None:
+        try:
+            self.session.apply(edit, name, merge, on)
+        except DocumentError as problem:
+            self.hover_text.emit(problem.short)
+        self.refresh_soon()
+
+    def _set_key(self, target: str, frame: int) -> None:
+        self.chosen = target
+        self._edit(set_key(self._sheet, target, frame), _("Set key"))
+
+    def _key_here(self) -> None:
+        track = self._track()
+        if track is not None:
+            self._set_key(track.target, self.session.frames.number)
+        elif (figure := self.session.active_figure) is not None:
+            target = f"{figure.id}/points_world"
+            if len(figure.points_world) == 1:
+                target = f"{figure.id}/{figure.points_world[0].id}/*"
+            self._set_key(target, self.session.frames.number)
+
+    def _drag_keys(self, by: int) -> None:
+        if self._before is None:
+            self._before = self.session.document
+        keys = self.timeline.selected
+        self._edit(move_keys(self._sheet, keys, by), _("Move keys"), _DRAG, self._before)
+
+    def _drop_keys(self) -> None:
+        self._before = None
+        self.session.end_merge()
+
+    def _delete_keys(self) -> None:
+        if keys := self.timeline.selected:
+            self._edit(remove_keys(self._sheet, keys), _("Delete keys"))
+
+    def _ease(self, easing: str) -> None:
+        if keys := self.timeline.selected:
+            self._edit(set_easing(self._sheet, keys, easing), _("Change easing"))
+
+    def _ease_interval(self, easing: str) -> None:
+        if (key := self.between.key) is not None:
+            self._edit(set_easing(self._sheet, [key.id], easing), _("Change easing"))
+
+    def _drag_handles(self, x1: float, y1: float, x2: float, y2: float) -> None:
+        if (key := self.between.key) is None:
+            return
+        if key.easing != BEZIER_NAME:
+            self.hover_text.emit(_("The easing is a Bézier easing now."))
+        edit = set_easing(self._sheet, [key.id], BEZIER_NAME, x1=x1, y1=y1, x2=x2, y2=y2)
+        self._edit(edit, _("Shape easing"), _EASE)
+
+    def _set_motion(self, frames: int | None = None, rate: float | None = None) -> None:
+        self._edit(set_motion(self._sheet, frames, rate), _("Change length or rate"))
+
+    def _copy_keys(self) -> None:
+        self._copied = copied_keys(self.session.document, self._sheet, self.timeline.selected)
+        count = len(self._copied)
+        self.hover_text.emit(ngettext("{n} key is copied.", "{n} keys are copied.", count).format(n=count))
+
+    def _paste_keys(self) -> None:
+        if self._copied:
+            edit = paste_keys(self._sheet, self._copied, self.session.frames.number)
+            self._edit(edit, _("Paste keys"))
+
+    def copy(self) -> bool:
+        """The chosen keys while the timeline has the focus, else as everywhere."""
+        if self.timeline.hasFocus() and self.timeline.selected:
+            self._copy_keys()
+            return True
+        return super().copy()
+
+    def paste(self) -> bool:
+        """Keys while the timeline has the focus, else as everywhere."""
+        if self.timeline.hasFocus() and self._copied:
+            self._paste_keys()
+            return True
+        return super().paste()
+
+    # What is stepped
+
+    def _aim_run(self) -> None:
+        """Let the run be that of the chosen track, between the keys around the frame that is shown."""
+        if (track := self._track()) is not None:
+            subject = at_frame(track.target, self.session.frames.number)
+            self.session.update_state(subject=subject, step=0)
+
+    def _step_track(self) -> None:
+        self._aim_run()
+        self.session.run.forward()
+
+    def _follow_run(self) -> None:
+        """The frame that a step works out is shown."""
+        run = self.view.stepped_run()
+        if not self.isVisible() or run is None or run.step is None or run.number == 0 or run.entry is None:
+            return
+        headings = run.entry.columns
+        if "frame" in headings and len(run.step.row) == len(headings):
+            self.session.frames.show(int(run.step.row[headings.index("frame")]))
+
+    def _arrow(self, dx: int, dy: int, modifiers: Modifiers) -> None:
+        """Arrows move what is selected; with nothing selected they go from frame to frame."""
+        if self.selected():
+            super()._arrow(dx, dy, modifiers)
+        elif dx:
+            self.session.frames.show(self.session.frames.number + dx)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Home, End and Space are for the frames."""
+        frames = self.session.frames
+        ends = {Qt.Key.Key_Home: 0, Qt.Key.Key_End: frames.count - 1}
+        if (key := Qt.Key(event.key())) in ends:
+            frames.show(ends[key])
+        elif key == Qt.Key.Key_Space:
+            frames.toggle()
+        else:
+            super().keyPressEvent(event)

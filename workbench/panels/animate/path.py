@@ -1,0 +1,77 @@
+"""The path of a figure over all frames, and its ghosts in the frames around, drawn over the picture."""
+
+from collections.abc import Iterator
+from functools import lru_cache
+
+import numpy as np
+from msgspec.structs import replace
+from numpy.typing import NDArray
+
+from workbench.algorithms.marks import MOST_SPOTS, Ink, Mark, Pattern, Spot, Stroke
+from workbench.document.model import AnyFigure, Sheet
+from workbench.document.motion.evaluation import at
+from workbench.document.motion.tracks import motion_of
+from workbench.panels.stage.outline import outline
+from workbench.rendering import figure_map
+
+_GHOST_STEP = 3
+_MOST_GHOSTS = 8
+
+
+def alone(sheet: Sheet, figure: AnyFigure) -> Sheet:
+    """The sheet with one figure and what moves it, so that a frame of it costs little."""
+    motion = motion_of(sheet)
+    tracks = tuple(track for track in motion.tracks if track.target.split("/")[0] == figure.id)
+    return replace(sheet, figures=(figure,), scene=None, motion=replace(motion, tracks=tracks))
+
+
+@lru_cache(maxsize=16)
+def path_of(moving: Sheet, point: str = "") -> NDArray[np.float64]:
+    """The middle (n, 2) of the only figure of a sheet, or one of its points, in every frame, on the device.
+
+    Of more than 600 frames every second, third and so on.
+    """
+    frames = motion_of(moving).frames
+    step = -(-frames // MOST_SPOTS)
+    return np.array([_middle(at(moving, frame), point) for frame in range(0, frames, step)], np.float64)
+
+
+def _middle(sheet: Sheet, point: str) -> tuple[float, float]:
+    figure = sheet.figures[0]
+    places = [(each.x, each.y) for each in figure.points_world if not point or each.id == point]
+    x, y = np.array(places, np.float64).mean(axis=0).tolist()
+    place = figure_map(sheet, figure).point(x, y)
+    return float(place[0]), float(place[1])
+
+
+def path_marks(moving: Sheet, frame: int, point: str = "") -> Iterator[Mark]:
+    """A mark for each frame, so that speed is seen, larger ones at keys, and a ring where it is now."""
+    path = path_of(moving, point)
+    if len(path) < 2 or not np.ptp(path, axis=0).any():
+        return
+    motion = motion_of(moving)
+    step = -(-motion.frames // MOST_SPOTS)
+    yield Stroke(path, "muted", "hair")
+    for x, y in path.tolist():
+        yield Spot(x, y, "text", "dot", "pixel")
+    keyed = sorted({key.frame // step for track in motion.tracks for key in track.keys})
+    for number in keyed:
+        if number < len(path):
+            x, y = path[number].tolist()
+            yield Spot(x, y, "accent", "square", "small")
+    x, y = path[min(frame // step, len(path) - 1)].tolist()
+    yield Spot(x, y, "accent", "ring", "large")
+
+
+def ghosts(moving: Sheet, frame: int, reach: int) -> Iterator[Mark]:
+    """The outlines of the figure before and after a frame, as far as they reach, some frames apart."""
+    last = motion_of(moving).frames - 1
+    step = max(_GHOST_STEP, -(-reach // _MOST_GHOSTS)) if reach >= _GHOST_STEP else 1
+    sides: tuple[tuple[int, Ink, Pattern], ...] = ((-1, "data1", "solid"), (1, "data2", "dash"))
+    for side, ink, pattern in sides:
+        for away in range(step, reach + 1, step):
+            other = frame + side * away
+            if 0 <= other <= last:
+                seen = at(moving, other)
+                for curve in outline(seen, seen.figures[0]):
+                    yield Stroke(curve, ink, "thin", pattern)

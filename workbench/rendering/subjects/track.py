@@ -1,0 +1,134 @@
+"""A track between two of its keys: the in-betweens of its numbers, a spline, a morph, or a turn in space."""
+
+from typing import Any
+
+import numpy as np
+from msgspec.structs import replace
+
+from workbench.algorithms import catalogue
+from workbench.algorithms.marks import Frame, Mark
+from workbench.document.fields import Number
+from workbench.document.model import Sheet
+from workbench.document.motion.groups import Group, group_of
+from workbench.document.motion.model import EASINGS, MAX_FRAMES, SPLINE, Key, Track
+from workbench.document.motion.tracks import motion_of, track_on
+from workbench.document.subjects import Subject
+from workbench.geometry.quaternions import quaternion_about
+from workbench.language import _
+from workbench.rendering.mapping import Call
+from workbench.rendering.subjects.registry import Given, SubjectKind, mapped, register
+
+KIND = "track"
+TWEEN, SPLINE_TWEEN, MORPH, SLERP = "tween", "spline_tween", "morph", "slerp"
+_SHAPES = ("tension", "continuity", "bias")
+
+
+def at_frame(target: str, frame: int) -> Subject:
+    """The in-betweens of a track around a frame."""
+    return Subject(KIND, arguments={"target": target, "frame": frame})
+
+
+def track_of(sheet: Sheet, subject: Subject) -> Track | None:
+    """The track that a subject names, or else the first one; None where the sheet has none that moves."""
+    target = str(subject.arguments.get("target", ""))
+    if target and (track := track_on(sheet, target)) is not None:
+        return track
+    return next((each for each in motion_of(sheet).tracks if group_of(sheet, each.target) is not None), None)
+
+
+def keys_around(track: Track, frame: int) -> tuple[Key, Key] | None:
+    """The two keys between which a frame lies, at an end the last two; None where there is but one."""
+    if len(track.keys) < 2:
+        return None
+    place = sum(key.frame <= frame for key in track.keys[1:-1])
+    return track.keys[place], track.keys[place + 1]
+
+
+def _found(sheet: Sheet, subject: Subject) -> tuple[Track, Group, Key, Key] | None:
+    track = track_of(sheet, subject)
+    group = None if track is None else group_of(sheet, track.target)
+    frame = subject.arguments.get("frame", 0)
+    assert isinstance(frame, int)
+    around = None if track is None else keys_around(track, frame)
+    if track is None or group is None or around is None:
+        return None
+    return track, group, *around
+
+
+def _choices(sheet: Sheet, subject: Subject) -> tuple[str, ...]:
+    found = _found(sheet, subject)
+    if found is None:
+        return ()
+    _track, group, key, _following = found
+    if group.kind == "outline":
+        return (MORPH,)
+    if group.kind == "turn":
+        return (SLERP,)
+    return (SPLINE_TWEEN, TWEEN) if key.easing == SPLINE else (TWEEN, SPLINE_TWEEN)
+
+
+def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
+    found, choices = _found(sheet, subject), _choices(sheet, subject)
+    if found is None or (subject.entry and subject.entry not in choices):
+        return []
+    track, group, first, second = found
+    slug = subject.entry or choices[0]
+    entry = catalogue.get(slug)
+    if slug == MORPH:
+        return [Call(entry, _morph_arguments(sheet, group, subject, first, second))]
+    if slug == SLERP:
+        ends = (np.array(_quaternion(key), np.float64) for key in (first, second))
+        return [Call(entry, (*ends, second.frame - first.frame - 1))]
+    if slug == SPLINE_TWEEN:
+        frames = np.array([key.frame for key in track.keys], np.int64)
+        shapes = [np.array([getattr(key, name) for key in track.keys], np.float64) for name in _SHAPES]
+        values = np.array([key.value for key in track.keys], np.float64)
+        return [Call(entry, (frames, column.copy(), *shapes)) for column in values.T]
+    code = EASINGS.index(first.easing) if first.easing != SPLINE else EASINGS.index("linear")
+    pairs = zip(first.value, second.value, strict=True)
+    return [Call(entry, (first.frame, second.frame, a, b, code, *first.handles)) for a, b in pairs]
+
+
+def _morph_arguments(
+    sheet: Sheet, group: Group, subject: Subject, first: Key, second: Key
+) -> tuple[Any, ...]:
+    figure = sheet.figures[int(group.slots[0].path[1])]
+    outlines = [np.array(key.value, np.float64).reshape(-1, 2) for key in (first, second)]
+    frame = subject.arguments.get("frame", 0)
+    assert isinstance(frame, int)
+    t = min(max((frame - first.frame) / (second.frame - first.frame), 0.0), 1.0)
+    return *outlines, bool(getattr(figure, "closed", True)), 0, t
+
+
+def _quaternion(key: Key) -> tuple[float, ...]:
+    angle, *axis = key.value
+    length = float(np.linalg.norm(axis)) or 1.0
+    x, y, z = (part / length for part in axis)
+    return quaternion_about(float(np.radians(angle)), (x, y, z))
+
+
+def _on_device(sheet: Sheet, subject: Subject, frame: Frame, marks: Any) -> tuple[Mark, ...]:
+    """Outlines lie in the picture; what goes over time does not."""
+    return mapped(sheet, subject, frame, marks) if frame == "world" else ()
+
+
+def at_other_frame(subject: Subject, frame: int) -> Subject:
+    """The same track around another frame."""
+    return replace(subject, arguments={**subject.arguments, "frame": frame})
+
+
+register(
+    KIND,
+    SubjectKind(
+        title=_("The frames between two keys"),
+        invitation=_("Set two keys on a track, to see the frames between them worked out step by step."),
+        calls=_calls,
+        choices=_choices,
+        entries=(TWEEN, SPLINE_TWEEN, MORPH, SLERP),
+        arguments={
+            "target": Given(""),
+            "frame": Given(0, Number(label=_("frame"), low=0, high=MAX_FRAMES - 1, whole=True, keyed=False)),
+        },
+        on_device=_on_device,
+    ),
+)

@@ -1,0 +1,52 @@
+"""The pictures of Animate in the tour."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from workbench.shell.workspaces import panel_of
+
+if TYPE_CHECKING:
+    from workbench.panels.animate.panel import AnimatePanel
+    from workbench.shell.window import MainWindow
+
+_TELLING = 34
+
+
+def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
+    """Name of each picture, and what brings the window there."""
+    return [
+        ("animate-ball", partial(_open, slug="animate-ball", frame=_TELLING)),
+        ("animate-letter", partial(_open, slug="animate-letter", frame=18)),
+        ("animate-clock", partial(_open, slug="animate-clock", frame=20)),
+        ("animate-pendulum", partial(_open, slug="animate-pendulum", frame=8)),
+        ("animate-stepped", _stepped),
+        ("animate-empty", _empty),
+    ]
+
+
+def _open(window: MainWindow, slug: str, frame: int) -> AnimatePanel:
+    from workbench.panels.animate.panel import AnimatePanel
+
+    window.open_example(slug)
+    session = window.session
+    session.frames.show(frame)
+    panel = panel_of(window.panels("animate"), AnimatePanel)
+    motion = session.frames.motion
+    panel.timeline.track_chosen.emit(motion.tracks[0].target)
+    window.arrangements.bring_forward("between")
+    return panel
+
+
+def _stepped(window: MainWindow) -> None:
+    """The falling of the ball, at the in-between in the middle."""
+    _open(window, "animate-ball", _TELLING)
+    window.session.update_state(step=7)
+    window.arrangements.bring_forward("hand_table")
+
+
+def _empty(window: MainWindow) -> None:
+    window.session.new()
+    window.go("animate")

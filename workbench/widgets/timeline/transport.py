@@ -1,0 +1,196 @@
+"""The bar over a timeline: frame, playing, how it goes on, rate and length, auto-key, ghosts, zoom."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAction, QResizeEvent
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QWidget
+
+from workbench.language import _
+from workbench.session.frames import Frames, Mode
+from workbench.session.session import Session
+from workbench.widgets.fields.number_field import EntryLine
+from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.type_faces import code_font
+
+HEIGHT = 44
+_FIELD_PX = 52
+_SPEEDS = (0.25, 0.5, 1.0, 2.0)
+_NARROW_PX, _NARROWER_PX = 860, 700
+
+
+class Transport(QWidget):
+    """Drives the frames of a session. ``said`` sends what was wrong with what was typed.
+
+    ``length_wanted`` and ``rate_wanted`` send what was typed, ``ghosts_toggled`` and ``zoom_wanted`` are for
+    the timeline.
+    """
+
+    said = Signal(str)
+    length_wanted = Signal(int)
+    rate_wanted = Signal(float)
+    ghosts_toggled = Signal(bool)
+    zoom_wanted = Signal(float)
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        frames = session.frames
+        self.setFixedHeight(HEIGHT)
+        self.setAccessibleName(_("Frames"))
+        self.first = self._action(_("First frame"), "skip-back", lambda: frames.show(0))
+        self.back = self._action(_("Frame back"), "caret-left", lambda: frames.show(frames.number - 1))
+        self.play = self._action(_("Play the frames"), "play", frames.toggle)
+        self.forward = self._action(_("Frame forward"), "caret-right", lambda: frames.show(frames.number + 1))
+        self.last = self._action(_("Last frame"), "skip-forward", lambda: frames.show(frames.count - 1))
+        self.frame = self._field(_("Frame"), _("Type a frame and press Enter to go there"), self._go)
+        self.length = self._field(
+            _("Last frame"),
+            _("The number of the last frame; the first is 0"),
+            lambda: self._send(self.length),
+        )
+        self.rate = self._field(
+            _("Frames a second"), _("How many frames are shown in a second"), lambda: self._send(self.rate)
+        )
+        self.mode = QComboBox()
+        for title, mode in ((_("Loop"), "loop"), (_("Once"), "once"), (_("Back and forth"), "ping_pong")):
+            self.mode.addItem(title, mode)
+        self.mode.setAccessibleName(_("After the last frame"))
+        self.mode.setToolTip(_("What comes after the last frame"))
+        self.mode.activated.connect(lambda _index: self._choose_mode(self.mode.currentData()))
+        self.speed = QComboBox()
+        for speed in _SPEEDS:
+            self.speed.addItem(_("{speed:g} ×").format(speed=speed), speed)
+        self.speed.setCurrentIndex(_SPEEDS.index(frames.speed))
+        self.speed.setAccessibleName(_("Playing speed"))
+        self.speed.setToolTip(_("How many times as fast it plays"))
+        self.speed.activated.connect(lambda _index: frames.set_speed(self.speed.currentData()))
+        self.auto_key = self._action(_("Auto-key"), "record", None)
+        self.auto_key.setCheckable(True)
+        self.auto_key.setToolTip(_("Whatever is changed gets a key in the frame that is shown"))
+        self.auto_key.toggled.connect(lambda on: session.update_state(auto_key=on))
+        self.ghosts = self._action(_("Ghosts"), "stack", None)
+        self.ghosts.setCheckable(True)
+        self.ghosts.setChecked(True)
+        self.ghosts.setToolTip(_("Show the frames before and after; drag their reach on the ruler"))
+        self.ghosts.toggled.connect(self.ghosts_toggled)
+        self.zoom_out = self._action(_("Frames narrower"), "magnifying-glass-minus", self._narrower)
+        self.zoom_in = self._action(_("Frames wider"), "magnifying-glass-plus", self._wider)
+        self._place()
+        frames.played.connect(self._played)
+
+    def _action(self, text: str, icon: str, do: Callable[[], object] | None) -> QAction:
+        action = QAction(text, self)
+        action.setToolTip(text)
+        set_icon(action, icon)
+        if do is not None:
+            action.triggered.connect(lambda: do())
+        return action
+
+    def _field(self, name: str, tip: str, done: Callable[[], object]) -> EntryLine:
+        field = EntryLine()
+        field.setFont(code_font())
+        field.setAlignment(Qt.AlignmentFlag.AlignRight)
+        field.setFixedWidth(_FIELD_PX)
+        field.setAccessibleName(name)
+        field.setToolTip(tip)
+        field.editingFinished.connect(lambda: done())
+        return field
+
+    def _place(self) -> None:
+        row = QHBoxLayout(self)
+        row.setContentsMargins(8, 0, 8, 0)
+        row.setSpacing(2)
+        for action in (self.first, self.back, self.play, self.forward, self.last):
+            row.addWidget(self._button(action))
+        row.addSpacing(8)
+        self._of, self._a_second = QLabel(_("of")), QLabel(_("a second"))
+        self._of.setProperty("role", "muted")
+        self._a_second.setProperty("role", "muted")
+        fields = (self.frame, self._of, self.length, self.mode, self.speed, self.rate, self._a_second)
+        for widget in fields:
+            row.addWidget(widget)
+            row.addSpacing(12 if widget is self.length else 4)
+        row.addStretch(1)
+        self._worded = [self._button(action, words=True) for action in (self.auto_key, self.ghosts)]
+        for button in self._worded:
+            row.addWidget(button)
+            row.addSpacing(4)
+        row.addSpacing(8)
+        for action in (self.zoom_out, self.zoom_in):
+            row.addWidget(self._button(action))
+
+    def _button(self, action: QAction, words: bool = False) -> QToolButton:
+        button = QToolButton()
+        button.setDefaultAction(action)
+        style = Qt.ToolButtonStyle
+        button.setToolButtonStyle(style.ToolButtonTextBesideIcon if words else style.ToolButtonIconOnly)
+        button.setAccessibleName(action.text())
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        if not words:
+            button.setFixedSize(32, 32)
+        return button
+
+    def _narrower(self) -> None:
+        self.zoom_wanted.emit(0.8)
+
+    def _wider(self) -> None:
+        self.zoom_wanted.emit(1.25)
+
+    def _choose_mode(self, mode: Mode) -> None:
+        self._session.frames.mode = mode
+
+    def _go(self) -> None:
+        if self.frame.isModified():
+            self.frame.setModified(False)
+            if self.frame.text().strip().isdecimal():
+                self._session.frames.show(int(self.frame.text()))
+            else:
+                self.said.emit(_("A frame is a whole number from 0; type one."))
+            self.refresh()
+
+    def _send(self, field: EntryLine) -> None:
+        if not field.isModified():
+            return
+        field.setModified(False)
+        try:
+            value = float(field.text().replace(",", "."))
+        except ValueError:
+            self.said.emit(_("“{text}” is no number; type one such as 24.").format(text=field.text()))
+        else:
+            if field is self.rate:
+                self.rate_wanted.emit(value)
+            elif value.is_integer():
+                self.length_wanted.emit(int(value) + 1)
+            else:
+                self.said.emit(_("The last frame is {value:g}; give a whole number.").format(value=value))
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show the session as it is now."""
+        frames: Frames = self._session.frames
+        texts = (
+            (self.frame, frames.number),
+            (self.length, frames.count - 1),
+            (self.rate, frames.motion.rate),
+        )
+        for field, value in texts:
+            if not (field.hasFocus() and field.isModified()):
+                field.setText(f"{value:g}")
+        self.auto_key.setChecked(self._session.state.auto_key)
+        set_icon(self.auto_key, "record", "error" if self._session.state.auto_key else "text")
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """What has no room goes, first the rate, then what comes after the last frame and the words."""
+        super().resizeEvent(event)
+        for widget in (self._a_second, self.rate, self.speed):
+            widget.setVisible(self.width() >= _NARROW_PX)
+        wide = self.width() >= _NARROWER_PX
+        self.mode.setVisible(wide)
+        style = Qt.ToolButtonStyle
+        for button in self._worded:
+            button.setToolButtonStyle(style.ToolButtonTextBesideIcon if wide else style.ToolButtonIconOnly)
+
+    def _played(self, on: bool) -> None:
+        set_icon(self.play, "pause" if on else "play")
+        self.play.setToolTip(_("Stop the frames") if on else _("Play the frames"))
