@@ -202,7 +202,7 @@ def test_a_number_that_is_refused_is_said_without_the_path_of_a_file(qtbot, sess
     fields = panel.card.rectangles[slug].fields
     type_into(qtbot, fields["xmax"], "1e300")
     assert panel.card.complaint.text() == (
-        "The xmax is 1e+300; give a number between -1,000,000 and 1,000,000."
+        "The x_max is 1e+300; give a number between -1,000,000 and 1,000,000."
     )
     assert all(field.field.property("wrong") for field in fields.values())
     assert session.document == before
