@@ -1,13 +1,14 @@
 """Keeps canvas, card, chain and matrices of the Transform panel in step with the session and its run."""
 
 from dataclasses import replace as with_fields
+from functools import lru_cache
 
 import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QRectF
+from PySide6.QtCore import QRectF, QTimer
 
 from workbench.algorithms.marks import Word
-from workbench.document.model import AnyFigure, Sheet
+from workbench.document.model import AnyFigure, Sheet, WorldPoint
 from workbench.document.transforms.stages import Stage, stages
 from workbench.language import _
 from workbench.panels.stage.compose import Composition, with_band
@@ -31,7 +32,7 @@ from workbench.panels.transform.scene import (
 )
 from workbench.panels.transform.told import place_text
 from workbench.panels.transform.whole import WholeDock
-from workbench.rendering.mapping import device_map
+from workbench.rendering.mapping import DeviceMap, device_map
 from workbench.rendering.subjects.chain import PRODUCT, vertex_of
 from workbench.session.session import Session
 from workbench.widgets.canvas.drawing import Drawn
@@ -39,6 +40,7 @@ from workbench.widgets.canvas.overlay import Handle, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.look.tokens import LIGHT, tokens
 
+LEISURE_MS = 40
 _PAPER_PX = 760.0
 
 
@@ -66,6 +68,11 @@ class TransformView(FigureView):
         self.legend = Legend(canvas)
         self.lit: int | None = None
         self.asked: tuple[int, int] | None = None
+        # What a drag makes of the dock beside it need not be seen in the same frame.
+        self._leisure = QTimer(self.legend)
+        self._leisure.setSingleShot(True)
+        self._leisure.setInterval(LEISURE_MS)
+        self._leisure.timeout.connect(self._show_whole)
         for each in (canvas, second):
             each.set_overlay(Overlay(plane=True))
 
@@ -87,7 +94,9 @@ class TransformView(FigureView):
         chosen = works and drawing is None and active is not None and active.id in session.state.selection
         self.chain_box.follow(active if chosen else None)
         if chosen and active is not None:
-            overlay = with_fields(overlay, handles=tuple(_points(sheet, active, drag.held)))
+            place = f"{sheet.id}/{active.id}"
+            points = _points(device_map(sheet), active.points_world, place, drag.held)
+            overlay = with_fields(overlay, handles=points)
         overlay = with_band(self.chain_box.over(overlay), tool.band)
         self.canvas.cells_per_unit = abs(device_map(sheet).sx)
         self.canvas.set_picture(_blank(sheet), packed(tokens().canvas))
@@ -97,12 +106,20 @@ class TransformView(FigureView):
         self.chain.follow(active, self.lit)
         around = self.chain_box.rectangle(active) if works and active is not None else QRectF()
         self.legend.follow(acting if works else (), self.card.ghosts.isChecked(), self.lit, around)
-        if self.whole.isVisible():
-            self._show_whole(active, list(acting))
-        self._show_matrices(active, list(acting), tool.busy or drag.busy or self.chain_box.busy)
+        busy = tool.busy or drag.busy or self.chain_box.busy
+        if not busy:
+            self._leisure.stop()
+            self._show_whole()
+        elif not self._leisure.isActive():
+            self._leisure.start()
+        self._show_matrices(active, list(acting), busy)
 
-    def _show_whole(self, active: AnyFigure | None, chain: list[Stage]) -> None:
-        point = None
+    def _show_whole(self) -> None:
+        """Bring the dock up to date, if it is seen."""
+        if not self.whole.isVisible():
+            return
+        active, point = self.active, None
+        chain = () if active is None else stages(active.transforms)
         if active is not None and active.points_world:
             vertex = active.points_world[self.vertex]
             point = vertex.x, vertex.y
@@ -204,12 +221,11 @@ def _seen(canvas: PixelCanvas) -> Area:
     return left, bottom, right, top
 
 
-def _points(sheet: Sheet, figure: AnyFigure, held: str) -> list[Handle]:
-    """The points of a figure as it was drawn, to be grabbed."""
-    scale, place = device_map(sheet), f"{sheet.id}/{figure.id}"
+@lru_cache(maxsize=4)
+def _points(scale: DeviceMap, points: tuple[WorldPoint, ...], place: str, held: str) -> tuple[Handle, ...]:
+    """The points of a figure at an address, as it was drawn, to be grabbed."""
     made = []
-    for point in figure.points_world:
-        x, y = scale.point(point.x, point.y)
+    for point in points:
         address = f"{place}/{point.id}/x"
-        made.append(Handle(address, "", x, y, address == held, "round", "muted"))
-    return made
+        made.append(Handle(address, "", *scale.point(point.x, point.y), address == held, "round", "muted"))
+    return tuple(made)
