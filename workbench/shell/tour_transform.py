@@ -19,6 +19,9 @@ def transform_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("transform-pivot", partial(_transform, slug="pivot", step=15)),
         ("transform-axes", partial(_transform, slug="pivot", axes=True, dock="whole")),
         ("transform-order", partial(_transform, slug="order", beside=True)),
+        ("transform-beside", partial(_transform, slug="pivot", compared=True)),
+        ("transform-parts", partial(_transform, slug="shear", dock="whole", part=1)),
+        ("transform-homogeneous", partial(_transform, slug="shear", dock="whole", part=2)),
         ("transform-leaf", partial(_transform, slug="leaf")),
         ("transform-clock", partial(_transform, slug="clock", figure=-2)),
         ("transform-shear", partial(_transform, slug="shear")),
@@ -36,6 +39,8 @@ def _transform(
     axes: bool = False,
     beside: bool = False,
     asks: bool = False,
+    compared: bool = False,
+    part: int = 0,
     dock: str = "chain",
 ) -> None:
     from workbench.panels.transform.panel import TransformPanel
@@ -48,6 +53,8 @@ def _transform(
     session.update_state(active=chosen, selection=(chosen,), step=step, ask_first=asks)
     (panel.card.axes if axes else panel.card.points).setChecked(True)
     panel.card.reversed.setChecked(beside)
+    panel.card.other.setChecked(compared)
+    panel.whole.buttons[part].click()
     window.arrangements.bring_forward(dock)
 
 

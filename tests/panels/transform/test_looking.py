@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 
 from tests.panels.by_hand import LEFT, at, drag, recorded, settle
 from tests.panels.transform.hand import chain, device, figure, handle, shown, whole
+from workbench.algorithms.marks import Word
 from workbench.document.edits import set_attribute
 from workbench.document.samples.examples import blank_sheet
 from workbench.document.storage.files import read
@@ -14,6 +15,7 @@ from workbench.document.transforms.edits import add_transform
 from workbench.document.transforms.links import Affine, Reflect, Scale, Translate
 from workbench.exchange.writing import format_for, write
 from workbench.panels.stage.pages import formats_of
+from workbench.panels.transform.labels import _box, _common, clear_of
 from workbench.session.session import Session
 
 
@@ -90,7 +92,7 @@ def test_what_cannot_be_undone_is_said_and_has_no_box(qtbot, panel, session, lin
     assert panel.view.chain_box.box.box is None
     drag(qtbot, panel, device(session, 4, 1), device(session, 4, 0))
     assert figure(session).points_world[2].y == 0.0
-    panel.view._show_whole(figure(session), [])
+    panel.view._show_whole()
     assert panel.derivation() is not None
 
 
@@ -115,6 +117,59 @@ def test_the_other_order_stands_beside(qtbot, session, panel):
     assert panel.second.isVisible()
     words = [each.text for each in panel.second.overlay.drawn if hasattr(each, "text")]
     assert "(−1, 7)" in words  # moved to (7, 1) and then turned by 90 degrees
+
+
+def words_of(canvas):
+    return [each.text for each in canvas.overlay.drawn if isinstance(each, Word)]
+
+
+def test_points_and_axes_stand_side_by_side_and_take_the_place_of_the_other_order(panel, session):
+    session.open_example("transform-order")
+    settle()
+    panel.card.reversed.click()
+    panel.card.other.click()
+    settle()
+    assert not panel.card.reversed.isChecked()
+    assert {"the axes moved: new coordinates", "x′", "y′"} <= set(words_of(panel.second))
+    assert "x′" not in words_of(panel.canvas)
+    panel.card.axes.click()
+    settle()
+    assert "x′" in words_of(panel.canvas)
+    assert "the points moved: the axes stay" in words_of(panel.second)
+    panel.card.points.click()
+    panel.card.other.click()
+    settle()
+    assert panel.second.isHidden()
+
+
+def test_a_label_goes_where_no_handle_is(panel):
+    label = next(
+        each for each in panel.canvas.overlay.drawn if isinstance(each, Word) and each.text == "(5, 6)"
+    )
+    unit = panel.canvas.devicePixelRatioF() / panel.canvas.view.cell
+    grips = panel.view.chain_box.box.places().values()
+    near = [(x - 1.0 * unit, y, x + 1.0 * unit, y + 1.0 * unit) for x, y in grips]
+    assert near
+    assert all(_common(_box(label, unit), spot) == 0.0 for spot in near)
+
+
+@pytest.mark.parametrize(("right", "up"), [(1, 1), (-1, 1), (1, -1), (-1, -1)])
+def test_of_the_sides_of_a_point_the_free_one_is_taken(right, up):
+    word = Word("(1, 2)", 0.0, 0.0, "text", 1, 1, True)
+    boxes = {
+        (i, j): _box(word._replace(right=i, up=j), 1.0)
+        for i in (-1, 0, 1)
+        for j in (-1, 0, 1)
+        if (i, j) != (0, 0)
+    }
+    middles = [((a + c) / 2, (b + d) / 2) for (i, j), (a, b, c, d) in boxes.items() if (i, j) != (right, up)]
+    (placed,) = clear_of([word], middles, 1.0)
+    taken = {
+        side: sum(_common(box, (x - 8, y - 8, x + 8, y + 8)) for x, y in middles)
+        for side, box in boxes.items()
+    }
+    assert taken[placed.right, placed.up] == min(taken.values())
+    assert clear_of([word._replace(carded=False)], middles, 1.0) == [word._replace(carded=False)]
 
 
 def test_the_axes_moved_give_the_new_coordinates(qtbot, session, panel):
@@ -145,6 +200,9 @@ def test_the_inverse_and_the_parts_say_what_is_lost(panel, session):
     session.apply(add_transform(figure(session).id, Scale("", sy=0.0)), "")
     settle()
     assert "one line" in panel.whole.told.text()
+    cells = panel.whole.parts.terms[-1].cells  # what the parts make together again
+    again = np.array([[cell.value for cell in line] for line in cells])
+    np.testing.assert_allclose(again, matrix_of(chain(session)), atol=1e-9)
     assert panel.whole.inverse.isHidden()
     panel.whole.hide()
 

@@ -34,7 +34,7 @@ class SteppedPanel(FigurePanel):
 
     card: ParameterCard
     view: FigureView
-    exporter: Exporter
+    exporter: Exporter | None
     moves_points = True
 
     def __init__(self, session: Session, tools: Sequence[Tool], parent: QWidget | None = None) -> None:

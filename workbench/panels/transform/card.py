@@ -43,9 +43,13 @@ class TransformCard(ParameterCard):
         self.ghosts.setToolTip(_("The figure after each matrix of the chain, with its number"))
         self.reversed = QCheckBox(_("The other order beside it"))
         self.reversed.setToolTip(_("A second picture with the links of the chain in the opposite order"))
-        for box in (self.ghosts, self.reversed):
+        self.other = QCheckBox(_("Points and axes side by side"))
+        self.other.setToolTip(_("A second picture of the same chain: the axes moved, or else the points"))
+        for one, rival in ((self.reversed, self.other), (self.other, self.reversed)):
+            one.toggled.connect(lambda on, rival=rival: rival.setChecked(False) if on else None)
+        for box in (self.ghosts, self.reversed, self.other):
             box.toggled.connect(self.switched)
-        return [both, self.ghosts, self.reversed]
+        return [both, self.ghosts, self.other, self.reversed]
 
     def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
         """Show what is selected, or what ``tool`` draws next."""

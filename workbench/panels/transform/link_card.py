@@ -141,7 +141,8 @@ class LinkCard(QFrame):
         grid.setVerticalSpacing(2)
         made: dict[str, NumberField] = {}
         numbers = numbers_of(self.kind)
-        across = {Affine: 3, Affine3D: 4}.get(self.kind, 3 if len(self.shape) % 3 == 0 else 2)
+        across = {Affine: 3, Affine3D: 4}.get(self.kind, 2 if len(self.shape) in (2, 4) else 3)
+        alone = len(self.shape) % across == 1  # an angle, before an axis and a pivot
         for k, name in enumerate(self.shape):
             number = numbers[name]
             unit = number.unit if number.unit == "°" else ""
@@ -158,7 +159,8 @@ class LinkCard(QFrame):
             field.scrubbed.connect(lambda value, name=name: self.changed.emit(name, value, True))
             field.scrub_ended.connect(self.scrub_ended)
             made[name] = field
-            grid.addWidget(field, k // across, k % across)
+            at = k + across - 1 if alone and k else k
+            grid.addWidget(field, at // across, at % across)
         column.addLayout(grid)
         return made
 

@@ -17,7 +17,6 @@ from workbench.language import _
 from workbench.panels.panel import DockPart
 from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.card import kind_title
-from workbench.panels.stage.export import Exporter
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.panel import NUDGE
 from workbench.panels.stage.stepped import SteppedPanel
@@ -104,6 +103,8 @@ class TransformPanel(SteppedPanel):
             ],
         )
 
+        self._exporter = self.exporter
+
         # No pixels are seen here.
         for taken in (self.canvas, self):
             taken.removeAction(self._actions["why"])
@@ -139,6 +140,7 @@ class TransformPanel(SteppedPanel):
         self.pages.setCurrentIndex(int(in_space))
         self.chains.show_page(self.page)
         self._bar.setVisible(not in_space)
+        self.exporter = None if in_space else self._exporter  # only the plane has steps on paper
         self.setFocusProxy(self.space.view if in_space else self.canvas)
         self._enable()
         self._take_run()
@@ -149,15 +151,6 @@ class TransformPanel(SteppedPanel):
         on = self.isVisible() and self.page == PLANE
         for name, action in self._actions.items():
             action.setEnabled(self.isVisible() if name in _PAGES else on)
-
-    @property
-    def exporter(self) -> Exporter | None:
-        """Only the plane has steps that are drawn on paper."""
-        return self._exporter if self.page == PLANE else None
-
-    @exporter.setter
-    def exporter(self, exporter: Exporter) -> None:
-        self._exporter = exporter
 
     def derivation(self) -> Derivation | None:
         """The page of the figure, or of the object, that is worked on."""
@@ -220,6 +213,7 @@ class TransformPanel(SteppedPanel):
         if self.page == SPACE:
             self._waiting = False
             self.space.refresh()
+            self.zoom_text.emit("")
             return
         super().refresh()
         self._fit_matrices()

@@ -39,7 +39,10 @@ def _drawing(scene: SpaceScene) -> Drawing:
     items: list[Item] = []
     for way, name in zip(np.eye(3), "xyz", strict=True):
         ends = np.array([np.zeros(3), reach * way]) @ flat
-        items += [Stroke(ends, "muted", "hair"), Word(name, *ends[1].tolist(), "muted", 1, 1)]
+        items += [
+            Stroke(ends, "muted", "hair"),
+            Word(name, float(ends[1, 0]), float(ends[1, 1]), "muted", 1, 1),
+        ]
     for places, ink in ((scene.made, "muted"), (scene.image, "data1")):
         at = places @ flat
         items += [Stroke(at[edge], ink, "thin") for edge in scene.edges]  # type: ignore[arg-type]

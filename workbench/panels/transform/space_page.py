@@ -82,8 +82,9 @@ class SpacePage(QWidget):
         run = self._session.run
         if self._lit is not None:
             return self._lit
-        slug = run.entry.slug if run.entry is not None and run.subject.kind == KIND else ""
-        return stepped_turn(slug, run.step_number)
+        if run.entry is None or run.subject is None or run.subject.kind != KIND:
+            return 0
+        return stepped_turn(run.entry.slug, run.step_number)
 
     def refresh(self) -> None:
         """Show the session as it is now."""

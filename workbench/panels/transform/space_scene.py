@@ -23,17 +23,17 @@ class SpaceScene:
     """Places (n, 3) in the world: of the object as it was made, at the stage that is looked at (None when
     that is the whole chain) and under all of it, with its ``edges`` (e, 2).
 
-    ``axis`` are two places of the axis of the last rotation as this stage has it, (2, 3), or None; ``way``
-    (k, 3) is where the vertex that is followed has been.
+    ``every`` (m, 3) are the places of all stages. ``axis`` are two places of the axis of the last rotation as
+    this stage has it, (2, 3), or None; ``way`` (k, 3) is where the vertex that is followed has been.
     """
 
     made: Points
     stage: Points | None
     image: Points
+    every: Points
     edges: NDArray[np.int64]
     axis: Points | None
     way: Points
-    number: int = 0
 
 
 def scene_of(thing: Object, subject: Subject, step: int) -> SpaceScene:
@@ -46,19 +46,21 @@ def scene_of(thing: Object, subject: Subject, step: int) -> SpaceScene:
     turn = last_turn(thing)
     if turn is None:
         way = np.array([mesh.vertices[vertex], image[vertex]])
-        return SpaceScene(mesh.vertices, None, image, edges, None, way)
+        every = np.concatenate([mesh.vertices, image])
+        return SpaceScene(mesh.vertices, None, image, every, edges, None, way)
     at, link = turn
     seven = [np.eye(4)]  # of the rotation alone: its axis is given where it acts
     for part in link.unfolded():
         seven.append(part.matrix @ seven[-1])
     made = [matrix @ upto(thing, at) for matrix in seven]
     axis = _placed(seven[step], np.array([link.pivot, link.second]))
-    way = [
+    places = [
         mesh.vertices[vertex],
         *(_placed(matrix, mesh.vertices[vertex : vertex + 1])[0] for matrix in made),
     ]
     stage = _placed(made[step], mesh.vertices) if 0 < step < STEPS else None
-    return SpaceScene(mesh.vertices, stage, image, edges, axis, np.array(way[: step + 2]), step)
+    every = np.concatenate([mesh.vertices, image, *(_placed(matrix, mesh.vertices) for matrix in made)])
+    return SpaceScene(mesh.vertices, stage, image, every, edges, axis, np.array(places[: step + 2]))
 
 
 def _placed(matrix: Matrix, points: Points) -> Points:

@@ -4,7 +4,7 @@ import itertools
 import math
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QFont, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -12,13 +12,13 @@ from workbench.language import _
 from workbench.panels.transform.space_scene import Points, SpaceScene, seen_from
 from workbench.panels.transform.told import space_text
 from workbench.widgets.canvas.drawing import PATTERNS, ink_of
-from workbench.widgets.look.tokens import theme, tokens
+from workbench.widgets.look.tokens import colour, theme, tokens
 
 _ANGLE_Y, _ANGLE_X = -32.0, 22.0
 _STEEPEST = 89.0
 _DEGREES_A_PX, _KEY_DEGREES = 0.4, 5.0
 _MARGIN_PX = 36.0
-_AXIS_BEYOND = 2.5
+_AXIS_BEYOND = 1.6
 _DOT_PX = 7.0
 
 
@@ -68,22 +68,22 @@ class SpaceView(QWidget):
     # Where things are
 
     def _reach(self) -> float:
-        """How far from the origin the farthest place is, world, whatever the stage."""
+        """How long the axes are, world: as far as anything is from the planes of the frame."""
         scene = self._scene
-        if scene is None:
-            return 1.0
-        parts = [scene.made, scene.image, scene.way]
-        parts += [part for part in (scene.stage, scene.axis) if part is not None]
-        far = max(float(np.abs(part).max()) for part in parts)
-        return far if far > 0.0 else 1.0
+        return 1.0 if scene is None else float(np.abs(scene.every).max()) or 1.0
 
     def positions(self, places: Points) -> Points:
-        """Where places (n, 3) of the world lie in the widget, (n, 2)."""
-        x, y = (places @ seen_from(*self.angles)[:2, :3].T).T
-        room = max(min(self.width(), self.height()) / 2 - _MARGIN_PX, 10.0)
-        unit = room / (self._reach() * 1.25)
-        middle = self.width() / 2, self.height() / 2
-        return np.stack([middle[0] + unit * x, middle[1] - unit * y], axis=1)
+        """Where places (n, 3) of the world lie in the widget, (n, 2); every stage has room there."""
+        flat = seen_from(*self.angles)[:2, :3].T
+        axes = self._reach() * np.vstack([np.zeros(3), np.eye(3)])
+        parts = [axes] if self._scene is None else [axes, self._scene.every]
+        shown = np.concatenate(parts) @ flat
+        low, high = shown.min(axis=0), shown.max(axis=0)
+        room = np.maximum(np.array([self.width(), self.height()]) - 2 * _MARGIN_PX, 20.0)
+        unit = float((room / np.maximum(high - low, 1e-9)).min())
+        middle = np.array([self.width(), self.height()]) / 2
+        away: Points = (places @ flat - (low + high) / 2) * (unit, -unit)
+        return away + middle
 
     # Looking round
 
@@ -154,12 +154,9 @@ class SpaceView(QWidget):
         painter.end()
 
     def _paint_axes(self, painter: QPainter) -> None:
-        reach = self._reach() * 1.15
-        ends = self.positions(np.vstack([np.zeros(3), reach * np.eye(3), -reach * np.eye(3)]))
+        ends = self.positions(self._reach() * np.vstack([np.zeros(3), np.eye(3)]))
+        painter.setPen(QPen(QColor(tokens().muted), 1.25))
         for k, name in enumerate("xyz", 1):
-            painter.setPen(QPen(QColor(tokens().line), 1))
-            painter.drawLine(QPointF(*ends[0]), QPointF(*ends[k + 3]))
-            painter.setPen(QPen(QColor(tokens().muted), 1.25))
             painter.drawLine(QPointF(*ends[0]), QPointF(*ends[k]))
             painter.drawText(QPointF(ends[k, 0] + 5, ends[k, 1] - 4), name)
 
@@ -167,7 +164,7 @@ class SpaceView(QWidget):
         self, painter: QPainter, scene: SpaceScene, places: Points, ink: str, width: float, pattern: str
     ) -> None:
         at = self.positions(places)
-        painter.setPen(QPen(QColor(ink_of(tokens(), ink)), width, PATTERNS[pattern]))  # type: ignore[index]
+        painter.setPen(QPen(QColor(ink_of(tokens(), ink)), width, PATTERNS[pattern]))
         for a, b in scene.edges.tolist():
             painter.drawLine(QPointF(*at[a]), QPointF(*at[b]))
 
@@ -188,12 +185,30 @@ class SpaceView(QWidget):
         painter.setPen(QPen(QColor(now.text), 1.25))
         for a, b in itertools.pairwise(at):
             painter.drawLine(QPointF(*a), QPointF(*b))
-        for place, where, ink in ((at[0], scene.way[0], now.muted), (at[-1], scene.way[-1], now.text)):
-            painter.setPen(QPen(QColor(now.canvas), 2))
-            painter.setBrush(QColor(ink))
-            painter.drawEllipse(QPointF(*place), _DOT_PX / 2 + 1, _DOT_PX / 2 + 1)
-            font = QFont(self.font())
-            font.setBold(ink == now.text)
-            painter.setFont(font)
-            painter.setPen(QColor(ink))
-            painter.drawText(QPointF(place[0] + 8, place[1] - 8), f"P {space_text(*where.tolist())}")
+        left = 1 if at[0, 0] <= at[-1, 0] else -1
+        low = 1 if at[0, 1] >= at[-1, 1] else -1
+        self._paint_vertex(painter, at[0], scene.way[0], "muted", -left, low)
+        if len(at) > 1:
+            self._paint_vertex(painter, at[-1], scene.way[-1], "text", left, -low)
+
+    def _paint_vertex(
+        self, painter: QPainter, at: Points, where: Points, role: str, right: int, down: int
+    ) -> None:
+        """A dot, and at that side of it the place in the world."""
+        now, ink = tokens(), QColor(getattr(tokens(), role))
+        painter.setPen(QPen(QColor(now.canvas), 2))
+        painter.setBrush(ink)
+        painter.drawEllipse(QPointF(*at), _DOT_PX / 2 + 1, _DOT_PX / 2 + 1)
+        font = QFont(self.font())
+        font.setBold(role == "text")
+        painter.setFont(font)
+        text, metrics = f"P {space_text(*where.tolist())}", painter.fontMetrics()
+        wide, high = metrics.horizontalAdvance(text), metrics.height()
+        box = QRectF(0, 0, wide + 8, high + 2)
+        box.moveCenter(QPointF(at[0] + right * (wide / 2 + 14), at[1] + down * (high / 2 + 7)))
+        box.moveLeft(min(max(box.left(), 2.0), self.width() - box.width() - 2.0))
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour(now.canvas, 210))
+        painter.drawRoundedRect(box, 4, 4)
+        painter.setPen(ink)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)

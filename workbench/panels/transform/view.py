@@ -19,6 +19,7 @@ from workbench.panels.stage.view import FigureView
 from workbench.panels.transform.box import ChainBox
 from workbench.panels.transform.card import TransformCard
 from workbench.panels.transform.chain_dock import ChainDock
+from workbench.panels.transform.labels import clear_of
 from workbench.panels.transform.legend import Legend
 from workbench.panels.transform.matrices import Matrices
 from workbench.panels.transform.rows import Progress, rows
@@ -89,10 +90,12 @@ class TransformView(FigureView):
         selected = [figure for figure in sheet.figures if figure.id in set(session.state.selection)]
         acting = () if active is None else stages(active.transforms)
         unit = _unit(self.canvas)
-        overlay = Overlay(drawn=(*self._drawn(sheet, active, _seen(self.canvas), unit),), plane=True)
+        drawn = self._drawn(sheet, active, _seen(self.canvas), unit)
         works = active is not None and not tool.busy and not self.card.axes.isChecked()
         chosen = works and drawing is None and active is not None and active.id in session.state.selection
         self.chain_box.follow(active if chosen else None)
+        grips = [*self.chain_box.box.places().values()] if chosen else []
+        overlay = Overlay(drawn=(*clear_of(drawn, grips, unit),), plane=True)
         if chosen and active is not None:
             place = f"{sheet.id}/{active.id}"
             points = _points(device_map(sheet), active.points_world, place, drag.held)
@@ -126,13 +129,20 @@ class TransformView(FigureView):
         self.whole.follow(chain, point)
 
     def _drawn(
-        self, sheet: Sheet, active: AnyFigure | None, area: Area, unit: float, lit: bool = True
+        self,
+        sheet: Sheet,
+        active: AnyFigure | None,
+        area: Area,
+        unit: float,
+        lit: bool = True,
+        axes: bool | None = None,
     ) -> list[Drawn]:
+        """The plane with its figures; ``axes`` moves them instead of the points, by default as is chosen."""
         drawn: list[Drawn] = [*plane(device_map(sheet), area, unit), *others(sheet, active)]
         if active is not None:
             shows = Shows(
                 self.card.ghosts.isChecked(),
-                self.card.axes.isChecked(),
+                self.card.axes.isChecked() if axes is None else axes,
                 self.vertex,
                 self.lit if lit else None,
             )
@@ -141,16 +151,24 @@ class TransformView(FigureView):
         return drawn
 
     def _show_beside(self, sheet: Sheet, active: AnyFigure | None) -> None:
-        """The chain in the opposite order."""
-        beside = self.card.reversed.isChecked() and active is not None and len(active.transforms) > 1
-        self.card.reversed.setVisible(active is not None and len(active.transforms) > 1)
-        self.second.setVisible(beside)
-        if not beside or active is None:
+        """The chain in the opposite order, or the axes moved where the first picture moves the points."""
+        chain = () if active is None else active.transforms
+        self.card.reversed.setVisible(len(chain) > 1)
+        self.card.other.setVisible(bool(chain))
+        swapped = self.card.reversed.isChecked() and len(chain) > 1
+        other = self.card.other.isChecked() and bool(chain)
+        self.second.setVisible(swapped or other)
+        if active is None or not (swapped or other):
             return
-        other = replace(active, transforms=tuple(reversed(active.transforms)))
-        drawn = self._drawn(sheet, other, _seen(self.second), _unit(self.second))
-        middle = (_seen(self.second)[0] + _seen(self.second)[2]) / 2
-        title = Word(_("in the opposite order"), middle, _seen(self.second)[3], "data2", 0, -1, True, True)
+        area, axes = _seen(self.second), self.card.axes.isChecked()
+        if other:
+            axes = not axes
+            words = _("the axes moved: new coordinates") if axes else _("the points moved: the axes stay")
+        else:
+            active = replace(active, transforms=tuple(reversed(chain)))
+            words = _("in the opposite order")
+        drawn = self._drawn(sheet, active, area, _unit(self.second), axes=axes)
+        title = Word(words, (area[0] + area[2]) / 2, area[3], "data2", 0, -1, True, True)
         self.second.set_picture(_blank(sheet), packed(tokens().canvas))
         self.second.set_overlay(Overlay(drawn=(*drawn, title), plane=True))
 

@@ -52,6 +52,8 @@ from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import tokens
 
 NARROW_PX = 380
+_LEAST_PX = 214
+"""Both rectangles, how they are fitted, and what that does to shapes, are seen together."""
 
 
 def view_name(sheet: Sheet, view: View) -> str:
@@ -69,6 +71,7 @@ class ViewCard(QScrollArea):
         self.session = session
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setMinimumHeight(_LEAST_PX)
         body = QWidget()
         body.setObjectName("pageBody")
         self._column = QVBoxLayout(body)
