@@ -193,6 +193,8 @@ def test_the_inverse_and_the_parts_say_what_is_lost(panel, session):
     panel.refresh()
     back = np.array([[cell.value for cell in line] for line in panel.whole.inverse.terms[1].cells])
     np.testing.assert_allclose(back @ whole(panel), np.eye(3), atol=1e-9)
+    inverse, parts, _plane = panel.whole.buttons
+    parts.click()
     assert "turned by 45°" in panel.whole.told.text()
     session.apply(add_transform(figure(session).id, Reflect("")), "")
     settle()
@@ -203,7 +205,21 @@ def test_the_inverse_and_the_parts_say_what_is_lost(panel, session):
     cells = panel.whole.parts.terms[-1].cells  # what the parts make together again
     again = np.array([[cell.value for cell in line] for line in cells])
     np.testing.assert_allclose(again, matrix_of(chain(session)), atol=1e-9)
+    inverse.click()
     assert panel.whole.inverse.isHidden()
+    assert "no matrix brings it back" in panel.whole.backwards.text()
+    panel.whole.hide()
+
+
+def test_the_plane_w_1_shows_the_point_and_its_image(panel):
+    panel.whole.show()
+    settle()
+    panel.refresh()
+    panel.whole.buttons[2].click()
+    assert panel.whole.space_told.text().startswith("(5, 6) is written (5, 6, 1)")
+    name = panel.whole.space.accessibleName()
+    assert "P (5, 6)" in name
+    assert "P′ (2.2929, 6.5355)" in name
     panel.whole.hide()
 
 

@@ -1,5 +1,6 @@
 """Labels go to that side of their points where they hide least of the handles, and of one another."""
 
+import math
 from collections.abc import Iterable, Sequence
 
 from workbench.algorithms.marks import Word
@@ -22,12 +23,24 @@ def clear_of(drawn: Iterable[Drawn], handles: Sequence[Place], unit: float) -> l
     placed: list[Drawn] = []
     for each in drawn:
         if isinstance(each, Word) and each.carded:
-            sides = dict.fromkeys(((each.right, each.up), *_SIDES))
-            choices = [each._replace(right=right, up=up) for right, up in sides]
-            each = min(choices, key=lambda word: sum(_common(_box(word, unit), box) for box in taken))
-            taken.append(_box(each, unit))
+            each, box = _freest(each, taken, unit)
+            taken.append(box)
         placed.append(each)
     return placed
+
+
+def _freest(word: Word, taken: Sequence[Box], unit: float) -> tuple[Word, Box]:
+    """The word at its first side that is free, else at that where it hides least, and where it is then."""
+    best, least = (word, _box(word, unit)), math.inf
+    for right, up in dict.fromkeys(((word.right, word.up), *_SIDES)):
+        turned = word._replace(right=right, up=up)
+        box = _box(turned, unit)
+        hidden = sum(_common(box, other) for other in taken)
+        if hidden < least:
+            best, least = (turned, box), hidden
+        if hidden == 0.0:
+            break
+    return best
 
 
 def _box(word: Word, unit: float) -> Box:
@@ -40,5 +53,6 @@ def _box(word: Word, unit: float) -> Box:
 
 def _common(a: Box, b: Box) -> float:
     """The area that two boxes have in common."""
-    wide, high = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
-    return max(wide, 0.0) * max(high, 0.0)
+    if a[0] >= b[2] or b[0] >= a[2] or a[1] >= b[3] or b[1] >= a[3]:
+        return 0.0
+    return (min(a[2], b[2]) - max(a[0], b[0])) * (min(a[3], b[3]) - max(a[1], b[1]))

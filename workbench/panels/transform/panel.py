@@ -103,8 +103,6 @@ class TransformPanel(SteppedPanel):
             ],
         )
 
-        self._exporter = self.exporter
-
         # No pixels are seen here.
         for taken in (self.canvas, self):
             taken.removeAction(self._actions["why"])
@@ -140,7 +138,7 @@ class TransformPanel(SteppedPanel):
         self.pages.setCurrentIndex(int(in_space))
         self.chains.show_page(self.page)
         self._bar.setVisible(not in_space)
-        self.exporter = None if in_space else self._exporter  # only the plane has steps on paper
+        self.exporter = None if in_space else self.paper  # only the plane has steps on paper
         self.setFocusProxy(self.space.view if in_space else self.canvas)
         self._enable()
         self._take_run()

@@ -29,6 +29,7 @@ from workbench.panels.transform.homogeneous import HomogeneousView
 from workbench.panels.transform.told import place_text
 from workbench.widgets.formulas.matrix_row import MatrixRow
 
+Place = tuple[float, float]
 MOST_FACTORS = 7
 
 
@@ -89,6 +90,7 @@ class WholeDock(Ground):
 
     def __init__(self) -> None:
         super().__init__()
+        self._shown: tuple[Sequence[Stage], Place | None] = ((), None)
         self.inverse, self.parts = MatrixRow(upright=2), MatrixRow(upright=2)
         self.backwards, self.told, self.space_told = QLabel(), QLabel(), QLabel()
         self.space = HomogeneousView()
@@ -107,7 +109,7 @@ class WholeDock(Ground):
             button.setCheckable(True)
             button.setProperty("low", True)
             button.setToolTip(tip)
-            button.clicked.connect(partial(self._stack.setCurrentIndex, len(self.buttons)))
+            button.clicked.connect(partial(self._choose, len(self.buttons)))
             group.addButton(button)
             self.buttons.append(button)
             self._row.addWidget(button)
@@ -123,20 +125,35 @@ class WholeDock(Ground):
             row.copied.connect(self.said)
 
     def follow(self, chain: Sequence[Stage], point: tuple[float, float] | None) -> None:
-        """Show the whole of a chain, and ``point`` under it."""
+        """Show the whole of a chain, and ``point`` under it; what is not seen waits until it is."""
+        self._shown = chain, point
+        self._show_page(self._stack.currentIndex())
+
+    def _choose(self, number: int, *_checked: object) -> None:
+        self._stack.setCurrentIndex(number)
+        self._show_page(number)
+
+    def _show_page(self, number: int) -> None:
+        chain, point = self._shown
         whole = products(list(chain))[-1] if chain else np.eye(3)
+        (self._show_inverse, self._show_parts, self._show_point)[number](chain, whole, point)
+
+    def _show_inverse(self, chain: Sequence[Stage], _whole: Matrix, _point: Place | None) -> None:
         back = inverse_terms(chain) if chain else (Phrase("M^{−1}", strong=True), matrix(np.eye(3)))
         self.inverse.set_terms(back)
         self.inverse.setVisible(bool(back))
         self.backwards.setText(_backwards(chain, bool(back)))
+
+    def _show_parts(self, _chain: Sequence[Stage], whole: Matrix, _point: Place | None) -> None:
         parts = transforms.decomposed(whole)
         self.parts.set_terms(parts_terms(parts))
         self.told.setText(parts_told(parts))
-        image = None if point is None else _image(whole, point)
-        self.space.show_points(point, image)
+
+    def _show_point(self, _chain: Sequence[Stage], whole: Matrix, point: Place | None) -> None:
+        self.space.show_points(point, None if point is None else _image(whole, point))
         self.space_told.setText(
             ""
-            if image is None or point is None
+            if point is None
             else _("{point} is written ({x}, {y}, 1), and so are all its multiples, (2x, 2y, 2) too.").format(
                 point=place_text(*point), x=displayed(point[0]), y=displayed(point[1])
             )

@@ -79,12 +79,12 @@ class PaintingFields(QWidget):
         )
         self.same.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self.same)
-        for title, factor in (
+        for words, factor in (
             (_("a device half as large"), 0.5),
             (_("a device twice as large"), 2.0),
             (_("a device four times as large"), 4.0),
         ):
-            menu.addAction(title, partial(self._scale, factor))
+            menu.addAction(words, partial(self._scale, factor))
         self.same.setMenu(menu)
         self.device_row.addLayout(sizes)
         self.device_row.addWidget(self.same)

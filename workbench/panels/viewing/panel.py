@@ -76,8 +76,8 @@ class ViewingPanel(PlainPanel, QWidget):
         self.card = ViewCard(session)
         self.point = PointCard()
         self.matrices = Matrices(session, self.card)
-        self.exporter = Exporter(ViewOnPaper(self), self)
-        self.exporter.said.connect(self.hover_text)
+        self.exporter = self.paper = Exporter(ViewOnPaper(self), self)
+        self.paper.said.connect(self.hover_text)
         self._lay_out()
         self._actions = view_actions(self, self._bar)
         KeysWhileSeen(self, self._actions.values())
@@ -166,7 +166,7 @@ class ViewingPanel(PlainPanel, QWidget):
 
     def copy(self) -> bool:
         """Put both pictures on the clipboard, side by side as they are seen."""
-        self.exporter.copy_picture()
+        self.paper.copy_picture()
         return True
 
     def offer_export(self, menu: QMenu) -> None:
