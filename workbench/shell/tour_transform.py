@@ -51,9 +51,9 @@ def _transform(
     panel.show_page()
     panel.choose_tool("select")
     session.update_state(active=chosen, selection=(chosen,), step=step, ask_first=asks)
-    (panel.card.axes if axes else panel.card.points).setChecked(True)
+    card = panel.card
+    (card.axes if axes else card.both if compared else card.points).setChecked(True)
     panel.card.reversed.setChecked(beside)
-    panel.card.other.setChecked(compared)
     panel.whole.buttons[part].click()
     window.arrangements.bring_forward(dock)
 

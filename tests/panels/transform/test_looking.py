@@ -14,8 +14,8 @@ from workbench.document.transforms.chains import matrix_of
 from workbench.document.transforms.edits import add_transform
 from workbench.document.transforms.links import Affine, Reflect, Scale, Translate
 from workbench.exchange.writing import format_for, write
+from workbench.panels.stage.labels import _box, _common, clear_of
 from workbench.panels.stage.pages import formats_of
-from workbench.panels.transform.labels import _box, _common, clear_of
 from workbench.session.session import Session
 
 
@@ -127,17 +127,16 @@ def test_points_and_axes_stand_side_by_side_and_take_the_place_of_the_other_orde
     session.open_example("transform-order")
     settle()
     panel.card.reversed.click()
-    panel.card.other.click()
+    panel.card.both.click()
     settle()
     assert not panel.card.reversed.isChecked()
     assert {"the axes moved: new coordinates", "x′", "y′"} <= set(words_of(panel.second))
     assert "x′" not in words_of(panel.canvas)
-    panel.card.axes.click()
+    panel.card.reversed.click()
     settle()
-    assert "x′" in words_of(panel.canvas)
-    assert "the points moved: the axes stay" in words_of(panel.second)
-    panel.card.points.click()
-    panel.card.other.click()
+    assert panel.card.points.isChecked()
+    assert "in the opposite order" in words_of(panel.second)
+    panel.card.reversed.click()
     settle()
     assert panel.second.isHidden()
 

@@ -22,7 +22,7 @@ from workbench.widgets.stepping.step_bar import stepping_keys
 
 EXAMPLE = "transform-axis"
 SLUG = "transform_space"
-_LEAST_VIEW_PX, _LOW_PX, _LEAST_LOW_PX = 240, 480, 160
+_LEAST_VIEW_PX, _LOW_PX, _LEAST_LOW_PX = 240, 480, 200
 
 
 class SpacePage(QWidget):

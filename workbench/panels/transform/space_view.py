@@ -20,6 +20,8 @@ _DEGREES_A_PX, _KEY_DEGREES = 0.4, 5.0
 _MARGIN_PX = 36.0
 _AXIS_BEYOND = 1.6
 _DOT_PX = 7.0
+_AXIS_INK = "data4"
+_LEGEND_PX, _SAMPLE_PX = 12.0, 26.0
 
 
 class SpaceView(QWidget):
@@ -79,7 +81,8 @@ class SpaceView(QWidget):
         parts = [axes] if self._scene is None else [axes, self._scene.every]
         shown = np.concatenate(parts) @ flat
         low, high = shown.min(axis=0), shown.max(axis=0)
-        room = np.maximum(np.array([self.width(), self.height()]) - 2 * _MARGIN_PX, 20.0)
+        margin = min(_MARGIN_PX, self.height() / 9)
+        room = np.maximum(np.array([self.width(), self.height()]) - 2 * margin, 20.0)
         unit = float((room / np.maximum(high - low, 1e-9)).min())
         middle = np.array([self.width(), self.height()]) / 2
         away: Points = (places @ flat - (low + high) / 2) * (unit, -unit)
@@ -147,6 +150,7 @@ class SpaceView(QWidget):
                 self._edges(painter, scene, scene.stage, "data2", 1.75, "dash")
             self._edges(painter, scene, scene.image, "data1", 2.25, "solid")
             self._paint_way(painter, scene)
+            self._paint_legend(painter, scene)
         if self.hasFocus():
             painter.setPen(QPen(QColor(now.accent), 2))
             painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -171,7 +175,7 @@ class SpaceView(QWidget):
     def _paint_turn(self, painter: QPainter, axis: Points) -> None:
         """The axis of the rotation where this stage has it, beyond both its places."""
         ends = self.positions(axis[:1] + np.outer([-_AXIS_BEYOND, 0.0, 1.0, _AXIS_BEYOND], axis[1] - axis[0]))
-        ink = QColor(tokens().accent)
+        ink = QColor(ink_of(tokens(), _AXIS_INK))
         painter.setPen(QPen(ink, 2, PATTERNS["dash"]))
         painter.drawLine(QPointF(*ends[0]), QPointF(*ends[3]))
         painter.setPen(QPen(ink, 2))
@@ -179,6 +183,24 @@ class SpaceView(QWidget):
         for place, name in ((ends[1], "P₁"), (ends[2], "P₂")):
             painter.drawEllipse(QPointF(*place), _DOT_PX / 2, _DOT_PX / 2)
             painter.drawText(QPointF(place[0] + 7, place[1] + 12), name)
+
+    def _paint_legend(self, painter: QPainter, scene: SpaceScene) -> None:
+        """Which line is what, in the corner."""
+        rows = [("muted", "solid", _("as it was made")), ("data1", "solid", _("under the whole chain"))]
+        if scene.stage is not None:
+            rows.insert(1, ("data2", "dash", _("after this step")))
+        if scene.axis is not None:
+            rows.append((_AXIS_INK, "dash", _("the axis at this step")))
+        painter.setFont(self.font())
+        high = painter.fontMetrics().height() + 4
+        for number, (ink, pattern, words) in enumerate(rows):
+            y = _LEGEND_PX + high * (number + 0.5)
+            painter.setPen(QPen(QColor(ink_of(tokens(), ink)), 2, PATTERNS[pattern]))
+            painter.drawLine(QPointF(_LEGEND_PX, y), QPointF(_LEGEND_PX + _SAMPLE_PX, y))
+            painter.setPen(QColor(tokens().muted))
+            painter.drawText(
+                QPointF(_LEGEND_PX + _SAMPLE_PX + 8, y + painter.fontMetrics().ascent() / 2 - 1), words
+            )
 
     def _paint_way(self, painter: QPainter, scene: SpaceScene) -> None:
         now, at = tokens(), self.positions(scene.way)
@@ -202,7 +224,8 @@ class SpaceView(QWidget):
         font = QFont(self.font())
         font.setBold(role == "text")
         painter.setFont(font)
-        text, metrics = f"P {space_text(*where.tolist())}", painter.fontMetrics()
+        name = "P′" if role == "text" else "P"
+        text, metrics = f"{name} {space_text(*where.tolist())}", painter.fontMetrics()
         wide, high = metrics.horizontalAdvance(text), metrics.height()
         box = QRectF(0, 0, wide + 8, high + 2)
         box.moveCenter(QPointF(at[0] + right * (wide / 2 + 14), at[1] + down * (high / 2 + 7)))

@@ -13,13 +13,13 @@ from workbench.document.transforms.stages import Stage, stages
 from workbench.language import _
 from workbench.panels.stage.compose import Composition, with_band
 from workbench.panels.stage.gesture import HandleDrag, Tool
+from workbench.panels.stage.labels import clear_of
 from workbench.panels.stage.picture import packed
 from workbench.panels.stage.tools import FigureTool
 from workbench.panels.stage.view import FigureView
 from workbench.panels.transform.box import ChainBox
 from workbench.panels.transform.card import TransformCard
 from workbench.panels.transform.chain_dock import ChainDock
-from workbench.panels.transform.labels import clear_of
 from workbench.panels.transform.legend import Legend
 from workbench.panels.transform.matrices import Matrices
 from workbench.panels.transform.rows import Progress, rows
@@ -154,20 +154,18 @@ class TransformView(FigureView):
         """The chain in the opposite order, or the axes moved where the first picture moves the points."""
         chain = () if active is None else active.transforms
         self.card.reversed.setVisible(len(chain) > 1)
-        self.card.other.setVisible(bool(chain))
         swapped = self.card.reversed.isChecked() and len(chain) > 1
-        other = self.card.other.isChecked() and bool(chain)
+        other = self.card.both.isChecked() and bool(chain)
         self.second.setVisible(swapped or other)
         if active is None or not (swapped or other):
             return
-        area, axes = _seen(self.second), self.card.axes.isChecked()
+        area = _seen(self.second)
         if other:
-            axes = not axes
-            words = _("the axes moved: new coordinates") if axes else _("the points moved: the axes stay")
+            words = _("the axes moved: new coordinates")
         else:
             active = replace(active, transforms=tuple(reversed(chain)))
             words = _("in the opposite order")
-        drawn = self._drawn(sheet, active, area, _unit(self.second), axes=axes)
+        drawn = self._drawn(sheet, active, area, _unit(self.second), axes=other or None)
         title = Word(words, (area[0] + area[2]) / 2, area[3], "data2", 0, -1, True, True)
         self.second.set_picture(_blank(sheet), packed(tokens().canvas))
         self.second.set_overlay(Overlay(drawn=(*drawn, title), plane=True))

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QPushButton,
     QScrollArea,
+    QSizePolicy,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -169,7 +170,8 @@ def _page(words: QLabel, view: QWidget) -> QScrollArea:
     column.setSpacing(4)
     column.addWidget(words)
     column.addWidget(view)
-    column.addStretch(1)
+    if view.sizePolicy().verticalPolicy() != QSizePolicy.Policy.Expanding:
+        column.addStretch(1)
     page.setFrameShape(QFrame.Shape.NoFrame)
     page.setWidgetResizable(True)
     page.setFocusPolicy(Qt.FocusPolicy.NoFocus)

@@ -52,7 +52,7 @@ from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import tokens
 
 NARROW_PX = 380
-_LEAST_PX = 214
+LEAST_PX = 214
 """Both rectangles, how they are fitted, and what that does to shapes, are seen together."""
 
 
@@ -71,7 +71,6 @@ class ViewCard(QScrollArea):
         self.session = session
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setMinimumHeight(_LEAST_PX)
         body = QWidget()
         body.setObjectName("pageBody")
         self._column = QVBoxLayout(body)

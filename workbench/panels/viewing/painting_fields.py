@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from functools import partial
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QBoxLayout,
     QComboBox,
@@ -87,8 +88,8 @@ class PaintingFields(QWidget):
             menu.addAction(words, partial(self._scale, factor))
         self.same.setMenu(menu)
         self.device_row.addLayout(sizes)
-        self.device_row.addWidget(self.same)
         column.addLayout(self.device_row)
+        column.addWidget(self.same, 0, Qt.AlignmentFlag.AlignLeft)
 
     def refresh(self) -> None:
         """Show the sheet as it is."""

@@ -1,6 +1,7 @@
 """The View workspace: a window in the world and the viewport on the device that shows it, side by side."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal
@@ -24,8 +25,9 @@ from workbench.language import _
 from workbench.panels.panel import DockPart, KeysWhileSeen, PlainPanel, Said
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.export import Exporter
+from workbench.panels.stage.labels import clear_of
 from workbench.panels.viewing.actions import view_actions
-from workbench.panels.viewing.card import ViewCard, factors_of
+from workbench.panels.viewing.card import LEAST_PX, ViewCard, factors_of
 from workbench.panels.viewing.derivation import derivation
 from workbench.panels.viewing.gestures import Gesture, tools
 from workbench.panels.viewing.matrices import Matrices
@@ -200,7 +202,11 @@ class ViewingPanel(PlainPanel, QWidget):
             stage = picture.stage
             marks = {"world": world, "device": device, "normalised": ()}[stage.frame]
             own = marks if stage.rectangle else ()
-            picture.plane.set_plane(plane_of(stage, geometry, own, self.gesture.held))
+            plane = plane_of(stage, geometry, own, self.gesture.held)
+            grips = [(handle.x, handle.y) for handle in plane.handles]
+            picture.plane.set_plane(
+                replace(plane, drawn=(*clear_of(plane.drawn, grips, picture.plane.unit),))
+            )
         self.strip.show_geometry(geometry, at_leisure=before is not None)
         self.strip.show_open((self.left.stage.slug, self.right.stage.slug))
         self.card.refresh(before)
@@ -370,6 +376,7 @@ class ViewingPanel(PlainPanel, QWidget):
         super().resizeEvent(event)
         low = event.size().height() < LOW_PX
         self.strip.set_low(low)
+        self.card.setMinimumHeight(0 if low else LEAST_PX)
         self.matrices.symbols.setVisible(not low and event.size().width() >= NARROW_PX)
         self.refresh_soon()
 

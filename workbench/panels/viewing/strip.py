@@ -14,7 +14,8 @@ from workbench.widgets.look.tokens import RADIUS, theme_changed, tokens
 
 HIGH_PX, LOW_PX = 98, 30
 _CAPTION_PX = 24
-LEISURE_MS = 25
+LEISURE_MS = 40
+PIXELS = "device"
 _ARROW_PX = 16
 
 
@@ -170,7 +171,9 @@ class StageStrip(QWidget):
         self._geometry = geometry
         if not self.pictured:
             return
-        self._old += [tile for tile in self.tiles.values() if tile not in self._old]
+        # Scan conversion takes longer than a frame has: while something is dragged its picture waits.
+        due = [tile for tile in self.tiles.values() if not (at_leisure and tile.stage.slug == PIXELS)]
+        self._old += [tile for tile in due if tile not in self._old]
         if at_leisure:
             self._next.start()
             return
