@@ -14,7 +14,7 @@ from workbench.document.transforms.chains import matrix_of
 from workbench.document.transforms.edits import add_transform
 from workbench.document.transforms.links import Affine, Reflect, Scale, Translate
 from workbench.exchange.writing import format_for, write
-from workbench.panels.stage.labels import _box, _common, clear_of
+from workbench.panels.stage.labels import clear_of, overlap, word_box
 from workbench.panels.stage.pages import formats_of
 from workbench.session.session import Session
 
@@ -149,14 +149,25 @@ def test_a_label_goes_where_no_handle_is(panel):
     grips = panel.view.chain_box.box.places().values()
     near = [(x - 1.0 * unit, y, x + 1.0 * unit, y + 1.0 * unit) for x, y in grips]
     assert near
-    assert all(_common(_box(label, unit), spot) == 0.0 for spot in near)
+    assert all(overlap(word_box(label, unit), spot) == 0.0 for spot in near)
+
+
+def test_the_card_stays_small_beside_twenty_links(panel, session):
+    high = panel.card.height()
+    for k in range(19):
+        session.apply(add_transform(figure(session).id, Translate("", tx=0.1 * k)), "")
+    settle()
+    assert panel.card.chain.links.text() == "20 transforms, the last of them Translate, Translate"
+    assert panel.card.height() < high + 80
+    assert len(panel.chain.cards) == 20
+    np.testing.assert_allclose(whole(panel), matrix_of(chain(session)), atol=1e-9)
 
 
 @pytest.mark.parametrize(("right", "up"), [(1, 1), (-1, 1), (1, -1), (-1, -1)])
 def test_of_the_sides_of_a_point_the_free_one_is_taken(right, up):
     word = Word("(1, 2)", 0.0, 0.0, "text", 1, 1, True)
     boxes = {
-        (i, j): _box(word._replace(right=i, up=j), 1.0)
+        (i, j): word_box(word._replace(right=i, up=j), 1.0)
         for i in (-1, 0, 1)
         for j in (-1, 0, 1)
         if (i, j) != (0, 0)
@@ -164,7 +175,7 @@ def test_of_the_sides_of_a_point_the_free_one_is_taken(right, up):
     middles = [((a + c) / 2, (b + d) / 2) for (i, j), (a, b, c, d) in boxes.items() if (i, j) != (right, up)]
     (placed,) = clear_of([word], middles, 1.0)
     taken = {
-        side: sum(_common(box, (x - 8, y - 8, x + 8, y + 8)) for x, y in middles)
+        side: sum(overlap(box, (x - 8, y - 8, x + 8, y + 8)) for x, y in middles)
         for side, box in boxes.items()
     }
     assert taken[placed.right, placed.up] == min(taken.values())
@@ -286,6 +297,22 @@ def test_every_example_shows_its_chain(panel, session, slug):
     settle()
     np.testing.assert_allclose(whole(panel), matrix_of(chain(session)), atol=1e-9)
     assert panel.exporter.page().picture.size == (session.sheet.width_px, session.sheet.height_px)
+
+
+def test_the_dock_beside_a_drag_follows_at_leisure(qtbot, panel, session):
+    panel.whole.show()
+    settle()
+    panel.refresh()
+    before, start = panel.whole.inverse.terms, handle(panel, "turn")
+    qtbot.mousePress(panel.canvas, LEFT, pos=at(panel, *start))
+    qtbot.mouseMove(panel.canvas, at(panel, start[0] - 8, start[1] - 2))
+    qtbot.waitUntil(lambda: panel.whole.inverse.terms != before)
+    assert panel.view.chain_box.busy
+    back = np.array([[cell.value for cell in line] for line in panel.whole.inverse.terms[1].cells])
+    np.testing.assert_allclose(back @ matrix_of(chain(session)), np.eye(3), atol=1e-9)
+    qtbot.mouseRelease(panel.canvas, LEFT, pos=at(panel, start[0] - 8, start[1] - 2))
+    settle()
+    panel.whole.hide()
 
 
 def test_a_move_of_the_hand_is_shown_once(qtbot, panel, session, monkeypatch):

@@ -14,7 +14,7 @@ from workbench.algorithms.marks import Word
 from workbench.document.model import Rectangle
 from workbench.document.samples.examples import example
 from workbench.document.view_edits import set_window
-from workbench.panels.stage.labels import _box, _common
+from workbench.panels.stage.labels import overlap, word_box
 from workbench.rendering import frame_buffer
 from workbench.rendering.mapping import box, view_map
 from workbench.widgets.look.tokens import DARK
@@ -229,4 +229,19 @@ def test_no_label_lies_over_a_handle(qtbot, session, panel):
         assert len(words) >= 2
         for word in words:
             spots = [(each.x - unit, each.y - unit, each.x + unit, each.y + unit) for each in plane.handles]
-            assert all(_common(_box(word, unit), spot) == 0.0 for spot in spots), word
+            assert all(overlap(word_box(word, unit), spot) == 0.0 for spot in spots), word
+
+
+def test_the_picture_of_pixels_in_the_strip_waits_for_the_end_of_a_drag(qtbot, session, panel):
+    tiles, plane = panel.strip.tiles, panel.left.plane
+    before = {slug: tile.plane for slug, tile in tiles.items()}
+    places = [plane.position(x, x).toPoint() for x in (4.0, 4.2, 4.4)]
+    qtbot.mousePress(plane, LEFT, NO_KEYS, places[0])
+    for place in places[1:]:
+        qtbot.mouseMove(plane, place)
+        settle()
+    qtbot.waitUntil(lambda: all(tiles[slug].plane is not before[slug] for slug in tiles if slug != "device"))
+    assert tiles["device"].plane is before["device"]
+    qtbot.mouseRelease(plane, LEFT, NO_KEYS, places[-1])
+    settle()
+    assert tiles["device"].plane is not before["device"]

@@ -31,11 +31,11 @@ def clear_of(drawn: Iterable[Drawn], handles: Sequence[Place], unit: float) -> l
 
 def _freest(word: Word, taken: Sequence[Box], unit: float) -> tuple[Word, Box]:
     """The word at its first side that is free, else at that where it hides least, and where it is then."""
-    best, least = (word, _box(word, unit)), math.inf
+    best, least = (word, word_box(word, unit)), math.inf
     for right, up in dict.fromkeys(((word.right, word.up), *_SIDES)):
         turned = word._replace(right=right, up=up)
-        box = _box(turned, unit)
-        hidden = sum(_common(box, other) for other in taken)
+        box = word_box(turned, unit)
+        hidden = sum(overlap(box, other) for other in taken)
         if hidden < least:
             best, least = (turned, box), hidden
         if hidden == 0.0:
@@ -43,7 +43,7 @@ def _freest(word: Word, taken: Sequence[Box], unit: float) -> tuple[Word, Box]:
     return best
 
 
-def _box(word: Word, unit: float) -> Box:
+def word_box(word: Word, unit: float) -> Box:
     """About where a word is painted."""
     wide, high = (_LETTER_PX * len(word.text) + _PAD_PX) * unit, _HIGH_PX * unit
     left = word.x + word.right * _AWAY_PX * unit - wide * (1 - word.right) / 2
@@ -51,7 +51,7 @@ def _box(word: Word, unit: float) -> Box:
     return left, low, left + wide, low + high
 
 
-def _common(a: Box, b: Box) -> float:
+def overlap(a: Box, b: Box) -> float:
     """The area that two boxes have in common."""
     if a[0] >= b[2] or b[0] >= a[2] or a[1] >= b[3] or b[1] >= a[3]:
         return 0.0

@@ -40,6 +40,11 @@ class StageTile(QAbstractButton):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         theme_changed.connect(self.update)
 
+    @property
+    def plane(self) -> Plane:
+        """What it shows."""
+        return self._plane
+
     def set_plane(self, plane: Plane) -> None:
         """What it shows."""
         self._plane = plane
