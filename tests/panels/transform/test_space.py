@@ -1,5 +1,7 @@
 """The page of Transform about space: the numbers of the course, by card, key and step, and refusals."""
 
+import math
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -8,6 +10,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QLineEdit
 from tests.panels.by_hand import settle
 from tests.panels.transform.hand import type_into
 from workbench.algorithms.transforms import rotation_by_quaternion, transform_points
+from workbench.algorithms.transforms.axis import STEP_NAMES
 from workbench.document.samples.examples import example
 from workbench.document.scene.links import Reflect3D, Rotate3D, Scale3D, Shear3D, Translate3D
 from workbench.exchange.formulas.terms import Matrix, Phrase
@@ -81,18 +84,24 @@ def test_each_step_of_the_run_is_a_stage_of_the_picture(panel, session, step):
     if step in (0, 7):
         np.testing.assert_allclose(scene.axis, [(1, 0, 1), (2, 2, 3)], atol=1e-12)
     assert (scene.stage is None) == (step in (0, 7))
+    whole = rotation_by_quaternion(np.pi / 2, (1, 0, 1), (2, 2, 3))
+    np.testing.assert_allclose(scene.image, transform_points(whole, scene.made), atol=1e-12)
 
 
-def test_the_matrix_of_the_step_stands_beside_its_symbols(panel, session):
-    go(panel, session, 4)
-    row = next(row for row in panel.space.matrices.rows if row.terms[0] == Phrase("R_z(θ)", strong=True))
-    symbols = next(term for term in row.terms if isinstance(term, Matrix))
-    assert [cell.symbol for cell in symbols.cells[0]] == ["cos θ", "−sin θ", "0", "0"]
+@pytest.mark.parametrize("step", range(1, 8))
+def test_the_matrix_of_the_step_stands_beside_its_symbols(panel, session, step):
+    go(panel, session, step)
+    name = STEP_NAMES[step - 1]
+    row = next(row for row in panel.space.matrices.rows if row.terms[0] == Phrase(name, strong=True))
+    symbols, numbers = [term for term in row.terms if isinstance(term, Matrix)][:2]
+    a, b, c, d = 1 / 3, 2 / 3, 2 / 3, math.sqrt(8) / 3  # along (1, 2, 2); the turn is by 90 degrees
+    worth = {"a": a, "d": d, "b/d": b / d, "c/d": c / d, "cos θ": 0, "sin θ": 1, "x_1": 1, "y_1": 0, "z_1": 1}
+    for line, values in zip(symbols.cells, numbers.cells, strict=True):
+        for cell, value in zip(line, values, strict=True):
+            sign, text = (-1, cell.symbol[1:]) if cell.symbol.startswith("−") else (1, cell.symbol)
+            assert value.value == pytest.approx(sign * float(worth.get(text, text)), abs=1e-12)
     named = next(row for row in panel.space.matrices.rows if row.terms[0].formula == "R")
-    assert [term.formula for term in named.terms if isinstance(term, Phrase) and term.strong] == [
-        "R",
-        "R_z(θ)",
-    ]
+    assert [term.formula for term in named.terms if isinstance(term, Phrase) and term.strong] == ["R", name]
 
 
 def test_a_number_of_the_axis_is_typed_and_taken_back(qtbot, panel, session):

@@ -15,6 +15,7 @@ from workbench.document.model import Rectangle
 from workbench.document.samples.examples import example
 from workbench.document.view_edits import set_window
 from workbench.panels.stage.labels import overlap, word_box
+from workbench.panels.viewing.strip import LEISURE_MS
 from workbench.rendering import frame_buffer
 from workbench.rendering.mapping import box, view_map
 from workbench.widgets.look.tokens import DARK
@@ -241,6 +242,7 @@ def test_the_picture_of_pixels_in_the_strip_waits_for_the_end_of_a_drag(qtbot, s
         qtbot.mouseMove(plane, place)
         settle()
     qtbot.waitUntil(lambda: all(tiles[slug].plane is not before[slug] for slug in tiles if slug != "device"))
+    qtbot.wait(3 * LEISURE_MS)
     assert tiles["device"].plane is before["device"]
     qtbot.mouseRelease(plane, LEFT, NO_KEYS, places[-1])
     settle()
