@@ -69,11 +69,12 @@ class TransformView(FigureView):
         self.legend = Legend(canvas)
         self.lit: int | None = None
         self.asked: tuple[int, int] | None = None
-        # What a drag makes of the dock beside it need not be seen in the same frame.
+        # What a drag makes of the matrices, and of the dock beside it, need not be seen in the same frame.
         self._leisure = QTimer(self.legend)
         self._leisure.setSingleShot(True)
         self._leisure.setInterval(LEISURE_MS)
-        self._leisure.timeout.connect(self._show_whole)
+        self._leisure.timeout.connect(self._show_beneath)
+        self._busy = False
         for each in (canvas, second):
             each.set_overlay(Overlay(plane=True))
 
@@ -109,13 +110,18 @@ class TransformView(FigureView):
         self.chain.follow(active, self.lit)
         around = self.chain_box.rectangle(active) if works and active is not None else QRectF()
         self.legend.follow(acting if works else (), self.card.ghosts.isChecked(), self.lit, around)
-        busy = tool.busy or drag.busy or self.chain_box.busy
+        self._busy = busy = tool.busy or drag.busy or self.chain_box.busy
         if not busy:
             self._leisure.stop()
-            self._show_whole()
+            self._show_beneath()
         elif not self._leisure.isActive():
             self._leisure.start()
-        self._show_matrices(active, list(acting), busy)
+
+    def _show_beneath(self) -> None:
+        """Bring the matrices and the dock of the whole up to date."""
+        active = self.active
+        self._show_whole()
+        self._show_matrices(active, [] if active is None else stages(active.transforms), self._busy)
 
     def _show_whole(self) -> None:
         """Bring the dock up to date, if it is seen."""
