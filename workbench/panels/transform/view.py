@@ -106,7 +106,8 @@ class TransformView(FigureView):
         self.canvas.set_picture(_blank(sheet), packed(tokens().canvas))
         self.canvas.set_overlay(with_fields(overlay, snap=drawing.snap if drawing else None))
         self._show_beside(sheet, active)
-        self.card.refresh(drawing, selected, "")
+        if not self.chain_box.busy:  # which changes the chain, and no number of the card
+            self.card.refresh(drawing, selected, "")
         self.chain.follow(active, self.lit)
         around = self.chain_box.rectangle(active) if works and active is not None else QRectF()
         self.legend.follow(acting if works else (), self.card.ghosts.isChecked(), self.lit, around)
