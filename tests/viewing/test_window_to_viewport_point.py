@@ -31,10 +31,10 @@ def test_its_hand_table() -> None:
     steps = Steps(ENTRY, record(ENTRY.function, 2.0, 2.0, *COURSE))
     rows = [step.row for step in list(steps)[1:]]
     assert [row[0] for row in rows] == [
-        "s_x, s_y",
-        "T(−x_wmin, −y_wmin)",
-        "S(s_x, s_y)",
-        "T(x_vmin, y_vmin)",
+        "scale factors",
+        "window to the origin",
+        "scaled to its size",
+        "to the viewport",
     ]
     assert rows[0][1:] == (1.0, 4 / 3)
     assert steps[1].answer == "the picture is distorted"

@@ -54,10 +54,10 @@ class WorldPoint(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_
 class Rectangle(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A window (world) or viewport (device), sides parallel to the axes; xmin < xmax, ymin < ymax."""
 
-    xmin: Annotated[float, coordinate("xmin", "x_min")]
-    ymin: Annotated[float, coordinate("ymin", "y_min")]
-    xmax: Annotated[float, coordinate("xmax", "x_max")]
-    ymax: Annotated[float, coordinate("ymax", "y_max")]
+    xmin: Annotated[float, coordinate("x_min")]
+    ymin: Annotated[float, coordinate("y_min")]
+    xmax: Annotated[float, coordinate("x_max")]
+    ymax: Annotated[float, coordinate("y_max")]
 
 
 def whole_sheet(width_px: int, height_px: int) -> Rectangle:

@@ -14,7 +14,7 @@ from workbench.document.building import (
     with_view,
 )
 from workbench.document.errors import DocumentError
-from workbench.document.model import Document, Rectangle, View
+from workbench.document.model import Document, Rectangle, View, whole_sheet
 from workbench.language import _
 
 
@@ -56,6 +56,36 @@ def reorder_view(view: str, index: int) -> Edit:
         return with_sheet(document, replace(sheet, views=tuple(others)))
 
     return edit
+
+
+@checked
+def resize_device(sheet: str, width_px: int, height_px: int) -> Edit:
+    """Show the same picture on a device of another size: every viewport keeps its place in normalised device
+    coordinates, where the device is the unit square.
+    """
+
+    def edit(document: Document) -> Document:
+        old = sheet_with(document, sheet)
+        whole = whole_sheet(old.width_px, old.height_px)
+        across, up = width_px / old.width_px, height_px / old.height_px
+        views = tuple(
+            replace(view, viewport_device=_on_another(view.viewport_device, whole, across, up))
+            for view in old.views
+        )
+        return with_sheet(document, replace(old, width_px=width_px, height_px=height_px, views=views))
+
+    return edit
+
+
+def _on_another(viewport: Rectangle, whole: Rectangle, across: float, up: float) -> Rectangle:
+    """A viewport on a device ``across`` times as wide and ``up`` times as high; both edges begin there."""
+    sides = (
+        whole.xmin + (viewport.xmin - whole.xmin) * across,
+        whole.ymin + (viewport.ymin - whole.ymin) * up,
+        whole.xmin + (viewport.xmax - whole.xmin) * across,
+        whole.ymin + (viewport.ymax - whole.ymin) * up,
+    )
+    return Rectangle(*(round(side, 9) + 0.0 for side in sides))
 
 
 def _changing(view: str, **changes: object) -> Edit:

@@ -180,7 +180,7 @@ class Exports(QObject):
             if panel.exporter is not None:
                 return panel.exporter
         self._window.say_status(
-            _("Go first to Draw, Fill, Clip, Transform or Curves, where steps are shown.")
+            _("Go first to Draw, Fill, Clip, Transform, View or Curves, where steps are shown.")
         )
         return None
 

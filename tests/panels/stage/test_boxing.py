@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 
 from tests.panels.stage.boxed import (
     CIRCLE,
@@ -36,6 +36,7 @@ from workbench.geometry.transform_box import TURN, Box
 from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.draw.panel import DrawPanel
 from workbench.panels.fill.panel import FillPanel
+from workbench.panels.stage import boxing
 from workbench.widgets.canvas.drawing import Marker
 
 
@@ -84,6 +85,32 @@ def test_escape_brings_everything_back_and_leaves_no_step(qtbot, opened):
     assert not panel.gesturing
 
 
+@pytest.fixture
+def restless(monkeypatch):
+    """The hand never rests."""
+    monkeypatch.setattr(boxing, "REST_MS", 1_000_000)
+
+
+def test_many_figures_follow_where_the_hand_rests_and_the_drag_goes_on(qtbot, opened):
+    panel = opened(*[LINE] * 40)
+    session, matrices = panel.session, watch(panel)
+    before = session.document
+    old = seen(session.sheet, session.sheet.figures[0])
+    end = press(qtbot, panel, TURN, (9, -7))
+    qtbot.waitUntil(lambda: session.document is not before)
+    settle()
+    assert panel.boxing.box.dragging
+    assert not panel.canvas.overlay.outlined or panel.boxing.moving is None
+    assert np.allclose(seen(session.sheet, session.sheet.figures[0]), moved(matrices[-1], old), atol=1e-9)
+    qtbot.mouseMove(panel.canvas, end + QPoint(15, 10))
+    qtbot.mouseRelease(panel.canvas, LEFT, pos=end + QPoint(15, 10))
+    settle()
+    assert np.allclose(seen(session.sheet, session.sheet.figures[0]), moved(matrices[-1], old), atol=1e-9)
+    session.undo_stack.undo()
+    assert session.document == before
+
+
+@pytest.mark.usefixtures("restless")
 def test_many_figures_follow_when_they_are_let_go_and_their_outlines_before(qtbot, opened):
     lines = [
         Line("", at((20 + k % 7, 10 + k % 5), (30 + k % 11, 20 + k % 13)), "bresenham_line", 1)
@@ -106,6 +133,7 @@ def test_many_figures_follow_when_they_are_let_go_and_their_outlines_before(qtbo
     assert session.document == before
 
 
+@pytest.mark.usefixtures("restless")
 def test_many_figures_stay_when_the_drag_is_taken_back(qtbot, opened):
     panel = opened(*[LINE] * 40)
     before = panel.session.document

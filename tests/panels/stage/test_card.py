@@ -26,7 +26,7 @@ from workbench.panels.draw.panel import DrawPanel
 from workbench.panels.stage.card import number_field
 from workbench.rendering import REACH_PX, figure_calls
 from workbench.session.session import Session
-from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.fields.number_field import NumberField, with_subscript
 
 HEXAGON = ((4, 8), (8, 2), (14, 2), (18, 8), (14, 14), (8, 14))
 PLACE = (WorldPoint("p1", 10, 10),)
@@ -142,7 +142,7 @@ NUMBERS = {
 def test_a_field_says_and_takes_what_is_declared(qtbot: QtBot, number: Number) -> None:
     field = number_field(number, "Meaning")
     qtbot.addWidget(field)
-    assert (field.label.text(), field.unit.text()) == (number.label, number.unit)
+    assert (field.label.text(), field.unit.text()) == (with_subscript(number.label), number.unit)
     sent: list[float] = []
     field.edited.connect(sent.append)
 

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 
 from tests.panels.by_hand import LEFT, at, drag, recorded, settle
 from tests.panels.transform.hand import chain, device, figure, handle, shown, whole
+from workbench.algorithms.marks import Word
 from workbench.document.edits import set_attribute
 from workbench.document.samples.examples import blank_sheet
 from workbench.document.storage.files import read
@@ -13,6 +14,7 @@ from workbench.document.transforms.chains import matrix_of
 from workbench.document.transforms.edits import add_transform
 from workbench.document.transforms.links import Affine, Reflect, Scale, Translate
 from workbench.exchange.writing import format_for, write
+from workbench.panels.stage.labels import clear_of, overlap, word_box
 from workbench.panels.stage.pages import formats_of
 from workbench.session.session import Session
 
@@ -90,7 +92,7 @@ def test_what_cannot_be_undone_is_said_and_has_no_box(qtbot, panel, session, lin
     assert panel.view.chain_box.box.box is None
     drag(qtbot, panel, device(session, 4, 1), device(session, 4, 0))
     assert figure(session).points_world[2].y == 0.0
-    panel.view._show_whole(figure(session), [])
+    panel.view._show_whole()
     assert panel.derivation() is not None
 
 
@@ -117,6 +119,69 @@ def test_the_other_order_stands_beside(qtbot, session, panel):
     assert "(−1, 7)" in words  # moved to (7, 1) and then turned by 90 degrees
 
 
+def words_of(canvas):
+    return [each.text for each in canvas.overlay.drawn if isinstance(each, Word)]
+
+
+def test_points_and_axes_stand_side_by_side_and_take_the_place_of_the_other_order(panel, session):
+    session.open_example("transform-order")
+    settle()
+    panel.card.reversed.click()
+    panel.card.both.click()
+    settle()
+    assert not panel.card.reversed.isChecked()
+    assert {"the axes moved: new coordinates", "x′", "y′"} <= set(words_of(panel.second))
+    assert "x′" not in words_of(panel.canvas)
+    panel.card.reversed.click()
+    settle()
+    assert panel.card.points.isChecked()
+    assert "in the opposite order" in words_of(panel.second)
+    panel.card.reversed.click()
+    settle()
+    assert panel.second.isHidden()
+
+
+def test_a_label_goes_where_no_handle_is(panel):
+    label = next(
+        each for each in panel.canvas.overlay.drawn if isinstance(each, Word) and each.text == "(5, 6)"
+    )
+    unit = panel.canvas.devicePixelRatioF() / panel.canvas.view.cell
+    grips = panel.view.chain_box.box.places().values()
+    near = [(x - 1.0 * unit, y, x + 1.0 * unit, y + 1.0 * unit) for x, y in grips]
+    assert near
+    assert all(overlap(word_box(label, unit), spot) == 0.0 for spot in near)
+
+
+def test_the_card_stays_small_beside_twenty_links(panel, session):
+    high = panel.card.height()
+    for k in range(19):
+        session.apply(add_transform(figure(session).id, Translate("", tx=0.1 * k)), "")
+    settle()
+    assert panel.card.chain.links.text() == "20 transforms, the last of them Translate, Translate"
+    assert panel.card.height() < high + 80
+    assert len(panel.chain.cards) == 20
+    np.testing.assert_allclose(whole(panel), matrix_of(chain(session)), atol=1e-9)
+
+
+@pytest.mark.parametrize(("right", "up"), [(1, 1), (-1, 1), (1, -1), (-1, -1)])
+def test_of_the_sides_of_a_point_the_free_one_is_taken(right, up):
+    word = Word("(1, 2)", 0.0, 0.0, "text", 1, 1, True)
+    boxes = {
+        (i, j): word_box(word._replace(right=i, up=j), 1.0)
+        for i in (-1, 0, 1)
+        for j in (-1, 0, 1)
+        if (i, j) != (0, 0)
+    }
+    middles = [((a + c) / 2, (b + d) / 2) for (i, j), (a, b, c, d) in boxes.items() if (i, j) != (right, up)]
+    (placed,) = clear_of([word], middles, 1.0)
+    taken = {
+        side: sum(overlap(box, (x - 8, y - 8, x + 8, y + 8)) for x, y in middles)
+        for side, box in boxes.items()
+    }
+    assert taken[placed.right, placed.up] == min(taken.values())
+    assert clear_of([word._replace(carded=False)], middles, 1.0) == [word._replace(carded=False)]
+
+
 def test_the_axes_moved_give_the_new_coordinates(qtbot, session, panel):
     """Axes moved to (2, 1) and turned by 30 degrees: (5, 5) becomes (4.5981, 1.9641)."""
     ids = [point.id for point in figure(session).points_world]
@@ -138,6 +203,8 @@ def test_the_inverse_and_the_parts_say_what_is_lost(panel, session):
     panel.refresh()
     back = np.array([[cell.value for cell in line] for line in panel.whole.inverse.terms[1].cells])
     np.testing.assert_allclose(back @ whole(panel), np.eye(3), atol=1e-9)
+    inverse, parts, _plane = panel.whole.buttons
+    parts.click()
     assert "turned by 45°" in panel.whole.told.text()
     session.apply(add_transform(figure(session).id, Reflect("")), "")
     settle()
@@ -145,7 +212,24 @@ def test_the_inverse_and_the_parts_say_what_is_lost(panel, session):
     session.apply(add_transform(figure(session).id, Scale("", sy=0.0)), "")
     settle()
     assert "one line" in panel.whole.told.text()
+    cells = panel.whole.parts.terms[-1].cells  # what the parts make together again
+    again = np.array([[cell.value for cell in line] for line in cells])
+    np.testing.assert_allclose(again, matrix_of(chain(session)), atol=1e-9)
+    inverse.click()
     assert panel.whole.inverse.isHidden()
+    assert "no matrix brings it back" in panel.whole.backwards.text()
+    panel.whole.hide()
+
+
+def test_the_plane_w_1_shows_the_point_and_its_image(panel):
+    panel.whole.show()
+    settle()
+    panel.refresh()
+    panel.whole.buttons[2].click()
+    assert panel.whole.space_told.text().startswith("(5, 6) is written (5, 6, 1)")
+    name = panel.whole.space.accessibleName()
+    assert "P (5, 6)" in name
+    assert "P′ (2.2929, 6.5355)" in name
     panel.whole.hide()
 
 
@@ -213,6 +297,22 @@ def test_every_example_shows_its_chain(panel, session, slug):
     settle()
     np.testing.assert_allclose(whole(panel), matrix_of(chain(session)), atol=1e-9)
     assert panel.exporter.page().picture.size == (session.sheet.width_px, session.sheet.height_px)
+
+
+def test_the_dock_beside_a_drag_follows_at_leisure(qtbot, panel, session):
+    panel.whole.show()
+    settle()
+    panel.refresh()
+    before, start = panel.whole.inverse.terms, handle(panel, "turn")
+    qtbot.mousePress(panel.canvas, LEFT, pos=at(panel, *start))
+    qtbot.mouseMove(panel.canvas, at(panel, start[0] - 8, start[1] - 2))
+    qtbot.waitUntil(lambda: panel.whole.inverse.terms != before)
+    assert panel.view.chain_box.busy
+    back = np.array([[cell.value for cell in line] for line in panel.whole.inverse.terms[1].cells])
+    np.testing.assert_allclose(back @ matrix_of(chain(session)), np.eye(3), atol=1e-9)
+    qtbot.mouseRelease(panel.canvas, LEFT, pos=at(panel, start[0] - 8, start[1] - 2))
+    settle()
+    panel.whole.hide()
 
 
 def test_a_move_of_the_hand_is_shown_once(qtbot, panel, session, monkeypatch):

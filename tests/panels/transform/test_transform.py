@@ -13,7 +13,7 @@ from workbench.document.transforms.chains import matrix_of
 from workbench.document.transforms.edits import add_transform
 from workbench.document.transforms.links import Affine, Reflect, Rotate, Scale, Shear, Translate
 from workbench.exchange.formulas.terms import displayed
-from workbench.panels.transform.chain_dock import offers
+from workbench.panels.transform.chain_edits import FigureChain
 from workbench.panels.transform.scene import curves_of
 from workbench.panels.transform.told import place_text
 from workbench.rendering.mapping import device_map
@@ -135,13 +135,13 @@ def test_every_link_of_the_list_is_added_with_a_card_and_its_matrix(qtbot, panel
         settle()
         assert len(chain(session)) == len(panel.chain.cards) == number
         np.testing.assert_allclose(whole(panel), matrix_of(chain(session)), atol=1e-9)
-    assert len(chain(session)) == 1 + len(offers())
+    assert len(chain(session)) == 1 + len(FigureChain().offers())
     panel.view.chain_box.follow(figure(session))
     kinds = {type(link) for link in chain(session)}
     assert kinds == {Translate, Rotate, Scale, Reflect, Shear, Affine}
     session.undo_stack.undo()
     settle()
-    assert len(panel.chain.cards) == len(offers())
+    assert len(panel.chain.cards) == len(FigureChain().offers())
 
 
 def test_links_are_put_in_another_order_by_key_and_by_hand(qtbot, panel, session):

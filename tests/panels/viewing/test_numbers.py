@@ -186,6 +186,52 @@ def test_a_view_is_taken_out_as_a_derivation(qtbot, session, panel, tmp_path):
     assert {each.suffix for each in formats_of("derivation")} == {".svg", ".pdf"}
 
 
+def test_the_same_picture_stands_on_devices_of_other_sizes(session, panel):
+    """In normalised device coordinates nothing moves, whatever the size; it is one step of undo."""
+
+    def normalised():
+        sheet = session.sheet
+        return [
+            ((x + 0.5) / sheet.width_px, (y + 0.5) / sheet.height_px)
+            for view in sheet.views
+            for rectangle in (view.viewport_device,)
+            for x, y in ((rectangle.xmin, rectangle.ymin), (rectangle.xmax, rectangle.ymax))
+        ]
+
+    before, places = session.document, normalised()
+    size = session.sheet.width_px, session.sheet.height_px
+    half, twice, fourfold = panel.card.painting.same.menu().actions()
+    for action, factor in ((twice, 2), (fourfold, 8), (half, 4)):
+        action.trigger()
+        settle()
+        assert (session.sheet.width_px, session.sheet.height_px) == (factor * size[0], factor * size[1])
+        np.testing.assert_allclose(normalised(), places, atol=1e-12)
+    for _step in range(3):
+        session.undo_stack.undo()
+    assert session.document == before
+    for _step in range(20):
+        fourfold.trigger()  # a device too large is refused in place, with its size
+    assert not panel.card.complaint.isHidden()
+    np.testing.assert_allclose(normalised(), places, atol=1e-12)
+
+
+def test_steps_are_taken_out_as_both_pictures_with_their_labels(qtbot, session, panel, tmp_path):
+    recorded(qtbot, session)
+    session.run.go_to_number(12)
+    settle()
+    for file_format in formats_of("step"):
+        (path,) = write(file_format, panel.exporter.this_step(), tmp_path / f"step{file_format.suffix}")
+        assert path.stat().st_size > 1000
+    words = (tmp_path / "step.svg").read_text(encoding="utf-8")
+    for label in ("Window in the world", "Viewport on the device", "(1, 1)", "(6, 6)", "P (2, 2)"):
+        assert label in words
+    assert "1.33333 = 3.33333." in words
+    run = panel.exporter.this_run()
+    assert run.parts == 17
+    pages = [run.image(number) for number in (0, 12)]
+    assert (pages[0] != pages[1]).any()
+
+
 def test_a_view_that_is_not_there_any_more_is_the_first_one(qtbot, session, panel):
     panel.card.add_view()
     settle()
@@ -202,7 +248,7 @@ def test_a_number_that_is_refused_is_said_without_the_path_of_a_file(qtbot, sess
     fields = panel.card.rectangles[slug].fields
     type_into(qtbot, fields["xmax"], "1e300")
     assert panel.card.complaint.text() == (
-        "The xmax is 1e+300; give a number between -1,000,000 and 1,000,000."
+        "The x_max is 1e+300; give a number between -1,000,000 and 1,000,000."
     )
     assert all(field.field.property("wrong") for field in fields.values())
     assert session.document == before

@@ -10,9 +10,12 @@ from PySide6.QtWidgets import QApplication
 
 from tests.panels.by_hand import recorded, settle
 from tests.panels.viewing.hand import ALT, LEFT, NO_KEYS, SHIFT, drag, viewport, window
+from workbench.algorithms.marks import Word
 from workbench.document.model import Rectangle
 from workbench.document.samples.examples import example
 from workbench.document.view_edits import set_window
+from workbench.panels.stage.labels import overlap, word_box
+from workbench.panels.viewing.strip import LEISURE_MS
 from workbench.rendering import frame_buffer
 from workbench.rendering.mapping import box, view_map
 from workbench.widgets.look.tokens import DARK
@@ -217,3 +220,30 @@ def test_the_window_over_the_pane_shows_the_same_house():
         for point, same in zip(figure.points_world, again.points_world, strict=True):
             x, y = view_map(outer).point(point.x, point.y)
             assert view_map(inner).point(same.x, same.y) == pytest.approx((x + 64.0, y))
+
+
+def test_no_label_lies_over_a_handle(qtbot, session, panel):
+    drag(qtbot, panel.left, (3.6, 2.7))  # its label at the usual side would reach the edge
+    for picture in (panel.left, panel.right):
+        plane, unit = picture.plane.plane, picture.plane.unit
+        words = [each for each in plane.drawn if isinstance(each, Word) and each.carded]
+        assert len(words) >= 2
+        for word in words:
+            spots = [(each.x - unit, each.y - unit, each.x + unit, each.y + unit) for each in plane.handles]
+            assert all(overlap(word_box(word, unit), spot) == 0.0 for spot in spots), word
+
+
+def test_the_picture_of_pixels_in_the_strip_waits_for_the_end_of_a_drag(qtbot, session, panel):
+    tiles, plane = panel.strip.tiles, panel.left.plane
+    before = {slug: tile.plane for slug, tile in tiles.items()}
+    places = [plane.position(x, x).toPoint() for x in (4.0, 4.2, 4.4)]
+    qtbot.mousePress(plane, LEFT, NO_KEYS, places[0])
+    for place in places[1:]:
+        qtbot.mouseMove(plane, place)
+        settle()
+    qtbot.waitUntil(lambda: all(tiles[slug].plane is not before[slug] for slug in tiles if slug != "device"))
+    qtbot.wait(3 * LEISURE_MS)
+    assert tiles["device"].plane is before["device"]
+    qtbot.mouseRelease(plane, LEFT, NO_KEYS, places[-1])
+    settle()
+    assert tiles["device"].plane is not before["device"]

@@ -19,11 +19,11 @@ from workbench.algorithms.marks import Mark
 from workbench.algorithms.numerals import numeral
 from workbench.algorithms.transforms.plane import rotation, translation
 from workbench.algorithms.transforms.products import (
+    brief_factors,
     factors_text,
     matrix_mark,
     product_mark,
     product_marks,
-    products_text,
     sums_in_question,
 )
 from workbench.algorithms.transforms.refusals import refuse_product
@@ -84,18 +84,17 @@ ENTRY = Entry(
     arguments=_matrices,
     emits="cells",
     source="Hearn and Baker, Computer Graphics, C Version, section A-4",
-    columns=("row", "column", "row × column", "products", "sum"),
-    view_functions=(factors_text, products_text, product_marks, sums_in_question, numeral),
+    columns=("i, j", "row × column", "m_{ij}"),
+    view_functions=(brief_factors, factors_text, product_marks, sums_in_question, numeral),
     views=(
         View(
             block="Check that rows and columns fit",
-            sentence="{a.shape[0]} × {a.shape[1]} times {b.shape[0]} × {b.shape[1]} "
-            "is a matrix of {a.shape[0]} × {b.shape[1]}.",
+            sentence="A matrix of {a.shape[0]} × {a.shape[1]} times one of {b.shape[0]} × {b.shape[1]} "
+            "is one of {a.shape[0]} × {b.shape[1]}; each of its elements is a row times a column.",
         ),
         View(
             block="Add the products of the row and the column",
-            row="(row + 1, column + 1, factors_text(a[row], b[:, column]), "
-            "products_text(a[row], b[:, column]), total)",
+            row="(f'{row + 1}, {column + 1}', brief_factors(a[row], b[:, column]), total)",
             options="sums_in_question(a, b, row, column)",
             answer="numeral(total)",
             marks="product_marks(a, b, row, column)",

@@ -12,6 +12,7 @@ Numbers: TypeAlias = Sequence[float] | NDArray[Any]
 ROW_INK: Ink = "data1"
 COLUMN_INK: Ink = "data2"
 SUM_INK: Ink = "accent"
+_DECIMALS = 4
 
 
 def factor(value: float) -> str:
@@ -25,12 +26,13 @@ def factors_text(row: Numbers, column: Numbers) -> str:
     return " + ".join(f"{factor(a)}·{factor(b)}" for a, b in zip(row, column, strict=True))
 
 
-def products_text(row: Numbers, column: Numbers) -> str:
-    """The products worked out, as a sum: 10 − 6."""
-    first, *others = (float(a) * float(b) for a, b in zip(row, column, strict=True))
-    return numeral(first) + "".join(
-        f" {'−' if product < 0 else '+'} {numeral(abs(product))}" for product in others
-    )
+def brief_factors(row: Numbers, column: Numbers) -> str:
+    """The same as matrices are written, with four decimals, so that a table has room for it."""
+    return factors_text(*([_brief(value) for value in numbers] for numbers in (row, column)))
+
+
+def _brief(value: float) -> float:
+    return round(float(value), _DECIMALS) if abs(value) >= 10**-_DECIMALS else float(value)
 
 
 def sum_of_products(row: Numbers, column: Numbers) -> float:

@@ -6,11 +6,15 @@ from msgspec.structs import replace
 
 from workbench.document.building import with_ids, without_ids
 from workbench.document.model import AnyFigure, Document, Rectangle, Sheet, View
-from workbench.document.samples.figures import PALETTE, Example, Places, line, polygon
+from workbench.document.samples.figures import PALETTE, Example, Places, document_of, line, polygon
+from workbench.document.scene.links import Rotate3D
+from workbench.document.scene.model import Camera, Material, Object, Point3D, Scene
+from workbench.document.scene.solids import House
 from workbench.document.transforms.links import AnyLink, Reflect, Rotate, Scale, Shear, Translate
 from workbench.language import _
 
 _PIXELS_PER_UNIT = 4
+_CAMERA = Camera(eye=Point3D(7.0, 5.0, 9.0), look_at=Point3D(0.5, 1.0, 0.5), near=0.1, far=40.0)
 
 
 def transform_examples() -> list[Example]:
@@ -51,7 +55,24 @@ def transform_examples() -> list[Example]:
             "transform",
             _document(_("Turned and moved"), (-5, -3, 11, 8), [_flag()]),
         ),
+        Example(
+            "transform-axis",
+            _("A turn about an axis in space"),
+            _("A house turned by 90° about the axis from (1, 0, 1) to (2, 2, 3), in seven steps."),
+            "transform",
+            _in_space(),
+            "space",
+        ),
     ]
+
+
+def _in_space() -> Document:
+    """The course's axis, through (1, 0, 1) along (1, 2, 2)."""
+    turn = Rotate3D("t1", angle=90.0, x_pivot=1.0, z_pivot=1.0, x_axis=1.0, y_axis=2.0, z_axis=2.0)
+    house = Object("o1", House(2.0, 1.5, 2.0, 1.0), "m1", _("House"), transforms=(turn,))
+    scene = Scene((house,), (Material("m1", name=_("Blue"), colour=0x9CC8E6),), camera=_CAMERA)
+    document = document_of(_("A turn about an axis in space"), 320, 240, ())
+    return Document((replace(document.sheets[0], scene=scene),))
 
 
 def _document(

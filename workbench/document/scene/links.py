@@ -74,16 +74,18 @@ class Rotate3D(AboutPivot3D, frozen=True, tag="rotate", kw_only=True):
     y_axis: Annotated[float, _component(_("y of the axis"), "a_y")] = 1.0
     z_axis: Annotated[float, _component(_("z of the axis"), "a_z")] = 0.0
 
-    def _second(self) -> tuple[float, float, float]:
+    @property
+    def second(self) -> tuple[float, float, float]:
+        """The point of the axis after the pivot."""
         x, y, z = self.pivot
         return x + self.x_axis, y + self.y_axis, z + self.z_axis
 
     def _matrix(self) -> Matrix:
-        return transforms.rotation_about_axis(math.radians(self.angle), self.pivot, self._second())
+        return transforms.rotation_about_axis(math.radians(self.angle), self.pivot, self.second)
 
     def unfolded(self) -> tuple[Elementary, ...]:
         """The seven steps of the course."""
-        steps = transforms.axis_steps(math.radians(self.angle), self.pivot, self._second())
+        steps = transforms.axis_steps(math.radians(self.angle), self.pivot, self.second)
         return tuple(Elementary(step.name, (), step.matrix) for step in steps)
 
 

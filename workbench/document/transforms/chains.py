@@ -19,7 +19,7 @@ from workbench.language import _
 LARGEST = 1e12
 """The largest number in the matrix of a chain, of whatever sign."""
 
-# Of the product of the lengths of both columns: what rounding leaves of a determinant that is 0.
+# Of the product of the lengths of all columns: what rounding leaves of a determinant that is 0.
 _SINGULAR = 1e-14
 _IDENTITY = np.eye(3)
 
@@ -45,9 +45,13 @@ def unfolded(chain: Iterable[AnyLink]) -> list[Elementary]:
 
 
 def is_singular(matrix: Matrix | None) -> bool:
-    """Whether a matrix (3, 3) flattens the plane, so that it cannot be undone; None is the identity."""
+    """Whether a matrix (3, 3) flattens the plane, or (4, 4) space, so that it cannot be undone; None is the
+    identity."""
     if matrix is None:
         return False
+    if len(matrix) == 4:
+        linear = matrix[:3, :3]
+        return bool(abs(np.linalg.det(linear)) <= _SINGULAR * np.linalg.norm(linear, axis=0).prod())
     (a, b), (c, d) = matrix[:2, :2].tolist()
     return bool(abs(a * d - b * c) <= _SINGULAR * np.hypot(a, c) * np.hypot(b, d))
 

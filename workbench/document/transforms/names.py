@@ -1,10 +1,10 @@
 """What a person calls the kinds of transforms, and the steps of undo that change chains."""
 
-from workbench.document.transforms.links import Affine, AnyLink, Reflect, Rotate, Scale, Shear, Translate
+from workbench.document.transforms.links import Affine, Link, Reflect, Rotate, Scale, Shear, Translate
 from workbench.language import _
 
 
-def title(link: AnyLink) -> str:
+def title(link: Link) -> str:
     """What a link is called in lists and menus."""
     return _titles()[type(link)]
 

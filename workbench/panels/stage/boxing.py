@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from workbench.algorithms.transforms import Matrix, rotation_about, scaling_about, shear, translation
 from workbench.document.model import AnyFigure, Document
@@ -26,6 +26,7 @@ from workbench.widgets.canvas.transform_box import TransformBox
 _HALF_TURN = np.diag([-1.0, -1.0])
 LIVE_WEIGHT = 80
 """Up to so many points and figures, in their weight, each step of a drag changes the document at once."""
+REST_MS = 80
 _OF_A_FIGURE = 6
 QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
 """A quarter turn to the left, exactly."""
@@ -63,6 +64,11 @@ class Boxing(QObject):
         self._told: tuple[tuple[str, str], ...] = ()
         self._outlines: list[Curve] | None = None
         self._waiting: tuple[Matrix, str] | None = None
+        # Where the hand rests the picture follows, of however much.
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(REST_MS)
+        self._rest.timeout.connect(self._catch_up)
         self.box.began.connect(self._begin)
         self.box.changed.connect(self._drag)
         self.box.ended.connect(self._end)
@@ -161,14 +167,21 @@ class Boxing(QObject):
             self._transform(matrix, name)
         else:
             self._waiting = matrix, name
+            self._rest.start()
+
+    def _catch_up(self) -> None:
+        """Let the document come to where the outlines are, in the midst of a drag."""
+        waiting, self._waiting = self._waiting, None
+        if waiting is not None:
+            self._transform(*waiting)
 
     @property
     def moving(self) -> list[Curve] | None:
         """Where the outlines of what is boxed have come to, device, in a drag of so much that the document
-        only follows when it is let go; else None."""
-        if self._outlines is None:
+        only follows when the hand rests; None while it has followed, and else."""
+        if self._outlines is None or self._waiting is None:
             return None
-        matrix = np.eye(3) if self._waiting is None else self._waiting[0]
+        matrix = self._waiting[0]
         return [line @ matrix[:2, :2].T + matrix[:2, 2] for line in self._outlines]
 
     def _transform(self, matrix: Matrix, name: str) -> None:
@@ -197,6 +210,7 @@ class Boxing(QObject):
 
     def _let_go(self) -> tuple[Matrix, str] | None:
         """What the document has still to follow, which nothing waits for any longer."""
+        self._rest.stop()
         waiting, self._waiting, self._outlines = self._waiting, None, None
         return waiting
 

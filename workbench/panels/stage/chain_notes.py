@@ -11,6 +11,8 @@ from workbench.document.transforms.names import title
 from workbench.language import _, ngettext
 from workbench.rendering.rounds import reason
 
+MOST_NAMED = 6
+
 
 class ChainNotes(QWidget):
     """Which transforms the selected figures have, what these do to them, and two buttons."""
@@ -68,6 +70,9 @@ def _sentence(chained: Sequence[AnyFigure], of: int) -> str:
         return text.format(n=len(chained))
     off = _("{link} (off)")
     names = [title(link) if link.on else off.format(link=title(link)) for link in chained[0].transforms]
+    if len(names) > MOST_NAMED:  # the card stands over the picture and has to stay small
+        text = _("{n} transforms, the last of them {links}")
+        return text.format(n=len(names), links=", ".join(names[-2:]))
     return _("Transforms: {links}").format(links=", ".join(names))
 
 

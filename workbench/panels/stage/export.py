@@ -1,17 +1,17 @@
-"""What a panel of figures gives to be taken out: its steps as pages, its tables, the picture as it is."""
+"""What a panel gives to be taken out: its steps as pages, and the picture as it is."""
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import Any, Protocol
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QWidget
 
 from workbench.language import _
-from workbench.panels.stage.pages import PICTURE_WIDTH, Page, Pages
-from workbench.panels.stage.view import FigureView
-from workbench.widgets.canvas.painter import Picture
+from workbench.panels.stage.pages import PICTURE_WIDTH, Pages, Paintable
+from workbench.session.run import Run
+from workbench.session.session import Session
 
 MOST_PAGES = 500
 
@@ -24,6 +24,21 @@ class ChangedError(ValueError):
     """What was being written is no longer what is open."""
 
 
+class Stepped(Protocol):
+    """What shows the steps of a run."""
+
+    session: Session
+
+    def stepped_run(self) -> Run | None:
+        """The run whose steps it shows, if any."""
+
+    def page(self, number: int | None, caption: str) -> Paintable:
+        """What is seen now, or at one step of the run, over a sentence."""
+
+    def grab_picture(self) -> QImage:
+        """What is seen now, as it is seen."""
+
+
 class Exporter(QObject):
     """Gets a picture out. ``said`` sends one sentence about what became of it.
 
@@ -32,7 +47,7 @@ class Exporter(QObject):
 
     said = Signal(str)
 
-    def __init__(self, view: FigureView, owner: QWidget) -> None:
+    def __init__(self, view: Stepped, owner: QWidget) -> None:
         super().__init__(owner)
         self._view = view
         self._owner = owner
@@ -43,15 +58,14 @@ class Exporter(QObject):
         run = self._view.stepped_run()
         return 0 if run is None else run.tellable
 
-    def page(self, number: int | None = None) -> Page:
-        """What the canvas shows now, or one step of the run."""
-        made = self._view.on_paper(number)
+    def page(self, number: int | None = None) -> Paintable:
+        """What is seen now, or one step of the run, with its sentence."""
         run = self._view.stepped_run()
         steps = None if run is None else run.steps
         at = run.step if run is not None and number is None else None
         step = steps[number] if steps is not None and number is not None else at
         caption = "" if step is None else "".join(part.text for part in step.sentence)
-        return Page(Picture(made.pixels, made.background), made.overlay, caption)
+        return self._view.page(number, caption)
 
     def this_step(self) -> Pages:
         """What the canvas shows now, as one page."""
@@ -70,7 +84,7 @@ class Exporter(QObject):
         """
         begun = self._what_is_shown()
 
-        def page(number: int) -> Page:
+        def page(number: int) -> Paintable:
             if self._what_is_shown() != begun:
                 raise ChangedError(
                     _("The picture was changed before all its steps were written; nothing was written.")
@@ -94,5 +108,5 @@ class Exporter(QObject):
 
     def copy_picture(self) -> None:
         """Put what the canvas shows on the clipboard."""
-        QGuiApplication.clipboard().setImage(self._view.canvas.grab_picture())
+        QGuiApplication.clipboard().setImage(self._view.grab_picture())
         self.said.emit(_("The picture is on the clipboard."))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QRectF, QSize, QSizeF, Qt
@@ -26,15 +26,37 @@ PICTURE_WIDTH = 1600
 DRAWING = QSize(1080, 840)
 DOTS_PER_INCH = 1200
 CAPTION_PX = 40
+_CAPTION_LEFT_PX = 24
+
+
+class Paintable(Protocol):
+    """What a page of a run shows, over the sentence ``caption``."""
+
+    @property
+    def caption(self) -> str:
+        """The sentence under it."""
+
+    def paint(self, painter: QPainter, size: tuple[int, int], font: QFont, unit: float, vector: bool) -> None:
+        """Paint it on an area of ``size`` dots; ``unit`` dots are one logical pixel. As ``vector`` nothing is
+        an image that can be shapes."""
 
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """One picture of a run: what it shows, and the sentence under it."""
+    """One picture of a run with its rulers: what it shows, and the sentence under it."""
 
     picture: Picture
     overlay: Overlay
     caption: str
+
+    def paint(self, painter: QPainter, size: tuple[int, int], font: QFont, unit: float, vector: bool) -> None:
+        """The picture between its rulers; as ``vector`` every run of cells is a shape of its own."""
+        ruler_width, ruler_height = ruler_sizes(font, self.picture.size, unit)
+        area = Area(ruler_width, 0, size[0], size[1] - ruler_height)
+        view = fitted(area, *self.picture.size, round(8 * unit), largest=4096)
+        scene = Scene(area, view, self.picture.size, LIGHT, unit, font, self.overlay, vector)
+        paint_scene(painter, self.picture, scene)
+        paint_rulers(painter, scene, None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +67,7 @@ class Pages:
     """
 
     parts: int
-    page: Callable[[int], Page]
+    page: Callable[[int], Paintable]
     title: str
     font: QFont
     width: int = PICTURE_WIDTH
@@ -61,28 +83,21 @@ class Pages:
 
 
 def paint_page(
-    painter: QPainter, page: Page, size: tuple[int, int], font: QFont, unit: float, vector: bool = True
+    painter: QPainter, page: Paintable, size: tuple[int, int], font: QFont, unit: float, vector: bool = True
 ) -> None:
-    """Paint picture, rulers and caption on an area of ``size`` dots; ``unit`` dots are one logical pixel.
-
-    As ``vector`` every run of cells is a shape of its own.
-    """
-    ruler_width, ruler_height = ruler_sizes(font, page.picture.size, unit)
+    """Paint a page with its caption on an area of ``size`` dots; ``unit`` dots are one logical pixel."""
     below = round(CAPTION_PX * unit)
-    area = Area(ruler_width, 0, size[0], size[1] - ruler_height - below)
-    view = fitted(area, *page.picture.size, round(8 * unit), largest=4096)
-    scene = Scene(area, view, page.picture.size, LIGHT, unit, font, page.overlay, vector)
-    paint_scene(painter, page.picture, scene)
-    paint_rulers(painter, scene, None)
-    caption = scene.caption()
+    page.paint(painter, (size[0], size[1] - below), font, unit, vector)
+    caption = QFont(font)
     caption.setPixelSize(round(13 * unit))
     painter.setFont(caption)
     painter.setPen(Qt.GlobalColor.black)
-    box = QRectF(ruler_width, size[1] - below, size[0] - ruler_width, below)
+    left = round(_CAPTION_LEFT_PX * unit)
+    box = QRectF(left, size[1] - below, size[0] - 2 * left, below)
     painter.drawText(box, Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignVCenter, page.caption)
 
 
-def page_image(page: Page, font: QFont, width: int = PICTURE_WIDTH) -> QImage:
+def page_image(page: Paintable, font: QFont, width: int = PICTURE_WIDTH) -> QImage:
     """A page as an image."""
     height = round(width * PAGE_MM[1] / PAGE_MM[0])
     image = QImage(width, height, QImage.Format.Format_RGB32)

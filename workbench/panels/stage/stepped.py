@@ -34,7 +34,7 @@ class SteppedPanel(FigurePanel):
 
     card: ParameterCard
     view: FigureView
-    exporter: Exporter
+    paper: Exporter
     moves_points = True
 
     def __init__(self, session: Session, tools: Sequence[Tool], parent: QWidget | None = None) -> None:
@@ -52,7 +52,7 @@ class SteppedPanel(FigurePanel):
 
     def start(self, invitation: str, commands: Sequence[PanelCommand] = ()) -> None:
         """Lay out and connect what the panel has made."""
-        self.exporter = exporter = Exporter(self.view, self)
+        self.exporter = self.paper = exporter = Exporter(self.view, self)
         split = QSplitter(Qt.Orientation.Horizontal)
         split.setChildrenCollapsible(False)
         split.addWidget(self.canvas)
@@ -165,7 +165,7 @@ class SteppedPanel(FigurePanel):
         if chosen := self.selected():
             self.hover_text.emit(copy_figures(self.session.sheet, chosen))
         else:
-            self.exporter.copy_picture()
+            self.paper.copy_picture()
         return True
 
     def cut(self) -> bool:

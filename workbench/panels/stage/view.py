@@ -3,6 +3,8 @@
 from dataclasses import replace
 from html import escape
 
+from PySide6.QtGui import QImage
+
 from workbench.algorithms import catalogue
 from workbench.algorithms.marks import Mark
 from workbench.document.model import AnyFigure, Sheet
@@ -20,6 +22,7 @@ from workbench.panels.stage.compose import (
     with_selection,
 )
 from workbench.panels.stage.gesture import HandleDrag, Tool
+from workbench.panels.stage.pages import Page
 from workbench.panels.stage.tools import FigureTool
 from workbench.rendering import painter_of
 from workbench.rendering.comparing import Comparison, figure_pixels
@@ -27,6 +30,7 @@ from workbench.rendering.subjects.registry import marks_on_device
 from workbench.session.run import Run
 from workbench.session.session import Session
 from workbench.widgets.canvas.overlay import Cell, Overlay
+from workbench.widgets.canvas.painter import Picture
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.transform_frame import TransformFrame
 from workbench.widgets.look.tokens import LIGHT, tokens
@@ -143,6 +147,15 @@ class FigureView:
         session = self.session
         made = compose(session.frames.sheet, session.active_figure, progress, self.compared(), LIGHT)
         return self.completed(made, progress, number)
+
+    def page(self, number: int | None, caption: str) -> Page:
+        """What the canvas shows now, or at one step of the run, over a sentence."""
+        made = self.on_paper(number)
+        return Page(Picture(made.pixels, made.background), made.overlay, caption)
+
+    def grab_picture(self) -> QImage:
+        """What the canvas shows, as it is seen."""
+        return self.canvas.grab_picture()
 
     def answer(self, cell: Cell) -> bool:
         """*Ask first*: ``cell`` is what the person expects next; False when nothing was asked."""

@@ -23,16 +23,17 @@ class TransformCard(ParameterCard):
         row = QHBoxLayout(both)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(0)
-        self.points, self.axes = QToolButton(), QToolButton()
+        self.points, self.axes, self.both = QToolButton(), QToolButton(), QToolButton()
         group = QButtonGroup(both)
         for button, text, tip in (
-            (self.points, _("Move the points"), _("The chain moves the figure; the axes stay")),
+            (self.points, _("Move points"), _("The chain moves the figure; the axes stay")),
             (self.axes, _("the axes"), _("The chain moves the axes; the figure gets new coordinates")),
+            (self.both, _("both"), _("The points moved, and beside them the axes moved by the same chain")),
         ):
             button.setText(text)
             button.setCheckable(True)
             button.setToolTip(tip)
-            button.setAccessibleName(text if button is self.points else _("Move the axes"))
+            button.setAccessibleName(text if button is self.points else _("Move {what}").format(what=text))
             group.addButton(button)
             row.addWidget(button)
         row.addStretch(1)
@@ -43,9 +44,18 @@ class TransformCard(ParameterCard):
         self.ghosts.setToolTip(_("The figure after each matrix of the chain, with its number"))
         self.reversed = QCheckBox(_("The other order beside it"))
         self.reversed.setToolTip(_("A second picture with the links of the chain in the opposite order"))
+        self.reversed.toggled.connect(self._give_way)
+        self.both.toggled.connect(self._give_way)
         for box in (self.ghosts, self.reversed):
             box.toggled.connect(self.switched)
         return [both, self.ghosts, self.reversed]
+
+    def _give_way(self, on: bool) -> None:
+        """There is room for one picture beside the first."""
+        if on and self.sender() is self.both:
+            self.reversed.setChecked(False)
+        elif on and self.both.isChecked():
+            self.points.setChecked(True)
 
     def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
         """Show what is selected, or what ``tool`` draws next."""

@@ -1,7 +1,8 @@
 """The chain of the figure that is worked on, as cards: added, changed, moved, switched and removed."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
+from typing import Any, Protocol
 
 import numpy as np
 from PySide6.QtCore import QPoint, Qt, Signal
@@ -16,60 +17,51 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
+from workbench.algorithms.transforms import Matrix
 from workbench.document.building import Edit
 from workbench.document.edits import set_attribute
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure
 from workbench.document.transforms.chains import is_singular
-from workbench.document.transforms.edits import (
-    add_transform,
-    remove_transform,
-    reorder_transform,
-    switch_transform,
-)
-from workbench.document.transforms.links import Affine, AnyLink, Reflect, Rotate, Scale, Shear, Translate
+from workbench.document.transforms.links import Link
 from workbench.document.transforms.names import undo_names
-from workbench.document.transforms.stages import stages
 from workbench.language import _
+from workbench.panels.transform.chain_edits import ChainEdits, FigureChain, Pivot
 from workbench.panels.transform.ground import Ground
 from workbench.panels.transform.link_card import LinkCard, complaint_of
 from workbench.session.session import Session
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import tokens
 
-Pivot = tuple[float, float]
 
+class Chained(Protocol):
+    """A figure, or an object of a scene."""
 
-def offers() -> list[tuple[str, Callable[[Pivot], AnyLink]]]:
-    """What can be added: its title, and the link about a pivot where it has one."""
-    return [
-        (_("Translation"), lambda _p: Translate("", tx=2.0, ty=1.0)),
-        (_("Rotation about the pivot"), lambda p: Rotate("", angle=45.0, x_pivot=p[0], y_pivot=p[1])),
-        (_("Scaling about the pivot"), lambda p: Scale("", sx=1.5, sy=1.5, x_pivot=p[0], y_pivot=p[1])),
-        (_("Reflection in the x axis"), lambda _p: Reflect("", angle=0.0)),
-        (_("Reflection in the y axis"), lambda _p: Reflect("", angle=90.0)),
-        (_("Reflection in the origin"), lambda _p: Reflect("", mirror="point")),
-        (_("Reflection in the line y = x"), lambda _p: Reflect("", angle=45.0)),
-        (
-            _("Reflection in a line through the pivot"),
-            lambda p: Reflect("", angle=30.0, x_pivot=p[0], y_pivot=p[1]),
-        ),
-        (_("Shear along x"), lambda _p: Shear("", sh_x=0.5)),
-        (_("Shear along y"), lambda _p: Shear("", sh_y=0.5)),
-        (_("Matrix, typed"), lambda _p: Affine("")),
-    ]
+    @property
+    def id(self) -> str:
+        """Its id."""
+
+    @property
+    def transforms(self) -> tuple[Any, ...]:
+        """The links of its chain."""
+
+    @property
+    def matrix(self) -> Matrix | None:
+        """That of its chain; None where nothing is transformed."""
 
 
 class ChainDock(Ground):
-    """Shows and edits the chain of a figure. ``stage_pointed`` sends a stage or None, ``said`` a sentence."""
+    """Shows and edits the chain of a thing: of a figure, or by other ``edits`` of something else.
+    ``stage_pointed`` sends a stage or None, ``said`` a sentence.
+    """
 
     stage_pointed = Signal(object)
     said = Signal(str)
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, edits: ChainEdits | None = None) -> None:
         super().__init__()
         self._session = session
-        self._figure: AnyFigure | None = None
+        self._edits: ChainEdits = edits or FigureChain()
+        self._thing: Chained | None = None
         self.pivot: Callable[[], Pivot] = lambda: (0.0, 0.0)
         self.cards: list[LinkCard] = []
         self.heading = QLabel()
@@ -81,7 +73,7 @@ class ChainDock(Ground):
         self.add.setToolTip(_("Put another transform at the end of the chain"))
         set_icon(self.add, "plus")
         self.menu = QMenu(self.add)
-        for title, make in offers():
+        for title, make in self._edits.offers():
             self.menu.addAction(title, partial(self.append, make))
         self.add.setMenu(self.menu)
         head = QHBoxLayout()
@@ -91,8 +83,8 @@ class ChainDock(Ground):
         self.sentence.setWordWrap(True)
         self.sentence.setProperty("role", "muted")
         self.first = QPushButton(_("Add a rotation"))
-        self.first.setToolTip(_("Turn the figure by 45° about the pivot"))
-        self.first.clicked.connect(partial(self.append, offers()[1][1]))
+        self.first.setToolTip(self._edits.offers()[1][0])
+        self.first.clicked.connect(partial(self.append, self._edits.offers()[1][1]))
         self.trouble = QLabel()
         self.trouble.setWordWrap(True)
         self.trouble.setProperty("role", "error")
@@ -117,26 +109,22 @@ class ChainDock(Ground):
         whole.addWidget(scroll, 1)
         self.follow(None, None)
 
-    def follow(self, figure: AnyFigure | None, lit: int | None) -> None:
-        """Show the chain of ``figure`` as it is now; ``lit`` marks a stage."""
-        self._figure = figure
-        chain = () if figure is None else figure.transforms
-        acting = stages(chain)
+    def follow(self, thing: Chained | None, lit: int | None) -> None:
+        """Show the chain of a thing as it is now; ``lit`` marks a stage."""
+        self._thing = thing
+        chain = () if thing is None else thing.transforms
+        told = self._edits.stages(chain)
         note = f'<span style="color:{tokens().muted}">{_("acts from the top down")}</span>'
         self.heading.setText(f"<b>{_('Chain')}</b> {note if chain else ''}")
-        self.add.setEnabled(figure is not None)
-        self.sentence.setText(
-            _("Draw or select a figure to transform it.")
-            if figure is None
-            else _("This figure stands as it was drawn.")
-        )
+        self.add.setEnabled(thing is not None)
+        self.sentence.setText(self._edits.none if thing is None else self._edits.bare)
         self.sentence.setVisible(not chain)
-        self.first.setVisible(figure is not None and not chain)
+        self.first.setVisible(thing is not None and not chain)
         self._fit_cards(chain)
+        count = sum(map(len, told.values()))
         for card, link in zip(self.cards, chain, strict=True):
-            own = [stage for stage in acting if stage.link.id == link.id]
-            card.show_link(link, own, len(acting), lit)
-        whole = figure is not None and is_singular(figure.matrix) and not any(map(complaint_of, chain))
+            card.show_link(link, told.get(link.id, []), count, lit)
+        whole = thing is not None and is_singular(thing.matrix) and not any(map(complaint_of, chain))
         self.trouble.setText(
             _("Together the links flatten the figure, so handles are gone; change or switch off one.")
             if whole
@@ -144,13 +132,13 @@ class ChainDock(Ground):
         )
         self.trouble.setVisible(whole)
 
-    def _fit_cards(self, chain: tuple[AnyLink, ...]) -> None:
+    def _fit_cards(self, chain: Sequence[Link]) -> None:
         """As many cards as links, each kept where it still fits."""
         kept = {card.identity: card for card in self.cards}
         cards = []
         for link in chain:
             card = kept.get(link.id)
-            if card is None or not card.fits(link, len(link.unfolded())):
+            if card is None or not card.fits(link):
                 card = self._made(link)
             else:
                 del kept[link.id]
@@ -168,8 +156,8 @@ class ChainDock(Ground):
                 self._column.insertWidget(place, card)
                 card.show()
 
-    def _made(self, link: AnyLink) -> LinkCard:
-        card = LinkCard(link, len(link.unfolded()))
+    def _made(self, link: Link) -> LinkCard:
+        card = LinkCard(link)
         card.changed.connect(partial(self._set, card))
         card.scrub_ended.connect(self._session.end_merge)
         card.switched.connect(partial(self._switch, card))
@@ -182,40 +170,44 @@ class ChainDock(Ground):
 
     # What is done
 
-    def append(self, make: Callable[[Pivot], AnyLink], *_checked: object) -> None:
+    def append(self, make: Callable[[Pivot], Link], *_checked: object) -> None:
         """Put a link at the end of the chain."""
-        if self._figure is not None:
-            link = make(self.pivot())
-            self._apply(add_transform(self._figure.id, link), undo_names()["add_transform"])
+        if self._thing is not None:
+            self._apply(self._edits.add(self._thing.id, make(self.pivot())), undo_names()["add_transform"])
 
     def _address(self, link: str, attribute: str = "on") -> str:
-        assert self._figure is not None
-        return f"{self._session.sheet.id}/{self._figure.id}/{link}/{attribute}"
+        assert self._thing is not None
+        return f"{self._session.sheet.id}/{self._thing.id}/{link}/{attribute}"
 
     def set_number(self, link: str, attribute: str, value: float, merge: str = "") -> str:
         """Set a number of a link; the sentence that says why it was refused, or an empty one."""
-        if self._figure is None or not np.isfinite(value):
+        if self._thing is None or not np.isfinite(value):
             return _("Type a number.")
         address = self._address(link, attribute)
         return self._apply(set_attribute(address, value), _("Change value"), merge and f"{merge} {address}")
 
     def _set(self, card: LinkCard, attribute: str, value: float, scrubbed: bool) -> None:
         refusal = self.set_number(card.identity, attribute, value, "scrub" if scrubbed else "")
-        if refusal and self._figure is not None:
-            link = next((each for each in self._figure.transforms if each.id == card.identity), None)
-            if link is not None:
-                card.fields[attribute].refuse(refusal, round(getattr(link, attribute), 6))
+        link = self._link_of(card)
+        if refusal and link is not None:
+            card.fields[attribute].refuse(refusal, round(getattr(link, attribute), 6))
+
+    def _link_of(self, card: LinkCard) -> Link | None:
+        chain = () if self._thing is None else self._thing.transforms
+        return next((link for link in chain if link.id == card.identity), None)
 
     def _switch(self, card: LinkCard, on: bool) -> None:
-        self._apply(switch_transform(self._address(card.identity), on), undo_names()["switch_transform"])
+        edit = self._edits.switch(self._address(card.identity), self._link_of(card), on)
+        self._apply(edit, undo_names()["switch_transform"])
 
     def _remove(self, card: LinkCard) -> None:
-        self._apply(remove_transform(self._address(card.identity)), undo_names()["remove_transform"])
+        edit = self._edits.remove(self._address(card.identity))
+        self._apply(edit, undo_names()["remove_transform"])
 
     def _move(self, card: LinkCard, by: int, merge: str = "") -> None:
         at = self.cards.index(card) + by
         if 0 <= at < len(self.cards):
-            edit = reorder_transform(self._address(card.identity), at)
+            edit = self._edits.reorder(self._address(card.identity), at)
             self._apply(edit, undo_names()["reorder_transform"], merge)
 
     def _drag(self, card: LinkCard, place: QPoint) -> None:

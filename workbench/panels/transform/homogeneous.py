@@ -14,6 +14,7 @@ from workbench.widgets.look.tokens import colour, theme, tokens
 _SLANT = math.radians(30)
 _BEYOND = 1.75
 _MARGIN = 14.0
+_LEAST_PX = 100
 
 
 class HomogeneousView(QWidget):
@@ -24,7 +25,8 @@ class HomogeneousView(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._points: list[tuple[str, float, float, str]] = []
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMinimumHeight(_LEAST_PX)
         theme.changed.connect(self.update)
 
     def sizeHint(self) -> QSize:

@@ -7,20 +7,21 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from workbench.document.fields import numbers_of
+from workbench.document.scene.links import Affine3D, Scale3D
 from workbench.document.transforms.chains import is_singular
-from workbench.document.transforms.links import Affine, AnyLink, Reflect, Scale
-from workbench.document.transforms.stages import Stage
+from workbench.document.transforms.links import Affine, Link, Reflect, Scale
 from workbench.language import _
+from workbench.panels.transform.chain_edits import StageWords
 from workbench.panels.transform.scene import ink_of_stage
 from workbench.panels.transform.stage_row import Badge, StageRow
-from workbench.panels.transform.told import ICONS, caption, in_numbers, title
+from workbench.panels.transform.told import ICONS, title
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
 
 _STEPS = {"angle": 1.0, "sx": 0.1, "sy": 0.1, "sh_x": 0.1, "sh_y": 0.1}
 
 
-def fields_of(link: AnyLink) -> list[str]:
+def fields_of(link: Link) -> list[str]:
     """The numbers of a link that its card shows."""
     names = list(numbers_of(type(link)))
     if isinstance(link, Reflect) and link.mirror == "point":
@@ -29,11 +30,11 @@ def fields_of(link: AnyLink) -> list[str]:
     return [*first, *(name for name in names if name not in first)]
 
 
-def complaint_of(link: AnyLink) -> str:
+def complaint_of(link: Link) -> str:
     """What a link that cannot be undone does, and what to do; empty for all others."""
     if not link.on or not is_singular(link.matrix):
         return ""
-    if isinstance(link, Scale):
+    if isinstance(link, Scale | Scale3D):
         return _("A factor of 0 flattens the figure, so no handle can bring it back. Type another factor.")
     return _("This link flattens the figure, so no handle can bring it back. Type other numbers.")
 
@@ -87,10 +88,10 @@ class LinkCard(QFrame):
     removed = Signal()
     stage_pointed = Signal(object)
 
-    def __init__(self, link: AnyLink, parts: int) -> None:
+    def __init__(self, link: Link) -> None:
         super().__init__()
         self.setObjectName("card")
-        self.identity, self.kind, self.parts = link.id, type(link), parts
+        self.identity, self.kind = link.id, type(link)
         self.shape = tuple(fields_of(link))
         self._on = link.on
         self.grip = Grip()
@@ -98,7 +99,7 @@ class LinkCard(QFrame):
         symbol.setAutoRaise(True)
         symbol.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         symbol.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        set_icon(symbol, ICONS[type(link).__name__])
+        set_icon(symbol, ICONS[type(link).__name__.removesuffix("3D")])
         self.title = QLabel()
         self.title.setStyleSheet("font-weight: 600;")
         self.eye = QToolButton()
@@ -140,7 +141,8 @@ class LinkCard(QFrame):
         grid.setVerticalSpacing(2)
         made: dict[str, NumberField] = {}
         numbers = numbers_of(self.kind)
-        across = 3 if self.kind is Affine or len(self.shape) == 3 else 2
+        across = {Affine: 3, Affine3D: 4}.get(self.kind, 2 if len(self.shape) in (2, 4) else 3)
+        alone = len(self.shape) % across == 1  # an angle, before an axis and a pivot
         for k, name in enumerate(self.shape):
             number = numbers[name]
             unit = number.unit if number.unit == "°" else ""
@@ -157,16 +159,17 @@ class LinkCard(QFrame):
             field.scrubbed.connect(lambda value, name=name: self.changed.emit(name, value, True))
             field.scrub_ended.connect(self.scrub_ended)
             made[name] = field
-            grid.addWidget(field, k // across, k % across)
+            at = k + across - 1 if alone and k else k
+            grid.addWidget(field, at // across, at % across)
         column.addLayout(grid)
         return made
 
-    def fits(self, link: AnyLink, parts: int) -> bool:
+    def fits(self, link: Link) -> bool:
         """Whether this card can show a link as it is now."""
         return (self.identity, self.kind, self.shape) == (link.id, type(link), tuple(fields_of(link)))
 
-    def show_link(self, link: AnyLink, own: Sequence[Stage], count: int, lit: int | None) -> None:
-        """Bring it up to date; ``own`` are its stages among ``count`` of the chain."""
+    def show_link(self, link: Link, own: Sequence[StageWords], count: int, lit: int | None) -> None:
+        """Bring it up to date; ``own`` are its matrices among ``count`` of the chain."""
         self.title.setText(title(link) if link.on else _("{title}, switched off").format(title=title(link)))
         self.title.setEnabled(link.on)
         self.grip.setAccessibleName(_("Move {title}").format(title=title(link)))
@@ -186,7 +189,7 @@ class LinkCard(QFrame):
         for row in self.rows:
             row.set_lit(row.number == lit)
 
-    def _show_stages(self, own: Sequence[Stage], count: int) -> None:
+    def _show_stages(self, own: Sequence[StageWords], count: int) -> None:
         numbers = (count, *(stage.number for stage in own)) if len(own) > 1 else ()
         if numbers != self._counted:
             self._counted = numbers
@@ -202,4 +205,4 @@ class LinkCard(QFrame):
                 self._rows_at.addWidget(row)
                 self.rows.append(row)
         for row, stage in zip(self.rows, own, strict=False):
-            row.tell(stage.symbols.name, in_numbers(stage), caption(stage))
+            row.tell(stage.name, stage.numbers, stage.words)

@@ -1,10 +1,11 @@
 """The Transform panel: a figure, the chain that transforms it, and the matrices of the chain."""
 
 from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from workbench.document.subjects import Subject
 from workbench.document.transforms.edits import extend
@@ -22,8 +23,12 @@ from workbench.panels.stage.stepped import SteppedPanel
 from workbench.panels.stage.tools import CircleTool, EllipseTool, LineTool, PolygonTool, PolylineTool
 from workbench.panels.transform.card import TransformCard
 from workbench.panels.transform.chain_dock import ChainDock
+from workbench.panels.transform.chain_pages import PLANE, SPACE, ChainPages
 from workbench.panels.transform.derivation import derivation
 from workbench.panels.transform.matrices import Matrices
+from workbench.panels.transform.space_derivation import space_derivation
+from workbench.panels.transform.space_page import SLUG as SPACE_RUN
+from workbench.panels.transform.space_page import SpacePage
 from workbench.panels.transform.tables import points_table
 from workbench.panels.transform.tools import ChainSelectTool, PointDrag
 from workbench.panels.transform.view import TransformView
@@ -33,6 +38,7 @@ from workbench.rendering.subjects.chain import KIND, POINT, PRODUCT, at_vertex
 from workbench.session.session import Session
 
 EXAMPLE = "transform-pivot"
+_PAGES = ("page_plane", "page_space")
 _LEAST_CANVAS_PX, _LOW_PX, _LEAST_LOW_PX = 280, 480, 200
 
 
@@ -54,12 +60,16 @@ class TransformPanel(SteppedPanel):
         self.canvas.worthwhile = 0.7
         self.card = TransformCard(session, self.canvas)
         self.chain, self.matrices, self.whole = ChainDock(session), Matrices(), WholeDock()
+        self.space = SpacePage(session)
+        self.chains = ChainPages(self.chain, self.space.beside)
+        self.chains.chosen.connect(self.show_page)
+        self.page = PLANE
         self.view = TransformView(
             session, self.canvas, self.second, self.card, self.chain, self.matrices, self.whole
         )
         self.chain.pivot = lambda: self.view.chain_box.pivot
         self.card.switched.connect(self.refresh_soon)
-        for view in (self.chain, self.matrices, self.whole):
+        for view in (self.chain, self.matrices, self.whole, self.space):
             view.said.connect(self.hover_text)
         for pointed in (self.chain.stage_pointed, self.matrices.stage_pointed, self.view.legend.pointed):
             pointed.connect(self._light)
@@ -82,6 +92,14 @@ class TransformPanel(SteppedPanel):
                 ("next_vertex", _("Follow the next point"), "arrow-bend-down-right", "N", self._next_vertex),
                 ("ghosts", _("Show or hide: ghosts"), "ghost", "H", self.card.ghosts.toggle),
                 ("axes", _("Move the points or the axes"), "crosshair", "X", self._toggle_axes),
+                (
+                    "page_plane",
+                    _("Transforms in the plane"),
+                    "polygon",
+                    "Alt+1",
+                    partial(self.show_page, PLANE),
+                ),
+                ("page_space", _("Transforms in space"), "cube", "Alt+2", partial(self.show_page, SPACE)),
             ],
         )
 
@@ -100,18 +118,43 @@ class TransformPanel(SteppedPanel):
         column.setSpacing(1)
         column.addWidget(middle, 1)
         column.addWidget(self.matrices)
-        super().begin(both, card, invitation, commands)
+        self.pages = QStackedWidget()
+        self.pages.addWidget(both)
+        self.pages.addWidget(self.space)
+        super().begin(self.pages, card, invitation, commands)
 
     def docks(self) -> list[DockPart]:
         """The chain, and what it comes to."""
         right = Qt.DockWidgetArea.RightDockWidgetArea
         return [
-            ("chain", _("Chain"), self.chain, right),
+            ("chain", _("Chain"), self.chains, right),
             ("whole", _("Inverse and parts"), self.whole, right),
         ]
 
+    def show_page(self, slug: str = "") -> None:
+        """Show the plane, or space, and step what was stepped there."""
+        self.page = slug or PLANE
+        in_space = self.page == SPACE
+        self.pages.setCurrentIndex(int(in_space))
+        self.chains.show_page(self.page)
+        self._bar.setVisible(not in_space)
+        self.exporter = None if in_space else self.paper  # only the plane has steps on paper
+        self.setFocusProxy(self.space.view if in_space else self.canvas)
+        self._enable()
+        self._take_run()
+        self.refresh()
+
+    def _enable(self) -> None:
+        """What is done to figures is there while they are seen."""
+        on = self.isVisible() and self.page == PLANE
+        for name, action in self._actions.items():
+            action.setEnabled(self.isVisible() if name in _PAGES else on)
+
     def derivation(self) -> Derivation | None:
-        """The page of the figure that is worked on."""
+        """The page of the figure, or of the object, that is worked on."""
+        if self.page == SPACE:
+            thing = self.space.thing
+            return None if thing is None else space_derivation(thing, self.session.subject)
         figure = self.session.active_figure
         if figure is None or not figure.points_world:
             return None
@@ -124,8 +167,11 @@ class TransformPanel(SteppedPanel):
         return [(_("Points at every stage"), points_table(figure))] if figure is not None and chain else []
 
     def show_example(self) -> None:
-        """Open the triangle that is turned about a point."""
-        self.session.open_example(EXAMPLE)
+        """Open the triangle that is turned about a point, or in space the house about an axis."""
+        if self.page == SPACE:
+            self.space.show_example()
+        else:
+            self.session.open_example(EXAMPLE)
 
     # What is shown
 
@@ -136,6 +182,7 @@ class TransformPanel(SteppedPanel):
     def showEvent(self, event: QShowEvent) -> None:
         """The figure that is worked on shows its box."""
         super().showEvent(event)
+        self._enable()
         active = self.session.active_figure
         if active is not None and not self.session.state.selection and self.tool is self.tools[0]:
             self.session.update_state(active=active.id, selection=(active.id,))
@@ -161,6 +208,11 @@ class TransformPanel(SteppedPanel):
 
     def refresh(self) -> None:
         """Show the session as it is now, and the matrices as high as they are."""
+        if self.page == SPACE:
+            self._waiting = False
+            self.space.refresh()
+            self.zoom_text.emit("")
+            return
         super().refresh()
         self._fit_matrices()
 
@@ -168,6 +220,37 @@ class TransformPanel(SteppedPanel):
     def gesturing(self) -> bool:
         """Whether something is being drawn or dragged."""
         return super().gesturing or self.view.chain_box.busy
+
+    def _take_run(self) -> None:
+        """Each page has a position of its own."""
+        if self.page == PLANE:
+            super()._take_run()
+        elif self.isVisible():
+            self.session.visit(SPACE_RUN, self.space.usual)
+
+    def _take_tool_when_empty(self) -> None:
+        """In space nothing is drawn."""
+        if self.page == PLANE:
+            super()._take_tool_when_empty()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """In space the keys of figures do nothing."""
+        if self.page == PLANE:
+            super().keyPressEvent(event)
+        else:
+            event.ignore()
+
+    def copy(self) -> bool:
+        """What is selected; in space what is seen."""
+        if self.page == PLANE:
+            return super().copy()
+        QGuiApplication.clipboard().setPixmap(self.space.view.grab())
+        self.hover_text.emit(_("The picture is on the clipboard."))
+        return True
+
+    def paste(self) -> bool:
+        """Figures come into the plane."""
+        return self.page == PLANE and super().paste()
 
     def _toggle_axes(self) -> None:
         (self.card.points if self.card.axes.isChecked() else self.card.axes).click()

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from msgspec.structs import replace
@@ -17,6 +18,7 @@ from workbench.panels.stage.outline import outline
 from workbench.panels.transform.told import place_text
 from workbench.rendering.extent import world_extent
 from workbench.rendering.mapping import DeviceMap, device_map
+from workbench.rendering.memory import Memory
 from workbench.widgets.canvas.drawing import Drawn, Marker, Pattern, PenStroke, Tint
 
 Points = NDArray[np.float64]
@@ -91,7 +93,15 @@ def round_step(least: float) -> float:
 
 
 def curves_of(sheet: Sheet, figure: AnyFigure) -> tuple[Points, ...]:
-    """A figure as it was drawn, as polylines (n, 2) on the device."""
+    """A figure as it was drawn, as polylines (n, 2) on the device; a drag of its chain changes none of it."""
+    drawn = replace(figure, transforms=(), visible=True)
+    return _curves.get((sheet.views, drawn), lambda: _curves_of(sheet, drawn))
+
+
+_curves: Memory[tuple[Points, ...]] = Memory(4 << 20)
+
+
+def _curves_of(sheet: Sheet, figure: AnyFigure) -> tuple[Points, ...]:
     scale = device_map(sheet)
     points = np.array([(p.x, p.y) for p in figure.points_world], np.float64).reshape(-1, 2)
     match figure:
@@ -104,7 +114,7 @@ def curves_of(sheet: Sheet, figure: AnyFigure) -> tuple[Points, ...]:
             ends = figure.ring_ends or (len(points),)
             rings = [points[a:b] for a, b in zip((0, *ends), ends, strict=False)]
             return tuple(scale.points(np.concatenate([ring, ring[:1]])) for ring in rings)
-    return _whole(sheet, replace(figure, transforms=(), visible=True))
+    return _whole(sheet, figure)
 
 
 def _whole(sheet: Sheet, figure: AnyFigure) -> tuple[Points, ...]:
@@ -140,13 +150,20 @@ def placed(curves: tuple[Points, ...], matrix: Matrix) -> tuple[Points, ...]:
     return tuple(transformed(matrix, curve) for curve in curves)
 
 
-def others(sheet: Sheet, figure: AnyFigure | None) -> Iterator[Drawn]:
-    """The figures that are not worked on, thin."""
+def others(sheet: Sheet, figure: AnyFigure | None) -> tuple[PenStroke, ...]:
+    """The figures that are not worked on, thin; the same from move to move of a drag."""
+    rest = tuple(each for each in sheet.figures if each.visible and (figure is None or each.id != figure.id))
+    return _thin(replace(sheet, figures=rest, scene=None))
+
+
+@lru_cache(maxsize=4)
+def _thin(sheet: Sheet) -> tuple[PenStroke, ...]:
     scale = device_map(sheet)
-    for other in sheet.figures:
-        if other.visible and (figure is None or other.id != figure.id):
-            for curve in placed(curves_of(sheet, other), on_device(scale, other.matrix)):
-                yield PenStroke(curve, "muted", 1.25)
+    return tuple(
+        PenStroke(curve, "muted", 1.25)
+        for each in sheet.figures
+        for curve in placed(curves_of(sheet, each), on_device(scale, each.matrix))
+    )
 
 
 def figure_at_stages(sheet: Sheet, figure: AnyFigure, shows: Shows, unit: float) -> Iterator[Drawn]:

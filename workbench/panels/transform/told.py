@@ -2,7 +2,15 @@
 
 import math
 
-from workbench.document.transforms.links import AnyLink, Reflect, Rotate, Scale, Shear, Translate
+from workbench.document.scene.links import (
+    Affine3D,
+    Reflect3D,
+    Rotate3D,
+    Scale3D,
+    Shear3D,
+    Translate3D,
+)
+from workbench.document.transforms.links import Link, Reflect, Rotate, Scale, Shear, Translate
 from workbench.document.transforms.names import title as kind_title
 from workbench.document.transforms.stages import Stage
 from workbench.exchange.formulas.terms import displayed
@@ -18,7 +26,7 @@ ICONS: dict[str, str] = {
 }
 
 
-def title(link: AnyLink) -> str:
+def title(link: Link) -> str:
     """What the card of a link is headed with."""
     match link:
         case Rotate() if _has_pivot(link):
@@ -37,6 +45,18 @@ def title(link: AnyLink) -> str:
             return _("Reflection in a point")
         case Reflect():
             return _("Reflection in a line")
+        case Rotate3D():
+            return _("Rotation about an axis")
+        case Reflect3D():
+            return _("Reflection in a plane")
+        case Scale3D():
+            return _("Scaling")
+        case Translate3D():
+            return _("Translation")
+        case Shear3D():
+            return _("Shear")
+        case Affine3D():
+            return _("Matrix")
     return kind_title(link)
 
 
@@ -101,3 +121,8 @@ def _degrees(angle: float) -> str:
 def place_text(x: float, y: float) -> str:
     """A point."""
     return f"({displayed(x)}, {displayed(y)})"
+
+
+def space_text(x: float, y: float, z: float) -> str:
+    """A point of space."""
+    return f"({displayed(x)}, {displayed(y)}, {displayed(z)})"

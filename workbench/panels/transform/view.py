@@ -1,17 +1,19 @@
 """Keeps canvas, card, chain and matrices of the Transform panel in step with the session and its run."""
 
 from dataclasses import replace as with_fields
+from functools import lru_cache
 
 import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QRectF
+from PySide6.QtCore import QRectF, QTimer
 
 from workbench.algorithms.marks import Word
-from workbench.document.model import AnyFigure, Sheet
+from workbench.document.model import AnyFigure, Sheet, WorldPoint
 from workbench.document.transforms.stages import Stage, stages
 from workbench.language import _
 from workbench.panels.stage.compose import Composition, with_band
 from workbench.panels.stage.gesture import HandleDrag, Tool
+from workbench.panels.stage.labels import clear_of
 from workbench.panels.stage.picture import packed
 from workbench.panels.stage.tools import FigureTool
 from workbench.panels.stage.view import FigureView
@@ -31,7 +33,7 @@ from workbench.panels.transform.scene import (
 )
 from workbench.panels.transform.told import place_text
 from workbench.panels.transform.whole import WholeDock
-from workbench.rendering.mapping import device_map
+from workbench.rendering.mapping import DeviceMap, device_map
 from workbench.rendering.subjects.chain import PRODUCT, vertex_of
 from workbench.session.session import Session
 from workbench.widgets.canvas.drawing import Drawn
@@ -39,6 +41,7 @@ from workbench.widgets.canvas.overlay import Handle, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.look.tokens import LIGHT, tokens
 
+LEISURE_MS = 40
 _PAPER_PX = 760.0
 
 
@@ -66,6 +69,12 @@ class TransformView(FigureView):
         self.legend = Legend(canvas)
         self.lit: int | None = None
         self.asked: tuple[int, int] | None = None
+        # What a drag makes of the matrices, and of the dock beside it, need not be seen in the same frame.
+        self._leisure = QTimer(self.legend)
+        self._leisure.setSingleShot(True)
+        self._leisure.setInterval(LEISURE_MS)
+        self._leisure.timeout.connect(self._show_beneath)
+        self._busy = False
         for each in (canvas, second):
             each.set_overlay(Overlay(plane=True))
 
@@ -82,40 +91,65 @@ class TransformView(FigureView):
         selected = [figure for figure in sheet.figures if figure.id in set(session.state.selection)]
         acting = () if active is None else stages(active.transforms)
         unit = _unit(self.canvas)
-        overlay = Overlay(drawn=(*self._drawn(sheet, active, _seen(self.canvas), unit),), plane=True)
+        drawn = self._drawn(sheet, active, _seen(self.canvas), unit)
         works = active is not None and not tool.busy and not self.card.axes.isChecked()
         chosen = works and drawing is None and active is not None and active.id in session.state.selection
         self.chain_box.follow(active if chosen else None)
+        grips = [*self.chain_box.box.places().values()] if chosen else []
+        overlay = Overlay(drawn=(*clear_of(drawn, grips, unit),), plane=True)
         if chosen and active is not None:
-            overlay = with_fields(overlay, handles=tuple(_points(sheet, active, drag.held)))
+            place = f"{sheet.id}/{active.id}"
+            points = _points(device_map(sheet), active.points_world, place, drag.held)
+            overlay = with_fields(overlay, handles=points)
         overlay = with_band(self.chain_box.over(overlay), tool.band)
         self.canvas.cells_per_unit = abs(device_map(sheet).sx)
         self.canvas.set_picture(_blank(sheet), packed(tokens().canvas))
         self.canvas.set_overlay(with_fields(overlay, snap=drawing.snap if drawing else None))
         self._show_beside(sheet, active)
-        self.card.refresh(drawing, selected, "")
+        if not self.chain_box.busy:  # which changes the chain, and no number of the card
+            self.card.refresh(drawing, selected, "")
         self.chain.follow(active, self.lit)
         around = self.chain_box.rectangle(active) if works and active is not None else QRectF()
         self.legend.follow(acting if works else (), self.card.ghosts.isChecked(), self.lit, around)
-        if self.whole.isVisible():
-            self._show_whole(active, list(acting))
-        self._show_matrices(active, list(acting), tool.busy or drag.busy or self.chain_box.busy)
+        self._busy = busy = tool.busy or drag.busy or self.chain_box.busy
+        if not busy:
+            self._leisure.stop()
+            self._show_beneath()
+        elif not self._leisure.isActive():
+            self._leisure.start()
 
-    def _show_whole(self, active: AnyFigure | None, chain: list[Stage]) -> None:
-        point = None
+    def _show_beneath(self) -> None:
+        """Bring the matrices and the dock of the whole up to date."""
+        active = self.active
+        self._show_whole()
+        self._show_matrices(active, [] if active is None else stages(active.transforms), self._busy)
+
+    def _show_whole(self) -> None:
+        """Bring the dock up to date, if it is seen."""
+        if not self.whole.isVisible():
+            return
+        active, point = self.active, None
+        chain = () if active is None else stages(active.transforms)
         if active is not None and active.points_world:
             vertex = active.points_world[self.vertex]
             point = vertex.x, vertex.y
         self.whole.follow(chain, point)
 
     def _drawn(
-        self, sheet: Sheet, active: AnyFigure | None, area: Area, unit: float, lit: bool = True
+        self,
+        sheet: Sheet,
+        active: AnyFigure | None,
+        area: Area,
+        unit: float,
+        lit: bool = True,
+        axes: bool | None = None,
     ) -> list[Drawn]:
+        """The plane with its figures; ``axes`` moves them instead of the points, by default as is chosen."""
         drawn: list[Drawn] = [*plane(device_map(sheet), area, unit), *others(sheet, active)]
         if active is not None:
             shows = Shows(
                 self.card.ghosts.isChecked(),
-                self.card.axes.isChecked(),
+                self.card.axes.isChecked() if axes is None else axes,
                 self.vertex,
                 self.lit if lit else None,
             )
@@ -124,16 +158,22 @@ class TransformView(FigureView):
         return drawn
 
     def _show_beside(self, sheet: Sheet, active: AnyFigure | None) -> None:
-        """The chain in the opposite order."""
-        beside = self.card.reversed.isChecked() and active is not None and len(active.transforms) > 1
-        self.card.reversed.setVisible(active is not None and len(active.transforms) > 1)
-        self.second.setVisible(beside)
-        if not beside or active is None:
+        """The chain in the opposite order, or the axes moved where the first picture moves the points."""
+        chain = () if active is None else active.transforms
+        self.card.reversed.setVisible(len(chain) > 1)
+        swapped = self.card.reversed.isChecked() and len(chain) > 1
+        other = self.card.both.isChecked() and bool(chain)
+        self.second.setVisible(swapped or other)
+        if active is None or not (swapped or other):
             return
-        other = replace(active, transforms=tuple(reversed(active.transforms)))
-        drawn = self._drawn(sheet, other, _seen(self.second), _unit(self.second))
-        middle = (_seen(self.second)[0] + _seen(self.second)[2]) / 2
-        title = Word(_("in the opposite order"), middle, _seen(self.second)[3], "data2", 0, -1, True, True)
+        area = _seen(self.second)
+        if other:
+            words = _("the axes moved: new coordinates")
+        else:
+            active = replace(active, transforms=tuple(reversed(chain)))
+            words = _("in the opposite order")
+        drawn = self._drawn(sheet, active, area, _unit(self.second), axes=other or None)
+        title = Word(words, (area[0] + area[2]) / 2, area[3], "data2", 0, -1, True, True)
         self.second.set_picture(_blank(sheet), packed(tokens().canvas))
         self.second.set_overlay(Overlay(drawn=(*drawn, title), plane=True))
 
@@ -204,12 +244,11 @@ def _seen(canvas: PixelCanvas) -> Area:
     return left, bottom, right, top
 
 
-def _points(sheet: Sheet, figure: AnyFigure, held: str) -> list[Handle]:
-    """The points of a figure as it was drawn, to be grabbed."""
-    scale, place = device_map(sheet), f"{sheet.id}/{figure.id}"
+@lru_cache(maxsize=4)
+def _points(scale: DeviceMap, points: tuple[WorldPoint, ...], place: str, held: str) -> tuple[Handle, ...]:
+    """The points of a figure at an address, as it was drawn, to be grabbed."""
     made = []
-    for point in figure.points_world:
-        x, y = scale.point(point.x, point.y)
+    for point in points:
         address = f"{place}/{point.id}/x"
-        made.append(Handle(address, "", x, y, address == held, "round", "muted"))
-    return made
+        made.append(Handle(address, "", *scale.point(point.x, point.y), address == held, "round", "muted"))
+    return tuple(made)

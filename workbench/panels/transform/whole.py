@@ -2,10 +2,22 @@
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from workbench.algorithms import transforms
 from workbench.algorithms.transforms import Matrix, Parts
@@ -18,6 +30,7 @@ from workbench.panels.transform.homogeneous import HomogeneousView
 from workbench.panels.transform.told import place_text
 from workbench.widgets.formulas.matrix_row import MatrixRow
 
+Place = tuple[float, float]
 MOST_FACTORS = 7
 
 
@@ -33,7 +46,7 @@ def inverse_terms(chain: Sequence[Stage]) -> tuple[Term, ...]:
 
 
 def parts_terms(parts: Parts) -> tuple[Term, ...]:
-    """M = T R S Sh with numbers."""
+    """M = T R S Sh with numbers, and what they make together again."""
     return (
         Phrase("M", strong=True),
         Sign("="),
@@ -41,6 +54,8 @@ def parts_terms(parts: Parts) -> tuple[Term, ...]:
         matrix(transforms.rotation(parts.theta), name="R"),
         matrix(transforms.scaling(parts.sx, parts.sy), name="S"),
         matrix(transforms.shear(parts.sh, 0.0), name="Sh"),
+        Sign("="),
+        matrix(transforms.recomposed(parts)),
     )
 
 
@@ -69,57 +84,99 @@ def lost(parts: Parts) -> str:
     return ""
 
 
-class WholeDock(QScrollArea):
-    """The inverse, the parts, and homogeneous coordinates. ``said`` sends a sentence."""
+class WholeDock(Ground):
+    """The inverse, the parts, and homogeneous coordinates, one at a time. ``said`` sends a sentence."""
 
     said = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setWidgetResizable(True)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        ground = Ground()
-        self._column = QVBoxLayout(ground)
-        self._column.setContentsMargins(8, 4, 8, 8)
-        self._column.setSpacing(2)
+        self._shown: tuple[Sequence[Stage], Place | None] = ((), None)
         self.inverse, self.parts = MatrixRow(upright=2), MatrixRow(upright=2)
         self.backwards, self.told, self.space_told = QLabel(), QLabel(), QLabel()
         self.space = HomogeneousView()
-        for heading, words, view in (
-            (_("Inverse: the chain run backwards"), self.backwards, self.inverse),
-            (_("Parts: M = T R S Sh"), self.told, self.parts),
-            (_("Homogeneous coordinates"), self.space_told, self.space),
+        self.buttons: list[QPushButton] = []
+        self._stack = QStackedWidget()
+        self._row = QHBoxLayout()
+        self._row.setContentsMargins(12, 6, 12, 0)
+        self._row.setSpacing(0)
+        group = QButtonGroup(self)
+        for title, tip, words, view in (
+            (_("Inverse"), _("The chain run backwards"), self.backwards, self.inverse),
+            (_("Parts"), _("The matrix as M = T R S Sh"), self.told, self.parts),
+            (_("Plane w = 1"), _("Homogeneous coordinates of one point"), self.space_told, self.space),
         ):
-            title = QLabel(heading)
-            title.setStyleSheet("font-weight: 600;")
-            words.setWordWrap(True)
-            for widget in (title, words, view):
-                self._column.addWidget(widget)
-        self._column.addStretch(1)
-        self.setWidget(ground)
+            button = QPushButton(title)
+            button.setCheckable(True)
+            button.setProperty("low", True)
+            button.setToolTip(tip)
+            button.clicked.connect(partial(self._choose, len(self.buttons)))
+            group.addButton(button)
+            self.buttons.append(button)
+            self._row.addWidget(button)
+            self._stack.addWidget(_page(words, view))
+        self._row.addStretch(1)
+        self.buttons[0].setChecked(True)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addLayout(self._row)
+        whole.addWidget(self._stack, 1)
         for row in (self.inverse, self.parts):
             row.copied.connect(self.said)
 
     def follow(self, chain: Sequence[Stage], point: tuple[float, float] | None) -> None:
-        """Show the whole of a chain, and ``point`` under it."""
+        """Show the whole of a chain, and ``point`` under it; what is not seen waits until it is."""
+        self._shown = chain, point
+        self._show_page(self._stack.currentIndex())
+
+    def _choose(self, number: int, *_checked: object) -> None:
+        self._stack.setCurrentIndex(number)
+        self._show_page(number)
+
+    def _show_page(self, number: int) -> None:
+        chain, point = self._shown
         whole = products(list(chain))[-1] if chain else np.eye(3)
+        (self._show_inverse, self._show_parts, self._show_point)[number](chain, whole, point)
+
+    def _show_inverse(self, chain: Sequence[Stage], _whole: Matrix, _point: Place | None) -> None:
         back = inverse_terms(chain) if chain else (Phrase("M^{−1}", strong=True), matrix(np.eye(3)))
         self.inverse.set_terms(back)
         self.inverse.setVisible(bool(back))
         self.backwards.setText(_backwards(chain, bool(back)))
+
+    def _show_parts(self, _chain: Sequence[Stage], whole: Matrix, _point: Place | None) -> None:
         parts = transforms.decomposed(whole)
         self.parts.set_terms(parts_terms(parts))
         self.told.setText(parts_told(parts))
-        image = None if point is None else _image(whole, point)
-        self.space.show_points(point, image)
+
+    def _show_point(self, _chain: Sequence[Stage], whole: Matrix, point: Place | None) -> None:
+        self.space.show_points(point, None if point is None else _image(whole, point))
         self.space_told.setText(
             ""
-            if image is None or point is None
+            if point is None
             else _("{point} is written ({x}, {y}, 1), and so are all its multiples, (2x, 2y, 2) too.").format(
                 point=place_text(*point), x=displayed(point[0]), y=displayed(point[1])
             )
         )
+
+
+def _page(words: QLabel, view: QWidget) -> QScrollArea:
+    """A sentence over what it is about."""
+    words.setWordWrap(True)
+    ground, page = Ground(), QScrollArea()
+    column = QVBoxLayout(ground)
+    column.setContentsMargins(12, 6, 8, 8)
+    column.setSpacing(4)
+    column.addWidget(words)
+    column.addWidget(view)
+    if view.sizePolicy().verticalPolicy() != QSizePolicy.Policy.Expanding:
+        column.addStretch(1)
+    page.setFrameShape(QFrame.Shape.NoFrame)
+    page.setWidgetResizable(True)
+    page.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    page.setWidget(ground)
+    return page
 
 
 def _image(whole: Matrix, point: tuple[float, float]) -> tuple[float, float]:

@@ -3,12 +3,23 @@
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtWidgets import QBoxLayout, QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from workbench.algorithms import catalogue
 from workbench.document.building import Edit
 from workbench.document.model import LINE_CLIPPERS, MAX_SIDE_PX, POLYGON_CLIPPERS
 from workbench.document.sheet_edits import set_clipper, set_sheet_size
+from workbench.document.view_edits import resize_device
 from workbench.language import _
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField
@@ -62,8 +73,23 @@ class PaintingFields(QWidget):
             field.scrub_ended.connect(session.end_merge)
             self.sizes.append(field)
             sizes.addWidget(field)
+        self.same = QToolButton()
+        self.same.setText(_("Same picture on"))
+        self.same.setToolTip(
+            _("A device of another size: viewports keep their places in normalised device coordinates")
+        )
+        self.same.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self.same)
+        for words, factor in (
+            (_("a device half as large"), 0.5),
+            (_("a device twice as large"), 2.0),
+            (_("a device four times as large"), 4.0),
+        ):
+            menu.addAction(words, partial(self._scale, factor))
+        self.same.setMenu(menu)
         self.device_row.addLayout(sizes)
         column.addLayout(self.device_row)
+        column.addWidget(self.same, 0, Qt.AlignmentFlag.AlignLeft)
 
     def refresh(self) -> None:
         """Show the sheet as it is."""
@@ -73,6 +99,12 @@ class PaintingFields(QWidget):
             chooser.setCurrentIndex(chooser.findData(slug))
         for field, size in zip(self.sizes, (sheet.width_px, sheet.height_px), strict=True):
             field.set_value(size)
+
+    def _scale(self, factor: float) -> None:
+        """Show the same picture on a larger or a smaller device."""
+        sheet = self._session.sheet
+        width, height = (max(1, round(factor * side)) for side in (sheet.width_px, sheet.height_px))
+        self._apply(resize_device(sheet.id, width, height), _("Change the device"), "")
 
     def _set_clipper(self, chooser: QComboBox, index: int) -> None:
         edit = set_clipper(self._session.sheet.id, chooser.itemData(index))

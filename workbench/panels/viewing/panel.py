@@ -1,17 +1,17 @@
 """The View workspace: a window in the world and the viewport on the device that shows it, side by side."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import (
     QAction,
-    QGuiApplication,
     QKeyEvent,
     QResizeEvent,
     QShowEvent,
 )
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QSplitter, QVBoxLayout, QWidget
 
 from workbench.algorithms.marks import Mark
 from workbench.algorithms.viewing.window_to_viewport_point import alike
@@ -24,11 +24,14 @@ from workbench.exchange.formulas.terms import displayed
 from workbench.language import _
 from workbench.panels.panel import DockPart, KeysWhileSeen, PlainPanel, Said
 from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.export import Exporter
+from workbench.panels.stage.labels import clear_of
 from workbench.panels.viewing.actions import view_actions
-from workbench.panels.viewing.card import ViewCard, factors_of
+from workbench.panels.viewing.card import LEAST_PX, ViewCard, factors_of
 from workbench.panels.viewing.derivation import derivation
 from workbench.panels.viewing.gestures import Gesture, tools
 from workbench.panels.viewing.matrices import Matrices
+from workbench.panels.viewing.paper import ViewOnPaper
 from workbench.panels.viewing.picture import StagePicture
 from workbench.panels.viewing.point import PointCard
 from workbench.panels.viewing.stages import Geometry, frame_map, plane_of, stages, world_box
@@ -75,6 +78,8 @@ class ViewingPanel(PlainPanel, QWidget):
         self.card = ViewCard(session)
         self.point = PointCard()
         self.matrices = Matrices(session, self.card)
+        self.exporter = self.paper = Exporter(ViewOnPaper(self), self)
+        self.paper.said.connect(self.hover_text)
         self._lay_out()
         self._actions = view_actions(self, self._bar)
         KeysWhileSeen(self, self._actions.values())
@@ -163,9 +168,13 @@ class ViewingPanel(PlainPanel, QWidget):
 
     def copy(self) -> bool:
         """Put both pictures on the clipboard, side by side as they are seen."""
-        QGuiApplication.clipboard().setPixmap(self.grab())
-        self.hover_text.emit(_("The pictures are on the clipboard."))
+        self.paper.copy_picture()
         return True
+
+    def offer_export(self, menu: QMenu) -> None:
+        """Let the menus of both pictures lead to what can be exported."""
+        for picture in (self.left, self.right):
+            picture.plane.addAction(menu.menuAction())
 
     # What is shown
 
@@ -188,12 +197,16 @@ class ViewingPanel(PlainPanel, QWidget):
         if self._kept_box is None or before is None:
             self._kept_box = world_box(sheet, view)
         geometry = Geometry(sheet, view, self._kept_box, tokens())
-        world, device = parted(self._marks())
+        world, device = parted(self.marks())
         for picture in (self.left, self.right):
             stage = picture.stage
             marks = {"world": world, "device": device, "normalised": ()}[stage.frame]
             own = marks if stage.rectangle else ()
-            picture.plane.set_plane(plane_of(stage, geometry, own, self.gesture.held))
+            plane = plane_of(stage, geometry, own, self.gesture.held)
+            grips = [(handle.x, handle.y) for handle in plane.handles]
+            picture.plane.set_plane(
+                replace(plane, drawn=(*clear_of(plane.drawn, grips, picture.plane.unit),))
+            )
         self.strip.show_geometry(geometry, at_leisure=before is not None)
         self.strip.show_open((self.left.stage.slug, self.right.stage.slug))
         self.card.refresh(before)
@@ -215,7 +228,7 @@ class ViewingPanel(PlainPanel, QWidget):
             run.subject == self.session.subject and run.step is not None and (run.number > 0 or run.waiting)
         )
 
-    def _marks(self) -> tuple[Mark, ...]:
+    def marks(self) -> tuple[Mark, ...]:
         """What the step, or the point that was clicked, draws in world and device."""
         session, run = self.session, self.session.run
         dragging = self.gesture.busy or self.matrices.before is not None
@@ -363,6 +376,7 @@ class ViewingPanel(PlainPanel, QWidget):
         super().resizeEvent(event)
         low = event.size().height() < LOW_PX
         self.strip.set_low(low)
+        self.card.setMinimumHeight(0 if low else LEAST_PX)
         self.matrices.symbols.setVisible(not low and event.size().width() >= NARROW_PX)
         self.refresh_soon()
 

@@ -14,7 +14,8 @@ from workbench.widgets.look.tokens import RADIUS, theme_changed, tokens
 
 HIGH_PX, LOW_PX = 98, 30
 _CAPTION_PX = 24
-LEISURE_MS = 25
+LEISURE_MS = 40
+PIXELS = "device"
 _ARROW_PX = 16
 
 
@@ -38,6 +39,11 @@ class StageTile(QAbstractButton):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         theme_changed.connect(self.update)
+
+    @property
+    def plane(self) -> Plane:
+        """What it shows."""
+        return self._plane
 
     def set_plane(self, plane: Plane) -> None:
         """What it shows."""
@@ -170,7 +176,9 @@ class StageStrip(QWidget):
         self._geometry = geometry
         if not self.pictured:
             return
-        self._old += [tile for tile in self.tiles.values() if tile not in self._old]
+        # Scan conversion takes longer than a frame has: while something is dragged its picture waits.
+        due = [tile for tile in self.tiles.values() if not (at_leisure and tile.stage.slug == PIXELS)]
+        self._old += [tile for tile in due if tile not in self._old]
         if at_leisure:
             self._next.start()
             return

@@ -37,6 +37,7 @@ PATTERNS = {
 DATA_INKS = 6
 _SPOT = 8
 _FAR = 1e6
+_OPAQUE = 255
 _PHASES = 4
 
 
@@ -100,10 +101,13 @@ def paint_drawn(painter: QPainter, scene: Scene, drawn: tuple[Sized, ...]) -> No
                 more = [stroke.points for stroke in alike if isinstance(stroke, PenStroke)]
                 _strokes(painter, scene, each, [each.points, *more])
             case Tint():
+                # A pale ground has a stroke round it that covers its edge: unsmoothed it takes a tenth.
+                painter.setRenderHint(QPainter.RenderHint.Antialiasing, scene.vector or each.alpha == _OPAQUE)
                 painter.setPen(Qt.PenStyle.NoPen)
                 painter.setBrush(colour(ink_of(scene.tokens, each.ink), each.alpha))
                 painter.drawPolygon(polygon(*on_screen(scene, each.points, _FAR)))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
+                painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
             case Marker():
                 _marker(painter, scene, each)
             case Word():

@@ -111,9 +111,14 @@ class PlaneView(QWidget):
         return grid_step(self.scene().view.cell, GRID_PX * unit)
 
     @property
+    def unit(self) -> float:
+        """How long one logical pixel is, in the plane."""
+        return self.devicePixelRatioF() / self.scene().view.cell
+
+    @property
     def reach(self) -> float:
         """How far from a line it can be taken hold of, in the plane."""
-        return GRAB / 4 * self.devicePixelRatioF() / self.scene().view.cell
+        return GRAB / 4 * self.unit
 
     def grip_at(self, position: QPointF) -> str:
         """The grip under a position of the widget; the last of several, since it lies on top."""
