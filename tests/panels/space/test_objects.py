@@ -121,10 +121,10 @@ def test_solids_and_transforms_are_numbers_in_fields(qtbot: QtBot, page: Project
 
 
 def test_tables_have_the_chosen_object_in_the_world(qtbot: QtBot, page: ProjectionPage) -> None:
-    page.tables.show()
+    page.tables_view.show()
     page.objects.list.setCurrentRow(1)  # the chimney, a box of 0.5 x 1.4 x 0.5 around (0.8, 3.1, -0.8)
     settle(qtbot, page)
-    tables = dict(page.tables.content())
+    tables = dict(page.tables_view.content())
     assert [len(table.rows) for table in tables.values()] == [8, 12, 6, 6]
     vertices = np.array([row[1:] for row in tables["Vertices"].rows], float)
     assert np.allclose(vertices.min(axis=0), (0.55, 2.4, -1.05))

@@ -94,10 +94,51 @@ def turned_to(camera: Camera, theta: float, phi: float, away: float | None = Non
     return placed
 
 
-def orbited(camera: Camera, d_theta: float, d_phi: float) -> Camera:
-    """``camera`` gone round by an angle and up by another; it stops at the poles. Raises: ValueError."""
+def orbited(camera: Camera, d_theta: float, d_phi: float, about: Point3D | None = None) -> Camera:
+    """``camera`` gone round by an angle and up by another; it stops at the poles.
+
+    It goes round what it looks at, or round another point ``about``, which stays in its place of the picture.
+    Raises: ValueError.
+    """
     theta, phi = turn_of(camera)
-    return turned_to(camera, theta + d_theta, phi + d_phi)
+    turned = turned_to(camera, theta + d_theta, phi + d_phi)
+    return turned if about is None else _with_in_place(camera, turned, about)
+
+
+def tumbled(camera: Camera, right: float, up: float, about: Point3D | None = None) -> Camera:
+    """``camera`` turned about the picture's own upright and level axes, as on a trackball, radians.
+
+    Nothing keeps the horizon level, and no pole stops it; an axonometric camera, which is always upright,
+    goes round as on a turntable. Raises: ValueError.
+    """
+    if camera.projection in ("isometric", "axonometric"):
+        return orbited(camera, right, up, about)
+    axes = view_matrix(camera)[:3, :3]
+    away = math.dist(camera.eye.xyz, camera.look_at.xyz)
+    cos, sin = math.cos(right), math.sin(right)
+    forward, upright = cos * axes[2] - sin * axes[0], axes[1]
+    cos, sin = math.cos(up), math.sin(up)
+    forward, upright = cos * forward - sin * upright, cos * upright + sin * forward
+    eye = Point3D(*(np.array(camera.look_at.xyz) - away * forward).tolist())
+    turned = replace(camera, eye=eye, up=Point3D(*upright.tolist()))
+    return turned if about is None else _with_in_place(camera, turned, about)
+
+
+def _with_in_place(before: Camera, turned: Camera, about: Point3D) -> Camera:
+    """``turned`` moved so far that ``about`` has the view coordinates that it had before."""
+    place = np.array([*about.xyz, 1.0])
+    shift = view_matrix(turned)[:3, :3].T @ ((view_matrix(turned) - view_matrix(before)) @ place)[:3]
+    return replace(turned, eye=_moved(turned.eye, shift), look_at=_moved(turned.look_at, shift))
+
+
+def _moved(point: Point3D, by: np.ndarray) -> Point3D:
+    return Point3D(*(at + step for at, step in zip(point.xyz, by.tolist(), strict=True)))
+
+
+def centred_on(camera: Camera, place: Point3D) -> Camera:
+    """``camera`` shifted, without a turn, so that it looks at a place as far away as before."""
+    by = np.subtract(place.xyz, camera.look_at.xyz)
+    return replace(camera, eye=_moved(camera.eye, by), look_at=place)
 
 
 def facing(camera: Camera, side: str) -> Camera:

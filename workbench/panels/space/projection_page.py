@@ -1,19 +1,22 @@
 """The page Projection: what the eye sees, the same from outside, and the matrices between them."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
-from workbench.document.scene.model import Scene
+from workbench.document.scene.model import Camera, Point3D, Scene
 from workbench.document.subjects import Subject
+from workbench.exchange.diagrams import Derivation
+from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.camera_card import CameraCard
+from workbench.panels.space.contrast_dock import ContrastDock
 from workbench.panels.space.eye_view import EyeView, Vertex
 from workbench.panels.space.family_dock import FamilyDock
 from workbench.panels.space.looking import Looking
@@ -22,16 +25,16 @@ from workbench.panels.space.objects_dock import ObjectsDock
 from workbench.panels.space.outside_view import OutsideView
 from workbench.panels.space.polygon_tables import PolygonTablesView
 from workbench.panels.space.solids_offered import offers
+from workbench.panels.space.view_cube import SIDE_PX, ViewCube
+from workbench.panels.space.view_tools import Tool, ViewTools
 from workbench.panels.stage.empty import EmptyState
-from workbench.rendering.scene.edge_picture import object_at
+from workbench.rendering.scene.picking import Pick, pick
 from workbench.rendering.subjects.projection import KIND, is_of_a_vertex, seen_from, vertex_of
 from workbench.session.session import Session
-from workbench.widgets.look.icons import set_icon
 from workbench.widgets.stepping.step_bar import stepping_keys
 
-_BAR_PX, _CARD_GAP_PX = 44, 8
+_CARD_GAP_PX = 8
 _LEAST_BESIDE_PX = 560
-Command = tuple[str, str, str, str, Callable[[], object]]
 
 
 class ProjectionPage(QWidget):
@@ -52,9 +55,11 @@ class ProjectionPage(QWidget):
         self.strip = MatrixStrip(self.looking)
         self.card = CameraCard(self.looking, self.eye)
         self.card.move(_CARD_GAP_PX, _CARD_GAP_PX)
+        self.cube = ViewCube(self.eye)
         self.objects = ObjectsDock(session)
         self.family = FamilyDock()
-        self.tables = PolygonTablesView()
+        self.tables_view = PolygonTablesView()
+        self.contrast = ContrastDock()
         self.empty = EmptyState(
             self.eye,
             _("Nothing to look at."),
@@ -64,9 +69,9 @@ class ProjectionPage(QWidget):
         )
         self.empty.hide()
         self.beside = "both"
-        self._actions: dict[str, QAction] = {}
         self._lay_out()
         self._waiting = False
+        self._about: Point3D | None = None
         self._kept: Scene | None = None
         self._connect()
         self.refresh()
@@ -79,29 +84,8 @@ class ProjectionPage(QWidget):
         self.views.setSizes([1000, 1000])
         for at in (0, 1):
             self.views.setStretchFactor(at, 1)
-        bar = QFrame()
-        bar.setFixedWidth(_BAR_PX)
-        column = QVBoxLayout(bar)
-        column.setContentsMargins(6, 8, 6, 8)
-        column.setSpacing(4)
-        for name, title, icon, key, do in self._commands():
-            action = QAction(title, self)
-            action.setObjectName(f"space.{name}")
-            action.setToolTip(f"{title} ({key})" if key else title)
-            if key:
-                action.setShortcut(key)
-                action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-            action.triggered.connect(lambda _checked=False, do=do: do())
-            self._actions[name] = action
-            self.addAction(action)
-            if icon:
-                set_icon(action, icon)
-                button = QToolButton()
-                button.setDefaultAction(action)
-                button.setFixedSize(32, 32)
-                button.setAccessibleName(title)
-                column.addWidget(button)
-        column.addStretch(1)
+        self.tools = ViewTools(self._commands(), self)
+        self._actions = self.tools.actions_by_name
         for view in (self.eye, self.outside):
             view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
             view.addActions(list(self._actions.values()))
@@ -113,33 +97,42 @@ class ProjectionPage(QWidget):
         whole = QHBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
-        whole.addWidget(bar)
+        whole.addWidget(self.tools)
         whole.addLayout(right, 1)
         self.setFocusProxy(self.eye)
         KeysWhileSeen(self, self._actions.values())
 
-    def _commands(self) -> list[Command]:
-        """Name, title, icon, key and what is done; those without an icon are in the menu only."""
+    def _commands(self) -> list[Tool]:
         say, looking = self.say, self.looking
+        sides = (
+            ("front", _("Look from the front"), "(1)"),
+            ("back", _("Look from the back"), "(Ctrl+1)"),
+            ("right", _("Look from the right"), "(3)"),
+            ("left", _("Look from the left"), "(Ctrl+3)"),
+            ("top", _("Look from above"), "(7)"),
+            ("bottom", _("Look from below"), "(Ctrl+7)"),
+        )
         return [
-            ("both", _("Picture and outside view"), "columns", "", partial(self.show_beside, "both")),
-            ("picture", _("The picture alone"), "image", "", partial(self.show_beside, "eye")),
-            ("outside", _("The outside view alone"), "cube", "", partial(self.show_beside, "outside")),
-            ("faces", _("Faces, edges or both"), "circle-half", "", self.next_shows),
-            ("zoom_in", _("Zoom in"), "magnifying-glass-plus", "Ctrl++", lambda: self.focused.zoom(1.25)),
-            ("zoom_out", _("Zoom out"), "magnifying-glass-minus", "Ctrl+-", lambda: self.focused.zoom(0.8)),
-            ("fit", _("Fit the scene"), "frame-corners", "Ctrl+0", self.fit),
-            ("home", _("Back to the view of the document"), "house-simple", "", self.go_home),
-            ("front", _("Look from the front (1)"), "", "", lambda: say(looking.face("front"))),
-            ("right", _("Look from the right (3)"), "", "", lambda: say(looking.face("right"))),
-            ("top", _("Look from above (7)"), "", "", lambda: say(looking.face("top"))),
-            ("switch", _("Perspective or parallel (5)"), "", "", self.switch),
-            ("keep", _("Keep this view"), "", "", lambda: say(looking.keep())),
+            Tool("both", _("Picture and outside view"), "columns", "", partial(self.show_beside, "both")),
+            Tool("picture", _("The picture alone"), "image", "", partial(self.show_beside, "eye")),
+            Tool("outside", _("The outside view alone"), "cube", "", partial(self.show_beside, "outside")),
+            Tool("faces", _("Faces, edges or both"), "circle-half", "", self.next_shows),
+            Tool("zoom_in", _("Zoom in"), "magnifying-glass-plus", "Ctrl++", lambda: self.focused.zoom(1.25)),
+            Tool(
+                "zoom_out", _("Zoom out"), "magnifying-glass-minus", "Ctrl+-", lambda: self.focused.zoom(0.8)
+            ),
+            Tool("fit", _("Fit the scene"), "frame-corners", "Ctrl+0", self.fit),
+            Tool("home", _("Back to the view of the document"), "house-simple", "", self.go_home),
+            *(Tool(side, title, "", key, partial(self.face, side)) for side, title, key in sides),
+            Tool("isometric", _("Look from (1, 1, 1), isometric"), "", "", partial(self.glance, "isometric")),
+            Tool("switch", _("Perspective or parallel"), "", "(5)", self.switch),
+            Tool("trackball", _("Turn freely, as a trackball"), "", "", self.switch_trackball, False),
+            Tool("keep", _("Keep this view"), "", "", lambda: say(looking.keep())),
         ]
 
     @property
     def _beside(self) -> tuple[QWidget, ...]:
-        return self.objects, self.family, self.tables
+        return self.objects, self.family, self.tables_view, self.contrast
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """A dock that comes to be seen shows what happened while it was hidden."""
@@ -155,11 +148,16 @@ class ProjectionPage(QWidget):
         for told in (session.changed, session.state_changed):
             told.connect(self._follow)
             told.connect(self.refresh_soon)
-        eye.turned.connect(lambda theta, phi: self.say(self.looking.orbit(theta, phi)))
+        eye.turn_began.connect(self._begin_turn)
+        eye.turned.connect(lambda theta, phi: self.say(self.looking.orbit(theta, phi, self._about)))
+        eye.turn_ended.connect(self._end_turn)
+        eye.framed.connect(self.centre_at)
+        eye.resized.connect(self._place_cube)
+        self.cube.chosen.connect(self.glance)
         for view in (eye, self.outside):
             view.switched.connect(self.switch)
             view.failed.connect(self.hover_text)
-        eye.faced.connect(lambda side: self.say(self.looking.face(side)))
+        eye.faced.connect(self.face)
         self.outside.faced.connect(self.outside.face)
         eye.clicked.connect(partial(self._pick, eye))
         self.outside.clicked.connect(partial(self._pick, self.outside))
@@ -173,6 +171,9 @@ class ProjectionPage(QWidget):
         for part in (self.card, self.strip, self.objects):
             part.said.connect(self.hover_text)
         self.objects.added.connect(lambda _id: self.eye.fit())
+        self.contrast.looked.connect(self.look)
+        for view in (eye, self.outside):
+            self.contrast.marked.connect(view.mark)
 
     # What the panel is told
 
@@ -187,7 +188,8 @@ class ProjectionPage(QWidget):
         return (
             ("objects", _("Objects"), self.objects, right),
             ("family", _("Family"), self.family, right),
-            ("polygon_tables", _("Tables"), self.tables, right),
+            ("polygon_tables", _("Tables"), self.tables_view, right),
+            ("contrast", _("Compare"), self.contrast, right),
         )
 
     def commands(self) -> Sequence[QAction]:
@@ -197,6 +199,14 @@ class ProjectionPage(QWidget):
     def said(self) -> Said:
         """What is said in passing, and the scale."""
         return Said(self.hover_text, self.zoom_text)
+
+    def tables(self) -> Sequence[tuple[str, Table]]:
+        """The polygon tables of the chosen object, and the comparison of projections."""
+        return [*self.tables_view.content(), *self.contrast.content()]
+
+    def derivation(self) -> Derivation | None:
+        """None yet."""
+        return None
 
     def point_at(self, cell: Cell | None) -> None:
         """Its sentences name no pixels."""
@@ -217,11 +227,52 @@ class ProjectionPage(QWidget):
         self.say(self.looking.choose(slug, _("Change the projection")))
         self.eye.keeps_fit = True
 
+    def face(self, side: str) -> None:
+        """Stand before one of the six sides, and see all of the scene."""
+        self.say(self.looking.face(side))
+        self.eye.keeps_fit = True
+        self._kept = None
+
+    def glance(self, slug: str) -> None:
+        """See the scene by another projection from where that is at its best; the document keeps its own."""
+        self.say(self.looking.glance(slug))
+        self.eye.keeps_fit = True
+        self._kept = None
+
+    def switch_trackball(self) -> None:
+        """Turn freely, or on a turntable that keeps the horizon level."""
+        self.looking.trackball = self._actions["trackball"].isChecked()
+
+    def _begin_turn(self, position: QPointF) -> None:
+        """A turn is about the point of the scene under the pointer, where there is one."""
+        there = self._pick_at(self.eye, position)
+        self._about = None if there is None else Point3D(*there.place)
+
+    def _end_turn(self) -> None:
+        self._about = None
+
+    def centre_at(self, position: QPointF) -> None:
+        """Look at the point of the scene that is there, and bring it into the middle."""
+        there = self._pick_at(self.eye, position)
+        if there is None:
+            self.fit()
+            return
+        self.say(self.looking.centre(Point3D(*there.place)))
+        self.eye.middle, self.eye.keeps_fit = (0.0, 0.0), False
+        self.refresh_soon()
+
+    def _place_cube(self) -> None:
+        self.cube.move(self.eye.width() - SIDE_PX - 4, 4)
+
     def switch(self) -> None:
         """Exchange perspective and parallel projection, from the same place."""
         camera = self.looking.camera
         other = "orthographic" if camera.projection == "perspective" else "perspective"
-        self.say(self.looking.look(replace(camera, projection=other)))
+        self.look(replace(camera, projection=other))
+
+    def look(self, camera: Camera) -> None:
+        """See all of the scene by another camera; the document keeps its own."""
+        self.say(self.looking.look(camera))
         self.eye.keeps_fit = True
         self._kept = None
 
@@ -303,11 +354,14 @@ class ProjectionPage(QWidget):
         self.strip.show_camera(scene.camera, anew)
         self.card.show_camera(scene.camera, self.looking.around)
         self.family.show_camera(scene.camera, self.card.kind.currentData() or "")
+        self.cube.show_camera(scene.camera)
+        self.contrast.show_scene(scene)
         self.objects.show_scene(scene, chosen)
-        self.tables.show_object(next((each for each in scene.objects if each.id == chosen), None))
+        self.tables_view.show_object(next((each for each in scene.objects if each.id == chosen), None))
         self.empty.setVisible(not scene.objects)
         self.strip.setVisible(bool(scene.objects))
         self.card.setVisible(bool(scene.objects))
+        self.cube.setVisible(bool(scene.objects))
         self._arrange()
 
     def _show_outside(self) -> None:
@@ -346,10 +400,17 @@ class ProjectionPage(QWidget):
             self.session.update_state(thing=vertex.thing, subject=subject, step=0)
             self._follow()
             return
+        there = self._pick_at(view, position)
+        self.session.update_state(thing=there.thing if there else "")
+
+    @staticmethod
+    def _pick_at(view: EyeView | OutsideView, position: QPointF) -> Pick | None:
         ratio = view.devicePixelRatioF()
         x, y = position.x() * ratio - 0.5, view.device_size[1] - 0.5 - position.y() * ratio
-        name = object_at(view.scene, view.device_size, view.window_world, x, y)
-        self.session.update_state(thing=name)
+        try:
+            return pick(view.scene, view.device_size, view.window_world, x, y)
+        except ValueError:  # what cannot be seen cannot be picked, and why is said already
+            return None
 
     def _follow(self, *_changes: object) -> None:
         """The run goes through the matrices that the scene is seen by."""

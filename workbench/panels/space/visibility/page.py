@@ -9,6 +9,8 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from workbench.document.errors import DocumentError
 from workbench.document.subjects import Subject
+from workbench.exchange.diagrams import Derivation
+from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.visibility.back_face_run import (
@@ -163,6 +165,14 @@ class VisibilityPage(QWidget):
     def said(self) -> Said:
         """What is said in passing, and the scale."""
         return Said(self.hover_text, self.zoom_text)
+
+    def tables(self) -> Sequence[tuple[str, Table]]:
+        """None but those of the run."""
+        return ()
+
+    def derivation(self) -> Derivation | None:
+        """None yet."""
+        return None
 
     def point_at(self, cell: Cell | None) -> None:
         """Ring a pixel that the sentence names; None when no longer."""
