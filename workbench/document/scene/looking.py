@@ -202,6 +202,23 @@ def kind_of(camera: Camera) -> str:
             return name
 
 
+def receding(camera: Camera, inverse: float, radius: float) -> Camera:
+    """``camera`` with its centre of projection 1/``inverse`` before a view plane through what it looks at.
+
+    As ``inverse`` falls to 0 the centre goes to infinity, and the limit is the parallel projection.
+    ``radius`` is how far the scene reaches from there. Raises: ValueError where the camera sees nothing.
+    """
+    theta, phi = turn_of(camera)
+    if not inverse > 0.0:
+        away = _FAR_ENOUGH * radius
+        flat = replace(camera, projection="orthographic", near=max(away - 2 * radius, 1e-3), distance=away)
+        return turned_to(replace(flat, far=away + 2 * radius), theta, phi, away)
+    d = 1.0 / inverse
+    near, far = max(d - 2 * radius, min(d, radius) / 100, 1e-3), d + 2 * radius
+    central = replace(camera, projection="perspective", near=near, far=far, distance=d)
+    return turned_to(central, theta, phi, d)
+
+
 def _apart(camera: Camera, away: float) -> Camera:
     """``camera`` at least as far from what it looks at, where that is not far enough."""
     if math.dist(camera.eye.xyz, camera.look_at.xyz) >= away:

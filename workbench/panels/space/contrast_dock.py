@@ -4,6 +4,7 @@ import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
+    QDockWidget,
     QFrame,
     QHeaderView,
     QLabel,
@@ -69,24 +70,32 @@ class ContrastDock(QWidget):
         whole.addWidget(self.empty)
         self.contrast: Contrast | None = None
         self._scene: Scene | None = None
-        self._showing = False
+        self._showing = self._in_sight = False
+        self._dock: QWidget | None = None
 
     # Showing
 
     def show_scene(self, scene: Scene) -> None:
         """Measure a scene as it is seen; unseen, when it is looked at."""
         self._scene = scene
-        if self.isVisible():
+        if self._in_sight:
             self._measure()
 
     def showEvent(self, event: object) -> None:
-        """Measure what was not measured while it was hidden."""
-        self._measure()
-        self._choose(self.table.currentRow(), 0)
+        """Follow the dock that it is in: one behind others is not in sight."""
+        dock = self.parentWidget()
+        if dock is not self._dock and isinstance(dock, QDockWidget):
+            dock.visibilityChanged.connect(self._come_in_sight)
+            self._dock = dock
+        if not isinstance(dock, QDockWidget):
+            self._come_in_sight(True)
 
-    def hideEvent(self, event: object) -> None:
-        """Nothing is marked in the scene any longer."""
-        self.marked.emit(np.zeros((0, 2, 3)))
+    def _come_in_sight(self, seen: bool) -> None:
+        """Measure what was not measured meanwhile; out of sight nothing is marked in the scene."""
+        self._in_sight = seen
+        if seen:
+            self._measure()
+        self._tell()
 
     def _measure(self) -> None:
         scene = self._scene
@@ -102,7 +111,7 @@ class ContrastDock(QWidget):
         before, self.contrast = self.contrast, now
         if now is not None and (before is None or _said(now) != _said(before)):
             self._fill(now)
-        self._tell(self.table.currentRow())
+        self._tell()
 
     def _as_begun(self, scene: Scene) -> Scene:
         """Seen by one of two cameras compared already, the scene is compared by the same two."""
@@ -147,9 +156,9 @@ class ContrastDock(QWidget):
             return
         if column in (_PARALLEL, _PERSPECTIVE):
             self.looked.emit(now.parallel if column == _PARALLEL else now.perspective)
-        self._tell(row)
+        self._tell()
 
-    def _tell(self, number: int) -> None:
+    def _tell(self) -> None:
         now, row = self.contrast, self.chosen
         segments: Array = np.zeros((0, 2, 3))
         if now is not None and row is not None:
@@ -161,7 +170,7 @@ class ContrastDock(QWidget):
             also = _("A unit along x, y and z is as long as: {lengths}.").format(lengths=lengths)
             but = f"<b>{_('But:')}</b> {row.but}<br>" if row.but else ""
             self.note.setText(f"{but}<span style='font-size: 11px'>{also}</span>")
-        self.marked.emit(segments)
+        self.marked.emit(segments if self._in_sight else segments[:0])
 
     def content(self) -> list[tuple[str, Table]]:
         """Title and content of the table, for export."""

@@ -1,7 +1,5 @@
 """What the eye sees: the picture on the view plane, with horizon and vanishing points to take hold of."""
 
-from typing import NamedTuple
-
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPen, QPolygonF
@@ -13,6 +11,7 @@ from workbench.geometry.meshes import Array
 from workbench.language import _
 from workbench.panels.space.looking import points_of
 from workbench.panels.space.scene_view import REACH_PX, SceneView
+from workbench.panels.space.stepped import DIVIDED, Vertex, way_text
 from workbench.panels.space.strokes import label, lines
 from workbench.rendering.scene.render import placed
 from workbench.widgets.look.tokens import colour, tokens
@@ -22,14 +21,6 @@ _VERTEX_PX = 8.0
 _FARTHEST_VANISHING = 3.2  # times as wide as the scene, and its vanishing points are in the picture too
 INKS = (1, 3, 2)
 """Which data colour stands for the world's x, y and z."""
-
-
-class Vertex(NamedTuple):
-    """A corner of an object: its id, the number of the corner, and where it is in the world."""
-
-    thing: str
-    number: int
-    place: tuple[float, float, float]
 
 
 def horizon(matrix: Array) -> tuple[float, float, float] | None:
@@ -126,7 +117,12 @@ class EyeView(SceneView):
                 painter.setBrush(colour(tokens().canvas))
                 painter.drawEllipse(QPointF(*at.tolist()), 5, 5)
                 painter.setBrush(Qt.BrushStyle.NoBrush)
-                label(painter, self.size(), at, f"R{self.vertex.number}", tokens().accent)
+                label(painter, self.size(), at, self._words(self.vertex), tokens().accent)
+
+    @staticmethod
+    def _words(vertex: Vertex) -> str:
+        """Its name, and with it its place once it has one in the picture."""
+        return way_text(vertex if vertex.stage >= DIVIDED else vertex._replace(rows=()))
 
     def _marker(self, painter: QPainter, axis: int, at: QPointF) -> None:
         """A triangle for x, a diamond for y, a square for z."""

@@ -3,33 +3,36 @@
 from collections.abc import Sequence
 from functools import partial
 
-import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
-from workbench.document.scene.model import Camera, Point3D, Scene
+from workbench.document.scene.model import Camera, Scene
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
-from workbench.language import _
+from workbench.language import _, reason_of
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.camera_card import CameraCard
 from workbench.panels.space.contrast_dock import ContrastDock
-from workbench.panels.space.eye_view import EyeView, Vertex
+from workbench.panels.space.derivation import derivation
+from workbench.panels.space.derivation_dock import DerivationDock
+from workbench.panels.space.eye_view import EyeView
 from workbench.panels.space.family_dock import FamilyDock
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.matrix_strip import MatrixStrip
 from workbench.panels.space.objects_dock import ObjectsDock
 from workbench.panels.space.outside_view import OutsideView
+from workbench.panels.space.pointing import Pointing
 from workbench.panels.space.polygon_tables import PolygonTablesView
 from workbench.panels.space.solids_offered import offers
+from workbench.panels.space.stepped import clipped_so_far, vertex_on_its_way
+from workbench.panels.space.stepping_choice import SteppingChoice
 from workbench.panels.space.view_cube import SIDE_PX, ViewCube
-from workbench.panels.space.view_tools import Tool, ViewTools
+from workbench.panels.space.view_tools import ViewTools, tools_of
 from workbench.panels.stage.empty import EmptyState
-from workbench.rendering.scene.picking import Pick, pick
-from workbench.rendering.subjects.projection import KIND, is_of_a_vertex, seen_from, vertex_of
+from workbench.rendering.subjects.projection import KIND, clips, is_of_a_vertex, seen_from
 from workbench.session.session import Session
 from workbench.widgets.stepping.step_bar import stepping_keys
 
@@ -56,10 +59,14 @@ class ProjectionPage(QWidget):
         self.card = CameraCard(self.looking, self.eye)
         self.card.move(_CARD_GAP_PX, _CARD_GAP_PX)
         self.cube = ViewCube(self.eye)
+        self.pointing = Pointing(self.looking, self.eye, self.outside, self)
+        self.stepping = SteppingChoice(session, self.outside)
+        self.stepping.move(_CARD_GAP_PX, _CARD_GAP_PX)
         self.objects = ObjectsDock(session)
         self.family = FamilyDock()
         self.tables_view = PolygonTablesView()
         self.contrast = ContrastDock()
+        self.derived = DerivationDock()
         self.empty = EmptyState(
             self.eye,
             _("Nothing to look at."),
@@ -71,7 +78,6 @@ class ProjectionPage(QWidget):
         self.beside = "both"
         self._lay_out()
         self._waiting = False
-        self._about: Point3D | None = None
         self._kept: Scene | None = None
         self._connect()
         self.refresh()
@@ -84,7 +90,7 @@ class ProjectionPage(QWidget):
         self.views.setSizes([1000, 1000])
         for at in (0, 1):
             self.views.setStretchFactor(at, 1)
-        self.tools = ViewTools(self._commands(), self)
+        self.tools = ViewTools(tools_of(self), self)
         self._actions = self.tools.actions_by_name
         for view in (self.eye, self.outside):
             view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
@@ -102,37 +108,9 @@ class ProjectionPage(QWidget):
         self.setFocusProxy(self.eye)
         KeysWhileSeen(self, self._actions.values())
 
-    def _commands(self) -> list[Tool]:
-        say, looking = self.say, self.looking
-        sides = (
-            ("front", _("Look from the front"), "(1)"),
-            ("back", _("Look from the back"), "(Ctrl+1)"),
-            ("right", _("Look from the right"), "(3)"),
-            ("left", _("Look from the left"), "(Ctrl+3)"),
-            ("top", _("Look from above"), "(7)"),
-            ("bottom", _("Look from below"), "(Ctrl+7)"),
-        )
-        return [
-            Tool("both", _("Picture and outside view"), "columns", "", partial(self.show_beside, "both")),
-            Tool("picture", _("The picture alone"), "image", "", partial(self.show_beside, "eye")),
-            Tool("outside", _("The outside view alone"), "cube", "", partial(self.show_beside, "outside")),
-            Tool("faces", _("Faces, edges or both"), "circle-half", "", self.next_shows),
-            Tool("zoom_in", _("Zoom in"), "magnifying-glass-plus", "Ctrl++", lambda: self.focused.zoom(1.25)),
-            Tool(
-                "zoom_out", _("Zoom out"), "magnifying-glass-minus", "Ctrl+-", lambda: self.focused.zoom(0.8)
-            ),
-            Tool("fit", _("Fit the scene"), "frame-corners", "Ctrl+0", self.fit),
-            Tool("home", _("Back to the view of the document"), "house-simple", "", self.go_home),
-            *(Tool(side, title, "", key, partial(self.face, side)) for side, title, key in sides),
-            Tool("isometric", _("Look from (1, 1, 1), isometric"), "", "", partial(self.glance, "isometric")),
-            Tool("switch", _("Perspective or parallel"), "", "(5)", self.switch),
-            Tool("trackball", _("Turn freely, as a trackball"), "", "", self.switch_trackball, False),
-            Tool("keep", _("Keep this view"), "", "", lambda: say(looking.keep())),
-        ]
-
     @property
     def _beside(self) -> tuple[QWidget, ...]:
-        return self.objects, self.family, self.tables_view, self.contrast
+        return self.objects, self.family, self.tables_view, self.contrast, self.derived
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """A dock that comes to be seen shows what happened while it was hidden."""
@@ -148,30 +126,33 @@ class ProjectionPage(QWidget):
         for told in (session.changed, session.state_changed):
             told.connect(self._follow)
             told.connect(self.refresh_soon)
-        eye.turn_began.connect(self._begin_turn)
-        eye.turned.connect(lambda theta, phi: self.say(self.looking.orbit(theta, phi, self._about)))
-        eye.turn_ended.connect(self._end_turn)
-        eye.framed.connect(self.centre_at)
         eye.resized.connect(self._place_cube)
         self.cube.chosen.connect(self.glance)
+        self.pointing.said.connect(self.hover_text)
+        self.pointing.stepped.connect(self._follow)
         for view in (eye, self.outside):
             view.switched.connect(self.switch)
             view.failed.connect(self.hover_text)
         eye.faced.connect(self.face)
         self.outside.faced.connect(self.outside.face)
-        eye.clicked.connect(partial(self._pick, eye))
-        self.outside.clicked.connect(partial(self._pick, self.outside))
         eye.vanishing_moved.connect(
             lambda axis, x, y, pinned: self.say(self.looking.vanish(axis, (x, y), pinned))
         )
         eye.turn_ended.connect(self._follow)
+        self.outside.camera_moved.connect(lambda camera: self.say(self.looking.look(camera)))
+        self.outside.move_ended.connect(self._follow)
+        self.outside.move_ended.connect(self._show_outside)
+        for told in (session.run.changed, session.run.moved, session.run.grown):
+            told.connect(self.refresh_soon)
         eye.view_changed.connect(self._view_changed)
         self.card.chosen.connect(self.choose)
         self.family.tree.chosen.connect(self.choose)
         for part in (self.card, self.strip, self.objects):
             part.said.connect(self.hover_text)
         self.objects.added.connect(lambda _id: self.eye.fit())
-        self.contrast.looked.connect(self.look)
+        for part in (self.contrast, self.derived):
+            part.looked.connect(self.look)
+        self.derived.said.connect(self.hover_text)
         for view in (eye, self.outside):
             self.contrast.marked.connect(view.mark)
 
@@ -189,6 +170,7 @@ class ProjectionPage(QWidget):
             ("objects", _("Objects"), self.objects, right),
             ("family", _("Family"), self.family, right),
             ("polygon_tables", _("Tables"), self.tables_view, right),
+            ("derivation", _("Derivation"), self.derived, right),
             ("contrast", _("Compare"), self.contrast, right),
         )
 
@@ -205,8 +187,13 @@ class ProjectionPage(QWidget):
         return [*self.tables_view.content(), *self.contrast.content()]
 
     def derivation(self) -> Derivation | None:
-        """None yet."""
-        return None
+        """Its picture, the similar triangles, its matrices, and what it keeps; None where nothing is seen."""
+        scene = self.looking.scene
+        try:
+            return None if scene is None else derivation(scene, vertex_on_its_way(self.session))
+        except ValueError as error:
+            self.say(reason_of(error))
+            return None
 
     def point_at(self, cell: Cell | None) -> None:
         """Its sentences name no pixels."""
@@ -239,27 +226,13 @@ class ProjectionPage(QWidget):
         self.eye.keeps_fit = True
         self._kept = None
 
+    def keep(self) -> None:
+        """Write what is seen now into the document."""
+        self.say(self.looking.keep())
+
     def switch_trackball(self) -> None:
         """Turn freely, or on a turntable that keeps the horizon level."""
         self.looking.trackball = self._actions["trackball"].isChecked()
-
-    def _begin_turn(self, position: QPointF) -> None:
-        """A turn is about the point of the scene under the pointer, where there is one."""
-        there = self._pick_at(self.eye, position)
-        self._about = None if there is None else Point3D(*there.place)
-
-    def _end_turn(self) -> None:
-        self._about = None
-
-    def centre_at(self, position: QPointF) -> None:
-        """Look at the point of the scene that is there, and bring it into the middle."""
-        there = self._pick_at(self.eye, position)
-        if there is None:
-            self.fit()
-            return
-        self.say(self.looking.centre(Point3D(*there.place)))
-        self.eye.middle, self.eye.keeps_fit = (0.0, 0.0), False
-        self.refresh_soon()
 
     def _place_cube(self) -> None:
         self.cube.move(self.eye.width() - SIDE_PX - 4, 4)
@@ -295,6 +268,10 @@ class ProjectionPage(QWidget):
     def fit(self) -> None:
         """Show all of the scene in the view that has the focus."""
         self.focused.fit()
+
+    def zoom(self, factor: float) -> None:
+        """Show what the view with the focus shows ``factor`` times as large."""
+        self.focused.zoom(factor)
 
     def next_shows(self) -> None:
         """From faces and edges to edges, to faces, and back."""
@@ -340,7 +317,8 @@ class ProjectionPage(QWidget):
             self._say_scale()
         scene = self.looking.scene or Scene()
         chosen = self.session.state.thing
-        self.eye.vertex = self.vertex()
+        self.eye.vertex = vertex_on_its_way(self.session)
+        self.outside.clipped = clipped_so_far(self.session)
         self.eye.show_scene(scene, chosen)
         kept = self.session.sheet.scene
         anew = kept is not self._kept
@@ -356,6 +334,8 @@ class ProjectionPage(QWidget):
         self.family.show_camera(scene.camera, self.card.kind.currentData() or "")
         self.cube.show_camera(scene.camera)
         self.contrast.show_scene(scene)
+        self.stepping.refresh()
+        self.derived.show_camera(scene.camera, self.eye.vertex, self.looking.radius)
         self.objects.show_scene(scene, chosen)
         self.tables_view.show_object(next((each for each in scene.objects if each.id == chosen), None))
         self.empty.setVisible(not scene.objects)
@@ -371,57 +351,30 @@ class ProjectionPage(QWidget):
     def _view_changed(self, _scale: float) -> None:
         self._say_scale()
         self._show_outside()
+        if clips(self.session.state.subject):
+            self._follow()
 
     def _say_scale(self) -> None:
         self.zoom_text.emit(_("{scale:.3g} px a unit").format(scale=self.eye.scale))
 
-    def vertex(self) -> Vertex | None:
-        """The vertex that is stepped, where it is in the world."""
-        subject = self.session.subject
-        if not is_of_a_vertex(subject) or self.session.state.workspace != "space":
-            return None
-        chosen = vertex_of(self.session.sheet, subject)
-        if chosen is None or not chosen[0].visible:
-            return None
-        thing, number = chosen
-        x, y, z, _w = (thing.matrix if thing.matrix is not None else np.eye(4)) @ [
-            *thing.mesh.vertices[number],
-            1.0,
-        ]
-        return Vertex(thing.id, number, (float(x), float(y), float(z)))
-
-    # Choosing
-
-    def _pick(self, view: EyeView | OutsideView, position: QPointF) -> None:
-        """A vertex of the picture is stepped; else the object there is chosen."""
-        vertex = self.eye.vertex_at(position) if view is self.eye else None
-        if vertex is not None:
-            subject = Subject(KIND, (vertex.thing,), arguments={"vertex": vertex.number})
-            self.session.update_state(thing=vertex.thing, subject=subject, step=0)
-            self._follow()
-            return
-        there = self._pick_at(view, position)
-        self.session.update_state(thing=there.thing if there else "")
-
-    @staticmethod
-    def _pick_at(view: EyeView | OutsideView, position: QPointF) -> Pick | None:
-        ratio = view.devicePixelRatioF()
-        x, y = position.x() * ratio - 0.5, view.device_size[1] - 0.5 - position.y() * ratio
-        try:
-            return pick(view.scene, view.device_size, view.window_world, x, y)
-        except ValueError:  # what cannot be seen cannot be picked, and why is said already
-            return None
+    # The run
 
     def _follow(self, *_changes: object) -> None:
-        """The run goes through the matrices that the scene is seen by."""
+        """The run goes through the matrices that the scene is seen by, and clips to what is seen."""
         session = self.session
         subject, scene = session.state.subject, session.sheet.scene
-        if not self.isVisible() or self.eye.dragging or not is_of_a_vertex(subject) or scene is None:
+        held = self.eye.dragging or self.outside.dragging
+        if not self.isVisible() or held or not is_of_a_vertex(subject) or scene is None:
             return
         kept = {name: value for name, value in subject.arguments.items() if name == "vertex"}
         wanted = {**kept, **(seen_from(self.looking.camera) if self.looking.around else {})}
-        if wanted != subject.arguments:
-            session.update_state(subject=replace(subject, arguments=wanted))
+        if clips(subject):
+            seen = self.eye.window_world
+            wanted["window"] = (seen.xmin, seen.ymin, seen.xmax, seen.ymax)
+        chosen = session.state.thing
+        ids = (chosen,) if chosen and clips(subject) else subject.ids
+        if (ids, wanted) != (subject.ids, subject.arguments):
+            session.update_state(subject=replace(subject, ids=ids, arguments=wanted))
 
     def showEvent(self, event: QShowEvent) -> None:
         """Show what happened while it was hidden."""

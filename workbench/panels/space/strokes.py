@@ -24,10 +24,10 @@ def outline(painter: QPainter, corners: Array) -> None:
         painter.drawPolygon(QPolygonF([QPointF(*each) for each in corners.tolist()]))
 
 
-def label(painter: QPainter, within: QSize, at: Array, text: str, ink: str) -> None:
-    """Words on a small card beside a place (2,), kept within a widget of this size."""
+def label(painter: QPainter, within: QSize, at: Array, text: str, ink: str) -> QRectF:
+    """Words on a small card beside a place (2,), kept within a widget of this size; where the card is."""
     if not np.isfinite(at).all():
-        return
+        return QRectF()
     metrics = painter.fontMetrics()
     width, height = metrics.horizontalAdvance(text) + 10, metrics.height() + 4
     x = min(max(float(at[0]) + 8, 2.0), within.width() - width - 2.0)
@@ -39,3 +39,4 @@ def label(painter: QPainter, within: QSize, at: Array, text: str, ink: str) -> N
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(colour(tokens().text))
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+    return box

@@ -1,7 +1,8 @@
 """The tools beside the pictures of a scene: what is shown, zoom, and from where it is looked at."""
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from functools import partial
+from typing import NamedTuple, Protocol
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
@@ -24,6 +25,40 @@ class Tool(NamedTuple):
     key: str
     do: Callable[[], object]
     checked: bool | None = None
+
+
+class Viewing(Protocol):
+    """What the tools ask of a page."""
+
+    def show_beside(self, which: str) -> None:
+        """Show "both" views, the "eye" or the "outside" alone."""
+
+    def next_shows(self) -> None:
+        """From faces and edges to edges, to faces, and back."""
+
+    def zoom(self, factor: float) -> None:
+        """Show the view with the focus larger."""
+
+    def fit(self) -> None:
+        """Show all of the scene."""
+
+    def go_home(self) -> None:
+        """Back to the view of the document."""
+
+    def face(self, side: str) -> None:
+        """Stand before a side."""
+
+    def glance(self, slug: str) -> None:
+        """See the scene by another projection."""
+
+    def switch(self) -> None:
+        """Exchange perspective and parallel."""
+
+    def switch_trackball(self) -> None:
+        """Turn freely, or on a turntable."""
+
+    def keep(self) -> None:
+        """Write the view into the document."""
 
 
 class ViewTools(QFrame):
@@ -78,3 +113,30 @@ class ViewTools(QFrame):
         self.actions_by_name[tool.name] = action
         owner.addAction(action)
         return action
+
+
+def tools_of(page: "Viewing") -> list[Tool]:
+    """What a page with a picture and an outside view offers, in order."""
+    sides = (
+        ("front", _("Look from the front"), "(1)"),
+        ("back", _("Look from the back"), "(Ctrl+1)"),
+        ("right", _("Look from the right"), "(3)"),
+        ("left", _("Look from the left"), "(Ctrl+3)"),
+        ("top", _("Look from above"), "(7)"),
+        ("bottom", _("Look from below"), "(Ctrl+7)"),
+    )
+    return [
+        Tool("both", _("Picture and outside view"), "columns", "", partial(page.show_beside, "both")),
+        Tool("picture", _("The picture alone"), "image", "", partial(page.show_beside, "eye")),
+        Tool("outside", _("The outside view alone"), "cube", "", partial(page.show_beside, "outside")),
+        Tool("faces", _("Faces, edges or both"), "circle-half", "", page.next_shows),
+        Tool("zoom_in", _("Zoom in"), "magnifying-glass-plus", "Ctrl++", partial(page.zoom, 1.25)),
+        Tool("zoom_out", _("Zoom out"), "magnifying-glass-minus", "Ctrl+-", partial(page.zoom, 0.8)),
+        Tool("fit", _("Fit the scene"), "frame-corners", "Ctrl+0", page.fit),
+        Tool("home", _("Back to the view of the document"), "house-simple", "", page.go_home),
+        *(Tool(side, title, "", key, partial(page.face, side)) for side, title, key in sides),
+        Tool("isometric", _("Look from (1, 1, 1), isometric"), "", "", partial(page.glance, "isometric")),
+        Tool("switch", _("Perspective or parallel"), "", "(5)", page.switch),
+        Tool("trackball", _("Turn freely, as a trackball"), "", "", page.switch_trackball, False),
+        Tool("keep", _("Keep this view"), "", "", page.keep),
+    ]

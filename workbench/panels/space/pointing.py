@@ -1,0 +1,80 @@
+"""What a click, a double click and the beginning of a turn mean: the vertex or the point that is there."""
+
+from PySide6.QtCore import QObject, QPointF, Signal
+
+from workbench.document.scene.model import Point3D
+from workbench.document.subjects import Subject
+from workbench.panels.space.eye_view import EyeView
+from workbench.panels.space.looking import Looking
+from workbench.panels.space.outside_view import OutsideView
+from workbench.rendering.scene.picking import Pick, pick
+from workbench.rendering.subjects.projection import KIND
+
+
+class Pointing(QObject):
+    """Over both views of a scene. ``stepped``: a vertex was chosen; ``said`` sends a sentence."""
+
+    stepped = Signal()
+    said = Signal(str)
+
+    def __init__(self, looking: Looking, eye: EyeView, outside: OutsideView, parent: QObject) -> None:
+        super().__init__(parent)
+        self._looking = looking
+        self._eye = eye
+        self._about: Point3D | None = None
+        eye.turn_began.connect(self._begin_turn)
+        eye.turned.connect(self._turn)
+        eye.turn_ended.connect(self._end_turn)
+        eye.framed.connect(self._centre)
+        eye.clicked.connect(self._choose_in_picture)
+        outside.clicked.connect(lambda position: self._choose(outside, position))
+        outside.framed.connect(lambda _position: outside.fit())
+
+    # Turning
+
+    def _begin_turn(self, position: QPointF) -> None:
+        """A turn is about the point of the scene under the pointer, where there is one."""
+        there = at(self._eye, position)
+        self._about = None if there is None else Point3D(*there.place)
+
+    def _turn(self, theta: float, phi: float) -> None:
+        self.said.emit(self._looking.orbit(theta, phi, self._about))
+
+    def _end_turn(self) -> None:
+        self._about = None
+
+    def _centre(self, position: QPointF) -> None:
+        """Look at the point of the scene that is there, and bring it into the middle."""
+        there = at(self._eye, position)
+        if there is None:
+            self._eye.fit()
+        else:
+            self._eye.middle, self._eye.keeps_fit = (0.0, 0.0), False
+            self.said.emit(self._looking.centre(Point3D(*there.place)))
+            self._eye.redraw()
+
+    # Choosing
+
+    def _choose_in_picture(self, position: QPointF) -> None:
+        """A vertex of the picture is stepped; else the object there is chosen."""
+        vertex = self._eye.vertex_at(position)
+        if vertex is None:
+            self._choose(self._eye, position)
+            return
+        subject = Subject(KIND, (vertex.thing,), arguments={"vertex": vertex.number})
+        self._looking.session.update_state(thing=vertex.thing, subject=subject, step=0)
+        self.stepped.emit()
+
+    def _choose(self, view: EyeView | OutsideView, position: QPointF) -> None:
+        there = at(view, position)
+        self._looking.session.update_state(thing=there.thing if there else "")
+
+
+def at(view: EyeView | OutsideView, position: QPointF) -> Pick | None:
+    """What of the scene is at a place of a view, logical pixels."""
+    ratio = view.devicePixelRatioF()
+    x, y = position.x() * ratio - 0.5, view.device_size[1] - 0.5 - position.y() * ratio
+    try:
+        return pick(view.scene, view.device_size, view.window_world, x, y)
+    except ValueError:  # what cannot be seen cannot be picked, and why is said already
+        return None
