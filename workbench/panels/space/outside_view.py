@@ -49,7 +49,7 @@ class OutsideView(SceneView):
         self.window_seen = Rectangle(-1.0, -1.0, 1.0, 1.0)
         self.vertex: Vertex | None = None
         self.clipped: Clipped | None = None
-        self.grips: dict[str, QRectF] = {}
+        self.grips: list[tuple[str, QRectF]] = []
         self._turn = (_ASIDE, _ABOVE)
         self._begun: tuple[Camera, QPointF] | None = None
         self.setAccessibleName(_("From outside"))
@@ -162,7 +162,7 @@ class OutsideView(SceneView):
     def paint_over(self, painter: QPainter) -> None:
         """Volume, plane, projectors, the picture on the plane, and the eye."""
         camera, now = self.seen.camera, tokens()
-        self.grips = {}
+        self.grips = []
         self._paint_volume(painter)
         plane = self._plane()
         (eye,) = self.projected(np.array([camera.eye.xyz]))
@@ -178,7 +178,7 @@ class OutsideView(SceneView):
                 self._paint_way(painter, eye if central else None)
             words = _("view plane, d = {d:.4g}").format(d=camera.distance)
             at = corners[corners[:, 1].argmin()]
-            self.grips["distance"] = label(painter, self.size(), at, words, now.accent)
+            self.grips.append(("distance", label(painter, self.size(), at, words, now.accent)))
         if self.clipped is not None:
             self._paint_clipped(painter, self.clipped)
         if np.isfinite(eye).all() and (central or camera.projection == "orthographic"):
@@ -191,7 +191,8 @@ class OutsideView(SceneView):
             x, y, z = camera.eye.xyz
             text = _("eye ({x:.3g}, {y:.3g}, {z:.3g})").format(x=x, y=y, z=z).replace("-", "−")
             card = label(painter, self.size(), eye + np.array([0.0, 34.0]), text, now.text)
-            self.grips["eye"] = card.united(QRectF(eye[0] - REACH_PX, eye[1] - REACH_PX, 24, 24))
+            round_eye = QRectF(eye[0] - REACH_PX, eye[1] - REACH_PX, 2 * REACH_PX, 2 * REACH_PX)
+            self.grips += [("eye", round_eye), ("eye", card)]
 
     def _paint_volume(self, painter: QPainter) -> None:
         """The edges of the view volume, and the names of its near and far plane."""
@@ -209,7 +210,9 @@ class OutsideView(SceneView):
                 low = corners[corners[:, 1].argmax()] + np.array([0.0, 26.0])
                 title = _("near {z:.4g}") if name == "near" else _("far {z:.4g}")
                 words = title.format(z=getattr(camera, name))
-                self.grips[name] = label(painter, self.size(), upper if name == "near" else low, words, ink)
+                self.grips.append(
+                    (name, label(painter, self.size(), upper if name == "near" else low, words, ink))
+                )
 
     def _chosen_mesh(self) -> tuple[Mesh, Index] | None:
         """The mesh of the chosen object, else of the first, in the world, and its edges."""
@@ -293,14 +296,13 @@ class OutsideView(SceneView):
 
     def grip_at(self, position: QPointF) -> object | None:
         """The eye, or a plane by its name."""
-        order = ("eye", "distance", "near", "far")
-        return next((name for name in order if self.grips.get(name, QRectF()).contains(position)), None)
+        return next((name for name, place in reversed(self.grips) if place.contains(position)), None)
 
     def drag_grip(self, grip: object, position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
         """Move the eye, or a plane along the line of sight."""
         assert isinstance(grip, str)
         if self._begun is None:
-            self._begun = self.seen.camera, position
+            self._begun = self.seen.camera, self._press or position
         camera, begin = self._begun
         by = position - begin
         if grip == "eye":
@@ -312,7 +314,7 @@ class OutsideView(SceneView):
             length = float(along @ along)
             if length < 1.0:  # the line of sight is seen end on: no way to tell how far
                 return
-            to = getattr(camera, grip) + (by.x() * along[0] + by.y() * along[1]) / length
+            to = getattr(camera, grip) + float(along @ (by.x(), by.y())) / length
             moved = replace(camera, **{grip: _within(camera, grip, to)})
         self.camera_moved.emit(moved)
 

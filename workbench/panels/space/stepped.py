@@ -9,7 +9,9 @@ from workbench.document.model import Sheet
 from workbench.document.subjects import Subject
 from workbench.geometry.meshes import Array
 from workbench.language import _
+from workbench.rendering.emissions import emitted
 from workbench.rendering.subjects.projection import clips, is_of_a_vertex, vertex_of
+from workbench.rendering.subjects.registry import calls_of
 from workbench.session.session import Session
 
 DIVIDED = 4
@@ -49,10 +51,11 @@ def vertex_on_its_way(session: Session) -> Vertex | None:
     if not is_of_a_vertex(subject) or clips(subject):
         return None
     vertex = _vertex(sheet, subject)
-    moment = session.run.moment
-    if vertex is None or moment is None:
-        return vertex
-    return vertex._replace(rows=tuple(tuple(map(float, row)) for row in moment.emitted))
+    if vertex is None:
+        return None
+    (call,) = calls_of(sheet, subject)
+    rows = emitted(call)[: session.run.step_number]
+    return vertex._replace(rows=tuple(map(tuple, rows.tolist())))
 
 
 def _vertex(sheet: Sheet, subject: Subject) -> Vertex | None:
@@ -69,11 +72,10 @@ def clipped_so_far(session: Session) -> Clipped | None:
     """How far the faces of an object have been clipped; None where something else is stepped."""
     if not is_of_a_vertex(session.subject) or not clips(session.subject):
         return None
-    run = session.run
-    step, moment = run.step, run.moment
-    if step is None or moment is None:
+    step, calls = session.run.step, calls_of(session.sheet, session.subject)
+    if step is None or not calls:
         return Clipped()
-    rows = np.array(moment.emitted, np.float64).reshape(-1, 5)
+    rows = np.array(emitted(calls[0])[: step.emitted_to], np.float64).reshape(-1, 5)
     rings = tuple(rows[rows[:, 0] == ring, 1:] for ring in np.unique(rows[:, 0]))
     taken, handed_on = (
         np.array(list(step.tables[title][1]) if title in step.tables else (), np.float64).reshape(-1, 4)
