@@ -23,6 +23,8 @@ from workbench.rendering.scene.contrast import Contrast, Row, contrast
 from workbench.widgets.look.empty_state import EmptyState
 
 _PARALLEL, _PERSPECTIVE = 1, 2
+_AIR_PX = 6
+_TELLING_ROW = 2
 
 
 class ContrastDock(QWidget):
@@ -45,12 +47,11 @@ class ContrastDock(QWidget):
         self.table.setSelectionMode(QTableWidget.SelectionMode.SingleSelection)
         self.table.setTabKeyNavigation(False)
         self.table.verticalHeader().hide()
-        self.table.setStyleSheet("QTableWidget::item { padding: 2px 8px; }")
         header = self.table.horizontalHeader()
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        header.sectionResized.connect(self.table.resizeRowsToContents)
+        header.sectionResized.connect(self._fit_rows)
         self.table.currentCellChanged.connect(self._choose)
         self.note = QLabel()
         self.note.setWordWrap(True)
@@ -137,9 +138,15 @@ class ContrastDock(QWidget):
                     item.setFont(font)
                 self.table.setItem(number, column, item)
         if self.table.currentRow() < 0:
-            self.table.setCurrentCell(0, 0)
-        self.table.resizeRowsToContents()
+            self.table.setCurrentCell(_TELLING_ROW, 0)
+        self._fit_rows()
         self._showing = False
+
+    def _fit_rows(self, *_what: object) -> None:
+        """As high as their words, and some air."""
+        self.table.resizeRowsToContents()
+        for row in range(self.table.rowCount()):
+            self.table.setRowHeight(row, self.table.rowHeight(row) + _AIR_PX)
 
     # Choosing
 

@@ -22,6 +22,7 @@ from workbench.panels.space.visibility.back_face_run import (
 from workbench.panels.space.visibility.card import VisibilityCard
 from workbench.panels.space.visibility.cost_view import CostView
 from workbench.panels.space.visibility.depth_run import DepthRun, depth_run
+from workbench.panels.space.visibility.derivation import derivation
 from workbench.panels.space.visibility.fragment_list import FragmentList
 from workbench.panels.space.visibility.picture import (
     down_to_plot,
@@ -171,8 +172,11 @@ class VisibilityPage(QWidget):
         return ()
 
     def derivation(self) -> Derivation | None:
-        """None yet."""
-        return None
+        """The depth buffer at its step; None where something else is stepped, or nothing can be."""
+        run = self._run
+        if run is None or not len(run.fragments) or self._tests_faces:
+            return None
+        return derivation(run, self.cost.measures)
 
     def point_at(self, cell: Cell | None) -> None:
         """Ring a pixel that the sentence names; None when no longer."""
