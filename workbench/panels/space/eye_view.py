@@ -10,6 +10,7 @@ from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.geometry.meshes import Array
 from workbench.language import _
 from workbench.panels.space.looking import points_of
+from workbench.panels.space.object_handles import INKS, Handle, Handles, Mode
 from workbench.panels.space.scene_view import REACH_PX, SceneView
 from workbench.panels.space.stepped import DIVIDED, Vertex, way_text
 from workbench.panels.space.strokes import label, lines
@@ -19,8 +20,6 @@ from workbench.widgets.look.tokens import colour, tokens
 AXES = "xyz"
 _VERTEX_PX = 8.0
 _FARTHEST_VANISHING = 3.2  # times as wide as the scene, and its vanishing points are in the picture too
-INKS = (1, 3, 2)
-"""Which data colour stands for the world's x, y and z."""
 
 
 def horizon(matrix: Array) -> tuple[float, float, float] | None:
@@ -37,13 +36,20 @@ def horizon(matrix: Array) -> tuple[float, float, float] | None:
 
 
 class EyeView(SceneView):
-    """``vanishing_moved`` sends axis, place on the view plane, and whether the other ones are pinned."""
+    """``vanishing_moved`` sends axis, place on the view plane, and whether the other ones are pinned;
+    ``handle_moved`` the handles as they were when the drag began, the one held, by how much, and whether
+    along all axes; ``handle_left`` follows.
+    """
 
     vanishing_moved = Signal(int, float, float, bool)
+    handle_moved = Signal(object, object, float, bool)
+    handle_left = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.vertex: Vertex | None = None
+        self.mode: Mode = ""
+        self._begun: Handles | None = None
         self.setAccessibleName(_("Picture"))
         self.setToolTip("")
 
@@ -110,6 +116,9 @@ class EyeView(SceneView):
                 text = f"VP{AXES[axis]} ({x:.3g}, {y:.3g})".replace("-", "−")
                 label(painter, self.size(), at, text, tokens().data[INKS[axis]])
             painter.setBrush(Qt.BrushStyle.NoBrush)
+        handles = self.handles
+        if handles is not None:
+            handles.paint(painter, self.projected)
         if self.vertex is not None:
             (at,) = self.projected(np.array([self.vertex.place]))
             if np.isfinite(at).all():
@@ -123,6 +132,16 @@ class EyeView(SceneView):
     def _words(vertex: Vertex) -> str:
         """Its name, and with it its place once it has one in the picture."""
         return way_text(vertex if vertex.stage >= DIVIDED else vertex._replace(rows=()))
+
+    @property
+    def handles(self) -> Handles | None:
+        """Those of the chosen object, where it has any now."""
+        return Handles.of(self.scene, self.chosen, self.mode)
+
+    def set_mode(self, mode: Mode) -> None:
+        """Show handles to move, turn or scale the chosen object, or none."""
+        self.mode = mode
+        self.update()
 
     def _marker(self, painter: QPainter, axis: int, at: QPointF) -> None:
         """A triangle for x, a diamond for y, a square for z."""
@@ -160,7 +179,10 @@ class EyeView(SceneView):
     # The hand
 
     def grip_at(self, position: QPointF) -> object | None:
-        """A vanishing point of a perspective, where one is within reach."""
+        """A handle of the chosen object, or a vanishing point of a perspective, where one is within reach."""
+        handles = self.handles
+        if handles is not None and (handle := handles.at(position, self.projected)) is not None:
+            return handle
         if self.scene.camera.projection != "perspective":
             return None
         for axis, point in self.vanishing():
@@ -170,13 +192,27 @@ class EyeView(SceneView):
         return None
 
     def drag_grip(self, grip: object, position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
-        """Tell where the vanishing point is dragged."""
+        """Tell how far a handle is dragged, or where the vanishing point is."""
+        if isinstance(grip, Handle):
+            self._drag_handle(grip, position, bool(modifiers & Qt.KeyboardModifier.ShiftModifier))
+            return
         assert isinstance(grip, int)
         x, y = self.on_plane(position)
         self.vanishing_moved.emit(grip, x, y, bool(modifiers & Qt.KeyboardModifier.ShiftModifier))
 
-    def release_grip(self, _grip: object) -> None:
+    def _drag_handle(self, handle: Handle, position: QPointF, every: bool) -> None:
+        begun = self._begun = self._begun or self.handles
+        if begun is None or self._press is None:
+            return
+        towards = -float((view_matrix(self.scene.camera)[:3, :3] @ np.eye(3)[handle.axis])[2])
+        amount = begun.dragged(handle, self._press, position, self.projected, towards)
+        self.handle_moved.emit(begun, handle, amount, every)
+
+    def release_grip(self, grip: object) -> None:
         """What was dragged stays as it is."""
+        if isinstance(grip, Handle):
+            self._begun = None
+            self.handle_left.emit()
         self.turn_ended.emit()
 
     def vertex_at(self, position: QPointF) -> Vertex | None:

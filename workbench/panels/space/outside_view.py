@@ -17,8 +17,9 @@ from workbench.document.scene.model import Camera, Point3D, Scene
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.geometry.meshes import Array, Index, Mesh
 from workbench.language import _
-from workbench.panels.space.eye_view import INKS, EyeView
+from workbench.panels.space.eye_view import EyeView
 from workbench.panels.space.looking import points_of
+from workbench.panels.space.object_handles import INKS
 from workbench.panels.space.scene_view import REACH_PX, SceneView
 from workbench.panels.space.stepped import DIVIDED, Clipped, Vertex, way_text
 from workbench.panels.space.strokes import label, lines, outline

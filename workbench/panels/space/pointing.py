@@ -1,11 +1,15 @@
 """What a click, a double click and the beginning of a turn mean: the vertex or the point that is there."""
 
+from msgspec.structs import replace
 from PySide6.QtCore import QObject, QPointF, Signal
 
-from workbench.document.scene.model import Point3D
+from workbench.document.errors import DocumentError
+from workbench.document.scene.edits import set_transforms
+from workbench.document.scene.model import Object, Point3D
 from workbench.document.subjects import Subject
 from workbench.panels.space.eye_view import EyeView
 from workbench.panels.space.looking import Looking
+from workbench.panels.space.object_handles import Handle, Handles, title_of_mode, with_drag
 from workbench.panels.space.outside_view import OutsideView
 from workbench.rendering.scene.picking import Pick, pick
 from workbench.rendering.subjects.projection import KIND
@@ -22,11 +26,14 @@ class Pointing(QObject):
         self._looking = looking
         self._eye = eye
         self._about: Point3D | None = None
+        self._held: Object | None = None
         eye.turn_began.connect(self._begin_turn)
         eye.turned.connect(self._turn)
         eye.turn_ended.connect(self._end_turn)
         eye.framed.connect(self._centre)
         eye.clicked.connect(self._choose_in_picture)
+        eye.handle_moved.connect(self._move)
+        eye.handle_left.connect(self._leave)
         outside.clicked.connect(lambda position: self._choose(outside, position))
         outside.framed.connect(lambda _position: outside.fit())
 
@@ -52,6 +59,30 @@ class Pointing(QObject):
             self._eye.middle, self._eye.keeps_fit = (0.0, 0.0), False
             self.said.emit(self._looking.centre(Point3D(*there.place)))
             self._eye.redraw()
+
+    # Handles
+
+    def _move(self, begun: Handles, handle: Handle, amount: float, every: bool) -> None:
+        """Move, turn or scale the object that is held, as it was when the drag began; one step of undo."""
+        session = self._looking.session
+        scene = session.sheet.scene
+        now = next((thing for thing in scene.objects if thing.id == begun.thing), None) if scene else None
+        if now is None:
+            return
+        if self._held is None or self._held.id != now.id:
+            self._held = now
+        chain = with_drag(self._held, handle, amount, begun.centre, every).transforms
+        if not chain[-1].id and len(now.transforms) == len(chain):  # the link of this drag is there already
+            chain = (*chain[:-1], replace(chain[-1], id=now.transforms[-1].id))
+        edit = set_transforms(now.id, chain)
+        try:
+            session.apply(edit, title_of_mode(handle.mode), f"handle {now.id}")
+        except DocumentError as problem:
+            self.said.emit(problem.short)
+
+    def _leave(self) -> None:
+        self._held = None
+        self._looking.session.end_merge()
 
     # Choosing
 

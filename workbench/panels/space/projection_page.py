@@ -22,6 +22,7 @@ from workbench.panels.space.eye_view import EyeView
 from workbench.panels.space.family_dock import FamilyDock
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.matrix_strip import MatrixStrip
+from workbench.panels.space.object_handles import MODES, title_of_mode
 from workbench.panels.space.objects_dock import ObjectsDock
 from workbench.panels.space.outside_view import OutsideView
 from workbench.panels.space.pointing import Pointing
@@ -235,7 +236,9 @@ class ProjectionPage(QWidget):
         self.looking.trackball = self._actions["trackball"].isChecked()
 
     def _place_cube(self) -> None:
-        self.cube.move(self.eye.width() - SIDE_PX - 4, 4)
+        """At the top right, or below where the card leaves no room there; the choice of steps likewise."""
+        beside = self.card.x() + self.card.width() + SIDE_PX + 8 <= self.eye.width()
+        self.cube.move(self.eye.width() - SIDE_PX - 4, 4 if beside else self.eye.height() - SIDE_PX - 4)
 
     def switch(self) -> None:
         """Exchange perspective and parallel projection, from the same place."""
@@ -278,6 +281,16 @@ class ProjectionPage(QWidget):
         following = {"both": "edges", "edges": "faces", "faces": "both"}[self.eye.shows]
         for view in (self.eye, self.outside):
             view.set_shows(following)  # type: ignore[arg-type]
+
+    def next_mode(self) -> None:
+        """Handles to move, to turn, to scale the chosen object, or none; the first object where none is."""
+        following = MODES[(MODES.index(self.eye.mode) + 1) % len(MODES)]
+        things = [thing.id for thing in self.eye.scene.objects if thing.visible]
+        if things and self.session.state.thing not in things:
+            self.session.update_state(thing=things[0])
+        self.eye.set_mode(following)
+        words = _("{what}: drag a handle; with Shift all axes are scaled.")
+        self.say(words.format(what=title_of_mode(following)) if following else "")
 
     def show_beside(self, which: str) -> None:
         """Show the picture, the outside view, or both."""

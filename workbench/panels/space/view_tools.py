@@ -36,6 +36,9 @@ class Viewing(Protocol):
     def next_shows(self) -> None:
         """From faces and edges to edges, to faces, and back."""
 
+    def next_mode(self) -> None:
+        """Handles to move, to turn, to scale, or none."""
+
     def zoom(self, factor: float) -> None:
         """Show the view with the focus larger."""
 
@@ -130,6 +133,13 @@ def tools_of(page: "Viewing") -> list[Tool]:
         Tool("picture", _("The picture alone"), "image", "", partial(page.show_beside, "eye")),
         Tool("outside", _("The outside view alone"), "cube", "", partial(page.show_beside, "outside")),
         Tool("faces", _("Faces, edges or both"), "circle-half", "", page.next_shows),
+        Tool(
+            "handles",
+            _("Handles of the object: move, turn, scale"),
+            "arrows-out-cardinal",
+            "",
+            page.next_mode,
+        ),
         Tool("zoom_in", _("Zoom in"), "magnifying-glass-plus", "Ctrl++", partial(page.zoom, 1.25)),
         Tool("zoom_out", _("Zoom out"), "magnifying-glass-minus", "Ctrl+-", partial(page.zoom, 0.8)),
         Tool("fit", _("Fit the scene"), "frame-corners", "Ctrl+0", page.fit),
