@@ -4,7 +4,6 @@ import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
-    QDockWidget,
     QFrame,
     QHeaderView,
     QLabel,
@@ -19,6 +18,7 @@ from workbench.document.scene.model import Camera, Scene
 from workbench.exchange.tables import Table
 from workbench.geometry.meshes import Array
 from workbench.language import _, reason_of
+from workbench.panels.space.in_sight import InSight
 from workbench.rendering.scene.contrast import Contrast, Row, contrast
 from workbench.widgets.look.empty_state import EmptyState
 
@@ -71,29 +71,20 @@ class ContrastDock(QWidget):
         whole.addWidget(self.empty)
         self.contrast: Contrast | None = None
         self._scene: Scene | None = None
-        self._showing = self._in_sight = False
-        self._dock: QWidget | None = None
+        self._showing = False
+        self.in_sight = InSight(self)
+        self.in_sight.changed.connect(self._come_in_sight)
 
     # Showing
 
     def show_scene(self, scene: Scene) -> None:
         """Measure a scene as it is seen; unseen, when it is looked at."""
         self._scene = scene
-        if self._in_sight:
+        if self.in_sight.now:
             self._measure()
-
-    def showEvent(self, event: object) -> None:
-        """Follow the dock that it is in: one behind others is not in sight."""
-        dock = self.parentWidget()
-        if dock is not self._dock and isinstance(dock, QDockWidget):
-            dock.visibilityChanged.connect(self._come_in_sight)
-            self._dock = dock
-        if not isinstance(dock, QDockWidget):
-            self._come_in_sight(True)
 
     def _come_in_sight(self, seen: bool) -> None:
         """Measure what was not measured meanwhile; out of sight nothing is marked in the scene."""
-        self._in_sight = seen
         if seen:
             self._measure()
         self._tell()
@@ -177,7 +168,7 @@ class ContrastDock(QWidget):
             also = _("A unit along x, y and z is as long as: {lengths}.").format(lengths=lengths)
             but = f"<b>{_('But:')}</b> {row.but}<br>" if row.but else ""
             self.note.setText(f"{but}<span style='font-size: 11px'>{also}</span>")
-        self.marked.emit(segments if self._in_sight else segments[:0])
+        self.marked.emit(segments if self.in_sight.now else segments[:0])
 
     def content(self) -> list[tuple[str, Table]]:
         """Title and content of the table, for export."""

@@ -14,11 +14,15 @@ from workbench.panels.space.outside_view import OutsideView
 from workbench.rendering.scene.picking import Pick, pick
 from workbench.rendering.subjects.projection import KIND
 
+_MOST_FACES = 5_000
+
 
 class Pointing(QObject):
-    """Over both views of a scene. ``stepped``: a vertex was chosen; ``said`` sends a sentence."""
+    """Over both views of a scene. ``stepped``: a vertex was chosen; ``said`` sends a sentence; ``pointed``,
+    while ``follows``, the vertex (or -1) and the face (or -1) of the chosen object under the pointer."""
 
     stepped = Signal()
+    pointed = Signal(int, int)
     said = Signal(str)
 
     def __init__(self, looking: Looking, eye: EyeView, outside: OutsideView, parent: QObject) -> None:
@@ -32,10 +36,23 @@ class Pointing(QObject):
         eye.turn_ended.connect(self._end_turn)
         eye.framed.connect(self._centre)
         eye.clicked.connect(self._choose_in_picture)
+        eye.hovered.connect(self._point)
+        self.follows = False
         eye.handle_moved.connect(self._move)
         eye.handle_left.connect(self._leave)
         outside.clicked.connect(lambda position: self._choose(outside, position))
         outside.framed.connect(lambda _position: outside.fit())
+
+    def _point(self, position: QPointF) -> None:
+        """Tell which part of the chosen object is there; of a large scene it would take too long."""
+        if not self.follows or sum(len(thing.mesh.faces) for thing in self._eye.scene.objects) > _MOST_FACES:
+            return
+        chosen = self._looking.session.state.thing
+        vertex, there = self._eye.vertex_at(position), at(self._eye, position)
+        self.pointed.emit(
+            vertex.number if vertex is not None and vertex.thing == chosen else -1,
+            there.face if there is not None and there.thing == chosen else -1,
+        )
 
     # Turning
 

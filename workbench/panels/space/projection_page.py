@@ -156,6 +156,9 @@ class ProjectionPage(QWidget):
         self.derived.said.connect(self.hover_text)
         for view in (eye, self.outside):
             self.contrast.marked.connect(view.mark)
+            self.tables_view.marked.connect(view.mark)
+        self.tables_view.in_sight.changed.connect(lambda seen: setattr(self.pointing, "follows", seen))
+        self.pointing.pointed.connect(self.tables_view.show_part)
 
     # What the panel is told
 

@@ -31,7 +31,7 @@ class SceneView(ScenePicture):
 
     ``turn_began`` sends where a drag begins that turns it, ``turned`` by how much (theta, phi), radians,
     ``turn_ended`` follows a drag; ``faced`` the side to look at, ``switched`` that perspective and parallel
-    are to be exchanged; ``clicked`` and ``framed`` (a double click) where.
+    are to be exchanged; ``clicked``, ``hovered`` and ``framed`` (a double click) where.
     """
 
     turn_began = Signal(QPointF)
@@ -40,6 +40,7 @@ class SceneView(ScenePicture):
     faced = Signal(str)
     switched = Signal()
     clicked = Signal(QPointF)
+    hovered = Signal(QPointF)
     framed = Signal(QPointF)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -75,6 +76,7 @@ class SceneView(ScenePicture):
         """Turn, shift, or move the mark that is held."""
         position = event.position()
         if self._press is None:
+            self.hovered.emit(position)
             held = self.grip_at(position)
             self.setCursor(Qt.CursorShape.ArrowCursor if held is None else Qt.CursorShape.OpenHandCursor)
             return
