@@ -5,14 +5,21 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QMimeData, QPointF
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from tests.panels.space.by_hand import SHIFT, drag, scene_of, settle, shown
+from workbench.document.edits import add_figure
+from workbench.document.model import Polygon
+from workbench.document.samples.figures import points_at
 from workbench.document.scene.links import Rotate3D, Scale3D, Translate3D
+from workbench.document.scene.solids import Surface
+from workbench.exchange.objects import MIME
 from workbench.geometry.meshes import Array
 from workbench.panels.space.object_handles import Handle, Handles, Mode
 from workbench.panels.space.projection_page import ProjectionPage
+from workbench.panels.space.solids_offered import offers
 from workbench.rendering.scene.render import placed
 
 SHED = "o3"
@@ -115,3 +122,80 @@ def test_an_axis_seen_end_on_moves_nothing() -> None:
     assert handles.dragged(Handle("move", 2), QPointF(0, 0), end, flat, 1.0) == 0
     scaling = handles._replace(mode="scale")
     assert scaling.dragged(Handle("scale", 2), QPointF(0, 0), end, flat, 1.0) == 1
+
+
+def test_a_point_of_a_net_is_dragged_in_the_picture(qtbot: QtBot, page: ProjectionPage) -> None:
+    for offer in (each for each in offers() if each.points):
+        page.objects.add_solid(offer)
+        settle(qtbot, page)
+        net = page.eye.net
+        assert net is not None
+        number = len(net.places) - 1
+        place = page.eye.projected(net.places)[number]
+        before = scene_of(page).objects[-1].points
+        drag(qtbot, page.eye, tuple(place.tolist()), (12, -8))
+        settle(qtbot, page)
+        thing = scene_of(page).objects[-1]
+        changed = [k for k, point in enumerate(thing.points) if point != before[k]]
+        after = page.eye.net
+        assert after is not None
+        assert len(changed) == 1
+        if isinstance(thing.solid, Surface):  # an outline stays in its plane
+            there = page.eye.projected(after.places)[changed[0]]
+            assert there == pytest.approx(page.eye.projected(net.places)[changed[0]] + (12, -8), abs=1.0)
+        page.session.undo_stack.undo()
+        settle(qtbot, page)
+        assert scene_of(page).objects[-1].points == before
+        page.objects.delete()
+        settle(qtbot, page)
+
+
+def test_an_object_is_copied_and_pasted_aside_in_one_step(qtbot: QtBot, page: ProjectionPage) -> None:
+    page.session.update_state(thing="o1")
+    settle(qtbot, page)
+    before = scene_of(page)
+    assert page.copy()
+    for count in (4, 5):
+        assert page.paste()
+        settle(qtbot, page)
+        assert len(scene_of(page).objects) == count
+    first, second = (placed(scene_of(page))[k][0].vertices for k in (3, 4))
+    assert first[:, 0].min() != second[:, 0].min()  # neither covers the other
+    colours = {each.id: each.colour for each in scene_of(page).materials}
+    assert colours[scene_of(page).objects[-1].material] == colours[before.objects[0].material]
+    assert page.session.state.thing == scene_of(page).objects[-1].id
+    for _step in (1, 2):
+        page.session.undo_stack.undo()
+    settle(qtbot, page)
+    assert scene_of(page) == before
+    QApplication.clipboard().clear()
+    assert not page.paste()
+
+
+def test_a_clipboard_that_is_no_object_says_so(page: ProjectionPage) -> None:
+    data = QMimeData()
+    data.setData(MIME, b'{"thing": {}}')
+    QApplication.clipboard().setMimeData(data)
+    said: list[str] = []
+    page.hover_text.connect(said.append)
+    assert page.paste()
+    assert said == ["The object on the clipboard cannot be read; copy it again."]
+    QApplication.clipboard().clear()
+
+
+def test_a_figure_of_the_sheet_is_extruded_and_turned(qtbot: QtBot, page: ProjectionPage) -> None:
+    sheet = page.session.sheet
+    corners = ((10.0, 10.0), (50.0, 10.0), (50.0, 30.0), (10.0, 90.0))
+    polygon = Polygon("", points_at(*corners), "scan_line_exact")
+    page.session.apply(add_figure(sheet.id, polygon), "Draw")
+    figure = page.session.sheet.figures[-1]
+    page.objects.sweep("extrude", figure)
+    settle(qtbot, page)
+    mesh = scene_of(page).objects[-1].mesh
+    assert len(mesh.vertices) == 8
+    assert np.ptp(mesh.vertices[:, :2], axis=0) == pytest.approx([1.0, 2.0], abs=0.1)
+    page.objects.sweep("turn", figure)
+    settle(qtbot, page)
+    mesh = scene_of(page).objects[-1].mesh
+    assert mesh.vertices[:, 0].max() == pytest.approx(1.25, abs=0.1)
+    assert mesh.vertices[:, 2].max() == pytest.approx(1.25, abs=0.1)

@@ -9,6 +9,7 @@ from workbench.algorithms.projection import vanishing_points
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.geometry.meshes import Array
 from workbench.language import _
+from workbench.panels.space.control_net import ControlNet, NetPoint, moved_in_picture
 from workbench.panels.space.looking import points_of
 from workbench.panels.space.object_handles import INKS, Handle, Handles, Mode
 from workbench.panels.space.scene_view import REACH_PX, SceneView
@@ -38,12 +39,13 @@ def horizon(matrix: Array) -> tuple[float, float, float] | None:
 class EyeView(SceneView):
     """``vanishing_moved`` sends axis, place on the view plane, and whether the other ones are pinned;
     ``handle_moved`` the handles as they were when the drag began, the one held, by how much, and whether
-    along all axes; ``handle_left`` follows.
+    along all axes; ``point_moved`` a NetPoint and where to (3,), world; ``handle_left`` follows either.
     """
 
     vanishing_moved = Signal(int, float, float, bool)
     handle_moved = Signal(object, object, float, bool)
     handle_left = Signal()
+    point_moved = Signal(object, object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -116,6 +118,9 @@ class EyeView(SceneView):
                 text = f"VP{AXES[axis]} ({x:.3g}, {y:.3g})".replace("-", "−")
                 label(painter, self.size(), at, text, tokens().data[INKS[axis]])
             painter.setBrush(Qt.BrushStyle.NoBrush)
+        net = self.net
+        if net is not None:
+            net.paint(painter, self.projected)
         handles = self.handles
         if handles is not None:
             handles.paint(painter, self.projected)
@@ -137,6 +142,11 @@ class EyeView(SceneView):
     def handles(self) -> Handles | None:
         """Those of the chosen object, where it has any now."""
         return Handles.of(self.scene, self.chosen, self.mode)
+
+    @property
+    def net(self) -> ControlNet | None:
+        """The points of the chosen object, where no other handles are shown."""
+        return None if self.mode else ControlNet.of(self.scene, self.chosen)
 
     def set_mode(self, mode: Mode) -> None:
         """Show handles to move, turn or scale the chosen object, or none."""
@@ -183,6 +193,9 @@ class EyeView(SceneView):
         handles = self.handles
         if handles is not None and (handle := handles.at(position, self.projected)) is not None:
             return handle
+        net = self.net
+        if net is not None and (held := net.at(position, self.projected)) is not None:
+            return held
         if self.scene.camera.projection != "perspective":
             return None
         for axis, point in self.vanishing():
@@ -195,6 +208,10 @@ class EyeView(SceneView):
         """Tell how far a handle is dragged, or where the vanishing point is."""
         if isinstance(grip, Handle):
             self._drag_handle(grip, position, bool(modifiers & Qt.KeyboardModifier.ShiftModifier))
+            return
+        if isinstance(grip, NetPoint):
+            x, y = self.on_plane(position)
+            self.point_moved.emit(grip, moved_in_picture(self.matrix, np.array(grip.place), x, y))
             return
         assert isinstance(grip, int)
         x, y = self.on_plane(position)
@@ -210,7 +227,7 @@ class EyeView(SceneView):
 
     def release_grip(self, grip: object) -> None:
         """What was dragged stays as it is."""
-        if isinstance(grip, Handle):
+        if isinstance(grip, Handle | NetPoint):
             self._begun = None
             self.handle_left.emit()
         self.turn_ended.emit()

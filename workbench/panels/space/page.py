@@ -43,6 +43,12 @@ class Page(Protocol):
     def tables(self) -> Sequence[tuple[str, Table]]:
         """Title and content of each table of its own that can be exported now."""
 
+    def copy(self) -> bool:
+        """Put what is chosen, or the picture, on the clipboard; whether it has anything to copy."""
+
+    def paste(self) -> bool:
+        """Take what is on the clipboard; whether anything can be pasted into it."""
+
     def derivation(self) -> Derivation | None:
         """The page that derives what is shown, if there is any."""
 

@@ -111,6 +111,14 @@ class SpacePanel(PlainPanel, QWidget):
         """Those of the page."""
         return self._pages[self.page].tables()
 
+    def copy(self) -> bool:
+        """What the page copies."""
+        return self._pages[self.page].copy()
+
+    def paste(self) -> bool:
+        """Into the page."""
+        return self._pages[self.page].paste()
+
     def derivation(self) -> Derivation | None:
         """That of the page."""
         return self._pages[self.page].derivation()

@@ -1,12 +1,17 @@
 """What a click, a double click and the beginning of a turn mean: the vertex or the point that is there."""
 
+import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, QPointF, Signal
 
+from workbench.document.edits import set_attributes
 from workbench.document.errors import DocumentError
 from workbench.document.scene.edits import set_transforms
 from workbench.document.scene.model import Object, Point3D
 from workbench.document.subjects import Subject
+from workbench.geometry.meshes import Array
+from workbench.language import _
+from workbench.panels.space.control_net import NetPoint, coordinates
 from workbench.panels.space.eye_view import EyeView
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.object_handles import Handle, Handles, title_of_mode, with_drag
@@ -15,6 +20,7 @@ from workbench.rendering.scene.picking import Pick, pick
 from workbench.rendering.subjects.projection import KIND
 
 _MOST_FACES = 5_000
+_FLAT = _("The transforms of the object flatten it; change one of them first.")
 
 
 class Pointing(QObject):
@@ -39,6 +45,7 @@ class Pointing(QObject):
         eye.hovered.connect(self._point)
         self.follows = False
         eye.handle_moved.connect(self._move)
+        eye.point_moved.connect(self._move_point)
         eye.handle_left.connect(self._leave)
         outside.clicked.connect(lambda position: self._choose(outside, position))
         outside.framed.connect(lambda _position: outside.fit())
@@ -96,6 +103,21 @@ class Pointing(QObject):
             session.apply(edit, title_of_mode(handle.mode), f"handle {now.id}")
         except DocumentError as problem:
             self.said.emit(problem.short)
+
+    def _move_point(self, point: NetPoint, place: Array) -> None:
+        """Move a point of the chosen object, in its own coordinates."""
+        session = self._looking.session
+        scene = session.sheet.scene
+        thing = next((each for each in scene.objects if each.id == point.thing), None) if scene else None
+        if thing is None:
+            return
+        at_point = f"{session.sheet.id}/{thing.id}/{point.point}"
+        try:
+            values = coordinates(thing, place)
+            edit = set_attributes({f"{at_point}/{name}": value for name, value in values.items()})
+            session.apply(edit, _("Move a point"), f"point {point.point}")
+        except (DocumentError, np.linalg.LinAlgError) as problem:
+            self.said.emit(problem.short if isinstance(problem, DocumentError) else _FLAT)
 
     def _leave(self) -> None:
         self._held = None

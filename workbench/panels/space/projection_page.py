@@ -5,8 +5,8 @@ from functools import partial
 
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QAction, QKeyEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from workbench.document.scene.model import Camera, Scene
 from workbench.document.subjects import Subject
@@ -22,11 +22,13 @@ from workbench.panels.space.eye_view import EyeView
 from workbench.panels.space.family_dock import FamilyDock
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.matrix_strip import MatrixStrip
+from workbench.panels.space.object_clipboard import copy_object, object_held, paste_object
 from workbench.panels.space.object_handles import MODES, title_of_mode
 from workbench.panels.space.objects_dock import ObjectsDock
 from workbench.panels.space.outside_view import OutsideView
 from workbench.panels.space.pointing import Pointing
 from workbench.panels.space.polygon_tables import PolygonTablesView
+from workbench.panels.space.side_by_side import SideBySide
 from workbench.panels.space.solids_offered import offers
 from workbench.panels.space.stepped import clipped_so_far, vertex_on_its_way
 from workbench.panels.space.stepping_choice import SteppingChoice
@@ -38,7 +40,6 @@ from workbench.session.session import Session
 from workbench.widgets.stepping.step_bar import stepping_keys
 
 _CARD_GAP_PX = 8
-_LEAST_BESIDE_PX = 560
 
 
 class ProjectionPage(QWidget):
@@ -76,7 +77,6 @@ class ProjectionPage(QWidget):
             _("Put a house into the scene"),
         )
         self.empty.hide()
-        self.beside = "both"
         self._lay_out()
         self._waiting = False
         self._kept: Scene | None = None
@@ -84,13 +84,7 @@ class ProjectionPage(QWidget):
         self.refresh()
 
     def _lay_out(self) -> None:
-        self.views = QSplitter(Qt.Orientation.Horizontal)
-        self.views.setChildrenCollapsible(False)
-        self.views.addWidget(self.eye)
-        self.views.addWidget(self.outside)
-        self.views.setSizes([1000, 1000])
-        for at in (0, 1):
-            self.views.setStretchFactor(at, 1)
+        self.views = SideBySide(self.eye, self.outside)
         self.tools = ViewTools(tools_of(self), self)
         self._actions = self.tools.actions_by_name
         for view in (self.eye, self.outside):
@@ -189,6 +183,22 @@ class ProjectionPage(QWidget):
     def tables(self) -> Sequence[tuple[str, Table]]:
         """The polygon tables of the chosen object, and the comparison of projections."""
         return [*self.tables_view.content(), *self.contrast.content()]
+
+    def copy(self) -> bool:
+        """Put the chosen object on the clipboard, or with none chosen the picture."""
+        if copy_object(self.session):
+            self.say(_("The object is on the clipboard."))
+        else:
+            QGuiApplication.clipboard().setPixmap(self.eye.grab())
+            self.say(_("The picture is on the clipboard."))
+        return True
+
+    def paste(self) -> bool:
+        """Put the clipboard's object into the scene; False where it has none."""
+        held = object_held()
+        if held:
+            self.say(paste_object(self.session))
+        return held
 
     def derivation(self) -> Derivation | None:
         """Its picture, the similar triangles, its matrices, and what it keeps; None where nothing is seen."""
@@ -297,18 +307,10 @@ class ProjectionPage(QWidget):
 
     def show_beside(self, which: str) -> None:
         """Show the picture, the outside view, or both."""
-        self.beside = which
-        self._arrange()
+        self.views.show_views(which, not self.eye.scene.objects)
 
     def _arrange(self) -> None:
-        """Side by side; one above the other where the room is taller than wide; one where it is narrow."""
-        area = self.views
-        upright = area.height() > area.width()
-        area.setOrientation(Qt.Orientation.Vertical if upright else Qt.Orientation.Horizontal)
-        alone = self.beside == "both" and area.width() < _LEAST_BESIDE_PX and not upright
-        empty = not self.eye.scene.objects
-        self.eye.setVisible(empty or self.beside != "outside")
-        self.outside.setVisible(not empty and self.beside != "eye" and not alone)
+        self.show_beside(self.views.which)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Arrange the views anew."""

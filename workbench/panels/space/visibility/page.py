@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction, QHideEvent, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtGui import QAction, QGuiApplication, QHideEvent, QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from workbench.document.errors import DocumentError
@@ -170,6 +170,16 @@ class VisibilityPage(QWidget):
     def tables(self) -> Sequence[tuple[str, Table]]:
         """None but those of the run."""
         return ()
+
+    def copy(self) -> bool:
+        """Put the picture on the clipboard."""
+        QGuiApplication.clipboard().setPixmap(self.canvas.grab())
+        self.hover_text.emit(_("The picture is on the clipboard."))
+        return True
+
+    def paste(self) -> bool:
+        """Nothing can be pasted here."""
+        return False
 
     def derivation(self) -> Derivation | None:
         """The depth buffer at its step; None where something else is stepped, or nothing can be."""
