@@ -121,7 +121,8 @@ class ProjectionPage(QWidget):
         for told in (session.changed, session.state_changed):
             told.connect(self._follow)
             told.connect(self.refresh_soon)
-        eye.resized.connect(self._place_cube)
+        for told in (eye.resized, self.card.refitted):
+            told.connect(self._place_cube)
         self.cube.chosen.connect(self.glance)
         self.pointing.said.connect(self.hover_text)
         self.pointing.stepped.connect(self._follow)
