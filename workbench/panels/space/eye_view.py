@@ -14,7 +14,7 @@ from workbench.panels.space.looking import points_of
 from workbench.panels.space.object_handles import INKS, Handle, Handles, Mode
 from workbench.panels.space.scene_view import REACH_PX, SceneView
 from workbench.panels.space.stepped import DIVIDED, Vertex, way_text
-from workbench.panels.space.strokes import label, lines
+from workbench.panels.space.strokes import label, lines, short
 from workbench.rendering.scene.render import placed
 from workbench.widgets.look.tokens import colour, tokens
 
@@ -115,7 +115,7 @@ class EyeView(SceneView):
             self._marker(painter, axis, QPointF(*np.clip(at, -1e5, 1e5).tolist()))
             if self.rect().contains(QPointF(*np.clip(at, -1e5, 1e5)).toPoint()):
                 x, y = point
-                text = f"VP{AXES[axis]} ({x:.3g}, {y:.3g})".replace("-", "−")
+                text = f"VP{AXES[axis]} ({short(x)}, {short(y)})"
                 label(painter, self.size(), at, text, tokens().data[INKS[axis]])
             painter.setBrush(Qt.BrushStyle.NoBrush)
         net = self.net

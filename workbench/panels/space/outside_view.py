@@ -22,7 +22,7 @@ from workbench.panels.space.looking import points_of
 from workbench.panels.space.object_handles import INKS
 from workbench.panels.space.scene_view import REACH_PX, SceneView
 from workbench.panels.space.stepped import DIVIDED, Clipped, Vertex, way_text
-from workbench.panels.space.strokes import label, lines, outline
+from workbench.panels.space.strokes import label, lines, outline, short
 from workbench.rendering.scene.render import placed
 from workbench.rendering.scene.wireframe import edges_of
 from workbench.widgets.look.tokens import colour, tokens
@@ -189,8 +189,8 @@ class OutsideView(SceneView):
             painter.setBrush(colour(now.text))
             painter.drawEllipse(QPointF(*eye.tolist()), 2.2, 2.2)
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            x, y, z = camera.eye.xyz
-            text = _("eye ({x:.3g}, {y:.3g}, {z:.3g})").format(x=x, y=y, z=z).replace("-", "−")
+            x, y, z = map(short, camera.eye.xyz)
+            text = _("eye ({x}, {y}, {z})").format(x=x, y=y, z=z)
             card = label(painter, self.size(), eye + np.array([0.0, 34.0]), text, now.text)
             round_eye = QRectF(eye[0] - REACH_PX, eye[1] - REACH_PX, 2 * REACH_PX, 2 * REACH_PX)
             self.grips += [("eye", round_eye), ("eye", card)]

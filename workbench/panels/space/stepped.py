@@ -9,6 +9,7 @@ from workbench.document.model import Sheet
 from workbench.document.subjects import Subject
 from workbench.geometry.meshes import Array
 from workbench.language import _
+from workbench.panels.space.strokes import short
 from workbench.rendering.emissions import emitted
 from workbench.rendering.subjects.projection import clips, is_of_a_vertex, vertex_of
 from workbench.rendering.subjects.registry import calls_of
@@ -89,6 +90,6 @@ def way_text(vertex: Vertex) -> str:
     name, stage = f"R{vertex.number}", vertex.stage
     if not stage:
         return name
-    x, y, z, w = (f"{value + 0.0:.4g}".replace("-", "−") for value in vertex.rows[-1])
+    x, y, z, w = (short(value, 4) for value in vertex.rows[-1])
     written = {1: f"({x}, {y}, {z})", 2: f"({x}, {y}, {z})", 3: f"w = {w}", 4: f"({x}, {y})"}
     return f"{name} {written.get(stage, _('pixel ({x}, {y})').format(x=x, y=y))}"

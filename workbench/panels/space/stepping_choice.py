@@ -31,6 +31,7 @@ class SteppingChoice(QComboBox):
             for slug in slugs:
                 self.addItem(_(catalogue.get(slug).title), slug)
         self.setCurrentIndex(max(self.findData(subject.entry), 0))
+        self.ensurePolished()
         self.adjustSize()
 
     def _choose(self, index: int) -> None:

@@ -8,6 +8,12 @@ from workbench.geometry.meshes import Array
 from workbench.widgets.look.tokens import colour, tokens
 
 _FAR_PX = 1e5
+_CRUMB = 1e-9
+
+
+def short(value: float, digits: int = 3) -> str:
+    """A number of the picture to so many digits; what is left of a rounding is 0."""
+    return f"{0.0 if abs(value) < _CRUMB else value:.{digits}g}".replace("-", "−")
 
 
 def lines(painter: QPainter, starts: Array, ends: Array, pen: QPen) -> None:

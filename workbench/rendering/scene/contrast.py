@@ -22,7 +22,7 @@ from workbench.rendering.scene.volume import LEAST_W
 from workbench.rendering.scene.wireframe import edges_of
 
 _MOST_EDGES = 4_000
-_SAME = 1e-6
+_SAME, _CRUMB = 1e-6, 1e-9
 _AXES = "xyz"
 _KINDS = ("front", "isometric", "dimetric", "cavalier", "cabinet")
 
@@ -300,7 +300,7 @@ def _kinds(camera: Camera) -> tuple[tuple[str, tuple[float, float, float]], ...]
 
 
 def _n(value: float) -> str:
-    return f"{value + 0.0:.3g}".replace("-", "−")
+    return f"{0.0 if abs(value) < _CRUMB else value:.3g}".replace("-", "−")
 
 
 def _degrees(value: float) -> str:
