@@ -10,7 +10,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from tests.panels.space.by_hand import LEFT, camera_of, drag, settle, shown
+from tests.panels.space.by_hand import CONTROL, LEFT, camera_of, drag, settle, shown
 from workbench.document.scene.looking import kind_of
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.panels.space.projection_page import ProjectionPage
@@ -243,3 +243,27 @@ def test_every_projection_is_a_page(qtbot: QtBot, page: ProjectionPage, slug: st
     text = write_diagram(made)
     assert ("Similar" in text) == (slug == "two-point")
     assert "measured" in text
+
+
+def test_the_keyboard_has_a_cursor_that_tells_and_chooses(qtbot: QtBot, page: ProjectionPage) -> None:
+    said: list[str] = []
+    page.hover_text.connect(said.append)
+    page.eye.setFocus()
+    qtbot.keyClick(page.eye, Qt.Key.Key_Return)  # without a cursor there is nothing to choose
+    assert page.session.state.thing == ""
+    vertex = page.eye.projected(np.array([[1.5, 0.0, 2.5]]))[0]
+    middle = page.eye.rect().center()
+    for key, distance in (
+        (Qt.Key.Key_Right, vertex[0] - middle.x()),
+        (Qt.Key.Key_Up, middle.y() - vertex[1]),
+    ):
+        opposite = {Qt.Key.Key_Right: Qt.Key.Key_Left, Qt.Key.Key_Up: Qt.Key.Key_Down}[key]
+        for _press in range(round(abs(distance) / 6)):
+            qtbot.keyClick(page.eye, key if distance > 0 else opposite, CONTROL)
+    assert "House, vertex" in said[-1]
+    qtbot.keyClick(page.eye, Qt.Key.Key_Return)
+    settle(qtbot, page)
+    assert page.session.state.thing == "o1"
+    assert page.eye.vertex is not None
+    assert page.eye.vertex.place == pytest.approx((1.5, 0.0, 2.5))
+    page.eye.grab()

@@ -16,6 +16,8 @@ from workbench.panels.space.eye_view import EyeView
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.object_handles import Handle, Handles, title_of_mode, with_drag
 from workbench.panels.space.outside_view import OutsideView
+from workbench.panels.space.solids_offered import title_of
+from workbench.panels.space.stepped import Vertex
 from workbench.rendering.scene.picking import Pick, pick
 from workbench.rendering.subjects.projection import KIND
 
@@ -52,14 +54,28 @@ class Pointing(QObject):
 
     def _point(self, position: QPointF) -> None:
         """Tell which part of the chosen object is there; of a large scene it would take too long."""
-        if not self.follows or sum(len(thing.mesh.faces) for thing in self._eye.scene.objects) > _MOST_FACES:
+        by_keys = self._eye.cursor_at is not None
+        if not (self.follows or by_keys):
+            return
+        if sum(len(thing.mesh.faces) for thing in self._eye.scene.objects) > _MOST_FACES:
             return
         chosen = self._looking.session.state.thing
         vertex, there = self._eye.vertex_at(position), at(self._eye, position)
+        if by_keys:
+            self.said.emit(self._named(vertex, there))
         self.pointed.emit(
             vertex.number if vertex is not None and vertex.thing == chosen else -1,
             there.face if there is not None and there.thing == chosen else -1,
         )
+
+    def _named(self, vertex: Vertex | None, there: Pick | None) -> str:
+        """What is at the cursor, in words."""
+        names = {thing.id: title_of(thing) for thing in self._eye.scene.objects}
+        if vertex is not None:
+            return _("{name}, vertex {n}: Enter steps it").format(name=names[vertex.thing], n=vertex.number)
+        if there is not None:
+            return _("{name}, face {n}: Enter chooses it").format(name=names[there.thing], n=there.face)
+        return _("nothing")
 
     # Turning
 

@@ -1,11 +1,12 @@
 """A view of a scene under the hand: dragged to turn or shift it, zoomed at the pointer, led by keys."""
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtCore import QLineF, QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from workbench.panels.space.scene_picture import ScenePicture
+from workbench.widgets.look.tokens import colour, tokens
 
 SLACK_PX = 3.0
 REACH_PX = 12.0
@@ -13,6 +14,7 @@ TURN_PER_PX = 0.01
 TURN_PER_KEY = np.radians(5.0)
 _SHIFT_PER_KEY_PX = 24.0
 _ZOOM_PER_NOTCH = 1.2
+_CURSOR_STEP_PX, _CURSOR_PX = 6.0, 9.0
 _SIDES = {
     Qt.Key.Key_1: ("front", "back"),
     Qt.Key.Key_3: ("right", "left"),
@@ -27,7 +29,8 @@ _ARROWS = {
 
 
 class SceneView(ScenePicture):
-    """``dragging`` tells whether it is being turned or a mark of it moved.
+    """``dragging`` tells whether it is being turned or a mark of it moved, ``cursor_at`` where the cursor of
+    the keyboard is.
 
     ``turn_began`` sends where a drag begins that turns it, ``turned`` by how much (theta, phi), radians,
     ``turn_ended`` follows a drag; ``faced`` the side to look at, ``switched`` that perspective and parallel
@@ -51,6 +54,7 @@ class SceneView(ScenePicture):
         self._last = QPointF()
         self._moving = False
         self._grip: object | None = None
+        self.cursor_at: QPointF | None = None
 
     # The hand
 
@@ -119,7 +123,10 @@ class SceneView(ScenePicture):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """1 3 7 look from a side (Ctrl: the opposite one), 5 exchanges the projections, Shift+arrows turn."""
+        """1 3 7 look from a side (Ctrl: the opposite one), 5 exchanges the projections, Shift+arrows turn.
+
+        Ctrl+arrows move the cursor, Enter clicks there.
+        """
         key, held = event.key(), event.modifiers()
         shift, control = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
         if key in _SIDES:
@@ -133,7 +140,32 @@ class SceneView(ScenePicture):
             x, y = _ARROWS[Qt.Key(key)]
             self.turned.emit(x * TURN_PER_KEY, y * TURN_PER_KEY)
             self.turn_ended.emit()
+        elif key in _ARROWS and held & control:
+            self._move_cursor(*_ARROWS[Qt.Key(key)])
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.cursor_at is not None:
+            self.clicked.emit(self.cursor_at)
         elif key in (Qt.Key.Key_Plus, Qt.Key.Key_Minus):
             self.zoom(_ZOOM_PER_NOTCH if key == Qt.Key.Key_Plus else 1 / _ZOOM_PER_NOTCH)
         else:
             super().keyPressEvent(event)
+
+    def _move_cursor(self, right: int, up: int) -> None:
+        """From the middle on, within the widget; what is there is told as of the pointer."""
+        at = self.cursor_at or QPointF(self.rect().center())
+        x = min(max(at.x() + right * _CURSOR_STEP_PX, 0.0), self.width() - 1.0)
+        y = min(max(at.y() - up * _CURSOR_STEP_PX, 0.0), self.height() - 1.0)
+        self.cursor_at = QPointF(x, y)
+        self.hovered.emit(self.cursor_at)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """The cursor of the keyboard over the picture."""
+        super().paintEvent(event)
+        if self.cursor_at is None or not self.hasFocus():
+            return
+        painter, (x, y) = QPainter(self), self.cursor_at.toTuple()
+        for ink, width in ((tokens().canvas, 4.0), (tokens().text, 1.6)):
+            painter.setPen(QPen(colour(ink), width))
+            painter.drawLine(QLineF(x - _CURSOR_PX, y, x + _CURSOR_PX, y))
+            painter.drawLine(QLineF(x, y - _CURSOR_PX, x, y + _CURSOR_PX))
+        painter.end()
