@@ -1,6 +1,8 @@
 """The perspective derived: similar triangles that follow the mouse, the lines of an answer, the limit."""
 
 import re
+from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent
@@ -13,6 +15,7 @@ from workbench.exchange.diagrams import MARGIN_PT, Derivation, Drawing, lay_out_
 from workbench.exchange.formulas.terms import displayed
 from workbench.language import _, reason_of
 from workbench.panels.space.derivation import InView, in_view, limit_lines, similar_lines, similar_triangles
+from workbench.panels.space.in_sight import InSight
 from workbench.panels.space.stepped import Vertex
 from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.formulas.typesetting import paint_primitives, typesetter_of
@@ -116,6 +119,9 @@ class DerivationDock(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._camera = Camera()
         self._radius = 1.0
+        self._told: Callable[[], None] | None = None
+        self.in_sight = InSight(self)
+        self.in_sight.changed.connect(self._come_in_sight)
         self.triangles = SimilarTriangles()
         self.triangles.pointed.connect(lambda _point: self._tell())
         self.words, self.limit = _words(), _words()
@@ -141,9 +147,19 @@ class DerivationDock(QScrollArea):
         column.addStretch(1)
         self.setWidget(inner)
 
-    def show_camera(self, camera: Camera, vertex: Vertex | None, radius: float) -> None:
-        """Derive the picture of a vertex; the scene reaches so far from what the camera looks at."""
-        self._camera, self._radius = camera, radius
+    def show_camera(self, camera: Camera, vertex: Vertex | None, radius: Callable[[], float]) -> None:
+        """Derive the picture of a vertex; the scene reaches as far as ``radius`` tells from what the camera
+        looks at. Out of sight this waits."""
+        self._told = partial(self._show, camera, vertex, radius)
+        if self.in_sight.now:
+            self._told()
+
+    def _come_in_sight(self, seen: bool) -> None:
+        if seen and self._told is not None:
+            self._told()
+
+    def _show(self, camera: Camera, vertex: Vertex | None, radius: Callable[[], float]) -> None:
+        self._camera, self._radius = camera, radius()
         try:
             point = in_view(camera, vertex)
         except ValueError as error:

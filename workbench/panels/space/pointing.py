@@ -21,7 +21,7 @@ from workbench.panels.space.stepped import Vertex
 from workbench.rendering.scene.picking import Pick, pick
 from workbench.rendering.subjects.projection import KIND
 
-_MOST_FACES = 5_000
+_MOST_FACES, _MOST_TURNED = 5_000, 200_000
 _FLAT = _("The transforms of the object flatten it; change one of them first.")
 
 
@@ -80,8 +80,9 @@ class Pointing(QObject):
     # Turning
 
     def _begin_turn(self, position: QPointF) -> None:
-        """A turn is about the point of the scene under the pointer, where there is one."""
-        there = at(self._eye, position)
+        """A turn is about the point of the scene under the pointer; in a huge one about what is looked at."""
+        faces = sum(len(thing.mesh.faces) for thing in self._eye.scene.objects if thing.visible)
+        there = at(self._eye, position) if faces <= _MOST_TURNED else None
         self._about = None if there is None else Point3D(*there.place)
 
     def _turn(self, theta: float, phi: float) -> None:

@@ -354,7 +354,7 @@ class ProjectionPage(QWidget):
         self.cube.show_camera(scene.camera)
         self.contrast.show_scene(scene)
         self.stepping.refresh()
-        self.derived.show_camera(scene.camera, self.eye.vertex, self.looking.radius)
+        self.derived.show_camera(scene.camera, self.eye.vertex, lambda: self.looking.radius)
         self.objects.show_scene(scene, chosen)
         self.tables_view.show_object(next((each for each in scene.objects if each.id == chosen), None))
         self.empty.setVisible(not scene.objects)

@@ -17,7 +17,10 @@ SIDE_PX = 74
 _HALF_PX = 21.0
 _CORNER_PX = 8.0
 _WORD_PX = 64.0
+_SEEN = 0.05
 _ISOMETRIC = "isometric"
+_TURNS = {name: standard_view(name)[:3, :3] for name in STANDARD_VIEWS}
+"""Of each side the picture's right, up and forward, in the world."""
 _SQUARE = np.array([(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)])
 
 
@@ -41,18 +44,19 @@ class ViewCube(QWidget):
     def show_camera(self, camera: Camera) -> None:
         """Turn as the world is seen by a camera; where that sees nothing it stays as it is."""
         try:
-            self._view = view_matrix(camera)
+            view = view_matrix(camera)
         except ValueError:
             return
-        self.update()
+        if not np.array_equal(view[:3, :3], self._view[:3, :3]):
+            self.update()
+        self._view = view
 
     def sides(self) -> dict[str, Array]:
         """The corners (4, 2), logical pixels, of the sides that are seen, the upper left one first."""
         turn, seen = self._view[:3, :3], {}
-        for name in STANDARD_VIEWS:
-            right, up, forward = standard_view(name)[:3, :3]
-            if (turn @ forward)[2] > 0.05:
-                corners = (_SQUARE @ np.stack([right, up]) - forward) @ turn.T
+        for name, own in _TURNS.items():
+            if turn[2] @ own[2] > _SEEN:
+                corners = (_SQUARE @ own[:2] - own[2]) @ turn.T
                 seen[name] = self._on_widget(corners)
         return seen
 
@@ -74,7 +78,7 @@ class ViewCube(QWidget):
 
     def _towards(self, name: str) -> Array:
         """From the middle to a side, in view coordinates."""
-        towards: Array = -self._view[:3, :3] @ standard_view(name)[2, :3]
+        towards: Array = -self._view[:3, :3] @ _TURNS[name][2]
         return towards
 
     def paintEvent(self, event: QPaintEvent) -> None:
