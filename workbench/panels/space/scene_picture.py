@@ -63,6 +63,7 @@ class ScenePicture(QWidget):
         self._image = QImage()
         self._image_came = False
         self._viewpoint: Viewpoint | None = None
+        self._device: Array = np.eye(3)
         theme.changed.connect(self.update)
 
     def sizeHint(self) -> QSize:
@@ -124,6 +125,7 @@ class ScenePicture(QWidget):
         if job.faces and self.shows == "edges" and picture.pixels is not None:
             return  # switched meanwhile
         self._picture, self._viewpoint = picture, job.viewpoint
+        self._device = self._viewpoint.device
         self._image = QImage()
         if picture.pixels is not None:
             self._image_came = True
@@ -187,7 +189,7 @@ class ScenePicture(QWidget):
         """Places (n, 2) of the view plane in logical pixels of the widget."""
         if self._viewpoint is None:
             return np.full((len(flat), 2), np.nan)
-        device, ratio, height = self._viewpoint.device, self.devicePixelRatioF(), self.device_size[1]
+        device, ratio, height = self._device, self.devicePixelRatioF(), self.device_size[1]
         x = flat[:, 0] * device[0, 0] + device[0, 2]
         y = flat[:, 1] * device[1, 1] + device[1, 2]
         return np.stack([(x + 0.5) / ratio, (height - 0.5 - y) / ratio], axis=1)
@@ -249,6 +251,8 @@ class ScenePicture(QWidget):
 
     def _paint_marked(self, painter: QPainter) -> None:
         """Lines with a dot at each end."""
+        if not len(self.marked):
+            return
         ends = self.projected(self.marked.reshape(-1, 3)).reshape(-1, 2, 2)
         for ink, width in ((tokens().canvas, 5.0), (tokens().accent, 3.0)):
             lines(painter, ends[:, 0], ends[:, 1], QPen(colour(ink), width))
