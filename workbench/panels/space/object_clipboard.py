@@ -3,6 +3,7 @@
 from msgspec.structs import replace
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QWidget
 
 from workbench.document.building import Edit, both, without_ids
 from workbench.document.errors import DocumentError
@@ -27,6 +28,14 @@ def copy_object(session: Session) -> bool:
     data.setData(MIME, write_object(thing, material))
     QGuiApplication.clipboard().setMimeData(data)
     return True
+
+
+def copy_chosen(session: Session, picture: QWidget) -> str:
+    """Put the chosen object on the clipboard, or with none chosen a picture; the sentence that says so."""
+    if copy_object(session):
+        return _("The object is on the clipboard.")
+    QGuiApplication.clipboard().setPixmap(picture.grab())
+    return _("The picture is on the clipboard.")
 
 
 def object_held() -> bool:

@@ -5,7 +5,7 @@ from functools import partial
 
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QResizeEvent, QShowEvent
+from PySide6.QtGui import QAction, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from workbench.document.scene.model import Camera, Scene
@@ -22,7 +22,7 @@ from workbench.panels.space.eye_view import EyeView
 from workbench.panels.space.family_dock import FamilyDock
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.matrix_strip import MatrixStrip
-from workbench.panels.space.object_clipboard import copy_object, object_held, paste_object
+from workbench.panels.space.object_clipboard import copy_chosen, object_held, paste_object
 from workbench.panels.space.object_handles import MODES, title_of_mode
 from workbench.panels.space.objects_dock import ObjectsDock
 from workbench.panels.space.outside_view import OutsideView
@@ -187,19 +187,15 @@ class ProjectionPage(QWidget):
 
     def copy(self) -> bool:
         """Put the chosen object on the clipboard, or with none chosen the picture."""
-        if copy_object(self.session):
-            self.say(_("The object is on the clipboard."))
-        else:
-            QGuiApplication.clipboard().setPixmap(self.eye.grab())
-            self.say(_("The picture is on the clipboard."))
+        self.say(copy_chosen(self.session, self.eye))
         return True
 
     def paste(self) -> bool:
         """Put the clipboard's object into the scene; False where it has none."""
-        held = object_held()
-        if held:
-            self.say(paste_object(self.session))
-        return held
+        if not object_held():
+            return False
+        self.say(paste_object(self.session))
+        return True
 
     def derivation(self) -> Derivation | None:
         """Its picture, the similar triangles, its matrices, and what it keeps; None where nothing is seen."""
