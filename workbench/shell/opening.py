@@ -20,15 +20,17 @@ def open_example(window: MainWindow, slug: str, step: int | None = None) -> None
 def open_question(window: MainWindow, question: Question) -> None:
     """Open workspace, example and step of a question."""
     window.files.example(question.example)
-    _enter(window, question.workspace, example(question.example), question.step)
+    _enter(window, question.workspace, example(question.example), question.step, question.dock)
 
 
-def _enter(window: MainWindow, workspace: str, chosen: Example, step: int | None) -> None:
-    """Show a workspace, in it the page that an example is about, and there a step."""
+def _enter(window: MainWindow, workspace: str, chosen: Example, step: int | None, dock: str = "") -> None:
+    """Show a workspace, in it the page that an example is about, there a step, and a dock before others."""
 
     def arrive() -> None:
         window.panels(workspace)[0].show_page(chosen.page if workspace == chosen.workspace else "")
         if step is not None:
             window.session.update_state(step=step)
+        if dock:
+            window.arrangements.bring_forward(dock)
 
     window.enter(workspace, arrive)

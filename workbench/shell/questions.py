@@ -6,7 +6,8 @@ from workbench.language import _
 
 
 class Question(NamedTuple):
-    """One question. ``workspace`` and ``example`` say where it is worked on, if anywhere yet."""
+    """One question. ``workspace`` and ``example`` say where it is worked on, if anywhere yet; ``dock`` names
+    the dock that comes forward there."""
 
     number: int
     text: str
@@ -14,6 +15,7 @@ class Question(NamedTuple):
     workspace: str = ""
     example: str = ""
     step: int = 0
+    dock: str = ""
 
 
 def questions() -> tuple[Question, ...]:
@@ -26,6 +28,7 @@ def questions() -> tuple[Question, ...]:
             "space",
             "space-house",
             3,
+            "derivation",
         ),
         Question(
             2,
@@ -34,6 +37,7 @@ def questions() -> tuple[Question, ...]:
             "space",
             "overlapping-triangles",
             684,
+            "source",
         ),
         Question(
             3,
@@ -56,7 +60,8 @@ def questions() -> tuple[Question, ...]:
             _("What does perspective give up that parallel projection keeps?"),
             _("Projection"),
             "space",
-            "space-isometric",
+            "space-street",
+            dock="contrast",
         ),
         Question(
             6,

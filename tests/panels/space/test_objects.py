@@ -4,18 +4,23 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QModelIndex, QPoint, QPointF, Qt
 from pytestqt.qtbot import QtBot
 
 from tests.panels.space.by_hand import LEFT, scene_of, settle, shown
+from workbench.algorithms.solids.tables import polygon_tables
 from workbench.document.samples.examples import blank_sheet
 from workbench.document.scene.edits import add_link
 from workbench.document.scene.links import Translate3D
 from workbench.document.scene.model import Object
 from workbench.document.subjects import Subject
+from workbench.geometry.meshes import Mesh
 from workbench.panels.space.panel import SpacePanel
+from workbench.panels.space.pointing import at
+from workbench.panels.space.polygon_tables import PolygonTablesView
 from workbench.panels.space.projection_page import ProjectionPage
 from workbench.panels.space.solids_offered import offers
+from workbench.rendering.scene.render import placed
 
 
 @pytest.fixture
@@ -121,10 +126,10 @@ def test_solids_and_transforms_are_numbers_in_fields(qtbot: QtBot, page: Project
 
 
 def test_tables_have_the_chosen_object_in_the_world(qtbot: QtBot, page: ProjectionPage) -> None:
-    page.tables.show()
+    page.tables_view.show()
     page.objects.list.setCurrentRow(1)  # the chimney, a box of 0.5 x 1.4 x 0.5 around (0.8, 3.1, -0.8)
     settle(qtbot, page)
-    tables = dict(page.tables.content())
+    tables = dict(page.tables_view.content())
     assert [len(table.rows) for table in tables.values()] == [8, 12, 6, 6]
     vertices = np.array([row[1:] for row in tables["Vertices"].rows], float)
     assert np.allclose(vertices.min(axis=0), (0.55, 2.4, -1.05))
@@ -166,3 +171,53 @@ def test_the_objects_beside_the_other_page_are_those_of_the_picture(
     dock.show()
     settle(qtbot, page)
     assert dock.list.count() == 3
+
+
+def test_tables_and_picture_light_up_together(qtbot: QtBot, page: ProjectionPage) -> None:
+    tables = page.tables_view
+    qtbot.addWidget(tables)
+    tables.resize(420, 300)
+    tables.show()
+    page.session.update_state(thing="o1")
+    settle(qtbot, page)
+    mesh = placed(scene_of(page))[0][0]
+    # From the table to the picture: an edge, and the sides of a face
+    tables.choice.setCurrentIndex(1)
+    qtbot.mouseClick(tables.table.viewport(), LEFT, pos=tables.table.visualRect(row_of(tables, 2)).center())
+    ends = polygon_tables(mesh).edges[2]
+    assert np.array_equal(page.eye.marked, mesh.vertices[ends][None])
+    tables.choice.setCurrentIndex(3)
+    assert len(page.eye.marked) == 0
+    tables.table.selectRow(4)
+    corners = mesh.faces[4]
+    assert {tuple(end) for end in page.outside.marked[:, 0].tolist()} == {
+        tuple(mesh.vertices[k].tolist()) for k in corners
+    }
+    # From the picture to the table: the face and the vertex under the pointer
+    for number in range(len(mesh.faces)):
+        middle = page.eye.projected(mesh.vertices[list(mesh.faces[number])].mean(axis=0)[None])[0]
+        there = at(page.eye, QPointF(*middle.tolist()))
+        if there is not None and (there.thing, there.face) == ("o1", number):
+            page.eye.hovered.emit(QPointF(*middle.tolist()))
+            assert tables.table.currentIndex().row() == number
+            break
+    else:
+        pytest.fail("no face of the house is seen at its middle")
+    tables.choice.setCurrentIndex(0)
+    vertex = next(
+        k for k in range(len(mesh.vertices)) if page.eye.vertex_at(place_of(page, mesh, k)) is not None
+    )
+    nearest = page.eye.vertex_at(place_of(page, mesh, vertex))
+    assert nearest is not None
+    page.eye.hovered.emit(place_of(page, mesh, vertex))
+    assert tables.table.currentIndex().row() == nearest.number
+    tables.hide()
+    assert len(page.eye.marked) == 0
+
+
+def row_of(tables: PolygonTablesView, number: int) -> QModelIndex:
+    return tables.table.model().index(number, 0)
+
+
+def place_of(page: ProjectionPage, mesh: Mesh, number: int) -> QPointF:
+    return QPointF(*page.eye.projected(mesh.vertices[[number]])[0].tolist())

@@ -29,7 +29,7 @@ from workbench.document.scene.model import Camera
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.panels.space.eye_view import horizon
 from workbench.panels.space.projection_page import ProjectionPage
-from workbench.panels.space.scene_view import fine
+from workbench.panels.space.scene_picture import fine
 from workbench.widgets.stepping.sentence_view import SentenceView
 
 

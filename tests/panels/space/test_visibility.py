@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 from tests.panels.by_hand import recorded, settle
 from workbench.document.samples.examples import example
 from workbench.document.subjects import Subject
+from workbench.exchange.diagrams import Sentence
 from workbench.panels.space.visibility.depth_run import depth_run
 from workbench.panels.space.visibility.page import VisibilityPage
 from workbench.panels.stage.picture import packed
@@ -342,3 +343,22 @@ def test_parallel_projectors_leave_only_the_depth_buffer(page, session):
     session.update_state(subject=Subject("visibility", entry="back_faces"))
     settle()
     assert session.run.entry.slug == "depth_buffer"
+
+
+def test_the_page_to_export_has_the_numbers_of_the_step(qtbot, page, session):
+    from workbench.exchange.diagram_svg import write_diagram
+
+    go(qtbot, session, TELLING)
+    settle()
+    made = page.derivation()
+    assert made is not None
+    words = " ".join(block.text for block in made.blocks if isinstance(block, Sentence))
+    for number in ("0.5075", "0.52", "−0.0125", "−10.1875"):
+        assert number in words
+    assert "it wins" in words
+    assert "Triangle" in write_diagram(made)
+    go(qtbot, session, 0)
+    settle()
+    before = page.derivation()
+    assert before is not None
+    assert not any("wins" in block.text for block in before.blocks if isinstance(block, Sentence))

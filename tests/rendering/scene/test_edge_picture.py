@@ -6,14 +6,13 @@ from msgspec.structs import replace
 
 from workbench.algorithms.solids.tables import polygon_tables
 from workbench.document.model import Rectangle
-from workbench.document.samples.examples import example
 from workbench.document.scene.looking import turned_to
 from workbench.document.scene.model import Camera, Material, Object, Scene
 from workbench.document.scene.solids import AnySolid, Box, House, Prism, Regular, Torus
 from workbench.geometry.meshes import Array
 from workbench.rendering.scene import render_scene
 from workbench.rendering.scene.around import window_of
-from workbench.rendering.scene.edge_picture import MOST_EDGES, edge_picture, object_at
+from workbench.rendering.scene.edge_picture import MOST_EDGES, edge_picture
 from workbench.rendering.scene.render import placed
 from workbench.rendering.scene.viewpoint import Viewpoint
 
@@ -79,22 +78,3 @@ def test_a_hidden_object_has_no_edges_and_a_huge_one_no_lines() -> None:
     assert set(edge_picture(half, SIZE, window(half)).seen_of.tolist()) == {1}
     huge = scene_of(Torus(slices=200, sections=MOST_EDGES // 300))
     assert not len(edge_picture(huge, SIZE, window(huge)).seen)
-
-
-def test_the_object_at_a_pixel_is_the_one_whose_colour_is_there() -> None:
-    plain = example("space-house").document.sheets[0].scene
-    assert plain is not None
-    # Nothing but ambient light: each object has one colour.
-    materials = tuple(
-        replace(each, colour=1 + number, ambient=1.0, diffuse=0.0)
-        for number, each in enumerate(plain.materials)
-    )
-    scene = replace(plain, materials=materials)
-    image, depth = render_scene(scene, "depth_buffer", SIZE, window=window(scene))
-    named = {0: "", **{1 + number: thing.id for number, thing in enumerate(scene.objects)}}
-    wrong = 0
-    for y in range(0, SIZE[1], 5):
-        for x in range(0, SIZE[0], 5):
-            there = named[int(image[y, x])] if depth[y, x] < 1.0 else ""
-            wrong += object_at(scene, SIZE, window(scene), x, y) != there
-    assert wrong == 0

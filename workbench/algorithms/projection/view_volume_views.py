@@ -10,6 +10,9 @@ def plane_name(plane: int) -> str:
     return _PLANES[plane]
 
 
+TAKEN, HANDED_ON = "Corners taken", "Corners handed on"
+"""The tables of a step: the polygon as a plane takes it, and as far as it hands it on."""
+
 _SIDE = "Clip the side that ends at this corner"
 _OPTIONS = "('in → in', 'in → out', 'out → in', 'out → out')"
 
@@ -21,8 +24,8 @@ def _side_view(when: str, case: str, sentence: str) -> View:
         when=when,
         row=f"(ring, plane_name(plane), tuple(start), tuple(end), d_start, d_end, {case!r})",
         tables={
-            "Corners taken": ("polygon", ("x", "y", "z", "w")),
-            "Corners handed on": ("clipped", ("x", "y", "z", "w")),
+            TAKEN: ("polygon", ("x", "y", "z", "w")),
+            HANDED_ON: ("clipped", ("x", "y", "z", "w")),
         },
         options=_OPTIONS,
         answer=repr(case),

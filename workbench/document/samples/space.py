@@ -36,6 +36,13 @@ def space_examples() -> list[Example]:
             _cube("isometric", _("A cube in isometric projection")),
         ),
         Example(
+            "space-street",
+            _("Three equal houses, one behind another"),
+            _("Equal in a parallel picture, smaller with distance in perspective: press 5 to exchange them."),
+            "space",
+            _street(),
+        ),
+        Example(
             "space-cabinet",
             _("A cube in cabinet projection"),
             _("The front in true size, and what recedes at half its length."),
@@ -74,6 +81,18 @@ def _house() -> Document:
         (_("Shed"), Pyramid(4, 1.0, 1.4), (-2.6, 0.0, 1.4), 45.0, 0x8CCDB0),
     )
     return _document(_("A house in perspective"), scene_of(placed, camera))
+
+
+def _street() -> Document:
+    """From the place of the isometric view, where the perspective has three vanishing points."""
+    house, colours = House(1.6, 1.1, 1.8, 0.8), (0x9CC8E6, 0xF0A878, 0x8CCDB0)
+    placed = [
+        (_("House {n}").format(n=n), house, (0.0, 0.0, 3.2 - 3.2 * k), 0.0, colours[k])
+        for k, n in enumerate((1, 2, 3))
+    ]
+    look_at = Point3D(0.0, 0.8, 0.0)
+    camera = projecting(Camera(look_at=look_at, eye=Point3D(0.0, 0.8, 10.0)), "isometric", 4.6)
+    return _document(_("Three equal houses, one behind another"), scene_of(placed, camera))
 
 
 def _cube(slug: str, name: str) -> Document:

@@ -1,5 +1,6 @@
 """Edits of a sheet's scene: its objects and their chains, materials, lights, camera."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from msgspec.structs import replace
@@ -227,6 +228,20 @@ def set_link(thing: str, link: AnyLink3D) -> Edit:
         old, at = _link(document, thing, link.id)
         chain = (*old.transforms[:at], plain(link), *old.transforms[at + 1 :])
         return with_thing(document, replace(old, transforms=chain))
+
+    return edit
+
+
+@checked
+def set_transforms(thing: str, chain: Sequence[AnyLink3D]) -> Edit:
+    """Give an object another chain; links without an id get one."""
+
+    def edit(document: Document) -> Document:
+        old = object_with(document, thing)[2]
+        after = with_thing(document, numbered(document, replace(old, transforms=tuple(map(plain, chain)))))
+        kept = {link.id for link in chain}
+        gone = any(link.id not in kept for link in old.transforms)
+        return remembering(document, after) if gone else after
 
     return edit
 

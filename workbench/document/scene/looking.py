@@ -94,10 +94,51 @@ def turned_to(camera: Camera, theta: float, phi: float, away: float | None = Non
     return placed
 
 
-def orbited(camera: Camera, d_theta: float, d_phi: float) -> Camera:
-    """``camera`` gone round by an angle and up by another; it stops at the poles. Raises: ValueError."""
+def orbited(camera: Camera, d_theta: float, d_phi: float, about: Point3D | None = None) -> Camera:
+    """``camera`` gone round by an angle and up by another; it stops at the poles.
+
+    It goes round what it looks at, or round another point ``about``, which stays in its place of the picture.
+    Raises: ValueError.
+    """
     theta, phi = turn_of(camera)
-    return turned_to(camera, theta + d_theta, phi + d_phi)
+    turned = turned_to(camera, theta + d_theta, phi + d_phi)
+    return turned if about is None else _with_in_place(camera, turned, about)
+
+
+def tumbled(camera: Camera, right: float, up: float, about: Point3D | None = None) -> Camera:
+    """``camera`` turned about the picture's own upright and level axes, as on a trackball, radians.
+
+    Nothing keeps the horizon level, and no pole stops it; an axonometric camera, which is always upright,
+    goes round as on a turntable. Raises: ValueError.
+    """
+    if camera.projection in ("isometric", "axonometric"):
+        return orbited(camera, right, up, about)
+    axes = view_matrix(camera)[:3, :3]
+    away = math.dist(camera.eye.xyz, camera.look_at.xyz)
+    cos, sin = math.cos(right), math.sin(right)
+    forward, upright = cos * axes[2] - sin * axes[0], axes[1]
+    cos, sin = math.cos(up), math.sin(up)
+    forward, upright = cos * forward - sin * upright, cos * upright + sin * forward
+    eye = Point3D(*(np.array(camera.look_at.xyz) - away * forward).tolist())
+    turned = replace(camera, eye=eye, up=Point3D(*upright.tolist()))
+    return turned if about is None else _with_in_place(camera, turned, about)
+
+
+def _with_in_place(before: Camera, turned: Camera, about: Point3D) -> Camera:
+    """``turned`` moved so far that ``about`` has the view coordinates that it had before."""
+    place = np.array([*about.xyz, 1.0])
+    shift = view_matrix(turned)[:3, :3].T @ ((view_matrix(turned) - view_matrix(before)) @ place)[:3]
+    return replace(turned, eye=_moved(turned.eye, shift), look_at=_moved(turned.look_at, shift))
+
+
+def _moved(point: Point3D, by: np.ndarray) -> Point3D:
+    return Point3D(*(at + step for at, step in zip(point.xyz, by.tolist(), strict=True)))
+
+
+def centred_on(camera: Camera, place: Point3D) -> Camera:
+    """``camera`` shifted, without a turn, so that it looks at a place as far away as before."""
+    by = np.subtract(place.xyz, camera.look_at.xyz)
+    return replace(camera, eye=_moved(camera.eye, by), look_at=place)
 
 
 def facing(camera: Camera, side: str) -> Camera:
@@ -159,6 +200,23 @@ def kind_of(camera: Camera) -> str:
             return name if name in ("isometric", "dimetric") else "trimetric"
         case name:
             return name
+
+
+def receding(camera: Camera, inverse: float, radius: float) -> Camera:
+    """``camera`` with its centre of projection 1/``inverse`` before a view plane through what it looks at.
+
+    As ``inverse`` falls to 0 the centre goes to infinity, and the limit is the parallel projection.
+    ``radius`` is how far the scene reaches from there. Raises: ValueError where the camera sees nothing.
+    """
+    theta, phi = turn_of(camera)
+    if not inverse > 0.0:
+        away = _FAR_ENOUGH * radius
+        flat = replace(camera, projection="orthographic", near=max(away - 2 * radius, 1e-3), distance=away)
+        return turned_to(replace(flat, far=away + 2 * radius), theta, phi, away)
+    d = 1.0 / inverse
+    near, far = max(d - 2 * radius, min(d, radius) / 100, 1e-3), d + 2 * radius
+    central = replace(camera, projection="perspective", near=near, far=far, distance=d)
+    return turned_to(central, theta, phi, d)
 
 
 def _apart(camera: Camera, away: float) -> Camera:

@@ -22,7 +22,7 @@ from workbench.document.scene.looking import kind_of, kinds
 from workbench.document.scene.model import Camera, Point3D
 from workbench.language import _
 from workbench.panels.space.looking import Looking
-from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.fields.number_field import NumberField, complaint_label
 from workbench.widgets.look.icons import set_icon
 
 _WIDTH_PX, _FOLDED_PX = 330, 240
@@ -50,11 +50,13 @@ def families() -> dict[str, str]:
 class CameraCard(QFrame):
     """Shows and edits the camera that the scene is seen by; an edit keeps what was only looked at.
 
-    ``said`` sends what is wrong, ``chosen`` the slug of a projection that was chosen here.
+    ``said`` sends what is wrong, ``chosen`` the slug of a projection that was chosen here;
+    ``refitted`` follows another size.
     """
 
     said = Signal(str)
     chosen = Signal(str)
+    refitted = Signal()
 
     def __init__(self, looking: Looking, parent: QWidget) -> None:
         super().__init__(parent)
@@ -74,6 +76,8 @@ class CameraCard(QFrame):
         head.addWidget(self.kind, 1)
         head.addWidget(self._fold)
         self.fields: dict[str, NumberField] = {}
+        self._complaint = complaint_label()
+        self._camera: Camera | None = None
         grid = QGridLayout(self._body)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(8)
@@ -92,19 +96,22 @@ class CameraCard(QFrame):
         below = len(names) + len(points)
         grid.addWidget(self._field("near", numbers["near"], _("near")), below, 0)
         grid.addWidget(self._field("far", numbers["far"], _("far")), below, 1)
+        grid.addWidget(self._complaint, below + 1, 0, 1, 3)
         self.note = QLabel()
-        self.note.setWordWrap(True)
         self.note.setProperty("role", "muted")
         self.keep = QPushButton(_("Keep this view"))
-        self.keep.setToolTip(_("Write where you look from into the document"))
+        self.keep.setToolTip(_("The document keeps its own view; write where you look from into it"))
         self.keep.clicked.connect(lambda: self.said.emit(looking.keep()))
         column_ = QVBoxLayout(self)
         column_.setContentsMargins(8, 6, 6, 6)
         column_.setSpacing(4)
         column_.addLayout(head)
         column_.addWidget(self._body)
-        column_.addWidget(self.note)
-        column_.addWidget(self.keep)
+        foot = QHBoxLayout()
+        foot.setSpacing(8)
+        foot.addWidget(self.note, 1)
+        foot.addWidget(self.keep)
+        column_.addLayout(foot)
         self.set_open(False)
 
     def _fill(self) -> None:
@@ -126,6 +133,7 @@ class CameraCard(QFrame):
             high=number.high,
             step=_STEPS.get(name, 1.0 if number.unit == "°" else 0.1),
             meaning=meaning or number.label,
+            complaint=self._complaint,
         )
         field.edited.connect(partial(self._set, name, ""))
         field.scrubbed.connect(partial(self._set, name, f"camera {name}"))
@@ -168,11 +176,15 @@ class CameraCard(QFrame):
             kind = camera.projection
         self.kind.setCurrentIndex(max(self.kind.findData(kind), 0))
         shown = _FOR.get(camera.projection, ())
+        if camera != self._camera:
+            self._camera = camera
+            for field in self.fields.values():
+                field.complain("")
         for name, field in self.fields.items():
             field.set_value(self._value(camera, name))
             if name in ("distance", "oblique_alpha", "oblique_phi", "angle_y", "angle_x"):
                 field.setVisible(name in shown)
-        self.note.setText(_("You are looking around; the document keeps its own view.") if around else "")
+        self.note.setText(_("Looking around") if around else "")
         self.note.setVisible(around)
         self.keep.setVisible(around)
         self._fit()
@@ -192,5 +204,7 @@ class CameraCard(QFrame):
             width = max(width, room + margins.left() + margins.right())
             wraps = layout.hasHeightForWidth()
             height = layout.totalHeightForWidth(width) if wraps else layout.totalSizeHint().height()
-            self.resize(width, height)
+            if (width, height) != (self.width(), self.height()):
+                self.resize(width, height)
+                self.refitted.emit()
             self.raise_()

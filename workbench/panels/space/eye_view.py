@@ -1,7 +1,5 @@
 """What the eye sees: the picture on the view plane, with horizon and vanishing points to take hold of."""
 
-from typing import NamedTuple
-
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPen, QPolygonF
@@ -11,25 +9,18 @@ from workbench.algorithms.projection import vanishing_points
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.geometry.meshes import Array
 from workbench.language import _
+from workbench.panels.space.control_net import ControlNet, NetPoint, moved_in_picture
 from workbench.panels.space.looking import points_of
+from workbench.panels.space.object_handles import INKS, Handle, Handles, Mode
 from workbench.panels.space.scene_view import REACH_PX, SceneView
-from workbench.panels.space.strokes import label, lines
+from workbench.panels.space.stepped import DIVIDED, Vertex, way_text
+from workbench.panels.space.strokes import label, lines, short
 from workbench.rendering.scene.render import placed
 from workbench.widgets.look.tokens import colour, tokens
 
 AXES = "xyz"
 _VERTEX_PX = 8.0
 _FARTHEST_VANISHING = 3.2  # times as wide as the scene, and its vanishing points are in the picture too
-INKS = (1, 3, 2)
-"""Which data colour stands for the world's x, y and z."""
-
-
-class Vertex(NamedTuple):
-    """A corner of an object: its id, the number of the corner, and where it is in the world."""
-
-    thing: str
-    number: int
-    place: tuple[float, float, float]
 
 
 def horizon(matrix: Array) -> tuple[float, float, float] | None:
@@ -46,13 +37,21 @@ def horizon(matrix: Array) -> tuple[float, float, float] | None:
 
 
 class EyeView(SceneView):
-    """``vanishing_moved`` sends axis, place on the view plane, and whether the other ones are pinned."""
+    """``vanishing_moved`` sends axis, place on the view plane, and whether the other ones are pinned;
+    ``handle_moved`` the handles as they were when the drag began, the one held, by how much, and whether
+    along all axes; ``point_moved`` a NetPoint and where to (3,), world; ``handle_left`` follows either.
+    """
 
     vanishing_moved = Signal(int, float, float, bool)
+    handle_moved = Signal(object, object, float, bool)
+    handle_left = Signal()
+    point_moved = Signal(object, object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.vertex: Vertex | None = None
+        self.mode: Mode = ""
+        self._begun: Handles | None = None
         self.setAccessibleName(_("Picture"))
         self.setToolTip("")
 
@@ -116,9 +115,15 @@ class EyeView(SceneView):
             self._marker(painter, axis, QPointF(*np.clip(at, -1e5, 1e5).tolist()))
             if self.rect().contains(QPointF(*np.clip(at, -1e5, 1e5)).toPoint()):
                 x, y = point
-                text = f"VP{AXES[axis]} ({x:.3g}, {y:.3g})".replace("-", "−")
+                text = f"VP{AXES[axis]} ({short(x)}, {short(y)})"
                 label(painter, self.size(), at, text, tokens().data[INKS[axis]])
             painter.setBrush(Qt.BrushStyle.NoBrush)
+        net = self.net
+        if net is not None:
+            net.paint(painter, self.projected)
+        handles = self.handles
+        if handles is not None:
+            handles.paint(painter, self.projected)
         if self.vertex is not None:
             (at,) = self.projected(np.array([self.vertex.place]))
             if np.isfinite(at).all():
@@ -126,7 +131,27 @@ class EyeView(SceneView):
                 painter.setBrush(colour(tokens().canvas))
                 painter.drawEllipse(QPointF(*at.tolist()), 5, 5)
                 painter.setBrush(Qt.BrushStyle.NoBrush)
-                label(painter, self.size(), at, f"R{self.vertex.number}", tokens().accent)
+                label(painter, self.size(), at, self._words(self.vertex), tokens().accent)
+
+    @staticmethod
+    def _words(vertex: Vertex) -> str:
+        """Its name, and with it its place once it has one in the picture."""
+        return way_text(vertex if vertex.stage >= DIVIDED else vertex._replace(rows=()))
+
+    @property
+    def handles(self) -> Handles | None:
+        """Those of the chosen object, where it has any now."""
+        return Handles.of(self.scene, self.chosen, self.mode)
+
+    @property
+    def net(self) -> ControlNet | None:
+        """The points of the chosen object, where no other handles are shown."""
+        return None if self.mode else ControlNet.of(self.scene, self.chosen)
+
+    def set_mode(self, mode: Mode) -> None:
+        """Show handles to move, turn or scale the chosen object, or none."""
+        self.mode = mode
+        self.update()
 
     def _marker(self, painter: QPainter, axis: int, at: QPointF) -> None:
         """A triangle for x, a diamond for y, a square for z."""
@@ -164,7 +189,13 @@ class EyeView(SceneView):
     # The hand
 
     def grip_at(self, position: QPointF) -> object | None:
-        """A vanishing point of a perspective, where one is within reach."""
+        """A handle of the chosen object, or a vanishing point of a perspective, where one is within reach."""
+        handles = self.handles
+        if handles is not None and (handle := handles.at(position, self.projected)) is not None:
+            return handle
+        net = self.net
+        if net is not None and (held := net.at(position, self.projected)) is not None:
+            return held
         if self.scene.camera.projection != "perspective":
             return None
         for axis, point in self.vanishing():
@@ -174,13 +205,31 @@ class EyeView(SceneView):
         return None
 
     def drag_grip(self, grip: object, position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
-        """Tell where the vanishing point is dragged."""
+        """Tell how far a handle is dragged, or where the vanishing point is."""
+        if isinstance(grip, Handle):
+            self._drag_handle(grip, position, bool(modifiers & Qt.KeyboardModifier.ShiftModifier))
+            return
+        if isinstance(grip, NetPoint):
+            x, y = self.on_plane(position)
+            self.point_moved.emit(grip, moved_in_picture(self.matrix, np.array(grip.place), x, y))
+            return
         assert isinstance(grip, int)
         x, y = self.on_plane(position)
         self.vanishing_moved.emit(grip, x, y, bool(modifiers & Qt.KeyboardModifier.ShiftModifier))
 
-    def release_grip(self, _grip: object) -> None:
+    def _drag_handle(self, handle: Handle, position: QPointF, every: bool) -> None:
+        begun = self._begun = self._begun or self.handles
+        if begun is None or self._press is None:
+            return
+        towards = -float((view_matrix(self.scene.camera)[:3, :3] @ np.eye(3)[handle.axis])[2])
+        amount = begun.dragged(handle, self._press, position, self.projected, towards)
+        self.handle_moved.emit(begun, handle, amount, every)
+
+    def release_grip(self, grip: object) -> None:
         """What was dragged stays as it is."""
+        if isinstance(grip, Handle | NetPoint):
+            self._begun = None
+            self.handle_left.emit()
         self.turn_ended.emit()
 
     def vertex_at(self, position: QPointF) -> Vertex | None:

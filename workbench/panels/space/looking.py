@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from workbench.algorithms.projection import vanishing_points, with_vanishing_point, with_vanishing_points
 from workbench.document.errors import DocumentError
 from workbench.document.scene.edits import set_camera
-from workbench.document.scene.looking import facing, kind_of, orbited, projecting
+from workbench.document.scene.looking import centred_on, facing, kind_of, orbited, projecting, tumbled
 from workbench.document.scene.model import Camera, Point3D, Scene
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.document.state import seen_scene, with_look
@@ -28,6 +28,7 @@ class Looking:
 
     def __init__(self, session: Session) -> None:
         self.session = session
+        self.trackball = False
 
     @property
     def scene(self) -> Scene | None:
@@ -77,13 +78,22 @@ class Looking:
         """Write what is seen now into the document."""
         return self.change(self.camera, _("Keep this view")) if self.around else ""
 
-    def orbit(self, d_theta: float, d_phi: float) -> str:
-        """Go round what is looked at, radians."""
-        return self._try(lambda: orbited(self.camera, d_theta, d_phi))
+    def orbit(self, d_theta: float, d_phi: float, about: Point3D | None = None) -> str:
+        """Go round what is looked at, or round ``about``, radians; with ``trackball`` freely."""
+        turn = tumbled if self.trackball else orbited
+        return self._try(lambda: turn(self.camera, d_theta, d_phi, about))
+
+    def centre(self, place: Point3D) -> str:
+        """Look at a place of the world, from as far away and in the direction as before."""
+        return self.look(centred_on(self.camera, place))
 
     def face(self, side: str) -> str:
         """Stand before one of the six sides."""
         return self._try(lambda: facing(self.camera, side))
+
+    def glance(self, slug: str) -> str:
+        """See the scene by another projection, from where it is seen at its best by that."""
+        return self._try(lambda: projecting(self.camera, slug, self.radius))
 
     def vanish(self, axis: int, at: tuple[float, float], pinned: bool) -> str:
         """Turn so that the lines along an axis run together at a place of the view plane.

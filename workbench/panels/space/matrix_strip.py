@@ -12,8 +12,8 @@ from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.exchange.formulas.terms import Sign, Term, matrix
 from workbench.geometry.meshes import Array
 from workbench.language import _, reason_of
-from workbench.panels.space.eye_view import INKS
 from workbench.panels.space.looking import Looking
+from workbench.panels.space.object_handles import INKS
 from workbench.widgets.formulas.matrix_row import MatrixRow
 from workbench.widgets.formulas.row_surface import Highlight
 

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from workbench.document.building import Edit
 from workbench.document.errors import DocumentError
+from workbench.document.model import AnyFigure
 from workbench.document.scene.edits import (
     add_material,
     add_object,
@@ -30,9 +31,11 @@ from workbench.document.scene.edits import (
     set_visible,
 )
 from workbench.document.scene.model import Material, Object, Scene
-from workbench.language import _, ngettext
+from workbench.language import _, ngettext, reason_of
 from workbench.panels.space.object_fields import ObjectFields
 from workbench.panels.space.solids_offered import Offer, offers, title_of
+from workbench.panels.space.sweeps import extruded, revolved
+from workbench.panels.stage.card import kind_title
 from workbench.session.session import Session
 from workbench.widgets.look.icons import set_icon
 
@@ -49,6 +52,7 @@ COLOURS = (
 _ID = Qt.ItemDataRole.UserRole
 _SWATCH_PX = 14
 _ASIDE = 1.2
+_MOST_LISTED = 30
 
 
 class ObjectsDock(QWidget):
@@ -75,6 +79,12 @@ class ObjectsDock(QWidget):
         menu = QMenu(self.add)
         for offer in offers():
             menu.addAction(offer.title, partial(self.add_solid, offer))
+        menu.addSeparator()
+        self._swept = {
+            "extrude": menu.addMenu(_("Extrude a figure")),
+            "turn": menu.addMenu(_("Turn a figure")),
+        }
+        menu.aboutToShow.connect(self._fill_swept)
         self.add.setMenu(menu)
         self.colour = self._button("palette", _("Colour"), None)
         colours = QMenu(self.colour)
@@ -198,10 +208,28 @@ class ObjectsDock(QWidget):
             return
         scene = self._session.sheet.scene
         assert scene is not None
-        added = Object("", offer.solid, scene.materials[-1].id, offer.title)
+        added = Object("", offer.solid, scene.materials[-1].id, offer.title, points=offer.points)
         if self._apply(add_object(sheet.id, added), offer.title, "add"):
             self._choose_newest()
         self._session.end_merge()
+
+    def _fill_swept(self) -> None:
+        """The figures of the sheet, each to be swept into a solid."""
+        sheet = self._session.sheet
+        for name, menu in self._swept.items():
+            menu.clear()
+            menu.menuAction().setEnabled(bool(sheet.figures))
+            for figure in sheet.figures[:_MOST_LISTED]:
+                menu.addAction(figure.name or kind_title(figure), partial(self.sweep, name, figure))
+
+    def sweep(self, way: str, figure: AnyFigure) -> None:
+        """Put a solid into the scene that a figure of the sheet is swept into: "extrude" it, or "turn" it."""
+        try:
+            solid, points = (extruded if way == "extrude" else revolved)(self._session.sheet, figure)
+        except ValueError as error:
+            self.said.emit(reason_of(error))
+            return
+        self.add_solid(Offer(figure.name or kind_title(figure), solid, points))
 
     def _choose_newest(self) -> None:
         scene = self._session.sheet.scene

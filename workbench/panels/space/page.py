@@ -15,6 +15,8 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
 
 from workbench.document.subjects import Subject
+from workbench.exchange.diagrams import Derivation
+from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, Said
 from workbench.session.session import Session
@@ -37,6 +39,18 @@ class Page(Protocol):
 
     def said(self) -> Said:
         """What it says in the status bar."""
+
+    def tables(self) -> Sequence[tuple[str, Table]]:
+        """Title and content of each table of its own that can be exported now."""
+
+    def copy(self) -> bool:
+        """Put what is chosen, or the picture, on the clipboard; whether it has anything to copy."""
+
+    def paste(self) -> bool:
+        """Take what is on the clipboard; whether anything can be pasted into it."""
+
+    def derivation(self) -> Derivation | None:
+        """The page that derives what is shown, if there is any."""
 
     def point_at(self, cell: Cell | None) -> None:
         """Show where a pixel is that the sentence names; None when no longer."""

@@ -7,6 +7,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
+from workbench.exchange.diagrams import Derivation
+from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, PlainPanel, Said
 from workbench.panels.space.mesh_import import MeshImport
@@ -104,6 +106,22 @@ class SpacePanel(PlainPanel, QWidget):
     def point_at(self, cell: Cell | None) -> None:
         """Show on the page where a pixel is that the sentence names."""
         self._pages[self.page].point_at(cell)
+
+    def tables(self) -> Sequence[tuple[str, Table]]:
+        """Those of the page."""
+        return self._pages[self.page].tables()
+
+    def copy(self) -> bool:
+        """What the page copies."""
+        return self._pages[self.page].copy()
+
+    def paste(self) -> bool:
+        """Into the page."""
+        return self._pages[self.page].paste()
+
+    def derivation(self) -> Derivation | None:
+        """That of the page."""
+        return self._pages[self.page].derivation()
 
     # What the window places
 

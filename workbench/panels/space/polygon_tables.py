@@ -3,7 +3,16 @@
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from numpy.typing import NDArray
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QEvent,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    Qt,
+    Signal,
+)
 from PySide6.QtWidgets import QComboBox, QTableView, QVBoxLayout, QWidget
 
 from workbench.algorithms.solids.tables import PolygonTables, polygon_tables
@@ -11,6 +20,7 @@ from workbench.document.scene.model import Object
 from workbench.exchange.tables import Table
 from workbench.geometry.meshes import Mesh
 from workbench.language import _
+from workbench.panels.space.in_sight import InSight
 from workbench.widgets.look.empty_state import EmptyState
 from workbench.widgets.look.type_faces import code_font
 
@@ -23,6 +33,19 @@ def table_names() -> tuple[str, ...]:
     return _("Vertices"), _("Edges"), _("Faces"), _("Planes, in the world")
 
 
+_VERTICES, _EDGES = 0, 1
+
+
+def _ends(tables: PolygonTables, kind: int, row: int) -> NDArray[np.int64]:
+    """The vertices (n, 2) at the ends of what a row is of: a vertex twice, an edge, the sides of a face."""
+    if kind == _VERTICES:
+        return np.array([[row, row]])
+    if kind == _EDGES:
+        return tables.edges[row : row + 1]
+    corners = np.asarray(tables.faces[row])
+    return np.stack([corners, np.roll(corners, -1)], axis=1)
+
+
 class _Rows(QAbstractTableModel):
     """One of the tables; its rows are made when they are looked at."""
 
@@ -30,6 +53,11 @@ class _Rows(QAbstractTableModel):
         super().__init__()
         self._tables: PolygonTables | None = None
         self._kind = 0
+
+    @property
+    def tables(self) -> PolygonTables | None:
+        """Those whose rows are shown."""
+        return self._tables
 
     def take(self, tables: PolygonTables | None, kind: int) -> None:
         """Show another one."""
@@ -94,7 +122,10 @@ class _Rows(QAbstractTableModel):
 
 
 class PolygonTablesView(QWidget):
-    """Which table, and the table."""
+    """Which table, and the table. ``marked`` sends what its current or hovered row is of, as segments (n, 2,
+    3) of the world, and ``show_part`` brings a vertex or a face of the picture forward in it."""
+
+    marked = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -112,6 +143,16 @@ class PolygonTablesView(QWidget):
         self.table.horizontalHeader().setDefaultSectionSize(78)
         self.table.horizontalHeader().setStretchLastSection(True)
         self.table.setAccessibleName(_("Polygon table"))
+        self.table.setToolTip(_("Point at a row to see it in the scene; point at the scene to see its row"))
+        self.table.setSelectionBehavior(QTableView.SelectionBehavior.SelectRows)
+        self.table.setSelectionMode(QTableView.SelectionMode.SingleSelection)
+        self.table.setTabKeyNavigation(False)
+        self.table.setMouseTracking(True)
+        self.table.entered.connect(lambda index: self._mark(index.row()))
+        self.table.viewport().installEventFilter(self)
+        self.table.selectionModel().currentRowChanged.connect(lambda index, _old: self._mark(index.row()))
+        self.in_sight = InSight(self)
+        self.in_sight.changed.connect(self._come_in_sight)
         self._thing: Object | None = None
         self._mesh: Mesh | None = None
         inner = QWidget()
@@ -146,11 +187,39 @@ class PolygonTablesView(QWidget):
         return polygon_tables(Mesh(vertices, faces))
 
     def _show(self, *_index: object) -> None:
-        self._rows.take(self._tables() if self.isVisible() else None, self.choice.currentIndex())
+        self._rows.take(self._tables() if self.in_sight.now else None, self.choice.currentIndex())
+        self._mark(-1)
 
-    def showEvent(self, event: object) -> None:
+    def _come_in_sight(self, _seen: bool) -> None:
         """Make them when they are looked at."""
         self._show()
+
+    # Linked with the picture
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        """Where the pointer has left, the current row is shown again."""
+        if event.type() == QEvent.Type.Leave:
+            self._mark(self.table.currentIndex().row())
+        return False
+
+    def _mark(self, row: int) -> None:
+        tables = self._rows.tables
+        if tables is None or row < 0:
+            self.marked.emit(np.zeros((0, 2, 3)))
+        else:
+            self.marked.emit(tables.vertices[_ends(tables, self.choice.currentIndex(), row)])
+
+    def show_part(self, vertex: int, face: int) -> None:
+        """Bring a vertex, or with -1 for that a face, forward where the table shown lists such."""
+        kind, tables = self.choice.currentIndex(), self._rows.tables
+        row = {_VERTICES: vertex, _EDGES: -1}.get(kind, face)
+        if tables is None or not 0 <= row < self._rows.rowCount():
+            self.table.clearSelection()
+            self._mark(-1)
+            return
+        self.table.selectRow(row)
+        self.table.scrollTo(self._rows.index(row, 0))
+        self._mark(row)
 
     def content(self) -> list[tuple[str, Table]]:
         """Title and content of each table, for export."""

@@ -1,38 +1,46 @@
 """The page Projection: what the eye sees, the same from outside, and the matrices between them."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 
-import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
-from workbench.document.scene.model import Scene
+from workbench.document.scene.model import Camera, Scene
 from workbench.document.subjects import Subject
-from workbench.language import _
+from workbench.exchange.diagrams import Derivation
+from workbench.exchange.tables import Table
+from workbench.language import _, reason_of
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.camera_card import CameraCard
-from workbench.panels.space.eye_view import EyeView, Vertex
+from workbench.panels.space.contrast_dock import ContrastDock
+from workbench.panels.space.derivation import derivation
+from workbench.panels.space.derivation_dock import DerivationDock
+from workbench.panels.space.eye_view import EyeView
 from workbench.panels.space.family_dock import FamilyDock
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.matrix_strip import MatrixStrip
+from workbench.panels.space.object_clipboard import copy_chosen, object_held, paste_object
+from workbench.panels.space.object_handles import MODES, title_of_mode
 from workbench.panels.space.objects_dock import ObjectsDock
 from workbench.panels.space.outside_view import OutsideView
+from workbench.panels.space.pointing import Pointing
 from workbench.panels.space.polygon_tables import PolygonTablesView
+from workbench.panels.space.side_by_side import SideBySide
 from workbench.panels.space.solids_offered import offers
+from workbench.panels.space.stepped import clipped_so_far, vertex_on_its_way
+from workbench.panels.space.stepping_choice import SteppingChoice
+from workbench.panels.space.view_cube import SIDE_PX, ViewCube
+from workbench.panels.space.view_tools import ViewTools, tools_of
 from workbench.panels.stage.empty import EmptyState
-from workbench.rendering.scene.edge_picture import object_at
-from workbench.rendering.subjects.projection import KIND, is_of_a_vertex, seen_from, vertex_of
+from workbench.rendering.subjects.projection import KIND, clips, is_of_a_vertex, seen_from
 from workbench.session.session import Session
-from workbench.widgets.look.icons import set_icon
 from workbench.widgets.stepping.step_bar import stepping_keys
 
-_BAR_PX, _CARD_GAP_PX = 44, 8
-_LEAST_BESIDE_PX = 560
+_CARD_GAP_PX = 8
 _REST_MS = 50
-Command = tuple[str, str, str, str, Callable[[], object]]
 
 
 class ProjectionPage(QWidget):
@@ -53,9 +61,15 @@ class ProjectionPage(QWidget):
         self.strip = MatrixStrip(self.looking)
         self.card = CameraCard(self.looking, self.eye)
         self.card.move(_CARD_GAP_PX, _CARD_GAP_PX)
+        self.cube = ViewCube(self.eye)
+        self.pointing = Pointing(self.looking, self.eye, self.outside, self)
+        self.stepping = SteppingChoice(session, self.outside)
+        self.stepping.move(_CARD_GAP_PX, _CARD_GAP_PX)
         self.objects = ObjectsDock(session)
         self.family = FamilyDock()
-        self.tables = PolygonTablesView()
+        self.tables_view = PolygonTablesView()
+        self.contrast = ContrastDock()
+        self.derived = DerivationDock()
         self.empty = EmptyState(
             self.eye,
             _("Nothing to look at."),
@@ -64,8 +78,6 @@ class ProjectionPage(QWidget):
             _("Put a house into the scene"),
         )
         self.empty.hide()
-        self.beside = "both"
-        self._actions: dict[str, QAction] = {}
         self._lay_out()
         self._waiting = False
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
@@ -75,36 +87,9 @@ class ProjectionPage(QWidget):
         self.refresh()
 
     def _lay_out(self) -> None:
-        self.views = QSplitter(Qt.Orientation.Horizontal)
-        self.views.setChildrenCollapsible(False)
-        self.views.addWidget(self.eye)
-        self.views.addWidget(self.outside)
-        self.views.setSizes([1000, 1000])
-        for at in (0, 1):
-            self.views.setStretchFactor(at, 1)
-        bar = QFrame()
-        bar.setFixedWidth(_BAR_PX)
-        column = QVBoxLayout(bar)
-        column.setContentsMargins(6, 8, 6, 8)
-        column.setSpacing(4)
-        for name, title, icon, key, do in self._commands():
-            action = QAction(title, self)
-            action.setObjectName(f"space.{name}")
-            action.setToolTip(f"{title} ({key})" if key else title)
-            if key:
-                action.setShortcut(key)
-                action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-            action.triggered.connect(lambda _checked=False, do=do: do())
-            self._actions[name] = action
-            self.addAction(action)
-            if icon:
-                set_icon(action, icon)
-                button = QToolButton()
-                button.setDefaultAction(action)
-                button.setFixedSize(32, 32)
-                button.setAccessibleName(title)
-                column.addWidget(button)
-        column.addStretch(1)
+        self.views = SideBySide(self.eye, self.outside)
+        self.tools = ViewTools(tools_of(self), self)
+        self._actions = self.tools.actions_by_name
         for view in (self.eye, self.outside):
             view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
             view.addActions(list(self._actions.values()))
@@ -116,33 +101,14 @@ class ProjectionPage(QWidget):
         whole = QHBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
-        whole.addWidget(bar)
+        whole.addWidget(self.tools)
         whole.addLayout(right, 1)
         self.setFocusProxy(self.eye)
         KeysWhileSeen(self, self._actions.values())
 
-    def _commands(self) -> list[Command]:
-        """Name, title, icon, key and what is done; those without an icon are in the menu only."""
-        say, looking = self.say, self.looking
-        return [
-            ("both", _("Picture and outside view"), "columns", "", partial(self.show_beside, "both")),
-            ("picture", _("The picture alone"), "image", "", partial(self.show_beside, "eye")),
-            ("outside", _("The outside view alone"), "cube", "", partial(self.show_beside, "outside")),
-            ("faces", _("Faces, edges or both"), "circle-half", "", self.next_shows),
-            ("zoom_in", _("Zoom in"), "magnifying-glass-plus", "Ctrl++", lambda: self.focused.zoom(1.25)),
-            ("zoom_out", _("Zoom out"), "magnifying-glass-minus", "Ctrl+-", lambda: self.focused.zoom(0.8)),
-            ("fit", _("Fit the scene"), "frame-corners", "Ctrl+0", self.fit),
-            ("home", _("Back to the view of the document"), "house-simple", "", self.go_home),
-            ("front", _("Look from the front (1)"), "", "", lambda: say(looking.face("front"))),
-            ("right", _("Look from the right (3)"), "", "", lambda: say(looking.face("right"))),
-            ("top", _("Look from above (7)"), "", "", lambda: say(looking.face("top"))),
-            ("switch", _("Perspective or parallel (5)"), "", "", self.switch),
-            ("keep", _("Keep this view"), "", "", lambda: say(looking.keep())),
-        ]
-
     @property
     def _beside(self) -> tuple[QWidget, ...]:
-        return self.objects, self.family, self.tables
+        return self.objects, self.family, self.tables_view, self.contrast, self.derived
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """A dock that comes to be seen shows what happened while it was hidden."""
@@ -158,25 +124,40 @@ class ProjectionPage(QWidget):
         for told in (session.changed, session.state_changed):
             told.connect(self._follow)
             told.connect(self.refresh_soon)
-        eye.turned.connect(lambda theta, phi: self.say(self.looking.orbit(theta, phi)))
+        for told in (eye.resized, self.card.refitted):
+            told.connect(self._place_cube)
+        self.cube.chosen.connect(self.glance)
+        self.pointing.said.connect(self.hover_text)
+        self.pointing.stepped.connect(self._follow)
         for view in (eye, self.outside):
             view.switched.connect(self.switch)
             view.failed.connect(self.hover_text)
-        eye.faced.connect(lambda side: self.say(self.looking.face(side)))
+        eye.faced.connect(self.face)
         self.outside.faced.connect(self.outside.face)
-        eye.clicked.connect(partial(self._pick, eye))
-        self.outside.clicked.connect(partial(self._pick, self.outside))
         eye.vanishing_moved.connect(
             lambda axis, x, y, pinned: self.say(self.looking.vanish(axis, (x, y), pinned))
         )
         eye.turn_ended.connect(self._follow)
         eye.turn_ended.connect(self.refresh_soon)
+        self.outside.camera_moved.connect(lambda camera: self.say(self.looking.look(camera)))
+        self.outside.move_ended.connect(self._follow)
+        self.outside.move_ended.connect(self._show_outside)
+        for told in (session.run.changed, session.run.moved, session.run.grown):
+            told.connect(self.refresh_soon)
         eye.view_changed.connect(self._view_changed)
         self.card.chosen.connect(self.choose)
         self.family.tree.chosen.connect(self.choose)
         for part in (self.card, self.strip, self.objects):
             part.said.connect(self.hover_text)
         self.objects.added.connect(lambda _id: self.eye.fit())
+        for part in (self.contrast, self.derived):
+            part.looked.connect(self.look)
+        self.derived.said.connect(self.hover_text)
+        for view in (eye, self.outside):
+            self.contrast.marked.connect(view.mark)
+            self.tables_view.marked.connect(view.mark)
+        self.tables_view.in_sight.changed.connect(lambda seen: setattr(self.pointing, "follows", seen))
+        self.pointing.pointed.connect(self.tables_view.show_part)
 
     # What the panel is told
 
@@ -191,7 +172,9 @@ class ProjectionPage(QWidget):
         return (
             ("objects", _("Objects"), self.objects, right),
             ("family", _("Family"), self.family, right),
-            ("polygon_tables", _("Tables"), self.tables, right),
+            ("polygon_tables", _("Tables"), self.tables_view, right),
+            ("derivation", _("Derivation"), self.derived, right),
+            ("contrast", _("Compare"), self.contrast, right),
         )
 
     def commands(self) -> Sequence[QAction]:
@@ -201,6 +184,31 @@ class ProjectionPage(QWidget):
     def said(self) -> Said:
         """What is said in passing, and the scale."""
         return Said(self.hover_text, self.zoom_text)
+
+    def tables(self) -> Sequence[tuple[str, Table]]:
+        """The polygon tables of the chosen object, and the comparison of projections."""
+        return [*self.tables_view.content(), *self.contrast.content()]
+
+    def copy(self) -> bool:
+        """Put the chosen object on the clipboard, or with none chosen the picture."""
+        self.say(copy_chosen(self.session, self.eye))
+        return True
+
+    def paste(self) -> bool:
+        """Put the clipboard's object into the scene; False where it has none."""
+        if not object_held():
+            return False
+        self.say(paste_object(self.session))
+        return True
+
+    def derivation(self) -> Derivation | None:
+        """Its picture, the similar triangles, its matrices, and what it keeps; None where nothing is seen."""
+        scene = self.looking.scene
+        try:
+            return None if scene is None else derivation(scene, vertex_on_its_way(self.session))
+        except ValueError as error:
+            self.say(reason_of(error))
+            return None
 
     def point_at(self, cell: Cell | None) -> None:
         """Its sentences name no pixels."""
@@ -221,11 +229,40 @@ class ProjectionPage(QWidget):
         self.say(self.looking.choose(slug, _("Change the projection")))
         self.eye.keeps_fit = True
 
+    def face(self, side: str) -> None:
+        """Stand before one of the six sides, and see all of the scene."""
+        self.say(self.looking.face(side))
+        self.eye.keeps_fit = True
+        self._kept = None
+
+    def glance(self, slug: str) -> None:
+        """See the scene by another projection from where that is at its best; the document keeps its own."""
+        self.say(self.looking.glance(slug))
+        self.eye.keeps_fit = True
+        self._kept = None
+
+    def keep(self) -> None:
+        """Write what is seen now into the document."""
+        self.say(self.looking.keep())
+
+    def switch_trackball(self) -> None:
+        """Turn freely, or on a turntable that keeps the horizon level."""
+        self.looking.trackball = self._actions["trackball"].isChecked()
+
+    def _place_cube(self) -> None:
+        """At the top right, or below where the card leaves no room there; the choice of steps likewise."""
+        beside = self.card.x() + self.card.width() + SIDE_PX + 8 <= self.eye.width()
+        self.cube.move(self.eye.width() - SIDE_PX - 4, 4 if beside else self.eye.height() - SIDE_PX - 4)
+
     def switch(self) -> None:
         """Exchange perspective and parallel projection, from the same place."""
         camera = self.looking.camera
         other = "orthographic" if camera.projection == "perspective" else "perspective"
-        self.say(self.looking.look(replace(camera, projection=other)))
+        self.look(replace(camera, projection=other))
+
+    def look(self, camera: Camera) -> None:
+        """See all of the scene by another camera; the document keeps its own."""
+        self.say(self.looking.look(camera))
         self.eye.keeps_fit = True
         self._kept = None
 
@@ -249,26 +286,32 @@ class ProjectionPage(QWidget):
         """Show all of the scene in the view that has the focus."""
         self.focused.fit()
 
+    def zoom(self, factor: float) -> None:
+        """Show what the view with the focus shows ``factor`` times as large."""
+        self.focused.zoom(factor)
+
     def next_shows(self) -> None:
         """From faces and edges to edges, to faces, and back."""
         following = {"both": "edges", "edges": "faces", "faces": "both"}[self.eye.shows]
         for view in (self.eye, self.outside):
             view.set_shows(following)  # type: ignore[arg-type]
 
+    def next_mode(self) -> None:
+        """Handles to move, to turn, to scale the chosen object, or none; the first object where none is."""
+        following = MODES[(MODES.index(self.eye.mode) + 1) % len(MODES)]
+        things = [thing.id for thing in self.eye.scene.objects if thing.visible]
+        if things and self.session.state.thing not in things:
+            self.session.update_state(thing=things[0])
+        self.eye.set_mode(following)
+        words = _("{what}: drag a handle; with Shift all axes are scaled.")
+        self.say(words.format(what=title_of_mode(following)) if following else "")
+
     def show_beside(self, which: str) -> None:
         """Show the picture, the outside view, or both."""
-        self.beside = which
-        self._arrange()
+        self.views.show_views(which, not self.eye.scene.objects)
 
     def _arrange(self) -> None:
-        """Side by side; one above the other where the room is taller than wide; one where it is narrow."""
-        area = self.views
-        upright = area.height() > area.width()
-        area.setOrientation(Qt.Orientation.Vertical if upright else Qt.Orientation.Horizontal)
-        alone = self.beside == "both" and area.width() < _LEAST_BESIDE_PX and not upright
-        empty = not self.eye.scene.objects
-        self.eye.setVisible(empty or self.beside != "outside")
-        self.outside.setVisible(not empty and self.beside != "eye" and not alone)
+        self.show_beside(self.views.which)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Arrange the views anew."""
@@ -293,7 +336,8 @@ class ProjectionPage(QWidget):
             self._say_scale()
         scene = self.looking.scene or Scene()
         chosen = self.session.state.thing
-        self.eye.vertex = self.vertex()
+        self.eye.vertex = vertex_on_its_way(self.session)
+        self.outside.clipped = clipped_so_far(self.session)
         self.eye.show_scene(scene, chosen)
         kept = self.session.sheet.scene
         anew = kept is not self._kept
@@ -316,11 +360,16 @@ class ProjectionPage(QWidget):
         self.strip.show_camera(scene.camera, anew)
         self.card.show_camera(scene.camera, self.looking.around)
         self.family.show_camera(scene.camera, self.card.kind.currentData() or "")
+        self.cube.show_camera(scene.camera)
+        self.contrast.show_scene(scene)
+        self.stepping.refresh()
+        self.derived.show_camera(scene.camera, self.eye.vertex, lambda: self.looking.radius)
         self.objects.show_scene(scene, chosen)
-        self.tables.show_object(next((each for each in scene.objects if each.id == chosen), None))
+        self.tables_view.show_object(next((each for each in scene.objects if each.id == chosen), None))
         self.empty.setVisible(not scene.objects)
         self.strip.setVisible(bool(scene.objects))
         self.card.setVisible(bool(scene.objects))
+        self.cube.setVisible(bool(scene.objects))
         self._arrange()
 
     def _show_outside(self) -> None:
@@ -330,50 +379,30 @@ class ProjectionPage(QWidget):
     def _view_changed(self, _scale: float) -> None:
         self._say_scale()
         self._show_outside()
+        if clips(self.session.state.subject):
+            self._follow()
 
     def _say_scale(self) -> None:
         self.zoom_text.emit(_("{scale:.3g} px a unit").format(scale=self.eye.scale))
 
-    def vertex(self) -> Vertex | None:
-        """The vertex that is stepped, where it is in the world."""
-        subject = self.session.subject
-        if not is_of_a_vertex(subject) or self.session.state.workspace != "space":
-            return None
-        chosen = vertex_of(self.session.sheet, subject)
-        if chosen is None or not chosen[0].visible:
-            return None
-        thing, number = chosen
-        x, y, z, _w = (thing.matrix if thing.matrix is not None else np.eye(4)) @ [
-            *thing.mesh.vertices[number],
-            1.0,
-        ]
-        return Vertex(thing.id, number, (float(x), float(y), float(z)))
-
-    # Choosing
-
-    def _pick(self, view: EyeView | OutsideView, position: QPointF) -> None:
-        """A vertex of the picture is stepped; else the object there is chosen."""
-        vertex = self.eye.vertex_at(position) if view is self.eye else None
-        if vertex is not None:
-            subject = Subject(KIND, (vertex.thing,), arguments={"vertex": vertex.number})
-            self.session.update_state(thing=vertex.thing, subject=subject, step=0)
-            self._follow()
-            return
-        ratio = view.devicePixelRatioF()
-        x, y = position.x() * ratio - 0.5, view.device_size[1] - 0.5 - position.y() * ratio
-        name = object_at(view.scene, view.device_size, view.window_world, x, y)
-        self.session.update_state(thing=name)
+    # The run
 
     def _follow(self, *_changes: object) -> None:
-        """The run goes through the matrices that the scene is seen by."""
+        """The run goes through the matrices that the scene is seen by, and clips to what is seen."""
         session = self.session
         subject, scene = session.state.subject, session.sheet.scene
-        if not self.isVisible() or self.eye.dragging or not is_of_a_vertex(subject) or scene is None:
+        held = self.eye.dragging or self.outside.dragging
+        if not self.isVisible() or held or not is_of_a_vertex(subject) or scene is None:
             return
         kept = {name: value for name, value in subject.arguments.items() if name == "vertex"}
         wanted = {**kept, **(seen_from(self.looking.camera) if self.looking.around else {})}
-        if wanted != subject.arguments:
-            session.update_state(subject=replace(subject, arguments=wanted))
+        if clips(subject):
+            seen = self.eye.window_world
+            wanted["window"] = (seen.xmin, seen.ymin, seen.xmax, seen.ymax)
+        chosen = session.state.thing
+        ids = (chosen,) if chosen and clips(subject) else subject.ids
+        if (ids, wanted) != (subject.ids, subject.arguments):
+            session.update_state(subject=replace(subject, ids=ids, arguments=wanted))
 
     def showEvent(self, event: QShowEvent) -> None:
         """Show what happened while it was hidden."""

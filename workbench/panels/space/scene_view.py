@@ -1,33 +1,12 @@
-"""A view of a scene: the picture that a worker draws, its zoom and pan, and the hand that turns it."""
-
-from typing import Literal
+"""A view of a scene under the hand: dragged to turn or shift it, zoomed at the pointer, led by keys."""
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QFocusEvent,
-    QImage,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QResizeEvent,
-    QShowEvent,
-    QWheelEvent,
-)
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtCore import QLineF, QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QWheelEvent
+from PySide6.QtWidgets import QWidget
 
-from workbench.document.model import Rectangle
-from workbench.document.scene.model import Scene
-from workbench.geometry.meshes import Array
-from workbench.language import reason_of
-from workbench.panels.space.scene_worker import SceneJob, SceneWorker
-from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture
-from workbench.rendering.scene.viewpoint import Viewpoint
-from workbench.widgets.look.tokens import colour, theme, tokens
-
-Shows = Literal["faces", "edges", "both"]
+from workbench.panels.space.scene_picture import ScenePicture
+from workbench.widgets.look.tokens import colour, tokens
 
 SLACK_PX = 3.0
 REACH_PX = 12.0
@@ -35,11 +14,7 @@ TURN_PER_PX = 0.01
 TURN_PER_KEY = np.radians(5.0)
 _SHIFT_PER_KEY_PX = 24.0
 _ZOOM_PER_NOTCH = 1.2
-_MARGIN_PX = 44
-_LEAST_SCALE, _MOST_SCALE = 1e-6, 1e9
-_FINEST_PX = 0.3
-_PER_WIDTH = 8.0
-"""An edge is at least so many times as long as wide, on average: a fine mesh is drawn in fine lines."""
+_CURSOR_STEP_PX, _CURSOR_PX = 6.0, 9.0
 _SIDES = {
     Qt.Key.Key_1: ("front", "back"),
     Qt.Key.Key_3: ("right", "left"),
@@ -53,243 +28,32 @@ _ARROWS = {
 }
 
 
-def fine(width_px: float, length_px: float) -> float:
-    """How wide lines of this average length are drawn that are ``width_px`` wide where there is room."""
-    return min(width_px, max(length_px / _PER_WIDTH, _FINEST_PX))
+class SceneView(ScenePicture):
+    """``dragging`` tells whether it is being turned or a mark of it moved, ``cursor_at`` where the cursor of
+    the keyboard is.
 
-
-class SceneView(QWidget):
-    """Where ``middle`` of the view plane is in the middle, ``scale`` logical pixels a unit; it keeps them
-    while the camera turns, and fits the scene anew when it ``keeps_fit`` and something else has changed.
-
-    ``dragging`` tells whether it is being turned or a mark of it moved. ``turned`` sends by how much (theta,
-    phi), radians, ``turn_ended`` follows a drag; ``faced`` the side to look at, ``switched`` that perspective
-    and parallel are to be exchanged; ``clicked`` where, and ``view_changed`` the scale.
+    ``turn_began`` sends where a drag begins that turns it, ``turned`` by how much (theta, phi), radians,
+    ``turn_ended`` follows a drag; ``faced`` the side to look at, ``switched`` that perspective and parallel
+    are to be exchanged; ``clicked``, ``hovered`` and ``framed`` (a double click) where.
     """
 
+    turn_began = Signal(QPointF)
     turned = Signal(float, float)
     turn_ended = Signal()
     faced = Signal(str)
     switched = Signal()
     clicked = Signal(QPointF)
-    view_changed = Signal(float)
-    failed = Signal(str)
+    hovered = Signal(QPointF)
+    framed = Signal(QPointF)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setMinimumSize(120, 100)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
-        self.shows: Shows = "both"
-        self.scene = Scene()
-        self.chosen = ""
-        self.middle, self.scale = (0.0, 0.0), 50.0
-        self.keeps_fit = True
-        self.worker = SceneWorker(self)
-        self.worker.drawn.connect(self._take)
-        self.worker.failed.connect(self._refuse)
-        self._job: SceneJob | None = None
-        self._picture: EdgePicture | None = None
-        self._rows = np.zeros((0, 0), np.uint32)  # the image only refers to them
-        self._image = QImage()
-        self._image_came = False
-        self._viewpoint: Viewpoint | None = None
-        self.dragging = False
         self._press: QPointF | None = None
         self._last = QPointF()
         self._moving = False
         self._grip: object | None = None
-        theme.changed.connect(self.update)
-
-    def sizeHint(self) -> QSize:
-        """Any two share their room in halves."""
-        return QSize(400, 300)
-
-    # What is shown
-
-    def show_scene(self, scene: Scene, chosen: str = "") -> None:
-        """Show a scene through its camera, with one of its objects picked out."""
-        self.chosen = chosen
-        if scene != self.scene:
-            self.scene = scene
-            self.redraw()
-        if not (self.dragging and self.worker.busy):  # else the picture that is awaited is painted
-            self.update()
-
-    @property
-    def picture_is_current(self) -> bool:
-        """Whether what is painted is the scene as it is now."""
-        return self._picture is not None and not self.worker.busy
-
-    def set_shows(self, shows: Shows) -> None:
-        """Show faces, edges or both."""
-        if shows != self.shows:
-            self.shows = shows
-            self.redraw()
-
-    @property
-    def device_size(self) -> tuple[int, int]:
-        """Width and height in the pixels of the screen."""
-        ratio = self.devicePixelRatioF()
-        return max(round(self.width() * ratio), 1), max(round(self.height() * ratio), 1)
-
-    @property
-    def window_world(self) -> Rectangle:
-        """What of the view plane is seen."""
-        x, y = self.middle
-        half_x, half_y = self.width() / self.scale / 2, self.height() / self.scale / 2
-        return Rectangle(x - half_x, y - half_y, x + half_x, y + half_y)
-
-    def redraw(self) -> None:
-        """Have the picture drawn anew."""
-        if self.isVisible() and self.width() > 1 and self.height() > 1:
-            job = SceneJob(self.scene, self.device_size, self.window_world, self.shows != "edges")
-            if job != self._job:
-                self._job = job
-                if not (job.faces and self._image_came):  # until faces can be drawn, lines are
-                    self._take_lines(job)
-                if job.faces:
-                    self.worker.ask(job)
-
-    def _take_lines(self, job: SceneJob) -> None:
-        try:
-            self._take(job, edge_picture(*job[:3], faces=False))
-        except ValueError as error:
-            self._refuse(job, reason_of(error))
-
-    def _take(self, job: SceneJob, picture: EdgePicture) -> None:
-        if job.faces and self.shows == "edges" and picture.pixels is not None:
-            return  # switched meanwhile
-        self._picture, self._viewpoint = picture, job.viewpoint
-        self._image = QImage()
-        if picture.pixels is not None:
-            self._image_came = True
-            self._rows = np.ascontiguousarray(picture.pixels[::-1])
-            height, width = self._rows.shape
-            form = QImage.Format.Format_ARGB32_Premultiplied  # no pixel lets through a part only
-            self._image = QImage(self._rows.data, width, height, width * 4, form)
-        self.view_changed.emit(self.scale)
-        self.update()
-
-    def _refuse(self, _job: SceneJob, sentence: str) -> None:
-        self.failed.emit(sentence)
-
-    # Zoom and pan
-
-    def fit(self) -> None:
-        """Show all of the scene."""
-        flat = self.extent()
-        self.keeps_fit = True
-        if len(flat):
-            low, high = flat.min(axis=0), flat.max(axis=0)
-            room = max(self.width() - 2 * _MARGIN_PX, 40), max(self.height() - 2 * _MARGIN_PX, 40)
-            spread = max(float((high - low)[0]) / room[0], float((high - low)[1]) / room[1], 1e-9)
-            x, y = ((low + high) / 2).tolist()
-            self.middle, self.scale = (x, y), min(max(1.0 / spread, _LEAST_SCALE), _MOST_SCALE)
-        self.redraw()
-        self.view_changed.emit(self.scale)
-
-    def extent(self) -> Array:
-        """The places (n, 2) of the view plane that are to be seen when all fits in."""
-        return np.zeros((0, 2))
-
-    def zoom(self, factor: float, at: QPointF | None = None) -> None:
-        """Show everything ``factor`` times as large, and what is at a place stays there."""
-        at = QPointF(self.rect().center()) if at is None else at
-        x, y = self.on_plane(at)
-        self.scale = min(max(self.scale * factor, _LEAST_SCALE), _MOST_SCALE)
-        after_x, after_y = self.on_plane(at)
-        self.middle = self.middle[0] + x - after_x, self.middle[1] + y - after_y
-        self.keeps_fit = False
-        self.redraw()
-        self.view_changed.emit(self.scale)
-
-    def pan(self, dx: float, dy: float) -> None:
-        """Shift the picture by so many logical pixels, to the right and down."""
-        self.middle = self.middle[0] - dx / self.scale, self.middle[1] + dy / self.scale
-        self.keeps_fit = False
-        self.redraw()
-
-    def on_plane(self, position: QPointF) -> tuple[float, float]:
-        """The place of the view plane at a place of the widget."""
-        x, y = self.middle
-        return (
-            x + (position.x() - self.width() / 2) / self.scale,
-            y - (position.y() - self.height() / 2) / self.scale,
-        )
-
-    # From space to the widget, as the picture that is shown was drawn
-
-    def on_screen(self, flat: Array) -> Array:
-        """Places (n, 2) of the view plane in logical pixels of the widget."""
-        if self._viewpoint is None:
-            return np.full((len(flat), 2), np.nan)
-        device, ratio, height = self._viewpoint.device, self.devicePixelRatioF(), self.device_size[1]
-        x = flat[:, 0] * device[0, 0] + device[0, 2]
-        y = flat[:, 1] * device[1, 1] + device[1, 2]
-        return np.stack([(x + 0.5) / ratio, (height - 0.5 - y) / ratio], axis=1)
-
-    def projected(self, points_world: Array) -> Array:
-        """Points (n, 3) of space in logical pixels (n, 2); not a number where none is before the camera."""
-        if self._viewpoint is None:
-            return np.full((len(points_world), 2), np.nan)
-        placed = self._viewpoint.homogeneous(np.asarray(points_world, np.float64))
-        w = np.where(placed[:, 3] > 1e-9, placed[:, 3], np.nan)
-        return self.on_screen(placed[:, :2] / w[:, None])
-
-    # Painting
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        """The picture, its edges, and what is drawn over them."""
-        painter = QPainter(self)
-        painter.fillRect(event.rect(), colour(tokens().canvas))
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self.paint_under(painter)
-        if not self._image.isNull():
-            painter.drawImage(QRectF(self.rect()), self._image)
-        if self._picture is not None:
-            self._paint_edges(painter, self._picture)
-        self.paint_over(painter)
-        if self.hasFocus():
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-            painter.setPen(QPen(colour(tokens().accent), 2))
-            painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
-        painter.end()
-
-    def _paint_edges(self, painter: QPainter, picture: EdgePicture) -> None:
-        now = tokens()
-        ids = [thing.id for thing in self.scene.objects]
-        chosen = ids.index(self.chosen) if self.chosen in ids else -1
-        if picture.pixels is None:
-            self._lines(painter, picture.seen[picture.seen_of != chosen], QPen(colour(now.muted), 1))
-            self._lines(painter, picture.seen[picture.seen_of == chosen], QPen(colour(now.accent), 2))
-            return
-        faint = QPen(colour(now.accent, 150), 1, Qt.PenStyle.DashLine)
-        self._lines(painter, picture.hidden[picture.hidden_of == chosen], faint)
-        if self.shows == "both":
-            others = picture.seen[picture.seen_of != chosen]
-            self._lines(painter, others, QPen(colour(now.text), 1.2))
-        self._lines(painter, picture.seen[picture.seen_of == chosen], QPen(colour(now.accent), 2))
-
-    def _lines(self, painter: QPainter, segments: Array, pen: QPen) -> None:
-        if len(segments):
-            ratio, height = self.devicePixelRatioF(), self.device_size[1]
-            x = (segments[:, 0::2] + 0.5) / ratio
-            y = (height - 0.5 - segments[:, 1::2]) / ratio
-            length = float(np.hypot(np.diff(x, axis=1), np.diff(y, axis=1)).mean())
-            pen.setWidthF(fine(pen.widthF(), length))
-            pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-            painter.setPen(pen)
-            rows = zip(x.tolist(), y.tolist(), strict=True)
-            painter.drawLines([QLineF(x0, y0, x1, y1) for (x0, x1), (y0, y1) in rows])
-
-    def paint_under(self, painter: QPainter) -> None:
-        """What lies behind the picture."""
-
-    def paint_over(self, painter: QPainter) -> None:
-        """What lies over the picture."""
+        self.cursor_at: QPointF | None = None
 
     # The hand
 
@@ -315,11 +79,14 @@ class SceneView(QWidget):
         """Turn, shift, or move the mark that is held."""
         position = event.position()
         if self._press is None:
+            self.hovered.emit(position)
             held = self.grip_at(position)
             self.setCursor(Qt.CursorShape.ArrowCursor if held is None else Qt.CursorShape.OpenHandCursor)
             return
         if not self._moving and (position - self._press).manhattanLength() <= SLACK_PX:
             return
+        if not self.dragging and self._grip is None:
+            self.turn_began.emit(self._press)
         self._moving = self.dragging = True
         delta, self._last = position - self._last, position
         if self._grip is not None:
@@ -342,6 +109,11 @@ class SceneView(QWidget):
         elif event.button() == Qt.MouseButton.LeftButton:
             self.clicked.emit(event.position())
 
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Frame what is there."""
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.framed.emit(event.position())
+
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the pointer."""
         notches = event.angleDelta().y() / 120
@@ -350,7 +122,10 @@ class SceneView(QWidget):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """1 3 7 look from a side (Ctrl: the opposite one), 5 exchanges the projections, Shift+arrows turn."""
+        """1 3 7 look from a side (Ctrl: the opposite one), 5 exchanges the projections, Shift+arrows turn.
+
+        Ctrl+arrows move the cursor, Enter clicks there.
+        """
         key, held = event.key(), event.modifiers()
         shift, control = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
         if key in _SIDES:
@@ -364,34 +139,32 @@ class SceneView(QWidget):
             x, y = _ARROWS[Qt.Key(key)]
             self.turned.emit(x * TURN_PER_KEY, y * TURN_PER_KEY)
             self.turn_ended.emit()
+        elif key in _ARROWS and held & control:
+            self._move_cursor(*_ARROWS[Qt.Key(key)])
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.cursor_at is not None:
+            self.clicked.emit(self.cursor_at)
         elif key in (Qt.Key.Key_Plus, Qt.Key.Key_Minus):
             self.zoom(_ZOOM_PER_NOTCH if key == Qt.Key.Key_Plus else 1 / _ZOOM_PER_NOTCH)
         else:
             super().keyPressEvent(event)
 
-    # Its place
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit again, or show more or less."""
-        super().resizeEvent(event)
-        if self.keeps_fit:
-            self.fit()
-        else:
-            self.redraw()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Draw what was not drawn while it was hidden."""
-        if self.keeps_fit:
-            self.fit()
-        else:
-            self.redraw()
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        """Show the ring."""
-        super().focusInEvent(event)
+    def _move_cursor(self, right: int, up: int) -> None:
+        """From the middle on, within the widget; what is there is told as of the pointer."""
+        at = self.cursor_at or QPointF(self.rect().center())
+        x = min(max(at.x() + right * _CURSOR_STEP_PX, 0.0), self.width() - 1.0)
+        y = min(max(at.y() - up * _CURSOR_STEP_PX, 0.0), self.height() - 1.0)
+        self.cursor_at = QPointF(x, y)
+        self.hovered.emit(self.cursor_at)
         self.update()
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Take it away."""
-        super().focusOutEvent(event)
-        self.update()
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """The cursor of the keyboard over the picture."""
+        super().paintEvent(event)
+        if self.cursor_at is None or not self.hasFocus():
+            return
+        painter, (x, y) = QPainter(self), self.cursor_at.toTuple()
+        for ink, width in ((tokens().canvas, 4.0), (tokens().text, 1.6)):
+            painter.setPen(QPen(colour(ink), width))
+            painter.drawLine(QLineF(x - _CURSOR_PX, y, x + _CURSOR_PX, y))
+            painter.drawLine(QLineF(x, y - _CURSOR_PX, x, y + _CURSOR_PX))
+        painter.end()

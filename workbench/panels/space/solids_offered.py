@@ -11,23 +11,27 @@ from workbench.document.scene.links import (
     Shear3D,
     Translate3D,
 )
-from workbench.document.scene.model import Object
+from workbench.document.scene.model import Object, SpacePoint
 from workbench.document.scene.solids import (
     AnySolid,
     Box,
     Bracket,
     Cone,
     Cylinder,
+    Extrusion,
     House,
     Jug,
     PiercingPlanes,
     Prism,
     Pyramid,
     Regular,
+    Revolution,
     Sphere,
+    Surface,
     Torus,
 )
 from workbench.language import _
+from workbench.panels.space.sweeps import hill, star, vase
 
 
 class Offer(NamedTuple):
@@ -35,6 +39,7 @@ class Offer(NamedTuple):
 
     title: str
     solid: AnySolid
+    points: tuple[SpacePoint, ...] = ()
 
 
 def offers() -> tuple[Offer, ...]:
@@ -56,6 +61,10 @@ def offers() -> tuple[Offer, ...]:
         Offer(_("Angle, not convex"), Bracket()),
         Offer(_("Piercing planes"), PiercingPlanes()),
         Offer(_("Jug"), Jug()),
+        Offer(_("Extrusion"), Extrusion(), star()),
+        Offer(_("Revolution"), Revolution(), vase()),
+        Offer(_("Bézier patch"), Surface(rows=4), hill()),
+        Offer(_("B-spline patch"), Surface(rows=4, u_degree=2, v_degree=2), hill()),
     )
 
 

@@ -10,7 +10,7 @@ from workbench.algorithms import projection, transforms
 from workbench.algorithms.transforms import Matrix
 from workbench.document.scene.model import Object
 from workbench.document.subjects import Subject
-from workbench.rendering.scene.wireframe import edges_of
+from workbench.geometry.meshes import edges_of
 from workbench.rendering.subjects.space_chain import TURN, acting, last_turn, upto, vertex_of
 
 Points = NDArray[np.float64]

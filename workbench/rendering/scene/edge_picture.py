@@ -1,4 +1,4 @@
-"""A scene as a student looks at it: flat faces by the depth buffer, edges as lines, and what a pixel is of.
+"""A scene as a student looks at it: flat faces by the depth buffer, edges as lines.
 
 Edges are lines of their own, not pixels, so that they stay thin and smooth; the depth buffer of the same
 picture tells which part of each is seen.
@@ -46,30 +46,6 @@ def edge_picture(scene: Scene, size: Size, window: Rectangle, faces: bool = True
     pixels = np.where(depth < 1.0, image | np.uint32(0xFF000000), np.uint32(0))
     parts, of, seen = _split(ends, depth)
     return EdgePicture(pixels, parts[seen], owners[of[seen]], parts[~seen], owners[of[~seen]])
-
-
-def object_at(scene: Scene, size: Size, window: Rectangle, x: float, y: float) -> str:
-    """The id of the object that is nearest at a place of the picture, pixels, y upwards; empty: of none."""
-    viewpoint = Viewpoint.of(scene.camera, size, window, np.zeros((0, 3)))
-    nearest, name = np.inf, ""
-    visible = [thing for thing in scene.objects if thing.visible]
-    for thing, (mesh, (triangles, _faces), _material, lasting) in zip(visible, placed(scene), strict=True):
-        drawn = viewpoint.drawn(mesh.vertices, triangles, lasting.box)
-        a, b, c = drawn.corners[drawn.triangles].transpose(1, 0, 2)
-        area = _cross(a, b, c[:, 0], c[:, 1])
-        shares = np.stack([_cross(b, c, x, y), _cross(c, a, x, y), _cross(a, b, x, y)])
-        inside = ((shares * np.sign(area)) >= 0).all(axis=0) & (area != 0)
-        if inside.any():
-            depths = np.stack([a[:, 2], b[:, 2], c[:, 2]])
-            depth = ((shares * depths).sum(axis=0)[inside] / area[inside]).min()
-            if depth < nearest:
-                nearest, name = depth, thing.id
-    return name
-
-
-def _cross(a: Array, b: Array, x: Array | float, y: Array | float) -> Array:
-    turn: Array = (b[:, 0] - a[:, 0]) * (y - a[:, 1]) - (b[:, 1] - a[:, 1]) * (x - a[:, 0])
-    return turn
 
 
 def _edges(scene: Scene, viewpoint: Viewpoint) -> tuple[Array, Index]:

@@ -1,9 +1,9 @@
-"""A vertex of an object of the scene on its way into the picture, through the matrices of the camera."""
+"""A vertex of an object on its way into the picture, or its faces clipped to what the camera sees."""
 
 import numpy as np
 
 from workbench.algorithms import catalogue
-from workbench.algorithms.projection import project_point
+from workbench.algorithms.projection import clip_to_view_volume, project_point
 from workbench.algorithms.viewing import window_to_viewport
 from workbench.document.fields import Number
 from workbench.document.model import Sheet, whole_sheet
@@ -17,7 +17,8 @@ from workbench.rendering.scene.around import whole_window
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
 KIND = "projection"
-SLUG = project_point.__name__
+SLUG, CLIPPING = project_point.__name__, clip_to_view_volume.__name__
+MOST_CLIPPED = 60
 _MOST_VERTICES = 2**31
 
 
@@ -39,6 +40,11 @@ def is_of_a_vertex(subject: Subject) -> bool:
     return subject.kind == KIND
 
 
+def clips(subject: Subject) -> bool:
+    """Whether the faces of an object are clipped, rather than a vertex projected."""
+    return subject.entry == CLIPPING
+
+
 def seen_from(camera: Camera) -> dict[str, tuple[float, ...]]:
     """The arguments by which a subject is seen otherwise than by the camera of its scene."""
     view, plane = view_matrix(camera), projection_matrix(camera)
@@ -57,17 +63,28 @@ def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
     thing, number = chosen
     camera = sheet.scene.camera
     model = np.eye(4) if thing.matrix is None else thing.matrix
+    view = _matrix(subject, "view", view_matrix(camera))
+    plane = _matrix(subject, "projection", projection_matrix(camera))
     size = sheet.width_px, sheet.height_px
     window, whole = whole_window(sheet.scene, size), whole_sheet(*size)
     sides = [(each.xmin, each.ymin, each.xmax, each.ymax) for each in (window, whole)]
-    arguments = (
-        model,
-        _matrix(subject, "view", view_matrix(camera)),
-        _matrix(subject, "projection", projection_matrix(camera)),
-        window_to_viewport(sides[0], sides[1], True),
-        thing.mesh.vertices[number].copy(),
-    )
+    if clips(subject):
+        given = subject.arguments.get("window", ())
+        seen = given if isinstance(given, tuple) and len(given) == 4 else sides[0]
+        return [_clipped(thing, plane @ view @ model, seen)]
+    viewport = window_to_viewport(sides[0], sides[1], True)
+    arguments = model, view, plane, viewport, thing.mesh.vertices[number].copy()
     return [Call(catalogue.get(SLUG), arguments)]
+
+
+def _clipped(thing: Object, whole: Array, window: tuple[float, ...]) -> Call:
+    """The faces of an object, of very many the first, through all matrices to the planes of the volume."""
+    vertices, faces = thing.mesh
+    count = min(len(faces), MOST_CLIPPED)
+    ends = np.cumsum(faces.sizes[:count])
+    corners = faces.corners[: int(ends[-1]) if count else 0]
+    placed_corners = vertices[corners] @ whole[:, :3].T + whole[:, 3]
+    return Call(catalogue.get(CLIPPING), (placed_corners, ends, *map(float, window)))
 
 
 register(
@@ -76,14 +93,15 @@ register(
         title=_("A vertex on its way into the picture"),
         invitation=_("Add an object in Space, to see how its vertices come into the picture, step by step."),
         calls=_calls,
-        choices=lambda _sheet, _subject: (SLUG,),
-        entries=(SLUG,),
+        choices=lambda _sheet, _subject: (SLUG, CLIPPING),
+        entries=(SLUG, CLIPPING),
         arguments={
             "vertex": Given(
                 0, Number(label=_("vertex"), low=0, high=_MOST_VERTICES, whole=True, keyed=False)
             ),
             "view": Given((0.0,)),
             "projection": Given((0.0,)),
+            "window": Given((0.0,)),
         },
     ),
 )

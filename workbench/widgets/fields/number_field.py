@@ -21,6 +21,15 @@ def with_subscript(name: str) -> str:
     return f"{html.escape(head)}<sub>{html.escape(tail)}</sub>"
 
 
+def complaint_label() -> QLabel:
+    """Where a field says what is wrong with its value; several that stand close together may share one."""
+    label = QLabel()
+    label.setWordWrap(True)
+    label.setProperty("role", "error")
+    label.hide()
+    return label
+
+
 class _ScrubLabel(QLabel):
     """A label that is dragged sideways to change its number."""
 
@@ -92,6 +101,7 @@ class NumberField(QWidget):
         step: float = 1.0,
         integer: bool = False,
         meaning: str = "",
+        complaint: QLabel | None = None,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -111,10 +121,7 @@ class NumberField(QWidget):
         self.unit = QLabel(unit, self)
         self.unit.setProperty("role", "muted")
         self.unit.setVisible(bool(unit))
-        self.complaint = QLabel()
-        self.complaint.setWordWrap(True)
-        self.complaint.setProperty("role", "error")
-        self.complaint.hide()
+        self.complaint = complaint or complaint_label()
         row = QHBoxLayout()
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(4)
@@ -125,7 +132,8 @@ class NumberField(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(2)
         whole.addLayout(row)
-        whole.addWidget(self.complaint)
+        if complaint is None:
+            whole.addWidget(self.complaint)
         whole.addStretch(1)
         self.setFocusProxy(self.field)
         self.field.returnPressed.connect(self._commit)
@@ -144,7 +152,7 @@ class NumberField(QWidget):
         changed = value != self._value
         self._value = value
         if not (self.field.hasFocus() and self.field.isModified()) and (
-            changed or not self.complaint.isVisible()
+            changed or not self.field.property("wrong")
         ):
             self._show()
 
@@ -154,7 +162,9 @@ class NumberField(QWidget):
         self.complain(sentence)
 
     def complain(self, sentence: str) -> None:
-        """Say under the field what is wrong with its value; empty takes it back."""
+        """Say what is wrong with its value; empty takes it back."""
+        if not sentence and not self.field.property("wrong"):
+            return  # another field may be speaking there
         self.complaint.setText(sentence)
         self.complaint.setVisible(bool(sentence))
         self.field.setAccessibleDescription(sentence)

@@ -165,7 +165,7 @@ class HandTable(QWidget):
         run.grown.connect(self._grow)
         self._grown = QElapsedTimer()
         self._grown.start()
-        # The view has its own new size only once the layout has been done.
+        # The view has its own new size, and a place for new rows, only once the layout has been done.
         self._placed = QTimer(self)
         self._placed.setSingleShot(True)
         self._placed.timeout.connect(self._show_current)
@@ -186,10 +186,12 @@ class HandTable(QWidget):
 
     def refresh(self) -> None:
         """Follow the run: new rows, the current one in sight."""
-        before = self.model.current
+        before, rows = self.model.current, self.model.rowCount()
         self.model.update()
         if self.model.current != before:
             self._show_current()
+            if self.model.rowCount() > rows:
+                self._placed.start()  # a table that has just grown can be scrolled that far only later
 
     def _go_to(self, index: Index) -> None:
         """A click goes to its step and selects nothing; of several rows it ends the choice."""

@@ -2,6 +2,7 @@
 
 from functools import partial
 
+import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QShowEvent
@@ -11,6 +12,7 @@ from workbench.language import _, ngettext
 from workbench.panels.space.visibility.depth_run import DepthRun
 from workbench.rendering.mapping import Call
 from workbench.rendering.scene.depth_measures import DepthMeasures, distance_of, least_distance, measured
+from workbench.rendering.scene.fragments import NOTHING
 from workbench.rendering.subjects.visibility import NOT_ROUNDED, backwards, depth_call
 from workbench.session.answers import Answers
 
@@ -90,7 +92,11 @@ def _measured(question: int, *calls: Call) -> tuple[int, DepthMeasures]:
     return question, measured(*calls)
 
 
-def _told(run: DepthRun, found: DepthMeasures) -> str:
+Told = tuple[str, tuple[tuple[str, str], ...]]
+
+
+def gains_and_costs(run: DepthRun, found: DepthMeasures) -> tuple[Told, Told]:
+    """What the course says for and against the depth buffer, each with a number of this scene, rich text."""
     gives = (
         (_("Any order"), _other_order(found)),
         (_("Pierces rightly"), _piercing(found)),
@@ -112,6 +118,7 @@ def _told(run: DepthRun, found: DepthMeasures) -> str:
                 refused=found.fragments - found.overwritten - found.covered,
             ),
         ),
+        (_("Aliasing"), _aliasing(run)),
         (
             _("No transparency"),
             _("{n:,} of {covered:,} covered pixels have more than one surface, and show one.").format(
@@ -119,11 +126,31 @@ def _told(run: DepthRun, found: DepthMeasures) -> str:
             ),
         ),
     )
+    return (_("Advantages"), gives), (_("Limits"), costs)
+
+
+def _told(run: DepthRun, found: DepthMeasures) -> str:
     parts = []
-    for title, rows in ((_("Advantages"), gives), (_("Limits"), costs)):
+    for title, rows in gains_and_costs(run, found):
         lines = "".join(f"<p><b>{head}.</b> {text}</p>" for head, text in rows)
         parts.append(f"<h4>{title}</h4>{lines}")
     return "".join(parts)
+
+
+def _aliasing(run: DepthRun) -> str:
+    """How many pixels have a border of surfaces beside them: there the picture has steps."""
+    seen = run.fragments.seen(run.size)
+    border = np.zeros(seen.shape, bool)
+    for axis in (0, 1):
+        unlike = np.diff(seen, axis=axis) != 0
+        ahead = np.zeros(seen.shape, bool)
+        ahead[tuple(slice(None, -1) if k == axis else slice(None) for k in (0, 1))] = unlike
+        border |= ahead | np.roll(ahead, 1, axis)
+    count = int((border & (seen != NOTHING)).sum())
+    text = _(
+        "{n:,} of {covered:,} covered pixels lie at a border; each shows one surface, so borders have steps."
+    )
+    return text.format(n=count, covered=int((seen != NOTHING).sum()))
 
 
 def _other_order(found: DepthMeasures) -> str:

@@ -4,11 +4,13 @@ from collections.abc import Callable, Sequence
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction, QHideEvent, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtGui import QAction, QGuiApplication, QHideEvent, QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from workbench.document.errors import DocumentError
 from workbench.document.subjects import Subject
+from workbench.exchange.diagrams import Derivation
+from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.visibility.back_face_run import (
@@ -20,6 +22,7 @@ from workbench.panels.space.visibility.back_face_run import (
 from workbench.panels.space.visibility.card import VisibilityCard
 from workbench.panels.space.visibility.cost_view import CostView
 from workbench.panels.space.visibility.depth_run import DepthRun, depth_run
+from workbench.panels.space.visibility.derivation import derivation
 from workbench.panels.space.visibility.fragment_list import FragmentList
 from workbench.panels.space.visibility.picture import (
     down_to_plot,
@@ -163,6 +166,27 @@ class VisibilityPage(QWidget):
     def said(self) -> Said:
         """What is said in passing, and the scale."""
         return Said(self.hover_text, self.zoom_text)
+
+    def tables(self) -> Sequence[tuple[str, Table]]:
+        """None but those of the run."""
+        return ()
+
+    def copy(self) -> bool:
+        """Put the picture on the clipboard."""
+        QGuiApplication.clipboard().setPixmap(self.canvas.grab())
+        self.hover_text.emit(_("The picture is on the clipboard."))
+        return True
+
+    def paste(self) -> bool:
+        """Nothing can be pasted here."""
+        return False
+
+    def derivation(self) -> Derivation | None:
+        """The depth buffer at its step; None where something else is stepped, or nothing can be."""
+        run = self._run
+        if run is None or not len(run.fragments) or self._tests_faces:
+            return None
+        return derivation(run, self.cost.measures)
 
     def point_at(self, cell: Cell | None) -> None:
         """Ring a pixel that the sentence names; None when no longer."""
