@@ -1,0 +1,85 @@
+"""Warnock's area subdivision: a square that is too hard to decide is divided into four.
+
+waiting     squares that are still to be decided
+square      the one in hand: its lower left pixel, its size, the surfaces that may be in it
+seen        the surfaces that are not outside of it, and how each lies to it
+SURROUNDING, OVERLAPPING, INSIDE, OUTSIDE   the four relations of a surface to a square
+number      the surface that decides a square
+"""
+
+from collections.abc import Iterator
+
+from workbench.algorithms.visibility.squares import (
+    OUTSIDE,
+    Seen,
+    Square,
+    hiding,
+    least_size,
+    nearest_at,
+    paint_in_square,
+    relation,
+)
+from workbench.algorithms.visibility.surfaces import (
+    NOTHING,
+    Colours,
+    Picture,
+    Triangles,
+    Vertices,
+    in_view,
+    surfaces_of,
+)
+
+
+def area_subdivision(
+    image: Picture, vertices: Vertices, faces: Triangles, colours: Colours
+) -> Iterator[tuple[int, int, int]]:
+    """Divide the picture into squares until each is easy to decide.
+
+    Args: image, integers (h, w), written in place; vertices (n, 3) in pixels,
+    z; faces (m, 3); colours (m,). Emits: (y, x_left, x_right), both included.
+    Source: Hearn and Baker, Computer Graphics, C Version, section 13-8.
+    """
+    # Begin with a square that holds the whole picture
+    height, width = image.shape
+    surfaces = surfaces_of(vertices, faces)
+    waiting = [Square(0, 0, least_size(width, height), in_view(surfaces))]
+
+    while waiting:
+        # Take a square
+        square = waiting.pop()
+        x, y, size, members = square
+        if x >= width or y >= height:
+            continue
+
+        # Find the relation of each surface to the square
+        lying = [Seen(k, relation(surfaces[k], square)) for k in members]
+        seen = [one for one in lying if one.relation != OUTSIDE]
+
+        # Rule 1: all surfaces are outside
+        if not seen:
+            continue
+        # Rule 2: only one surface is not
+        number = seen[0].number
+        if len(seen) == 1:
+            yield from paint_in_square(image, surfaces, number, square, colours)
+            continue
+        # Rule 3: a surrounding surface hides all others
+        number = hiding(surfaces, seen, square)
+        if number != NOTHING:
+            yield from paint_in_square(image, surfaces, number, square, colours)
+            continue
+
+        # At the size of a pixel its centre decides
+        if size == 1:
+            number = nearest_at(surfaces, seen, x, y)
+            if number != NOTHING:
+                image[y, x] = int(colours[number])
+                yield y, x, x
+            continue
+
+        # Divide the square into four
+        half, members = size // 2, [one.number for one in seen]
+        waiting.append(Square(x + half, y, half, members))
+        waiting.append(Square(x, y, half, members))
+        waiting.append(Square(x + half, y + half, half, members))
+        waiting.append(Square(x, y + half, half, members))

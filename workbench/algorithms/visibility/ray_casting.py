@@ -1,0 +1,54 @@
+"""Ray casting: through each pixel a ray from the eye, which meets the nearest surface first.
+
+x, y        the pixel; on the device all rays run along z
+number      the surface that the ray is tried on
+hit         whether the ray meets it
+z           where it does
+nearest, seen   the nearest place so far, and whose it is, or NOTHING
+"""
+
+import math
+from collections.abc import Iterator
+
+from workbench.algorithms.visibility.surfaces import (
+    NOTHING,
+    Colours,
+    Picture,
+    Triangles,
+    Vertices,
+    covers,
+    depth_at,
+    in_view,
+    surfaces_of,
+)
+
+
+def ray_casting(
+    image: Picture, vertices: Vertices, faces: Triangles, colours: Colours
+) -> Iterator[tuple[int, int]]:
+    """Cast a ray through each pixel; the nearest surface gives its colour.
+
+    Args: image, integers (h, w), written in place; vertices (n, 3) in pixels,
+    z; faces (m, 3); colours (m,). Emits: (x, y) of each pixel that shows one.
+    Source: Hearn and Baker, Computer Graphics, C Version, section 13-10.
+    """
+    surfaces = surfaces_of(vertices, faces)
+    numbers = in_view(surfaces)
+    height, width = image.shape
+    for y in range(height):
+        for x in range(width):
+            # Cast a ray through the centre of the pixel
+            nearest, seen = math.inf, NOTHING
+
+            for number in numbers:
+                # Find where the ray meets the surface
+                surface = surfaces[number]
+                hit = covers(surface, x, y)
+                z = depth_at(surface, x, y)
+                if hit and z < nearest:
+                    nearest, seen = z, number
+
+            # Give the pixel the colour of the nearest
+            if seen != NOTHING:
+                image[y, x] = int(colours[seen])
+                yield x, y
