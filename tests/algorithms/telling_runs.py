@@ -68,6 +68,11 @@ _ONE_PLANE = _surfaces(
     *((5.0, 4, 0.3), (7, 4, 0.3), (7, 5, 0.3)),
 )
 
+_EDGES_ON_CENTRES = _surfaces(
+    *((0.0, 2, 0.2), (2, 0, 0.2), (2, 4, 0.2)),
+    *((0.0, 2, 0.5), (2, 0, 0.5), (2, 4, 0.1)),
+)
+
 FURTHER: dict[str, tuple[Run, ...]] = {
     "dda_line": (STEEP_LEFTWARDS,),
     "dda_line_single": (STEEP_LEFTWARDS,),
@@ -139,6 +144,8 @@ FURTHER: dict[str, tuple[Run, ...]] = {
     "painter": (_LAYERS,),
     "depth_sort": (_LAYERS, _CYCLE, _ONE_PLANE),
     "bsp_tree": (_LAYERS, _ONE_PLANE),
+    "area_subdivision": (_LAYERS, _EDGES_ON_CENTRES),
+    "octree": (_LAYERS,),
     "depth_buffer": (
         (
             np.zeros((4, 6), np.int64),

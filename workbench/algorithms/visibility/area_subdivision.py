@@ -9,6 +9,7 @@ number      the surface that decides a square
 
 from collections.abc import Iterator
 
+from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.squares import (
     OUTSIDE,
     Seen,
@@ -16,9 +17,12 @@ from workbench.algorithms.visibility.squares import (
     hiding,
     least_size,
     nearest_at,
-    paint_in_square,
+    paint_in,
     relation,
 )
+from workbench.algorithms.visibility.subdivision_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
+from workbench.algorithms.visibility.surface_marks import square_marks
+from workbench.algorithms.visibility.surface_scene import SURFACES, surfaces_at_will
 from workbench.algorithms.visibility.surfaces import (
     NOTHING,
     Colours,
@@ -61,12 +65,12 @@ def area_subdivision(
         # Rule 2: only one surface is not
         number = seen[0].number
         if len(seen) == 1:
-            yield from paint_in_square(image, surfaces, number, square, colours)
+            yield from paint_in(square, image, surfaces, number, colours)
             continue
         # Rule 3: a surrounding surface hides all others
         number = hiding(surfaces, seen, square)
         if number != NOTHING:
-            yield from paint_in_square(image, surfaces, number, square, colours)
+            yield from paint_in(square, image, surfaces, number, colours)
             continue
 
         # At the size of a pixel its centre decides
@@ -83,3 +87,42 @@ def area_subdivision(
         waiting.append(Square(x, y, half, members))
         waiting.append(Square(x + half, y + half, half, members))
         waiting.append(Square(x, y + half, half, members))
+
+
+ENTRY = Entry(
+    function=area_subdivision,
+    topic="visibility",
+    title="Area subdivision",
+    summary="Divides the picture into squares until each is easy: empty, of one surface, or hidden by one.",
+    parameters=SURFACES,
+    arguments=surfaces_at_will,
+    emits="spans",
+    source="Warnock, A Hidden Surface Algorithm for Computer Generated Halftone Pictures, 1969; Hearn and "
+    "Baker, Computer Graphics, C Version, section 13-8",
+    columns=COLUMNS,
+    views=VIEWS,
+    view_functions=VIEW_FUNCTIONS,
+    laws=(
+        Law(
+            "The picture is that of the depth buffer, also where surfaces pierce one another, overlap in a "
+            "cycle or lie in one plane.",
+            "visibility/test_one_picture.py::test_they_give_the_picture_of_the_depth_buffer",
+        ),
+        Law(
+            "No pixel is painted twice, and every pixel that a surface covers is painted.",
+            "visibility/test_squares.py::test_each_pixel_is_painted_once",
+        ),
+    ),
+    not_laws=(
+        "A square of one pixel can always be decided by the three rules: there the nearest at its centre is "
+        "taken, whatever else is in it.",
+    ),
+    works_in="image space",
+    questions=(7,),
+    labs=("Hidden surfaces: area subdivision",),
+    tie="Of equal depths the lower number is taken",
+    writes="image",
+    marks=square_marks,
+    stack="waiting",
+    counted={"squares divided": ("Divide",)},
+)

@@ -12,9 +12,9 @@ from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.bsp_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
+from workbench.algorithms.visibility.piece_painting import paint_piece
 from workbench.algorithms.visibility.pieces import (
     add_piece,
-    paint_piece,
     part_of,
     plane_of,
     side_of,

@@ -23,9 +23,9 @@ from workbench.algorithms.visibility.depth_tests import (
     put_by_depth,
 )
 from workbench.algorithms.visibility.painting import farthest_first
+from workbench.algorithms.visibility.piece_painting import paint_piece
 from workbench.algorithms.visibility.pieces import (
     add_piece,
-    paint_piece,
     part_of,
     plane_of,
     whole,

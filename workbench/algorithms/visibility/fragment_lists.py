@@ -1,8 +1,6 @@
 """The lists of an A-buffer: the fragments of a pixel, linked from the nearest to the farthest."""
 
-from typing import Any, NamedTuple
-
-from numpy.typing import NDArray
+from typing import NamedTuple
 
 from workbench.algorithms.visibility.surfaces import NOTHING
 
@@ -15,26 +13,27 @@ class Fragment(NamedTuple):
     behind: int
 
 
-def put_by_depth(
-    first: NDArray[Any], fragments: list[Fragment], x: int, y: int, z: float, surface: int
-) -> None:
-    """Put a fragment into the list of its pixel; of equal depths the earlier one stays in front."""
-    before, after = NOTHING, int(first[y, x])
+def put_by_depth(fragments: list[Fragment], head: int, z: float, surface: int) -> int:
+    """Put a fragment into the list that begins with ``head``; returns with which one it begins then.
+
+    Of equal depths the earlier one stays in front.
+    """
+    before, after = NOTHING, head
     while after != NOTHING and fragments[after].z <= z:
         before, after = after, fragments[after].behind
-    if before == NOTHING:
-        first[y, x] = len(fragments)
-    else:
-        nearer = fragments[before]
-        fragments[before] = Fragment(nearer.z, nearer.surface, len(fragments))
+    new = len(fragments)
     fragments.append(Fragment(z, surface, after))
+    if before == NOTHING:
+        return new
+    nearer = fragments[before]
+    fragments[before] = Fragment(nearer.z, nearer.surface, new)
+    return head
 
 
-def list_of(first: NDArray[Any], fragments: list[Fragment], x: int, y: int) -> list[Fragment]:
+def list_from(fragments: list[Fragment], head: int) -> list[Fragment]:
     """The fragments of a pixel, from the nearest to the farthest."""
     row = fragments[:0]
-    k = int(first[y, x])
-    while k != NOTHING:
-        row.append(fragments[k])
-        k = fragments[k].behind
+    while head != NOTHING:
+        row.append(fragments[head])
+        head = fragments[head].behind
     return row

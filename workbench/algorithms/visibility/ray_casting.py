@@ -10,6 +10,10 @@ nearest, seen   the nearest place so far, and whose it is, or NOTHING
 import math
 from collections.abc import Iterator
 
+from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.visibility.ray_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
+from workbench.algorithms.visibility.surface_marks import marks
+from workbench.algorithms.visibility.surface_scene import SURFACES, surfaces_at_will
 from workbench.algorithms.visibility.surfaces import (
     NOTHING,
     Colours,
@@ -52,3 +56,35 @@ def ray_casting(
             if seen != NOTHING:
                 image[y, x] = int(colours[seen])
                 yield x, y
+
+
+ENTRY = Entry(
+    function=ray_casting,
+    topic="visibility",
+    title="Ray casting",
+    summary="Casts a ray through the centre of each pixel; the surface that it meets first gives the colour.",
+    parameters=SURFACES,
+    arguments=surfaces_at_will,
+    emits="pixels",
+    source="Hearn and Baker, Computer Graphics, C Version, section 13-10",
+    columns=COLUMNS,
+    views=VIEWS,
+    view_functions=VIEW_FUNCTIONS,
+    laws=(
+        Law(
+            "The picture is that of the depth buffer, also where surfaces pierce one another, overlap in a "
+            "cycle or lie in one plane.",
+            "visibility/test_one_picture.py::test_they_give_the_picture_of_the_depth_buffer",
+        ),
+    ),
+    not_laws=(
+        "A ray must be tried on every surface: this first rung does so; boxes around many at once save most "
+        "of the work.",
+    ),
+    works_in="image space",
+    questions=(7,),
+    labs=("Hidden surfaces: ray casting",),
+    tie="Of equal depths the lower number is taken",
+    writes="image",
+    marks=marks,
+)

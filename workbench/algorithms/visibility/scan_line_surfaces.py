@@ -13,6 +13,7 @@ seen        the surface that the span shows
 import math
 from collections.abc import Iterator
 
+from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.surface_edges import (
     Active,
     change_over,
@@ -20,6 +21,9 @@ from workbench.algorithms.visibility.surface_edges import (
     edge_table,
     nearest_of,
 )
+from workbench.algorithms.visibility.surface_marks import marks
+from workbench.algorithms.visibility.surface_row_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
+from workbench.algorithms.visibility.surface_scene import SURFACES, surfaces_at_will
 from workbench.algorithms.visibility.surfaces import Colours, Picture, Triangles, Vertices, surfaces_of
 
 
@@ -69,3 +73,35 @@ def scan_line_surfaces(
             seen = nearest_of(surfaces, opened, (x_left + end - 1) / 2, y)
             image[y, x_left:end] = int(colours[seen])
             yield y, x_left, end - 1
+
+
+ENTRY = Entry(
+    function=scan_line_surfaces,
+    topic="visibility",
+    title="Scan-line method",
+    summary="Goes along each scan line from edge to edge; of the surfaces whose flags are on the nearest is "
+    "painted.",
+    parameters=SURFACES,
+    arguments=surfaces_at_will,
+    emits="spans",
+    source="Hearn and Baker, Computer Graphics, C Version, section 13-5",
+    columns=COLUMNS,
+    views=VIEWS,
+    view_functions=VIEW_FUNCTIONS,
+    laws=(
+        Law(
+            "Where no surface pierces another the picture is that of the depth buffer.",
+            "visibility/test_one_picture.py::test_the_scan_line_gives_it_where_no_surface_pierces_another",
+        ),
+    ),
+    not_laws=(
+        "It holds where surfaces pierce one another: between two edges one surface is nearest all along only "
+        "if none changes places there; else a line must be put in where they meet.",
+    ),
+    works_in="image space",
+    questions=(7,),
+    labs=("Hidden surfaces: scan-line method",),
+    tie="Of equal depths the lower number is taken",
+    writes="image",
+    marks=marks,
+)

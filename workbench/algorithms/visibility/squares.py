@@ -118,9 +118,7 @@ def nearest_at(surfaces: list[Surface], seen: list[Seen], x: int, y: int) -> int
     return number
 
 
-def paint_in_square(
-    image: Array, surfaces: list[Surface], number: int, square: Square, colours: Array
-) -> Spans:
+def paint_in(square: Square, image: Array, surfaces: list[Surface], number: int, colours: Array) -> Spans:
     """Paint what of a surface is in a square. Emits: (y, x_left, x_right), both ends included."""
     height, width = image.shape
     surface = surfaces[number]
