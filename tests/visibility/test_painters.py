@@ -69,9 +69,10 @@ def test_each_surface_paints_its_pixels_once_and_the_farther_one_first(
     for scene in scenes(kind, 25):
         image = np.zeros((HEIGHT, WIDTH), np.int64)
         painted: dict[tuple[int, int], list[int]] = {}
-        for y, left, right in method(image, *arrays(scene)):
+        for y, left, right, surface in method(image, *arrays(scene)):
+            assert (image[y, left : right + 1] == surface + 1).all()
             for x in range(left, right + 1):
-                painted.setdefault((x, y), []).append(int(image[y, x]))
+                painted.setdefault((x, y), []).append(surface + 1)
         for y in range(HEIGHT):
             for x in range(WIDTH):
                 depths = {colour: z for z, colour in at(scene, x, y)}

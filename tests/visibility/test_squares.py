@@ -14,7 +14,7 @@ def test_each_pixel_is_painted_once() -> None:
             image = np.zeros((HEIGHT, WIDTH), np.int64)
             painted = [
                 (x, y)
-                for y, left, right in area_subdivision(image, *arrays(scene))
+                for y, left, right, _surface in area_subdivision(image, *arrays(scene))
                 for x in range(left, right + 1)
             ]
             covered = [(x, y) for y in range(HEIGHT) for x in range(WIDTH) if at(scene, x, y)]

@@ -36,11 +36,11 @@ from workbench.algorithms.visibility.surfaces import (
 
 def area_subdivision(
     image: Picture, vertices: Vertices, faces: Triangles, colours: Colours
-) -> Iterator[tuple[int, int, int]]:
+) -> Iterator[tuple[int, int, int, int]]:
     """Divide the picture into squares until each is easy to decide.
 
     Args: image, integers (h, w), written in place; vertices (n, 3) in pixels,
-    z; faces (m, 3); colours (m,). Emits: (y, x_left, x_right), both included.
+    z; faces (m, 3); colours (m,). Emits: (y, x_left, x_right, surface).
     Source: Hearn and Baker, Computer Graphics, C Version, section 13-8.
     """
     # Begin with a square that holds the whole picture
@@ -78,7 +78,7 @@ def area_subdivision(
             number = nearest_at(surfaces, seen, x, y)
             if number != NOTHING:
                 image[y, x] = int(colours[number])
-                yield y, x, x
+                yield y, x, x, number
             continue
 
         # Divide the square into four
@@ -97,6 +97,7 @@ ENTRY = Entry(
     parameters=SURFACES,
     arguments=surfaces_at_will,
     emits="spans",
+    emitted_columns=("y", "x_left", "x_right", "surface"),
     source="Warnock, A Hidden Surface Algorithm for Computer Generated Halftone Pictures, 1969; Hearn and "
     "Baker, Computer Graphics, C Version, section 13-8",
     columns=COLUMNS,

@@ -35,11 +35,11 @@ from workbench.algorithms.visibility.tree import NONE, Half, Node, add_half, div
 
 def bsp_tree(
     image: Picture, vertices: Vertices, faces: Triangles, colours: Colours
-) -> Iterator[tuple[int, int, int]]:
+) -> Iterator[tuple[int, int, int, int]]:
     """Divide space by the planes of the surfaces; paint from back to front.
 
     Args: image, integers (h, w), written in place; vertices (n, 3) in pixels,
-    z; faces (m, 3); colours (m,). Emits: (y, x_left, x_right), both included.
+    z; faces (m, 3); colours (m,). Emits: (y, x_left, x_right, surface).
     Source: Hearn and Baker, Computer Graphics, C Version, section 13-7.
     """
     # Begin with one node for all surfaces
@@ -103,6 +103,7 @@ ENTRY = Entry(
     parameters=SURFACES,
     arguments=surfaces_at_will,
     emits="spans",
+    emitted_columns=("y", "x_left", "x_right", "surface"),
     source="Hearn and Baker, Computer Graphics, C Version, section 13-7; Fuchs, Kedem and Naylor, On Visible "
     "Surface Generation by A Priori Tree Structures, 1980",
     columns=COLUMNS,

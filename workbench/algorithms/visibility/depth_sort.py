@@ -37,11 +37,11 @@ from workbench.algorithms.visibility.surfaces import Colours, Picture, Triangles
 
 def depth_sort(
     image: Picture, vertices: Vertices, faces: Triangles, colours: Colours
-) -> Iterator[tuple[int, int, int]]:
+) -> Iterator[tuple[int, int, int, int]]:
     """Paint from back to front in an order in which nothing hides wrongly.
 
     Args: image, integers (h, w), written in place; vertices (n, 3) in pixels,
-    z; faces (m, 3); colours (m,). Emits: (y, x_left, x_right), both included.
+    z; faces (m, 3); colours (m,). Emits: (y, x_left, x_right, surface).
     Source: Hearn and Baker, Computer Graphics, C Version, section 13-6.
     """
     # Sort the surfaces by their greatest depth, the farthest last
@@ -105,6 +105,7 @@ ENTRY = Entry(
     parameters=SURFACES,
     arguments=surfaces_at_will,
     emits="spans",
+    emitted_columns=("y", "x_left", "x_right", "surface"),
     source="Hearn and Baker, Computer Graphics, C Version, section 13-6; Foley, van Dam, Feiner and Hughes, "
     "Computer Graphics: Principles and Practice, section 15.5",
     columns=COLUMNS,

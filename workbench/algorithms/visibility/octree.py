@@ -37,11 +37,11 @@ from workbench.algorithms.visibility.surfaces import (
 
 def octree(
     image: Picture, vertices: Vertices, faces: Triangles, colours: Colours
-) -> Iterator[tuple[int, int]]:
+) -> Iterator[tuple[int, int, int]]:
     """Divide space into octants and draw them from front to back.
 
     Args: image, integers (h, w), written in place; vertices (n, 3) in pixels,
-    z; faces (m, 3); colours (m,). Emits: (x, y) of each pixel that shows one.
+    z; faces (m, 3); colours (m,). Emits: (x, y, surface) of each pixel.
     Source: Hearn and Baker, Computer Graphics, C Version, section 13-9.
     """
     # Begin with a cell that holds all
@@ -71,7 +71,7 @@ def octree(
                 if seen != NOTHING and not painted[y, x]:
                     painted[y, x] = True
                     image[y, x] = int(colours[seen])
-                    yield x, y
+                    yield x, y, seen
 
 
 ENTRY = Entry(
@@ -82,6 +82,7 @@ ENTRY = Entry(
     parameters=SURFACES,
     arguments=surfaces_at_will,
     emits="pixels",
+    emitted_columns=("x", "y", "surface"),
     source="Hearn and Baker, Computer Graphics, C Version, section 13-9",
     columns=COLUMNS,
     views=VIEWS,

@@ -29,14 +29,14 @@ from workbench.algorithms.visibility.surfaces import (
 
 def painter(
     image: Picture, vertices: Vertices, faces: Triangles, colours: Colours
-) -> Iterator[tuple[int, int, int]]:
+) -> Iterator[tuple[int, int, int, int]]:
     """Paint from the farthest surface to the nearest, as one paints in oil.
 
     The order is that of their greatest depths, whole surfaces at a time.
 
     Args: image, integers (h, w), written in place; vertices (n, 3): x and y
     in pixels, z; faces (m, 3): numbers of vertices; colours (m,).
-    Emits: (y, x_left, x_right), both ends included.
+    Emits: (y, x_left, x_right, surface).
     Source: Hearn and Baker, Computer Graphics, C Version, section 13-6.
     """
     # Sort the surfaces by their greatest depth
@@ -46,7 +46,7 @@ def painter(
     for rank in range(len(order)):
         # Paint the next one over what is there
         number = order[rank]
-        yield from paint_surface(image, surfaces[number], int(colours[number]))
+        yield from paint_surface(image, surfaces, number, colours)
 
 
 def overlapped(surfaces: list[Surface], order: list[int], rank: int) -> list[int]:
@@ -85,6 +85,7 @@ ENTRY = Entry(
     parameters=SURFACES,
     arguments=surfaces_at_will,
     emits="spans",
+    emitted_columns=("y", "x_left", "x_right", "surface"),
     source="Hearn and Baker, Computer Graphics, C Version, section 13-6",
     columns=("rank", "surface", "least z", "greatest z", "depths overlap those of"),
     view_functions=(order_rows, overlapped, surface_mark, nearest_z, farthest_z, listed),

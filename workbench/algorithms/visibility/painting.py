@@ -15,8 +15,8 @@ from workbench.algorithms.visibility.surfaces import (
 )
 
 Array = NDArray[Any]
-Spans = Iterator[tuple[int, int, int]]
-"""(y, x_left, x_right), both ends included."""
+Spans = Iterator[tuple[int, int, int, int]]
+"""(y, x_left, x_right, surface), both ends included."""
 
 
 def farthest_first(surfaces: list[Surface]) -> list[int]:
@@ -41,11 +41,12 @@ def farthest_first(surfaces: list[Surface]) -> list[int]:
     return [number for _z, number in ranked]
 
 
-def paint_surface(image: Array, surface: Surface, colour: int) -> Spans:
-    """Paint every pixel that a surface covers. Emits: (y, x_left, x_right), both ends included."""
+def paint_surface(image: Array, surfaces: list[Surface], number: int, colours: Array) -> Spans:
+    """Paint every pixel that a surface covers. Emits: (y, x_left, x_right, surface), both ends included."""
     height, width = image.shape
+    surface = surfaces[number]
     for y in range(first_row(surface), end_row(surface, height)):
         left, right = span_on(surface, y, width)
         if left < right:
-            image[y, left:right] = colour
-            yield y, left, right - 1
+            image[y, left:right] = int(colours[number])
+            yield y, left, right - 1, number

@@ -56,7 +56,7 @@ def turned(value: float, along: float, up: float) -> float:
 
 
 def paint_piece(image: Array, surfaces: list[Surface], piece: Piece, colours: Array) -> Spans:
-    """Paint the pixels of a piece. Emits: (y, x_left, x_right), both ends included."""
+    """Paint the pixels of a piece. Emits: (y, x_left, x_right, surface), both ends included."""
     height, width = image.shape
     surface, box = surfaces[piece.number], piece.box
     # Beyond the piece's own rows and columns only a rounding error could be
@@ -70,4 +70,4 @@ def paint_piece(image: Array, surfaces: list[Surface], piece: Piece, colours: Ar
             end -= 1
         if left < end:
             image[y, left:end] = int(colours[piece.number])
-            yield y, left, end - 1
+            yield y, left, end - 1, piece.number

@@ -29,11 +29,11 @@ from workbench.algorithms.visibility.surfaces import (
 
 def ray_casting(
     image: Picture, vertices: Vertices, faces: Triangles, colours: Colours
-) -> Iterator[tuple[int, int]]:
+) -> Iterator[tuple[int, int, int]]:
     """Cast a ray through each pixel; the nearest surface gives its colour.
 
     Args: image, integers (h, w), written in place; vertices (n, 3) in pixels,
-    z; faces (m, 3); colours (m,). Emits: (x, y) of each pixel that shows one.
+    z; faces (m, 3); colours (m,). Emits: (x, y, surface) of each pixel.
     Source: Hearn and Baker, Computer Graphics, C Version, section 13-10.
     """
     surfaces = surfaces_of(vertices, faces)
@@ -55,7 +55,7 @@ def ray_casting(
             # Give the pixel the colour of the nearest
             if seen != NOTHING:
                 image[y, x] = int(colours[seen])
-                yield x, y
+                yield x, y, seen
 
 
 ENTRY = Entry(
@@ -66,6 +66,7 @@ ENTRY = Entry(
     parameters=SURFACES,
     arguments=surfaces_at_will,
     emits="pixels",
+    emitted_columns=("x", "y", "surface"),
     source="Hearn and Baker, Computer Graphics, C Version, section 13-10",
     columns=COLUMNS,
     views=VIEWS,

@@ -29,13 +29,13 @@ from workbench.algorithms.visibility.surfaces import Colours, Picture, Triangles
 
 def scan_line_surfaces(
     image: Picture, vertices: Vertices, faces: Triangles, colours: Colours
-) -> Iterator[tuple[int, int, int]]:
+) -> Iterator[tuple[int, int, int, int]]:
     """Paint each scan line from edge to edge with the nearest open surface.
 
     It presumes that no surface pierces another: one comparison decides a span.
 
     Args: image, integers (h, w), written in place; vertices (n, 3) in pixels,
-    z; faces (m, 3); colours (m,). Emits: (y, x_left, x_right), both included.
+    z; faces (m, 3); colours (m,). Emits: (y, x_left, x_right, surface).
     Source: Hearn and Baker, Computer Graphics, C Version, section 13-5.
     """
     # Make the polygon table and the edge table
@@ -72,7 +72,7 @@ def scan_line_surfaces(
             # Paint them with the nearest of the open surfaces
             seen = nearest_of(surfaces, opened, (x_left + end - 1) / 2, y)
             image[y, x_left:end] = int(colours[seen])
-            yield y, x_left, end - 1
+            yield y, x_left, end - 1, seen
 
 
 ENTRY = Entry(
@@ -84,6 +84,7 @@ ENTRY = Entry(
     parameters=SURFACES,
     arguments=surfaces_at_will,
     emits="spans",
+    emitted_columns=("y", "x_left", "x_right", "surface"),
     source="Hearn and Baker, Computer Graphics, C Version, section 13-5",
     columns=COLUMNS,
     views=VIEWS,

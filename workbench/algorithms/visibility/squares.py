@@ -119,7 +119,7 @@ def nearest_at(surfaces: list[Surface], seen: list[Seen], x: int, y: int) -> int
 
 
 def paint_in(square: Square, image: Array, surfaces: list[Surface], number: int, colours: Array) -> Spans:
-    """Paint what of a surface is in a square. Emits: (y, x_left, x_right), both ends included."""
+    """Paint what of a surface is in a square. Emits: (y, x_left, x_right, surface), both ends included."""
     height, width = image.shape
     surface = surfaces[number]
     for y in range(max(first_row(surface), square.y), min(end_row(surface, height), square.y + square.size)):
@@ -127,4 +127,4 @@ def paint_in(square: Square, image: Array, surfaces: list[Surface], number: int,
         left, end = max(left, square.x), min(end, square.x + square.size)
         if left < end:
             image[y, left:end] = int(colours[number])
-            yield y, left, end - 1
+            yield y, left, end - 1, number

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.entry import Entry
 from workbench.algorithms.visibility.surfaces import NOTHING, surface_of
 from workbench.geometry.meshes import Array, Index
 from workbench.rendering.mapping import Call
@@ -80,3 +81,15 @@ def depths_of(seen: Index, corners: Array, triangles: Index) -> Array:
         low = surface.low
         depth[y, x] = low.z + (y - low.y) * surface.dz_dy + (x - low.x) * surface.dz_dx
     return depth
+
+
+def seen_after(entry: Entry, rows: NDArray[Any], size: Size) -> Index:
+    """(height, width) the triangle that each pixel shows, or NOTHING, after a method that keeps no depths has
+    emitted ``rows``."""
+    seen = np.full(size[::-1], NOTHING)
+    if entry.emits == "spans":
+        for y, left, right, surface in rows.tolist():
+            seen[y, left : right + 1] = surface
+    elif len(rows):
+        seen[rows[:, 1], rows[:, 0]] = rows[:, 2]
+    return seen
