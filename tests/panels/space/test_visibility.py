@@ -352,7 +352,9 @@ def test_other_methods_are_stepped_with_their_own_marks(qtbot, page, session):
     go(qtbot, session, 1)
     some = shown(page)
     assert session.run.marks()
-    painted, whole = (int(part) for part in page.card.legend.text().replace(",", "").split() if part.isdigit())
+    painted, whole = (
+        int(part) for part in page.card.legend.text().replace(",", "").split() if part.isdigit()
+    )
     assert 0 < painted < whole
     go(qtbot, session, session.run.total_steps)
     assert page.card.legend.text().startswith(f"{whole} of {whole} ")
