@@ -141,6 +141,17 @@ FURTHER: dict[str, tuple[Run, ...]] = {
     "clip_to_view_volume": (
         (np.array([[0.0, 0, -1, 1], [1, 0, -1, 1], [0, 1, -1, -2]]), np.array([3]), -1.0, -1.0, 1.0, 1.0),
     ),
+    "illuminate": (
+        (
+            np.zeros(3),
+            np.array([0.0, 0, 1]),
+            np.array([0.0, 0, 5]),
+            np.array([[1.0, 2, 2, 1], [1, 2, -2, 1]]),
+            np.array([0.1, 0.6, 0.3, 10]),
+            np.array([0.5, 0.25, 0]),
+            True,
+        ),
+    ),
     "painter": (_LAYERS,),
     "depth_sort": (_LAYERS, _CYCLE, _ONE_PLANE),
     "bsp_tree": (_LAYERS, _ONE_PLANE),

@@ -52,6 +52,8 @@ _TEACHING_ORDER = (
     "visibility.area_subdivision",
     "visibility.octree",
     "visibility.ray_casting",
+    "shading.illuminate",
+    "shading.gouraud",
     "scanning.raster_scan",
     "scanning.random_scan",
     "scanning.beam_spot",
