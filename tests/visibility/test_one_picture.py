@@ -33,7 +33,7 @@ from workbench.algorithms.visibility import (
 )
 
 METHODS = [depth_sort, bsp_tree, area_subdivision, ray_casting]
-COUNT = 60
+COUNT = 40
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)

@@ -30,7 +30,7 @@ from workbench.algorithms.visibility.surface_scene import cycle
 
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
 def test_the_painter_shows_the_surface_whose_greatest_depth_is_least(kind: Callable[[Random], Scene]) -> None:
-    for scene in scenes(kind, 25):
+    for scene in scenes(kind, 15):
         image = picture(painter, scene)
         greatest = [max(z for _x, _y, z in triangle) for triangle in scene]
         for y in range(HEIGHT):
@@ -66,7 +66,7 @@ def test_each_surface_paints_its_pixels_once_and_the_farther_one_first(
     method: Callable[..., Any], kind: Callable[[Random], Scene]
 ) -> None:
     """Nothing of a surface is lost or painted twice by its pieces; of equal depths any may come first."""
-    for scene in scenes(kind, 25):
+    for scene in scenes(kind, 15):
         image = np.zeros((HEIGHT, WIDTH), np.int64)
         painted: dict[tuple[int, int], list[int]] = {}
         for y, left, right, surface in method(image, *arrays(scene)):
@@ -85,7 +85,7 @@ def test_the_depth_sort_ends_where_no_order_helps() -> None:
     """Cycles, one outline at many depths, copies of one surface, fans about one corner, all in any order."""
     chance = Random("ends")
     outline = ((0, 0), (11, 1), (4, 8))
-    for _scene in range(40):
+    for _scene in range(25):
         count = chance.randint(3, 7)
         depths = [[chance.randint(0, 4) for _corner in outline] for _triangle in range(count)]
         scene: Scene = [
