@@ -51,6 +51,13 @@ def test_the_octree_gives_it_too(kind: Callable[[Random], Scene]) -> None:
         assert_same_but_for_ties(picture(octree, scene), scene)
 
 
+@pytest.mark.parametrize("method", [*METHODS, octree, scan_line_surfaces], ids=lambda m: m.__name__)
+def test_in_one_plane_the_lower_number_is_seen(method: Callable[..., Any]) -> None:
+    """These depths are exact in floats, so that ties are ties, and all methods decide them alike."""
+    for scene in scenes(coplanar, 15):
+        assert np.array_equal(picture(method, scene), buffered(scene))
+
+
 def change_places(scene: Scene) -> bool:
     """Whether on some row now the one, now the other of two triangles is nearer, by exact depths."""
     for y in range(HEIGHT):

@@ -1,5 +1,6 @@
 """Cutting pieces by planes, against areas in fractions."""
 
+from collections.abc import Callable
 from fractions import Fraction
 from random import Random
 
@@ -7,7 +8,9 @@ import numpy as np
 import pytest
 
 from tests.visibility.exact_scenes import arrays, piercing, scenes
+from workbench.algorithms.visibility.depth_tests import edge_plane
 from workbench.algorithms.visibility.device_plane import Corner
+from workbench.algorithms.visibility.piece_painting import on_its_side
 from workbench.algorithms.visibility.pieces import (
     CUT_THROUGH,
     MOST_PIECES,
@@ -18,7 +21,7 @@ from workbench.algorithms.visibility.pieces import (
     side_of,
     whole,
 )
-from workbench.algorithms.visibility.surfaces import in_view, surface_of, surfaces_of
+from workbench.algorithms.visibility.surfaces import covers, in_view, surface_of, surfaces_of
 
 
 def area(corners: list[Corner]) -> Fraction:
@@ -61,6 +64,29 @@ def test_the_plane_of_a_surface_faces_the_side_from_which_it_goes_round_counter_
     A, B, C, D = seen[3:7]
     for x, y, z in corners.tolist():
         assert A * x + B * y + C * z + D == pytest.approx(0, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "is_right"),
+    [
+        ((4, 0), (4, 8), lambda x, _y: x >= 4),
+        ((0, 3), (8, 3), lambda _x, y: y >= 3),
+        ((0, 6), (6, 0), lambda x, y: x + y >= 6),
+        ((0, 0), (6, 6), lambda x, y: x >= y),
+    ],
+)
+def test_a_centre_on_a_cut_is_where_half_open_has_it(
+    start: tuple[int, int], end: tuple[int, int], is_right: Callable[[int, int], bool]
+) -> None:
+    """In the part to the right of the cut, or above it where it is level; whichever way the edge goes."""
+    surfaces = surfaces_of(np.array([[0.0, 0, 0], [9, 0, 0], [0, 9, 0]]), np.array([[0, 1, 2]]))
+    for first, second in ((start, end), (end, start)):
+        plane = edge_plane(Corner(*map(float, first), 0.0), Corner(*map(float, second), 0.0))
+        parts = [part_of(plane, whole(surfaces, 0), side) for side in (1, -1)]
+        for x, y in ((x, y) for x in range(9) for y in range(9) if covers(surfaces[0], x, y)):
+            (here,) = [part for part in parts if on_its_side(surfaces, part, x, y)]
+            middle = np.mean([corner[:2] for corner in here.corners], axis=0)
+            assert is_right(x, y) == is_right(*middle)
 
 
 def test_too_many_pieces_are_refused_in_a_sentence() -> None:
