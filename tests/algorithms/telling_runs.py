@@ -8,6 +8,7 @@ import numpy as np
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.projection import cavalier
+from workbench.algorithms.visibility.surface_scene import cycle
 
 Run = tuple[Any, ...]
 
@@ -45,6 +46,32 @@ _TRIANGLES = np.array(
 )
 
 _SEEN_FROM_FRONT = catalogue.get("project_point").example
+
+
+def _surfaces(*corners: tuple[float, float, float]) -> Run:
+    """A small picture, and three corners for each triangle."""
+    count = len(corners) // 3
+    faces = np.arange(3 * count).reshape(count, 3)
+    return np.zeros((6, 8), np.int64), np.array(corners), faces, np.arange(1, count + 1)
+
+
+_LAYERS = _surfaces(
+    *((0.0, 0, 0.2), (5, 0, 0.2), (0, 4, 0.2)),
+    *((1.0, 1, 0.5), (1, 5, 0.5), (6, 1, 0.5)),
+    *((2.0, 2, 0.8), (7, 2, 0.8), (2, 5, 0.8)),
+)
+_CYCLE = _surfaces(*cycle())
+_ONE_PLANE = _surfaces(
+    *((0.0, 0, 0.5), (6, 0, 0.5), (0, 5, 0.5)),
+    *((1.0, 1, 0.5), (7, 1, 0.5), (1, 5, 0.5)),
+    *((0.0, 0, 0.2), (6, 4, 0.9), (6, 5, 0.9)),
+    *((5.0, 4, 0.3), (7, 4, 0.3), (7, 5, 0.3)),
+)
+
+_EDGES_ON_CENTRES = _surfaces(
+    *((0.0, 2, 0.2), (2, 0, 0.2), (2, 4, 0.2)),
+    *((0.0, 2, 0.5), (2, 0, 0.5), (2, 4, 0.1)),
+)
 
 FURTHER: dict[str, tuple[Run, ...]] = {
     "dda_line": (STEEP_LEFTWARDS,),
@@ -137,6 +164,22 @@ FURTHER: dict[str, tuple[Run, ...]] = {
         (np.array([1.0, 0, 0, 0]), np.array([-0.6, 0.8, 0, 0]), 1),
         (np.array([1.0, 0, 0, 0]), np.array([2.0, 0, 0, 0]), 1),
     ),
+    "illuminate": (
+        (
+            np.zeros(3),
+            np.array([0.0, 0, 1]),
+            np.array([0.0, 0, 5]),
+            np.array([[1.0, 2, 2, 1], [1, 2, -2, 1]]),
+            np.array([0.1, 0.6, 0.3, 10]),
+            np.array([0.5, 0.25, 0]),
+            True,
+        ),
+    ),
+    "painter": (_LAYERS,),
+    "depth_sort": (_LAYERS, _CYCLE, _ONE_PLANE),
+    "bsp_tree": (_LAYERS, _ONE_PLANE),
+    "area_subdivision": (_LAYERS, _EDGES_ON_CENTRES),
+    "octree": (_LAYERS,),
     "depth_buffer": (
         (
             np.zeros((4, 6), np.int64),

@@ -67,7 +67,7 @@ def frame_of(entry: Entry, run: tuple[Any, ...], rows: NDArray[Any]) -> tuple[ND
         elif parameter.name.startswith("x") and f"y{parameter.name[1:]}" in values:
             places.append((value, values[f"y{parameter.name[1:]}"]))
     if len(rows) and entry.emits == "spans":
-        places += [(x, y) for y, left, right in rows.tolist() for x in (left, right)]
+        places += [(x, y) for y, left, right, *_more in rows.tolist() for x in (left, right)]
     elif len(rows) and entry.emits == "points":
         places += [(x, y) for x, y, *_more in rows.tolist()]
     found = np.array(places, float)

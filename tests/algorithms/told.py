@@ -60,7 +60,12 @@ def _declared(entry: Entry) -> Iterator[str]:
     laws = tuple(law.sentence for law in entry.laws)
     for heading, sentences in (("So it is", laws), ("Not so", entry.not_laws), ("Labs", entry.labs)):
         yield from (f"  {heading}: {sentence}" for sentence in sentences)
-    for heading, words in (("Source", entry.source), ("Ties", entry.tie), ("Stepped only", entry.compiles)):
+    for heading, words in (
+        ("Works in", entry.works_in),
+        ("Source", entry.source),
+        ("Ties", entry.tie),
+        ("Stepped only", entry.compiles),
+    ):
         if words:
             yield f"  {heading}: {words}"
 

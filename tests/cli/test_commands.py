@@ -64,6 +64,15 @@ def test_hand_table_of_the_course_books(capsys: pytest.CaptureFixture[str]) -> N
     assert [pixel for _, _, pixel in rows] == reached
 
 
+def test_without_arguments_the_entry_s_own_example_is_traced(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(("trace", "bresenham_line")) == 0
+    example = capsys.readouterr().out
+    assert main(("trace", "bresenham_line", *map(str, catalogue.get("bresenham_line").example))) == 0
+    assert capsys.readouterr().out == example
+    assert main(("trace", "depth_sort")) == 0
+    assert capsys.readouterr().out.splitlines()[0].split()[:3] == ["P", "Q", "test"]
+
+
 @pytest.mark.parametrize("table", ["hand", "pixels", "lines"])
 def test_the_three_formats_have_the_same_rows(capsys: pytest.CaptureFixture[str], table: str) -> None:
     given = ("trace", "midpoint_circle", "0", "0", "5", "--table", table)

@@ -19,7 +19,9 @@ NAMES = {
     "catmull_rom cardinal kochanek_bartels continuity",
     "algorithms.projection": "orthographic oblique cavalier cabinet axonometric isometric perspective "
     "perspective_from_plane perspective_depth vanishing_points project_point",
-    "algorithms.visibility": "back_faces depth_buffer",
+    "algorithms.visibility": "back_faces depth_buffer painter depth_sort bsp_tree scan_line_surfaces "
+    "area_subdivision octree ray_casting a_buffer",
+    "algorithms.shading": "illuminate gouraud",
     "algorithms.catalogue": "entries get",
     "engine.compiled": "collect paint paint_many",
     "engine.recorder": "record",

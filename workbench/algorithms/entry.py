@@ -27,6 +27,7 @@ CALLS = "calls"
 """Under this name a text that calls itself has the variables of each call under way, the first call first."""
 
 Emits = Literal["pixels", "coverage", "spans", "fragments", "points", "segments", "cells"]
+Space = Literal["", "object space", "image space", "object and image space"]
 Kind = Literal["int", "float", "bool", "colour", "image", "depth", "points", "floats", "ints", "matrix"]
 
 
@@ -110,10 +111,11 @@ class Entry:
     ``view_functions`` are plain functions that the views may call, beside what the text itself knows.
     ``laws`` are what the tests of this entry prove, ``not_laws`` what one might believe and is
     not so. ``questions`` are those of the paper it serves, ``next_rung`` the slug of the next one on the
-    ladder, ``tie`` the book whose tie it follows. ``writes`` names the image argument that the text itself
-    writes in place (then a painting sink writes nothing). ``compiles`` is empty, or says why this text is
-    stepped only. ``extent`` is an expression over the parameters for a box (x_min, y_min, x_max, y_max) that
-    no emitted pixel leaves: a figure whose box lies inside the picture is painted without testing each pixel.
+    ladder, ``tie`` the book whose tie it follows. ``works_in`` is where a method for hidden surfaces
+    compares. ``writes`` names the image argument that the text itself writes in place (then a painting sink
+    writes nothing). ``compiles`` is empty, or says why this text is stepped only. ``extent`` is an expression
+    over the parameters for a box (x_min, y_min, x_max, y_max) that no emitted pixel leaves: a figure whose
+    box lies inside the picture is painted without testing each pixel.
     ``count`` is one for how many tuples are emitted, where that is known beforehand. Each look at
     the condition of the loop in one of ``tests_in``, functions that the text calls, tests a pixel: their x in
     the caller's y.
@@ -157,6 +159,7 @@ class Entry:
     labs: tuple[str, ...] = ()
     next_rung: str = ""
     tie: str = ""
+    works_in: Space = ""
     writes: str = ""
     compiles: str = ""
     extent: str = ""

@@ -23,8 +23,10 @@ MOST_CHARACTERS = 500_000  # of a literal: Python takes a thousand times the mem
 def read_arguments(entry: Entry, words: Sequence[str]) -> tuple[Any, ...]:
     """The arguments for ``entry.function``; those with a default may be left out at the end.
 
-    Raises BadInputError, naming the argument.
+    Without any word they are those of the entry's own example. Raises BadInputError, naming the argument.
     """
+    if not words:
+        return entry.example
     least = len(entry.parameters) - len(entry.function.__defaults__ or ())
     if not least <= len(words) <= len(entry.parameters):
         names = " ".join(parameter.name for parameter in entry.parameters)

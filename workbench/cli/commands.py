@@ -79,7 +79,9 @@ def _parser() -> argparse.ArgumentParser:
 
     trace = commands.add_parser("trace", help=_("the hand table of a run, what it emits, or its lines"))
     trace.add_argument("slug", metavar="SLUG", help=_("the algorithm, as list names it"))
-    trace.add_argument("words", metavar="ARG", nargs="*", help=_("a Python literal, or @file"))
+    trace.add_argument(
+        "words", metavar="ARG", nargs="*", help=_("a Python literal, or @file; none: an example")
+    )
     trace.add_argument("--table", choices=("hand", "pixels", "lines"), default="hand")
     trace.add_argument("--format", choices=("text", "csv", "json"), default="text")
     trace.set_defaults(run=_trace)

@@ -338,8 +338,8 @@ def test_back_faces_are_told_one_after_the_other(qtbot, page, session):
     assert (shown(page) == everything).all()
 
 
-def test_parallel_projectors_leave_only_the_depth_buffer(page, session):
-    assert page.card.method.count() == 1
+def test_parallel_projectors_leave_back_faces_out(page, session):
+    assert page.card.method.findData("back_faces") < 0
     session.update_state(subject=Subject("visibility", entry="back_faces"))
     settle()
     assert session.run.entry.slug == "depth_buffer"
@@ -362,3 +362,21 @@ def test_the_page_to_export_has_the_numbers_of_the_step(qtbot, page, session):
     before = page.derivation()
     assert before is not None
     assert not any("wins" in block.text for block in before.blocks if isinstance(block, Sentence))
+
+
+def test_other_methods_are_stepped_with_their_own_marks(qtbot, page, session):
+    """The painter's algorithm on planes that pierce one another: what is painted, pale what will be."""
+    choose(qtbot, page.card.method, "painter")
+    recorded(qtbot, session)
+    assert session.run.entry.slug == "painter"
+    assert not page.plot.isVisible()
+    go(qtbot, session, 1)
+    some = shown(page)
+    assert session.run.marks()
+    painted, whole = (
+        int(part) for part in page.card.legend.text().replace(",", "").split() if part.isdigit()
+    )
+    assert 0 < painted < whole
+    go(qtbot, session, session.run.total_steps)
+    assert page.card.legend.text().startswith(f"{whole} of {whole} ")
+    assert (shown(page) != some).any()

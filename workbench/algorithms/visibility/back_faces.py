@@ -159,6 +159,7 @@ ENTRY = Entry(
         "The sign of C tells in perspective, too: it does only where all projectors are parallel.",
         "Without its back faces a solid is drawn rightly: only a convex one, alone in the picture.",
     ),
+    works_in="object space",
     questions=(7,),
     labs=("Hidden surfaces: back faces",),
     frame="world",

@@ -107,6 +107,7 @@ ENTRY = Entry(
         "z is the distance from the eye: in perspective it is a number that grows with that distance, "
         "and that is linear on the screen.",
     ),
+    works_in="image space",
     questions=(2, 7),
     labs=("Hidden surfaces: depth buffer",),
     tie="Strictly nearer wins, so the first drawn stays",

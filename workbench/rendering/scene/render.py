@@ -1,7 +1,7 @@
 """A mesh or a scene as a picture and the depths in it, by any method for hidden surfaces."""
 
 from collections.abc import Callable, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,7 +13,9 @@ from workbench.document.scene.model import Camera, Light, Material, Object, Scen
 from workbench.document.scene.solids import mesh_over
 from workbench.geometry.meshes import Array, Faces, Index, Mesh, triangulated
 from workbench.language import _
+from workbench.rendering.scene import methods
 from workbench.rendering.scene.lasting import Lasting
+from workbench.rendering.scene.methods import picture_by
 from workbench.rendering.scene.shading import flat_colours
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
 from workbench.rendering.triangles import drawn, threads
@@ -33,7 +35,10 @@ class DeviceTriangles(NamedTuple):
     faces: Index
 
 
-METHODS: dict[str, Callable[..., Picture]] = {depth_buffer.__name__: drawn}
+METHODS: dict[str, Callable[..., Picture]] = {
+    **{method: partial(picture_by, method) for method in methods.METHODS},
+    depth_buffer.__name__: drawn,
+}
 """How hidden surfaces are found, by slug: from device triangles, their colours and the size."""
 
 SHADINGS = ("flat",)

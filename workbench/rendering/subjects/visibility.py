@@ -12,18 +12,21 @@ from workbench.algorithms.visibility import back_faces, depth_buffer
 from workbench.document.fields import Number
 from workbench.document.model import Rectangle, Sheet
 from workbench.document.scene.model import Camera, Object, Scene
-from workbench.document.subjects import Subject
+from workbench.document.subjects import Argument, Subject
 from workbench.geometry.meshes import Array, Mesh
 from workbench.language import _
 from workbench.rendering.mapping import Call
 from workbench.rendering.marks import on_device
 from workbench.rendering.scene.fragments import fragments_of
+from workbench.rendering.scene.methods import METHODS, method_call
 from workbench.rendering.scene.render import DeviceTriangles, device_triangles, placed
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
 KIND = "visibility"
 DEPTH_BUFFER, BACK_FACES = depth_buffer.__name__, back_faces.__name__
 LEAST_COLUMNS, USUAL_COLUMNS, MOST_COLUMNS = 8, 48, 96
+SURFACE_METHODS = tuple(method for method in METHODS if method != DEPTH_BUFFER)
+"""Those that keep no depths, and are told by their own marks and what they have painted."""
 NOT_ROUNDED = 0
 LEAST_BITS, MOST_BITS = 4, 32
 MOST_TRIANGLES = 2_500
@@ -142,6 +145,21 @@ def _depth_call(scene: Scene, size: Size, window: Rectangle | None, bits: int, l
     return Call(catalogue.get(DEPTH_BUFFER), arguments)
 
 
+def surface_call(sheet: Sheet, subject: Subject) -> Call | None:
+    """The run of one of SURFACE_METHODS on the scene; None where nothing can be stepped."""
+    method = method_of(sheet, subject)
+    device = triangles_of(sheet, replace(subject, arguments=_exact(subject)))
+    if device is None or method not in SURFACE_METHODS:
+        return None
+    size = scene_size(sheet, subject)
+    return method_call(method, device.corners, device.triangles, device.colours, size)
+
+
+def _exact(subject: Subject) -> dict[str, Argument]:
+    """The arguments of a subject, but for the rounding of depths, which only a buffer has."""
+    return {**subject.arguments, "bits": NOT_ROUNDED}
+
+
 def _back_face_calls(sheet: Sheet) -> list[Call]:
     """Each object's faces, one call for all that have equally many corners."""
     if sheet.scene is None or fault_of(sheet):
@@ -181,7 +199,8 @@ def _from_a_point(camera: Camera) -> bool:
 def _choices(sheet: Sheet, subject: Subject) -> tuple[str, ...]:
     if sheet.scene is None:
         return ()
-    return (DEPTH_BUFFER, BACK_FACES) if _from_a_point(sheet.scene.camera) else (DEPTH_BUFFER,)
+    backs = (BACK_FACES,) if _from_a_point(sheet.scene.camera) else ()
+    return DEPTH_BUFFER, *backs, *SURFACE_METHODS
 
 
 def method_of(sheet: Sheet, subject: Subject) -> str:
@@ -193,7 +212,8 @@ def method_of(sheet: Sheet, subject: Subject) -> str:
 def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
     if method_of(sheet, subject) == BACK_FACES:
         return _back_face_calls(sheet)
-    call = depth_call(sheet, subject)
+    make = depth_call if method_of(sheet, subject) == DEPTH_BUFFER else surface_call
+    call = make(sheet, subject)
     return [] if call is None else [call]
 
 
@@ -206,7 +226,7 @@ def _on_device(sheet: Sheet, subject: Subject, frame: Frame, marks: Iterable[Mar
 
 def _landmarks(sheet: Sheet, subject: Subject) -> tuple[int, ...]:
     """The steps with which a surface begins, but the first."""
-    call = None if method_of(sheet, subject) == BACK_FACES else depth_call(sheet, subject)
+    call = depth_call(sheet, subject) if method_of(sheet, subject) == DEPTH_BUFFER else None
     return () if call is None else tuple((fragments_of(call).begins[1:] + 1).tolist())
 
 
@@ -225,7 +245,7 @@ register(
         choices=_choices,
         on_device=_on_device,
         landmarks=_landmarks,
-        entries=(DEPTH_BUFFER, BACK_FACES),
+        entries=(DEPTH_BUFFER, BACK_FACES, *SURFACE_METHODS),
         arguments={
             "columns": Given(
                 USUAL_COLUMNS,

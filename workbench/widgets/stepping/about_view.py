@@ -84,6 +84,8 @@ def page_of(entry: Entry, linked: bool) -> str:
         parts.append(_next_rung(catalogue.get(entry.next_rung), linked))
     if entry.drawn_by is not None:
         parts.append(_section(_("In pictures"), _paragraph(_stand_in(entry.drawn_by))))
+    if entry.works_in:
+        parts.append(_section(_("Works in"), _paragraph(_(entry.works_in))))
     if entry.laws:
         parts.append(_section(_("Always true"), _list(_(law.sentence) for law in entry.laws)))
     if entry.not_laws:

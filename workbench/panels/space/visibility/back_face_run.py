@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.document.model import Sheet
+from workbench.language import _
 from workbench.panels.space.visibility.depth_run import DepthRun
 from workbench.panels.space.visibility.picture import paint_surfaces, surface_colours
 from workbench.panels.stage.picture import Pixels, packed
@@ -34,6 +35,30 @@ class BackFaceRun(NamedTuple):
         each = np.unique(faces, axis=0)[:, 2]
         return int((each == SEEN).sum()), int((each == BACK).sum())
 
+    @property
+    def legend(self) -> str:
+        """How many faces are told."""
+        seen, back = self.counts
+        return _("{seen} faces seen, {back} turned away (dotted).").format(seen=seen, back=back)
+
+    def picture(self, now: Tokens) -> Pixels:
+        """The nearest of the faces that are seen, and pale what is not told yet."""
+        paper = np.full(self.depth.size[::-1], packed(now.canvas), np.uint32)
+        colours = surface_colours(self.depth, now)
+        paint_surfaces(paper, _nearest(self, self.told == UNTOLD), colours, _PALE)
+        paint_surfaces(paper, _nearest(self, self.told == SEEN), colours, 1.0)
+        return paper
+
+    def drawn(self) -> tuple[Drawn, ...]:
+        """Faces that turn away dotted, the others thin, the one in hand strong."""
+        device = self.depth.device
+        rings = device.corners[device.triangles][:, [0, 1, 2, 0], :2]
+        drawn: list[Drawn] = []
+        for ring, told in zip(rings, self.told.tolist(), strict=True):
+            drawn.append(PenStroke(ring, "muted", 1.0, "dot" if told == BACK else "solid"))
+        drawn += [PenStroke(rings[k], "accent", 2.0) for k in self.now.tolist()]
+        return tuple(drawn)
+
 
 def back_face_run(depth: DepthRun, sheet: Sheet, run: Run) -> BackFaceRun:
     """How far the stepped ``run`` has told the faces; all of them where nothing is recorded yet."""
@@ -51,15 +76,6 @@ def back_face_run(depth: DepthRun, sheet: Sheet, run: Run) -> BackFaceRun:
     return BackFaceRun(depth, told, now)
 
 
-def back_face_picture(run: BackFaceRun, now: Tokens) -> Pixels:
-    """The nearest of the faces that are seen, and pale what is not told yet."""
-    paper = np.full(run.depth.size[::-1], packed(now.canvas), np.uint32)
-    colours = surface_colours(run.depth, now)
-    paint_surfaces(paper, _nearest(run, run.told == UNTOLD), colours, _PALE)
-    paint_surfaces(paper, _nearest(run, run.told == SEEN), colours, 1.0)
-    return paper
-
-
 def _nearest(run: BackFaceRun, among: NDArray[np.bool_]) -> Index:
     fragments = run.depth.fragments
     chosen = np.flatnonzero(among[fragments.surface])
@@ -68,14 +84,3 @@ def _nearest(run: BackFaceRun, among: NDArray[np.bool_]) -> Index:
     # Of several writes to one pixel NumPy keeps the last, which is the nearest.
     surfaces[fragments.y[order], fragments.x[order]] = fragments.surface[order]
     return surfaces
-
-
-def outlines(run: BackFaceRun) -> tuple[Drawn, ...]:
-    """Faces that turn away dotted, the others thin, the one in hand strong."""
-    device = run.depth.device
-    rings = device.corners[device.triangles][:, [0, 1, 2, 0], :2]
-    drawn: list[Drawn] = []
-    for ring, told in zip(rings, run.told.tolist(), strict=True):
-        drawn.append(PenStroke(ring, "muted", 1.0, "dot" if told == BACK else "solid"))
-    drawn += [PenStroke(rings[k], "accent", 2.0) for k in run.now.tolist()]
-    return tuple(drawn)

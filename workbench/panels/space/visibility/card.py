@@ -17,6 +17,7 @@ from workbench.language import _, ngettext
 from workbench.panels.space.visibility.back_face_run import BackFaceRun
 from workbench.panels.space.visibility.depth_run import DepthRun
 from workbench.panels.space.visibility.picture import Shown, surface_colours
+from workbench.panels.space.visibility.surface_run import SurfaceRun
 from workbench.panels.stage.card import number_field
 from workbench.panels.stage.folding_card import FoldingCard, fill_choices
 from workbench.rendering.subjects.visibility import (
@@ -116,10 +117,10 @@ class VisibilityCard(FoldingCard):
         self.shown = shown
         self.shown_changed.emit()
 
-    def refresh(self, run: DepthRun | None, fighting: int, told: BackFaceRun | None) -> None:
+    def refresh(self, run: DepthRun | None, fighting: int, told: BackFaceRun | SurfaceRun | None) -> None:
         """Show what is set, and what the colours mean; ``fighting`` pixels show the wrong surface now.
 
-        ``told`` is how far back faces were looked for, where that is stepped.
+        ``told`` is how far a method has come that keeps no depths, where one is stepped.
         """
         session = self._session
         scene = session.sheet.scene
@@ -148,9 +149,7 @@ class VisibilityCard(FoldingCard):
         for name, field in self.planes.items():
             field.set_value(round(getattr(scene.camera, name), 6))
         if told is not None:
-            seen, back = told.counts
-            text = _("{seen} faces seen, {back} turned away (dotted).")
-            self.legend.setText(text.format(seen=seen, back=back))
+            self.legend.setText(told.legend)
         else:
             self.legend.setText("" if run is None else self._legend(run, fighting))
         self.legend.setVisible(bool(self.legend.text()))

@@ -15,9 +15,7 @@ from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.visibility.back_face_run import (
     BackFaceRun,
-    back_face_picture,
     back_face_run,
-    outlines,
 )
 from workbench.panels.space.visibility.card import VisibilityCard
 from workbench.panels.space.visibility.cost_view import CostView
@@ -31,6 +29,7 @@ from workbench.panels.space.visibility.picture import (
     row_frame,
     row_of_depths,
 )
+from workbench.panels.space.visibility.surface_run import SurfaceRun, surface_run
 from workbench.panels.stage.empty import EmptyState
 from workbench.rendering.scene.depth_measures import differing
 from workbench.rendering.scene.fragments import NOTHING
@@ -40,6 +39,7 @@ from workbench.rendering.subjects.visibility import (
     BACK_FACES,
     KIND,
     NOT_ROUNDED,
+    SURFACE_METHODS,
     depth_call,
     fault_of,
     method_of,
@@ -211,15 +211,15 @@ class VisibilityPage(QWidget):
         self.nothing.sentence.setText(fault or _("This sheet has no scene."))
         self.nothing.setVisible(run is None)
         self.bare.setVisible(run is not None and not covered)
-        told = None if run is None or not self._tests_faces else self._told(run)
+        told = None if run is None or self._keeps_depths else self._told(run)
         wrong = self._wrong_pixels(run) if run is not None and covered and told is None else []
         self.card.refresh(run if covered else None, len(wrong), told)
         self.plot.setVisible(told is None)
         if run is None or not covered:
             self._show_empty()
         elif told is not None:
-            self.canvas.set_picture(back_face_picture(told, tokens()))
-            self.canvas.set_overlay(Overlay(drawn=outlines(told)))
+            self.canvas.set_picture(told.picture(tokens()))
+            self.canvas.set_overlay(Overlay(drawn=told.drawn()))
         else:
             now = tokens()
             self.canvas.set_picture(picture(run, self.card.shown, now))
@@ -230,12 +230,23 @@ class VisibilityPage(QWidget):
         self.cost.refresh(run)
 
     @property
-    def _tests_faces(self) -> bool:
-        """Whether back faces are looked for, rather than fragments compared."""
-        return method_of(self.session.sheet, self.session.subject) == BACK_FACES
+    def _method(self) -> str:
+        return method_of(self.session.sheet, self.session.subject)
 
-    def _told(self, run: DepthRun) -> BackFaceRun:
-        return back_face_run(run, self.session.sheet, self.session.run)
+    @property
+    def _tests_faces(self) -> bool:
+        """Whether back faces are looked for, which have no pixels."""
+        return self._method == BACK_FACES
+
+    @property
+    def _keeps_depths(self) -> bool:
+        """Whether fragments are compared with stored depths, which lens, plot and list show."""
+        return self._method not in (BACK_FACES, *SURFACE_METHODS)
+
+    def _told(self, run: DepthRun) -> BackFaceRun | SurfaceRun:
+        if self._tests_faces:
+            return back_face_run(run, self.session.sheet, self.session.run)
+        return surface_run(run, self.session)
 
     def _show_empty(self) -> None:
         import numpy as np
@@ -278,7 +289,7 @@ class VisibilityPage(QWidget):
         if run is not None and middle is None and run.now is not None:
             middle = int(run.fragments.x[run.now]), int(run.fragments.y[run.now])
         covered = self._card_left + self.card.width()
-        if run is None or middle is None or not len(run.fragments) or self._tests_faces:
+        if run is None or middle is None or not len(run.fragments) or not self._keeps_depths:
             self.lens.show_cells(None, covered)
         else:
             self.lens.show_cells(lens_cells(run, middle, _("Depth buffer"), tokens()), covered)
@@ -287,7 +298,7 @@ class VisibilityPage(QWidget):
         """A pixel, the depth stored there, and whose it is."""
         run = self._run
         inside = run is not None and 0 <= x < run.size[0] and 0 <= y < run.size[1]
-        if run is None or not inside or self._tests_faces:
+        if run is None or not inside or not self._keeps_depths:
             return f"({x}, {y})"
         z = run.depth_text(float(run.so_far.depths(run.size, run.farthest)[y, x]))
         surface = int(run.so_far.seen(run.size)[y, x])

@@ -1,0 +1,79 @@
+"""All methods for hidden surfaces on scenes of documents: where they agree and err, what they count."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from workbench.algorithms.visibility import depth_buffer
+from workbench.document.samples.examples import example
+from workbench.document.scene.model import Scene
+from workbench.rendering.scene import METHODS as RENDERED
+from workbench.rendering.scene.arena import MethodRun, run_methods, timed
+from workbench.rendering.scene.methods import METHODS, depths_of, method_call, surfaces_seen
+from workbench.rendering.scene.render import device_triangles, placed
+
+SIZE = (24, 18)
+WHERE_NOTHING_PIERCES = {"painter", "scan_line_surfaces"}
+
+
+def scene_of(slug: str) -> Scene:
+    scene = example(slug).document.sheets[0].scene
+    assert scene is not None
+    return scene
+
+
+@cache
+def runs(slug: str) -> dict[str, MethodRun]:
+    return {run.method: run for run in run_methods(scene_of(slug), SIZE)}
+
+
+def test_every_method_that_takes_triangles_is_one() -> None:
+    assert set(METHODS) == {
+        "depth_buffer",
+        "painter",
+        "depth_sort",
+        "bsp_tree",
+        "scan_line_surfaces",
+        "area_subdivision",
+        "octree",
+        "ray_casting",
+    }
+    assert set(RENDERED) == set(METHODS)
+
+
+@pytest.mark.parametrize("slug", ["piercing-planes", "overlapping-triangles", "space-house"])
+def test_they_show_what_ray_casting_shows_unless_they_presume_that_nothing_pierces(slug: str) -> None:
+    for method, run in runs(slug).items():
+        assert (run.seen >= 0).any()
+        if method not in WHERE_NOTHING_PIERCES:
+            assert not run.different.any(), method
+
+
+def test_on_planes_that_pierce_those_that_presume_otherwise_err() -> None:
+    found = runs("piercing-planes")
+    assert {method for method, run in found.items() if run.different.any()} == WHERE_NOTHING_PIERCES
+
+
+def test_work_is_counted() -> None:
+    found = runs("piercing-planes")
+    assert all(run.tests > 0 for run in found.values())
+    assert found["depth_sort"].counted["splits"] >= 1
+    assert found["bsp_tree"].counted["splits"] >= 1
+    assert found["area_subdivision"].counted["squares divided"] >= 1
+    apart = runs("overlapping-triangles")
+    assert apart["ray_casting"].tests > apart["scan_line_surfaces"].tests
+
+
+def test_depths_are_those_of_the_depth_buffer() -> None:
+    scene = scene_of("piercing-planes")
+    device = device_triangles(placed(scene), scene.lights, scene.camera, SIZE, None)
+    call = method_call(depth_buffer.__name__, device.corners, device.triangles, device.colours, SIZE)
+    for _fragment in depth_buffer(*call.arguments):
+        pass
+    seen = surfaces_seen(depth_buffer.__name__, device.corners, device.triangles, SIZE)
+    assert np.array_equal(depths_of(seen, device.corners, device.triangles), call.arguments[1])
+
+
+def test_time_is_that_of_a_thread() -> None:
+    assert 0 <= timed(scene_of("piercing-planes"), SIZE, depth_buffer.__name__) < 60

@@ -1,0 +1,97 @@
+"""Cutting pieces by planes, against areas in fractions."""
+
+from collections.abc import Callable
+from fractions import Fraction
+from random import Random
+
+import numpy as np
+import pytest
+
+from tests.visibility.exact_scenes import arrays, piercing, scenes
+from workbench.algorithms.visibility.depth_tests import edge_plane
+from workbench.algorithms.visibility.device_plane import Corner
+from workbench.algorithms.visibility.piece_painting import on_its_side
+from workbench.algorithms.visibility.pieces import (
+    CUT_THROUGH,
+    MOST_PIECES,
+    Piece,
+    add_piece,
+    part_of,
+    plane_of,
+    side_of,
+    whole,
+)
+from workbench.algorithms.visibility.surfaces import covers, in_view, surface_of, surfaces_of
+
+
+def area(corners: list[Corner]) -> Fraction:
+    """As the eye sees it."""
+    exact = [(Fraction(x), Fraction(y)) for x, y, _z in corners]
+    total = sum((x0 * y1 - x1 * y0 for (x0, y0), (x1, y1) in zip(exact, exact[1:] + exact[:1], strict=True)))
+    return abs(Fraction(total)) / 2
+
+
+def test_the_areas_of_the_parts_add_up_and_each_is_on_its_side() -> None:
+    cut = 0
+    for scene in scenes(piercing, 60):
+        surfaces = surfaces_of(*arrays(scene)[:2])
+        for number in in_view(surfaces):
+            pieces = [whole(surfaces, number)]
+            for other in in_view(surfaces):
+                plane = plane_of(surfaces, other)
+                for piece in list(pieces):
+                    if side_of(plane, piece.corners) != CUT_THROUGH:
+                        continue
+                    cut += 1
+                    front, behind = part_of(plane, piece, 1), part_of(plane, piece, -1)
+                    assert side_of(plane, front.corners) == 1
+                    assert side_of(plane, behind.corners) == -1
+                    pieces.remove(piece)
+                    pieces += [front, behind]
+            assert float(sum(area(p.corners) for p in pieces)) == pytest.approx(
+                float(area(whole(surfaces, number).corners)), rel=1e-12
+            )
+    assert cut > 100
+
+
+def test_the_plane_of_a_surface_faces_the_side_from_which_it_goes_round_counter_clockwise() -> None:
+    """C < 0: that side is the eye's. What the corners' order is does not matter to z."""
+    corners = np.array([[0.0, 0, 0.5], [4, 1, 0.25], [1, 3, 0.75]])
+    seen, turned = (surface_of(corners, np.array([order]), 0) for order in ((0, 1, 2), (2, 1, 0)))
+    assert seen.C < 0 < turned.C
+    assert seen[3:7] == tuple(-value for value in turned[3:7])
+    assert seen[7:] == turned[7:]
+    A, B, C, D = seen[3:7]
+    for x, y, z in corners.tolist():
+        assert A * x + B * y + C * z + D == pytest.approx(0, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "is_right"),
+    [
+        ((4, 0), (4, 8), lambda x, _y: x >= 4),
+        ((0, 3), (8, 3), lambda _x, y: y >= 3),
+        ((0, 6), (6, 0), lambda x, y: x + y >= 6),
+        ((0, 0), (6, 6), lambda x, y: x >= y),
+    ],
+)
+def test_a_centre_on_a_cut_is_where_half_open_has_it(
+    start: tuple[int, int], end: tuple[int, int], is_right: Callable[[int, int], bool]
+) -> None:
+    """In the part to the right of the cut, or above it where it is level; whichever way the edge goes."""
+    surfaces = surfaces_of(np.array([[0.0, 0, 0], [9, 0, 0], [0, 9, 0]]), np.array([[0, 1, 2]]))
+    for first, second in ((start, end), (end, start)):
+        plane = edge_plane(Corner(*map(float, first), 0.0), Corner(*map(float, second), 0.0))
+        parts = [part_of(plane, whole(surfaces, 0), side) for side in (1, -1)]
+        for x, y in ((x, y) for x in range(9) for y in range(9) if covers(surfaces[0], x, y)):
+            (here,) = [part for part in parts if on_its_side(surfaces, part, x, y)]
+            middle = np.mean([corner[:2] for corner in here.corners], axis=0)
+            assert is_right(x, y) == is_right(*middle)
+
+
+def test_too_many_pieces_are_refused_in_a_sentence() -> None:
+    surfaces = surfaces_of(*arrays(piercing(Random(1)))[:2])
+    piece = whole(surfaces, 0)
+    pieces: list[Piece] = [piece] * MOST_PIECES
+    with pytest.raises(ValueError, match="more than 40,000 pieces"):
+        add_piece(pieces, piece)

@@ -1,0 +1,114 @@
+"""The tests of the depth sort on two pieces, and where one is cut when no order helps."""
+
+from workbench.algorithms.visibility.device_plane import Corner
+from workbench.algorithms.visibility.pieces import (
+    CUT_THROUGH,
+    UPRIGHT,
+    Piece,
+    Plane,
+    plane_of,
+    side_of,
+)
+from workbench.algorithms.visibility.surfaces import Surface
+
+NONE = -1
+
+
+def eye_side(plane: Plane) -> int:
+    """The side of a plane that the eye is on."""
+    return 1 if plane.C < 0.0 else -1
+
+
+def boxes_apart(P: Piece, Q: Piece) -> bool:
+    """Whether the boxes of two pieces do not overlap in x, or not in y."""
+    p, q = P.box, Q.box
+    return p.x_high <= q.x_low or q.x_high <= p.x_low or p.y_high <= q.y_low or q.y_high <= p.y_low
+
+
+def is_behind(surfaces: list[Surface], P: Piece, Q: Piece) -> bool:
+    """Whether P is wholly on the far side of Q's plane; in that plane, whether its number is higher."""
+    plane = plane_of(surfaces, Q.number)
+    side = side_of(plane, P.corners)
+    return side == -eye_side(plane) or (side == 0 and P.number >= Q.number)
+
+
+def is_in_front(surfaces: list[Surface], Q: Piece, P: Piece) -> bool:
+    """Whether Q is wholly on the eye's side of P's plane; in that plane, whether its number is lower."""
+    plane = plane_of(surfaces, P.number)
+    side = side_of(plane, Q.corners)
+    return side == eye_side(plane) or (side == 0 and Q.number <= P.number)
+
+
+def pass_exchanged(surfaces: list[Surface], P: Piece, Q: Piece) -> bool:
+    """Whether test 2 or 3 is passed with P and Q exchanged."""
+    return is_behind(surfaces, Q, P) or is_in_front(surfaces, P, Q)
+
+
+def edge_plane(start: Corner, end: Corner) -> Plane:
+    """The plane through an edge and the eye: upright on the picture."""
+    A, B = end.y - start.y, start.x - end.x
+    return Plane(A, B, 0.0, -(A * start.x + B * start.y), UPRIGHT)
+
+
+def parted_by_edge(P: Piece, Q: Piece) -> bool:
+    """Whether an edge of P has all of P on one side and all of Q on the other, as the eye sees them."""
+    start = P.corners[len(P.corners) - 1]
+    for end in P.corners:
+        plane = edge_plane(start, end)
+        own, other = side_of(plane, P.corners), side_of(plane, Q.corners)
+        if own != 0 and other != own and other != CUT_THROUGH:
+            return True
+        start = end
+    return False
+
+
+def projections_apart(P: Piece, Q: Piece) -> bool:
+    """Whether two pieces, as the eye sees them, do not overlap: an edge of one of them parts them."""
+    return parted_by_edge(P, Q) or parted_by_edge(Q, P)
+
+
+def edge_through(P: Piece, Q: Piece) -> Plane:
+    """The plane through the eye and an edge of P that cuts Q; all 0 where none does."""
+    start = P.corners[len(P.corners) - 1]
+    for end in P.corners:
+        plane = edge_plane(start, end)
+        if side_of(plane, Q.corners) == CUT_THROUGH:
+            return plane
+        start = end
+    return Plane(0.0, 0.0, 0.0, 0.0, UPRIGHT)
+
+
+def cut_between(surfaces: list[Surface], pieces: list[Piece], p: int, q: int) -> tuple[int, Plane]:
+    """Which of two pieces to split and by what plane; NONE where they have one outline and do not pierce.
+
+    By the plane of the other, or, where a cycle of several lets no plane cut, along an edge of the other.
+    """
+    P, Q = pieces[p], pieces[q]
+    plane = plane_of(surfaces, Q.number)
+    if side_of(plane, P.corners) == CUT_THROUGH:
+        return p, plane
+    plane = plane_of(surfaces, P.number)
+    if side_of(plane, Q.corners) == CUT_THROUGH:
+        return q, plane
+    plane = edge_through(Q, P)
+    if side_of(plane, P.corners) == CUT_THROUGH:
+        return p, plane
+    plane = edge_through(P, Q)
+    if side_of(plane, Q.corners) == CUT_THROUGH:
+        return q, plane
+    return NONE, plane
+
+
+def put_by_depth(order: list[int], pieces: list[Piece], k: int) -> None:
+    """Put a piece into the order by its greatest depth, the farthest last; of equals the higher number."""
+    far = pieces[k].box.z_far
+    order.append(k)
+    place = len(order) - 1
+    while place > 0:
+        other = pieces[order[place - 1]]
+        other_far = other.box.z_far
+        if other_far < far or (other_far == far and other.number <= pieces[k].number):
+            break
+        order[place] = order[place - 1]
+        place -= 1
+    order[place] = k

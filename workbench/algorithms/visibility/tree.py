@@ -1,0 +1,62 @@
+"""The nodes of a BSP tree, and which piece divides best."""
+
+from typing import NamedTuple
+
+from workbench.algorithms.visibility.pieces import CUT_THROUGH, Piece, plane_of, side_of
+from workbench.algorithms.visibility.surfaces import Surface
+
+NONE = -1
+CANDIDATES, SAMPLES = 5, 100
+
+
+class Node(NamedTuple):
+    """The number of the surface whose plane divides, the pieces in that plane in the order to paint them, and
+    the nodes in front of it and behind it, or NONE."""
+
+    surface: int
+    pieces: list[int]
+    front: int
+    back: int
+
+
+class Half(NamedTuple):
+    """Pieces that wait to be divided by the node that is theirs."""
+
+    node: int
+    members: list[int]
+
+
+def dividing(pieces: list[Piece], surfaces: list[Surface], members: list[int]) -> int:
+    """Of up to five members the one whose plane splits fewest others, then parts them most evenly."""
+    best, least = members[0], -1
+    for k in range(0, len(members), max(len(members) // CANDIDATES, 1)):
+        plane = plane_of(surfaces, pieces[members[k]].number)
+        splits, balance = 0, 0
+        for m in range(0, len(members), max(len(members) // SAMPLES, 1)):
+            side = side_of(plane, pieces[members[m]].corners)
+            if side == CUT_THROUGH:
+                splits += 1
+            else:
+                balance += side
+        cost = 8 * splits + abs(balance)
+        if least < 0 or cost < least:
+            best, least = members[k], cost
+    return best
+
+
+def add_half(nodes: list[Node], work: list[Half], members: list[int]) -> int:
+    """Give half of a space a node and let it wait; returns the node, or NONE where nothing is in it."""
+    if not members:
+        return NONE
+    node = len(nodes)
+    nodes.append(Node(NONE, members[:0], NONE, NONE))
+    work.append(Half(node, members))
+    return node
+
+
+def put_in_plane(pieces: list[Piece], same: list[int], member: int) -> None:
+    """Put a piece among those of its plane: the lowest number last, so that it is painted over the others."""
+    place = 0
+    while place < len(same) and pieces[same[place]].number > pieces[member].number:
+        place += 1
+    same.insert(place, member)

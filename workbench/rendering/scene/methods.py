@@ -1,0 +1,95 @@
+"""Every method for hidden surfaces on the same device triangles.
+
+A method is any entry of visibility that takes a picture and triangles, and depths if it keeps them.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms import catalogue
+from workbench.algorithms.entry import Entry
+from workbench.algorithms.visibility.surfaces import NOTHING, surface_of
+from workbench.geometry.meshes import Array, Index
+from workbench.rendering.mapping import Call
+from workbench.rendering.scene.viewpoint import Size
+
+FARTHEST = 1.0
+_GIVEN = {"image", "depth", "vertices", "faces", "colours"}
+
+METHODS: tuple[str, ...] = tuple(
+    entry.slug for entry in catalogue.topic("visibility") if {"image"} < set(entry.parameter_names) <= _GIVEN
+)
+"""Their slugs, in teaching order."""
+
+
+def method_call(method: str, corners: Array, triangles: Index, colours: Index, size: Size) -> Call:
+    """The call that paints device triangles with a method into a new picture of ``size``, (width, height).
+
+    Args: as of ``DeviceTriangles``; a slug of METHODS.
+    """
+    width, height = size
+    given: dict[str, Any] = {
+        "image": np.zeros((height, width), np.int64),
+        "depth": np.full((height, width), FARTHEST),
+        "vertices": corners,
+        "faces": triangles,
+        "colours": colours,
+    }
+    entry = catalogue.get(method)
+    return Call(entry, tuple(given[name] for name in entry.parameter_names))
+
+
+def surfaces_seen(
+    method: str, corners: Array, triangles: Index, size: Size, compiling: bool = False
+) -> Index:
+    """(height, width) the number of the triangle that a method shows at each pixel, or NOTHING.
+
+    Without ``compiling`` the plain reading serves until the kernel is there. Raises: ValueError, a sentence,
+    where it would need too many pieces.
+    """
+    from workbench.engine.compiled import paint
+
+    numbers = np.arange(1, len(triangles) + 1)
+    call = method_call(method, corners, triangles, numbers, size)
+    image: Index = call.arguments[0]
+    paint(call.entry.function, image, 0, *call.arguments, compiling=compiling)
+    return image - 1
+
+
+def picture_by(
+    method: str, corners: Array, triangles: Index, colours: Index, size: Size
+) -> tuple[NDArray[np.uint32], Array]:
+    """The picture (h, w), uint32, that a method paints, and the depth of what each pixel shows, 1 of nothing.
+
+    Its kernel is compiled if need be. Raises: ValueError, as ``surfaces_seen``.
+    """
+    seen = surfaces_seen(method, corners, triangles, size, compiling=True)
+    covered = seen != NOTHING
+    image = np.zeros(seen.shape, np.uint32)
+    image[covered] = colours[seen[covered]]
+    return image, depths_of(seen, corners, triangles)
+
+
+def depths_of(seen: Index, corners: Array, triangles: Index) -> Array:
+    """(h, w) the depth of the triangle that each pixel shows, as all methods reckon it; 1 of nothing."""
+    depth = np.full(seen.shape, FARTHEST)
+    for number in np.unique(seen[seen != NOTHING]).tolist():
+        surface = surface_of(corners, triangles, number)
+        y, x = np.nonzero(seen == number)
+        low = surface.low
+        depth[y, x] = low.z + (y - low.y) * surface.dz_dy + (x - low.x) * surface.dz_dx
+    return depth
+
+
+def seen_after(entry: Entry, rows: NDArray[Any], size: Size) -> Index:
+    """(height, width) the triangle that each pixel shows, or NOTHING, after a method that keeps no depths has
+    emitted ``rows``."""
+    seen = np.full(size[::-1], NOTHING)
+    if entry.emits == "spans":
+        for y, left, right, surface in rows.tolist():
+            seen[y, left : right + 1] = surface
+    elif len(rows):
+        seen[rows[:, 1], rows[:, 0]] = rows[:, 2]
+    return seen
