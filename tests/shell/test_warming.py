@@ -30,7 +30,7 @@ def test_after_a_failure_the_next_workspace_is_prepared(
     warming.prepare("display")
     qtbot.waitUntil(lambda: len(asked) > 2)  # one for the reason that is told of the failure
     warming.stop()
-    qtbot.waitUntil(lambda: warming._thread is None)
+    qtbot.waitUntil(lambda: not warming.busy)
 
 
 def test_what_gets_no_thread_is_prepared_later(
@@ -49,4 +49,4 @@ def test_what_gets_no_thread_is_prepared_later(
         warming.prepare("draw")
     warming.prepare("display")
     qtbot.waitUntil(lambda: compiled_topics == ["draw", "display"])
-    qtbot.waitUntil(lambda: warming._thread is None)
+    qtbot.waitUntil(lambda: not warming.busy)

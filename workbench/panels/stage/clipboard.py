@@ -9,7 +9,7 @@ from PySide6.QtGui import QGuiApplication
 from workbench.document.building import Edit, foreseen, moved_by, without_ids
 from workbench.document.edits import add_figures
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Sheet
+from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.exchange.figures import MIME, write_figures
 from workbench.exchange.reading import Job
 from workbench.exchange.svg_reading import Imported
@@ -43,18 +43,18 @@ def paste_figures(session: Session, say: Callable[[str], object]) -> None:
         return
     job = Job("figures", content=bytes(QGuiApplication.clipboard().mimeData().data(MIME).data()))
     sheet = session.sheet
-    take, prepare = partial(_take, session, sheet, say), partial(_placed, session, sheet)
+    take, prepare = partial(_take, session, sheet, say), partial(_placed, session.document, sheet)
     session.incoming.read(job, _("figures"), take, say, prepare)
 
 
-def _placed(session: Session, sheet: Sheet, pasted: Imported) -> Edit:
+def _placed(document: Document, sheet: Sheet, pasted: Imported) -> Edit:
     """The edit that puts figures on the sheet. Raises: ValueError with one sentence."""
     taken = {without_ids(figure) for figure in sheet.figures}
     figures = [without_ids(each) for each in pasted.figures]
     while taken.intersection(figures):
         figures = [moved_by(each, *_BESIDE) for each in figures]
     try:
-        return foreseen(add_figures(sheet.id, figures), session.document)
+        return foreseen(add_figures(sheet.id, figures), document)
     except DocumentError as problem:
         raise ValueError(problem.short) from None
 
