@@ -67,6 +67,10 @@ class SaveDialog(QFileDialog):
                 return
             path, file_format = completed(self._formats, typed, self.file_format)
             there = _is_there(path)
+            if there and path.is_dir():
+                sentence = _("{name} is a folder; choose another name.")
+                self._refuse(typed, sentence.format(name=legible(path.name)))
+                return
         except SuffixError as problem:
             self._refuse(typed, str(problem))
             return
