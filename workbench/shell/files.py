@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QDropEvent
@@ -17,7 +17,7 @@ from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
     from workbench.document.building import Edit
-    from workbench.document.model import Sheet
+    from workbench.document.model import Document, Sheet
     from workbench.document.storage.files import Stored
     from workbench.session.recovery import Recoverable
     from workbench.session.saver import Saved
@@ -116,26 +116,20 @@ class Files(QObject):
             from workbench.exchange.reading import Job
 
             take, refuse = partial(self._add_sheets, path), partial(self._not_imported, path)
-            job = Job("picture", str(path))
-            self._session.incoming.read(job, path.name, take, refuse, self._with_sheets)
+            prepare = partial(_with_sheets, self._session.document)
+            self._session.incoming.read(Job("picture", str(path)), path.name, take, refuse, prepare)
 
     def _into_curves(self, path: Path) -> None:
         from workbench.panels.curves.panel import CurvesPanel
 
-        panel_of(self._window.panels("curves"), CurvesPanel).exchange.take_file(path)
+        panel_of(self._window.panels("curves"), CurvesPanel).exchange.take_file(
+            path, self._window.messages.say
+        )
 
     def _into_space(self, path: Path) -> None:
         from workbench.panels.space.panel import SpacePanel
 
-        panel_of(self._window.panels("space"), SpacePanel).meshes.take_file(path)
-
-    def _with_sheets(self, stored: Any) -> "Edit":
-        """The edit by which the sheets of another picture come beside those of the open one."""
-        from workbench.document.building import both, foreseen
-        from workbench.document.sheet_edits import add_sheet
-
-        edits = [add_sheet(sheet) for sheet in stored.document.sheets]
-        return foreseen(both(*edits), self._session.document)
+        panel_of(self._window.panels("space"), SpacePanel).meshes.take_file(path, self._window.messages.say)
 
     def _add_sheets(self, path: Path, edit: "Edit") -> None:
         """Do that as one step of undo, and show the first of them."""
@@ -342,7 +336,8 @@ class Files(QObject):
         if not self._session.dirty:
             self._window.messages.withdraw(self._unsaved)
         self._remember(saved.path)
-        self._window.say_status(_("Saved {name}.").format(name=name))
+        folder = legible(str(saved.path.absolute().parent))
+        self._window.say_status(_("Saved {name} in {folder}.").format(name=name, folder=folder))
         if then:
             then()
 
@@ -388,3 +383,11 @@ def _kinds() -> list[str]:
         tuple(suffix for _title, suffixes in each for suffix in suffixes),
     )
     return [f"{title} ({' '.join('*' + suffix for suffix in kinds)})" for title, kinds in (everything, *each)]
+
+
+def _with_sheets(document: "Document", stored: "Stored") -> "Edit":
+    """The edit by which the sheets of another picture come beside those of the open one."""
+    from workbench.document.building import both, foreseen
+    from workbench.document.sheet_edits import add_sheet
+
+    return foreseen(both(*map(add_sheet, stored.document.sheets)), document)
