@@ -7,7 +7,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from workbench.engine import compiled
-from workbench.shell.warming import Warming
+from workbench.shell.warming import Warming, _Followed
 from workbench.shell.window import MainWindow
 
 
@@ -33,12 +33,12 @@ def test_after_a_failure_the_next_workspace_is_prepared(
     qtbot.waitUntil(lambda: not warming.busy)
 
 
-def test_what_gets_no_thread_is_prepared_later(
+def test_what_gets_no_thread_is_prepared_all_the_same(
     qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     compiled_topics: list[str] = []
     monkeypatch.setattr(window, "workspace", lambda slug: SimpleNamespace(topics=(slug,)))
-    monkeypatch.setattr(Warming, "_compile", lambda _self, topics: compiled_topics.extend(topics))
+    monkeypatch.setattr(_Followed, "_compile", lambda self, _tell: compiled_topics.extend(self._topics))
     warming = Warming(window)
     with monkeypatch.context() as patch:
 

@@ -1,6 +1,6 @@
 """Opening and saving: names, the question about unsaved changes, recent files, recovery after a crash."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 PROGRAM = "Graphics Workbench"
 SUFFIX = ".gwb"
+_LONGEST_FOLDER = 300
 _IMPORTED = ("drawing", "points", "mesh")  # what comes into a picture; another picture takes its place
 
 
@@ -144,7 +145,7 @@ class Files(QObject):
             return
         added = [sheet for sheet in session.document.sheets if sheet.id not in known]
         self.show_sheet(added[0].id)
-        self._say_stand_ins(added)
+        self._warn_of(added)
 
     def _not_imported(self, path: Path, error: str) -> None:
         sentence = _("{name} was not imported: {error}").format(name=legible(path.name), error=error)
@@ -271,7 +272,7 @@ class Files(QObject):
     def _recovered(self, lost: "Recoverable", stored: "Stored") -> None:
         self._session.take_recovered(lost, stored)
         self._window.enter("draw")
-        self._say_stand_ins(stored.document.sheets)
+        self._warn_of(stored.document.sheets)
         if self._session.changed_on_disk:
             self._window.messages.say(
                 _(
@@ -309,13 +310,15 @@ class Files(QObject):
         self._remember(path)
         if self._window.place not in self._window.workspace_slugs:
             self._window.enter("draw")
-        self._say_stand_ins(stored.document.sheets)
+        self._warn_of(stored.document.sheets)
 
-    def _say_stand_ins(self, sheets: "Iterable[Sheet]") -> None:
-        """What serves for algorithms that a file asks for and this version lacks."""
+    def _warn_of(self, sheets: "Sequence[Sheet]") -> None:
+        """What serves for algorithms that a file asks for and this version lacks; pictures that are large."""
+        from workbench.display.setup import too_many_pixels
         from workbench.document.stand_ins import stand_ins
 
-        if sentences := stand_ins(sheets):
+        large = [too_many_pixels((sheet.width_px, sheet.height_px)) for sheet in sheets]
+        if sentences := [*stand_ins(sheets), *dict.fromkeys(filter(None, large))]:
             self._window.messages.say(" ".join(sentences), "warn")
 
     def _save(self, path: Path, then: Callable[[], object] | None) -> None:
@@ -336,7 +339,7 @@ class Files(QObject):
         if not self._session.dirty:
             self._window.messages.withdraw(self._unsaved)
         self._remember(saved.path)
-        folder = legible(str(saved.path.absolute().parent))
+        folder = legible(str(saved.path.absolute().parent), _LONGEST_FOLDER)
         self._window.say_status(_("Saved {name} in {folder}.").format(name=name, folder=folder))
         if then:
             then()
