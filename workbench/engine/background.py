@@ -72,6 +72,11 @@ class Thread(threading.Thread):
         self.run()
         self.join()
 
+    def end(self) -> None:
+        """Come back when the work is done. Where the thread has not begun, it is not done any more."""
+        self.give_up()
+        self.join()
+
     def give_up(self) -> None:
         """Where the thread has not begun, do nothing any more."""
         if self.daemon and self._claim.acquire(blocking=False):

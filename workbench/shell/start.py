@@ -22,6 +22,7 @@ from workbench.shell.window import PROGRAM, MainWindow
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from workbench.engine.background import Thread
     from workbench.shell.warming import Warming
     from workbench.shell.workspaces import Workspace
 
@@ -46,6 +47,7 @@ class Building(QObject):
         self._warms = warms
         self._slices = Slices(self)
         self._warming: Warming | None = None
+        self._importing: Thread | None = None
 
     def start(self) -> None:
         """Complete the window, and begin importing."""
@@ -54,10 +56,12 @@ class Building(QObject):
         self._window.complete()
         answers = Answers(self)
         answers.arrived.connect(lambda _imported: self._slices.add(self._build()))
-        answers.ask(partial(_imported, self._window.workspace(FIRST).modules), "imports")
+        self._importing = answers.ask(partial(_imported, self._window.workspace(FIRST).modules), "imports")
 
     def end(self) -> None:
-        """Prepare nothing further."""
+        """Prepare nothing further; no thread imports what is Qt's own while Qt comes to its end."""
+        if self._importing is not None:
+            self._importing.end()
         if self._warming is not None:
             self._warming.stop()
 

@@ -14,6 +14,7 @@ from workbench.session.answers import Answers
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from workbench.engine.background import Thread
     from workbench.engine.warm import Progress
     from workbench.engine.warm import Warming as Child
     from workbench.shell.window import MainWindow
@@ -28,6 +29,7 @@ class Warming(QObject):
         self._asked: set[str] = set()
         self._waiting: list[str] = []
         self._followed: _Followed | None = None
+        self._thread: Thread | None = None
         self._stopped = False
         self._answers = Answers(self)
         self._answers.arrived.connect(self._take)
@@ -51,13 +53,15 @@ class Warming(QObject):
         self._stopped = True
         if self._followed is not None:
             self._followed.stop()
+        if self._thread is not None:
+            self._thread.end()
 
     def _next(self) -> None:
         if self._followed is None and self._waiting and not self._stopped:
             topics, self._waiting = self._waiting, []
             self._followed = _Followed(topics)
             work = partial(self._followed.work, self._answers.tell)
-            self._answers.ask(work, "warming", self._followed.stop)
+            self._thread = self._answers.ask(work, "warming", self._followed.stop)
 
     def _take(self, told: Progress | tuple[str, str]) -> None:
         if isinstance(told, tuple):
