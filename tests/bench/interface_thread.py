@@ -163,7 +163,7 @@ def main() -> None:
     window.first_frame.connect(building.start)
     window.show()
     application.exec()
-    building.wait()
+    building.end()
     turns.end()
     window.session.undo_stack.setClean()
     window.close()

@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import os
+import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -331,4 +332,36 @@ def test_whatever_can_be_opened_is_opened_in_the_window(
     capsys: pytest.CaptureFixture[str], name: str
 ) -> None:
     assert main([name]) == 2
-    assert capsys.readouterr().err == f"There is no file {name}.\n"
+    assert capsys.readouterr().err == f"There is no file {name}; choose another.\n"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="has no pipes and devices among its files")
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("pipe.gwb", "pipe.gwb is a pipe; write what comes out of it to a file, and open that."),
+        ("pipe", "pipe is a pipe; write what comes out of it to a file, and open that."),
+        ("folder.gwb", "folder.gwb is a folder; choose a file in it."),
+        ("folder", "folder is a folder; choose a file in it."),
+        ("/dev/zero", "/dev/zero is a device; choose a file."),
+        ("a.docx", "a.docx is of no kind that can be opened; choose a file that ends in .gwb, "),
+        ("socket.gwb", "socket.gwb is a socket; choose a file."),
+    ],
+)
+def test_what_cannot_be_opened_is_told_for_what_it_is(
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    name: str,
+    said: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for pipe in ("pipe", "pipe.gwb"):
+        os.mkfifo(pipe)
+    for folder in ("folder", "folder.gwb"):
+        Path(folder).mkdir()
+    Path("a.docx").touch()
+    with socket.socket(socket.AF_UNIX) as one:
+        one.bind("socket.gwb")
+        assert main([name]) == 2
+    assert said in capsys.readouterr().err

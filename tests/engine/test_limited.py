@@ -1,6 +1,7 @@
 """Recursion with a limit: what is drawn is what is recorded; what waits is what the text itself holds."""
 
 import sys
+import threading
 from itertools import pairwise
 
 import numpy as np
@@ -11,7 +12,7 @@ from hypothesis import strategies as st
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.seed_fill.example import BOUNDED
-from workbench.engine.limited import collect_limited
+from workbench.engine.limited import Limited, collect_limited
 from workbench.engine.observation import Steps
 from workbench.engine.pending import Depths, PixelTests, largest, stack_at
 from workbench.engine.recorder import Recorder, record
@@ -57,6 +58,31 @@ def test_a_deep_limit_fills_sixty_by_sixty() -> None:
     found = collect_limited(RECURSIVE, 4000, picture, 30, 30, 2, 1)
     assert not found.overflowed
     assert (picture == 2).all()
+
+
+def test_no_depth_takes_room_on_the_stack_of_the_thread() -> None:
+    """A small stack would end the process."""
+    results: list[Limited] = []
+
+    def fill() -> None:
+        results.append(collect_limited(RECURSIVE, 20_000, np.zeros((300, 300), np.int64), 150, 150, 2, 1))
+
+    before = threading.stack_size(128 * 1024)
+    try:
+        thread = threading.Thread(target=fill)
+        thread.start()
+    finally:
+        threading.stack_size(before)
+    thread.join()
+    assert (results[0].deepest, results[0].overflowed) == (20_000, True)
+
+
+def test_it_begins_no_thread(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(_thread: threading.Thread) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr(threading.Thread, "start", refuse)
+    assert len(collect_limited(RECURSIVE, 100, np.zeros((5, 5), np.int64), 2, 2, 2, 1).rows) == 25
 
 
 def test_a_recorder_nests_deeper_than_python_would() -> None:

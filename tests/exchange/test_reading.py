@@ -93,7 +93,7 @@ def test_a_curve_is_fitted_by_the_child() -> None:
     [
         (Job("drawing", content=DRAWING + b"<", sheet=SHEET), "the XML is broken"),
         (Job("points", content=WAVE + b"a;b"), "Line 3001, column 1: 'a' is not a number"),
-        (Job("picture", "/dev/zero"), "/dev/zero is not a file that can be opened"),
+        (Job("picture", "/dev/zero"), "/dev/zero is a device"),
         (Job("figures", content=b"[[]" * 9), "The figures on the clipboard cannot be read"),
         (Job("picture", "/no/such.gwb"), "There is no file /no/such.gwb"),
     ],

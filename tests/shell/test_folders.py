@@ -30,7 +30,7 @@ def said_after_the_start(qtbot: QtBot) -> str:
     window.first_frame.connect(building.start)
     with qtbot.waitSignal(building.built, timeout=60_000):
         window.show()
-    building.wait()
+    building.end()
     said = window.messages.text
     window.settings.set("calm", False)
     assert window.settings.get("calm") is False
@@ -154,7 +154,7 @@ def window_says():
     building.built.connect(application.quit)
     window.show()
     application.exec()
-    building.wait()
+    building.end()
     text = window.messages.text
     calm = window.settings.get("calm")
     window.settings.set("theme", "dark")

@@ -61,7 +61,7 @@ window.first_frame.connect(building.start)
 building.built.connect(lambda: window.go(sys.argv[1]))
 window.show()
 status = application.exec()
-building.wait()
+building.end()
 sys.exit(status)
 """
 
@@ -127,7 +127,7 @@ def test_a_workspace_arrives_once_its_panels_are_made(qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: window.place == fourth.workspace, timeout=30_000)
     assert (window.session.state.workspace, window.session.state.step) == ("view", fourth.step)
     window.session.close()
-    building.wait()
+    building.end()
     window.deleteLater()
     QApplication.processEvents()
 
@@ -170,7 +170,7 @@ class Copying:
     def start(self):
         copy_figures(list(example_document().sheets[0].figures))
         QApplication.quit()
-    def wait(self):
+    def end(self):
         pass
 start.Building = Copying
 sys.exit(start.start([]))
@@ -188,7 +188,7 @@ def test_the_rest_is_built_behind_the_first_frame(qtbot: QtBot) -> None:
     window.first_frame.connect(building.start)
     with qtbot.waitSignal(building.built, timeout=60_000):
         window.show()
-    building.wait()
+    building.end()
     (line,) = window.session.sheet.figures
     assert window.session.state.selection == (line.id,)
     home = window._pages["home"]
@@ -217,7 +217,7 @@ def test_the_rest_is_built_whatever_the_offer_of_recovery_does(
     assert [kind for kind, *_rest in raised] == [MemoryError]
     assert window.panels("draw")
     window.session.close()
-    building.wait()
+    building.end()
 
 
 INTERRUPTED = """

@@ -25,7 +25,7 @@ def window(qapp: QApplication) -> Iterator[MainWindow]:
     built.exec()
     window.arriving = None
     yield window
-    building.wait()
+    building.end()
     window.session.undo_stack.setClean()
     window.close()
     window.deleteLater()

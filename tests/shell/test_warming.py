@@ -7,7 +7,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from workbench.engine import compiled
-from workbench.shell.warming import Warming
+from workbench.shell.warming import Warming, _Followed
 from workbench.shell.window import MainWindow
 
 
@@ -30,15 +30,15 @@ def test_after_a_failure_the_next_workspace_is_prepared(
     warming.prepare("display")
     qtbot.waitUntil(lambda: len(asked) > 2)  # one for the reason that is told of the failure
     warming.stop()
-    qtbot.waitUntil(lambda: warming._thread is None)
+    qtbot.waitUntil(lambda: not warming.busy)
 
 
-def test_what_gets_no_thread_is_prepared_later(
+def test_what_gets_no_thread_is_prepared_all_the_same(
     qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     compiled_topics: list[str] = []
     monkeypatch.setattr(window, "workspace", lambda slug: SimpleNamespace(topics=(slug,)))
-    monkeypatch.setattr(Warming, "_compile", lambda _self, topics: compiled_topics.extend(topics))
+    monkeypatch.setattr(_Followed, "_compile", lambda self, _tell: compiled_topics.extend(self._topics))
     warming = Warming(window)
     with monkeypatch.context() as patch:
 
@@ -49,4 +49,4 @@ def test_what_gets_no_thread_is_prepared_later(
         warming.prepare("draw")
     warming.prepare("display")
     qtbot.waitUntil(lambda: compiled_topics == ["draw", "display"])
-    qtbot.waitUntil(lambda: warming._thread is None)
+    qtbot.waitUntil(lambda: not warming.busy)

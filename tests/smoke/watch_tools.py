@@ -48,7 +48,7 @@ def main() -> int:
     QTimer.singleShot(LIMIT_MS, give_up)
     window.show()
     status = application.exec()
-    building.wait()
+    building.end()
     return status
 
 

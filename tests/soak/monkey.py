@@ -216,7 +216,7 @@ def run(seed: int, numbers: list[int], without: set[str], log: TextIO) -> list[s
     window.first_frame.connect(building.start)
     window.show()
     application.exec()
-    building.wait()
+    building.end()
     monkey._keeper.deleteLater()
     window.session.undo_stack.setClean()
     window.removeEventFilter(monkey._keeper)

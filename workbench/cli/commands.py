@@ -4,7 +4,7 @@ import argparse
 import os
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
@@ -21,6 +21,8 @@ _LONGEST_SENTENCE = 500  # whatever was typed and is quoted in it
 
 
 class _Parser(argparse.ArgumentParser):
+    commands: Collection[str] = ()
+
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
         # What argparse holds for a number and not for an option: any that Python writes.
@@ -36,7 +38,10 @@ def main(arguments: Sequence[str]) -> int:
         sys.stdout.reconfigure(errors="replace")  # what the terminal cannot show stops nothing
     try:
         try:
-            options = _parser().parse_args(arguments)
+            parser = _parser()
+            if arguments and arguments[0] not in parser.commands and os.path.lexists(arguments[0]):
+                raise BadInputError(_why_not_opened(arguments[0]))
+            options = parser.parse_args(arguments)
         except SystemExit as told:  # --help and --version have printed
             _print("")
             return int(told.code or 0)
@@ -51,6 +56,20 @@ def main(arguments: Sequence[str]) -> int:
     except KeyboardInterrupt:
         return 130
     return 0
+
+
+def _why_not_opened(word: str) -> str:
+    """Why what this word names opens no window."""
+    from workbench.document.errors import DocumentError
+    from workbench.document.storage.content import check_file
+    from workbench.exchange.readable import SUFFIXES
+
+    try:
+        check_file(word, sys.maxsize)
+    except DocumentError as problem:
+        return problem.short
+    sentence = _("{path} is of no kind that can be opened; choose a file that ends in {endings}.")
+    return sentence.format(path=word, endings=", ".join(SUFFIXES))
 
 
 def _print(text: str) -> None:
@@ -69,7 +88,7 @@ def _print(text: str) -> None:
         raise WorkError(sentence.format(reason=error.strerror)) from error
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser() -> _Parser:
     parser = _Parser(prog=PROGRAM, description=_("Without a command, the window opens."))
     parser.add_argument("--version", action="version", version=f"Graphics Workbench {__version__}")
     commands = parser.add_subparsers(title=_("commands"), metavar="COMMAND", required=True)
@@ -144,6 +163,7 @@ def _parser() -> argparse.ArgumentParser:
     render.set_defaults(run=_render)
 
     commands.add_parser("tour", help=_("a picture of every workspace"))
+    parser.commands = commands.choices
     return parser
 
 

@@ -15,8 +15,12 @@ from workbench.display.timings import RasterTiming
 from workbench.display.tube import Tube
 from workbench.display.vector_beam import MmStroke, VectorBeam
 from workbench.display.vector_timing import VectorTiming
+from workbench.language import _
 
 FACE_WIDTH_MM = 240.0
+MOST_PX = 2048, 1536
+"""As many as the finest tubes that were sold; more take a picture too long to be scanned."""
+
 PICTURE_SHARE = 0.9
 """The picture takes this much of the face each way; the rest is the dark rim of an underscanned tube."""
 
@@ -61,6 +65,17 @@ class TubeSetup:
     def refresh(self) -> Fraction:
         """The refresh rate as the decimal number that was typed."""
         return Fraction(str(self.refresh_hz))
+
+
+def too_many_pixels(picture_px: tuple[int, int]) -> str:
+    """Why a tube does not scan a picture of so many pixels, "" when it does."""
+    width, height = picture_px
+    if width * height <= MOST_PX[0] * MOST_PX[1]:
+        return ""
+    return _(
+        "A picture of {width} \u00d7 {height} pixels is more than a tube can show, and slow to change; "
+        "choose a size such as {most_width} \u00d7 {most_height}."
+    ).format(width=width, height=height, most_width=MOST_PX[0], most_height=MOST_PX[1])
 
 
 def phosphor_choices() -> tuple[str, ...]:

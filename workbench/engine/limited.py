@@ -1,6 +1,7 @@
 """A recursive text run to its end, or until its calls nest too deep: for those that are stepped only.
 
-What is run is the lowered reading, in which an emission costs the same at any depth.
+What is run is the lowered reading, in which an emission costs the same at any depth. Plain functions that
+call one another with plain arguments take no room on the stack of the thread, so that any thread will do.
 """
 
 import sys
@@ -14,9 +15,14 @@ from typing import Any
 from workbench.engine.lowering import lower
 
 Function = Callable[..., Any]
-_STACK_BYTES = 256 * 2**20
 _FRAMES_PER_CALL = 4
 _SPARE_FRAMES = 500
+_COUNTED = """
+def call({parameters}):
+    enter()
+    reading({parameters})
+    leave()
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,16 +69,6 @@ class _Frames:
 frames = _Frames()
 
 
-@contextmanager
-def large_stacks() -> Iterator[None]:
-    """Threads that are started meanwhile have a stack for calls that nest deep."""
-    before = threading.stack_size(_STACK_BYTES)
-    try:
-        yield
-    finally:
-        threading.stack_size(before)
-
-
 def collect_limited(function: Function, limit: int, *args: Any) -> Limited:
     """Everything that ``function(*args)`` emits with its calls at most ``limit`` deep.
 
@@ -82,17 +78,22 @@ def collect_limited(function: Function, limit: int, *args: Any) -> Limited:
     rows: list[tuple[Any, ...]] = []
     depth, deepest, overflowed = -1, 0, False
 
-    def counted(reading: Function) -> Function:
-        def call(*values: Any) -> None:
-            nonlocal depth, deepest
-            if depth >= limit:
-                raise RecursionError(limit)
-            depth += 1
-            deepest = max(deepest, depth)
-            reading(*values)
-            depth -= 1
+    def enter() -> None:
+        nonlocal depth, deepest
+        if depth >= limit:
+            raise RecursionError(limit)
+        depth += 1
+        deepest = max(deepest, depth)
 
-        return call
+    def leave() -> None:
+        nonlocal depth
+        depth -= 1
+
+    def counted(reading: Function) -> Function:
+        code = reading.__code__
+        around = {"reading": reading, "enter": enter, "leave": leave}
+        exec(_COUNTED.format(parameters=", ".join(code.co_varnames[: code.co_argcount])), around)
+        return around["call"]
 
     lowered = lower(function)
     module = ModuleType(f"limited_{lowered.name}")
@@ -100,16 +101,9 @@ def collect_limited(function: Function, limit: int, *args: Any) -> Limited:
     exec(compile(lowered.text, f"<{lowered.name}>", "exec"), vars(module))
     vars(module)["emit"] = lambda _sink, *values: rows.append(values)
 
-    def run() -> None:
-        nonlocal overflowed
+    with frames.for_depth(limit):
         try:
             getattr(module, lowered.name)(None, *args)
         except RecursionError:
             overflowed = True
-
-    with frames.for_depth(limit):
-        with large_stacks():
-            thread = threading.Thread(target=run, name=f"run {lowered.name}", daemon=True)
-            thread.start()
-        thread.join()
     return Limited(rows, deepest, overflowed)

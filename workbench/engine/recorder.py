@@ -23,7 +23,7 @@ from workbench.engine.arguments import for_recording
 from workbench.engine.columns import MISSING, Column
 from workbench.engine.containers import Containers, Log, is_fixed
 from workbench.engine.effects import Effects, texts_of
-from workbench.engine.limited import frames, large_stacks
+from workbench.engine.limited import frames
 from workbench.engine.passing import YIELD, Known, Passing, Skip
 from workbench.engine.recording import Failure, Recording
 from workbench.engine.turns import interface, short_turns
@@ -343,7 +343,7 @@ class Recorder:
         tracer = _Tracer(self.recording, limit, depth_limit, self._pause, skip)
         calls = [for_recording(function, call) for call in (args, *then)]
         work = partial(self._run, tracer, function, calls)
-        self._thread = background.thread(work, f"record {function.__name__}", self.stop)
+        self._thread = background.Thread(work, f"record {function.__name__}", self.stop)
 
     def _run(self, tracer: _Tracer, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]]) -> None:
         try:
@@ -361,10 +361,14 @@ class Recorder:
         if self._stopped:
             raise _Ended(truncated=False)
 
-    def start(self) -> None:
-        """Begin."""
-        with large_stacks():
-            self._thread.start()
+    def start(self) -> bool:
+        """Begin; False when the system gives no more threads now."""
+        try:
+            with background.large_stacks():
+                self._thread.start()
+        except RuntimeError:
+            return False
+        return True
 
     def wait_for_first(self, timeout: float) -> None:
         """Wait until the first slice is recorded, or all there is; at most ``timeout`` seconds."""
@@ -386,12 +390,12 @@ class Recorder:
     def join(self, timeout: float | None = None) -> bool:
         """Wait for the end; False when it did not come within ``timeout`` seconds."""
         self._thread.join(timeout)
-        return not self._thread.is_alive()
+        return self._thread.ended
 
     @property
     def done(self) -> bool:
         """Whether nothing more will be recorded."""
-        return self._thread.ident is not None and not self._thread.is_alive()
+        return self._thread.ended
 
     @property
     def error(self) -> Failure | None:

@@ -1,17 +1,17 @@
 """What is being read for a session: what is short at once, all else beside the interface, one at a time."""
 
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
-from PySide6.QtCore import QObject, Signal, SignalInstance
+from PySide6.QtCore import QObject, Signal
 
 from workbench.document.storage.content import Stopped
-from workbench.engine import background
+from workbench.engine.background import report
 from workbench.exchange.reading import Job, Reading, read_at_once
 from workbench.language import _, reason_of
+from workbench.session.answers import Answers
 
 Prepare = Callable[[Any], object]  # given a Result
 
@@ -21,7 +21,15 @@ class _Wish:
     reading: Reading
     take: Callable[[Any], object]
     refuse: Callable[[str], object]
-    prepare: Prepare
+
+
+class _Said(NamedTuple):
+    """Of a reading: the ``share`` that is done, or its end: what came of it, or ``problem``, one sentence."""
+
+    of: Reading
+    share: float | None = None
+    result: object = None
+    problem: str = ""
 
 
 class Incoming(QObject):
@@ -30,14 +38,12 @@ class Incoming(QObject):
     began = Signal(str)
     progressed = Signal(float)
     ended = Signal()
-    _told = Signal(object, float)
-    _done = Signal(object, object, str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._wish: _Wish | None = None
-        self._told.connect(self._tell)
-        self._done.connect(self._take)
+        self._answers = Answers(self)
+        self._answers.arrived.connect(self._take)
 
     @property
     def busy(self) -> bool:
@@ -54,8 +60,8 @@ class Incoming(QObject):
     ) -> bool:
         """Read what is called ``name``; whether that was done at once. What was being read before is dropped.
 
-        ``take`` is given what ``prepare`` makes of the result, on a thread beside if need be; ``refuse`` one
-        sentence.
+        ``take`` is given what ``prepare`` makes of the result, on a thread beside if need be, which is why it
+        holds nothing of Qt; ``refuse`` one sentence.
         """
         self.cancel()
         try:
@@ -67,9 +73,10 @@ class Incoming(QObject):
         if result is not None:
             take(prepared)
             return True
-        wish = self._wish = _Wish(Reading(job), take, refuse, prepare)
+        wish = self._wish = _Wish(Reading(job), take, refuse)
         self.began.emit(name)
-        background.thread(partial(self._work, wish), "read", wish.reading.stop).start()
+        work = partial(_read, wish.reading, prepare, self._answers.tell)
+        self._answers.ask(work, "read", wish.reading.stop)
         return False
 
     def cancel(self) -> None:
@@ -79,35 +86,29 @@ class Incoming(QObject):
             wish.reading.stop()
             self.ended.emit()
 
-    def _work(self, wish: _Wish) -> None:
-        result, sentence = None, ""
-        try:
-            result = wish.prepare(wish.reading.follow(partial(_emit, self._told, wish)))
-        except Stopped:
+    def _take(self, said: _Said) -> None:
+        wish = self._wish
+        if wish is None or said.of is not wish.reading:
             return
-        except (ValueError, OSError) as error:
-            sentence = reason_of(error)
-        except Exception:
-            failed = _("Something in the program failed while this was read; try another file.")
-            _emit(self._done, wish, None, failed)
-            raise
-        _emit(self._done, wish, result, sentence)
-
-    def _tell(self, wish: _Wish, share: float) -> None:
-        if wish is self._wish:
-            self.progressed.emit(share)
-
-    def _take(self, wish: _Wish, result: object, sentence: str) -> None:
-        if wish is not self._wish:
+        if said.share is not None:
+            self.progressed.emit(said.share)
             return
         self._wish = None
         self.ended.emit()
-        if sentence:
-            wish.refuse(sentence)
+        if said.problem:
+            wish.refuse(said.problem)
         else:
-            wish.take(result)
+            wish.take(said.result)
 
 
-def _emit(signal: SignalInstance, *what: object) -> None:
-    with suppress(RuntimeError):  # who asked is gone
-        signal.emit(*what)
+def _read(reading: Reading, prepare: Prepare, tell: Callable[[_Said], None]) -> _Said | None:
+    try:
+        result = reading.follow(lambda share: tell(_Said(reading, share=share)))
+        return _Said(reading, result=prepare(result))
+    except Stopped:
+        return None
+    except (ValueError, OSError) as error:
+        return _Said(reading, problem=reason_of(error))
+    except Exception:
+        report()
+    return _Said(reading, problem=_("Something in the program failed while this was read; try another file."))

@@ -2,7 +2,7 @@
 
 import weakref
 from collections.abc import Sequence
-from contextlib import suppress
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from workbench.algorithms.entry import Entry
 from workbench.document.subjects import Subject
-from workbench.engine import background, compiled, counts
+from workbench.engine import compiled, counts
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import LIMIT, Recorder
 from workbench.engine.recording import Recording
@@ -18,7 +18,7 @@ from workbench.engine.visits import skip
 from workbench.language import _
 from workbench.rendering.mapping import Call
 from workbench.rendering.subjects.registry import kind_of
-from workbench.session.collecting import collect_here
+from workbench.session.answers import Answers
 from workbench.session.going_first import go_first
 from workbench.session.variables import same_value
 
@@ -43,11 +43,9 @@ class RecordedRun(QObject):
 
     changed = Signal()
     grown = Signal()
-    _total_found = Signal(object, int)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        collect_here()
         self.entry: Entry | None = None
         self.calls: tuple[tuple[Any, ...], ...] = ()
         self.subject: Subject | None = None
@@ -61,11 +59,13 @@ class RecordedRun(QObject):
         self._held = False
         self._deferred: tuple[Subject, Sequence[Call], tuple[int, int]] | None = None
         self._recorder: Recorder | None = None
+        self._begun = False
         self._abandoned: weakref.finalize[..., Any] | None = None
         self._counted: Recorder | None = None
         self._look = QTimer(self)
         self._look.timeout.connect(self._look_again)
-        self._total_found.connect(self._take_total)
+        self._totals = Answers(self)
+        self._totals.arrived.connect(self._take_total)
 
     # Which run
 
@@ -109,7 +109,7 @@ class RecordedRun(QObject):
         self.steps = Steps(entry, self.recording)
         self._abandoned = weakref.finalize(self, self._recorder.stop)
         go_first()
-        self._recorder.start()
+        self._begun = self._recorder.start()
         # What can be had at once is shown at once: views are laid out and painted one time instead of two.
         self._recorder.wait_for_first(_FIRST_WAIT_S)
         self.steps.update()
@@ -208,6 +208,9 @@ class RecordedRun(QObject):
         if recorder is None or self.steps is None:
             self._look.stop()
             return
+        if not self._begun:  # the system gave no thread
+            self._begun = recorder.start()
+            return
         done = recorder.done
         if not done and self.passed and not recorder.recording.count:
             self._look.setInterval(_LONG_LOOK_MS)  # what comes before the stretch: nothing to be shown yet
@@ -236,16 +239,10 @@ class RecordedRun(QObject):
         if entry is None or entry.compiles or self.total_steps is not None or recorder is self._counted:
             return
         self._counted = recorder
+        self._totals.ask(partial(_total, recorder, entry, calls), "count steps")
 
-        def count() -> None:
-            if compiled.available() and _counting_is_ready(entry):
-                total = sum(counts.step_total(entry, *call, compiling=False) for call in calls)
-                with suppress(RuntimeError):  # this run is gone
-                    self._total_found.emit(recorder, total)
-
-        background.thread(count, "count steps").start()
-
-    def _take_total(self, recorder: object, total: int) -> None:
+    def _take_total(self, found: tuple[Recorder, int]) -> None:
+        recorder, total = found
         if recorder is self._recorder:
             self.total_steps = total
             self.grown.emit()
@@ -272,6 +269,14 @@ class RecordedRun(QObject):
                 )
             return _("The run stopped: {error}.").format(error=recording.error)
         return ""
+
+
+def _total(
+    recorder: Recorder | None, entry: Entry, calls: tuple[tuple[Any, ...], ...]
+) -> tuple[Recorder | None, int] | None:
+    if not compiled.available() or not _counting_is_ready(entry):
+        return None
+    return recorder, sum(counts.step_total(entry, *call, compiling=False) for call in calls)
 
 
 def _counting_is_ready(entry: Entry) -> bool:

@@ -26,6 +26,7 @@ from workbench.document.storage.blobs import MAX_BLOB_BYTES
 from workbench.document.storage.content import read_content
 from workbench.document.storage.files import MAX_BYTES, Stored, all_blobs, read, with_blobs, write
 from workbench.document.storage.saving import replace_file, sweep
+from workbench.engine.background import Thread
 from workbench.engine.turns import short_turns
 from workbench.language import _, legible
 from workbench.paths import recovery_folder, try_writing
@@ -91,22 +92,13 @@ class RecoveryFile:
     """The recovery file of one session, written on a thread of its own from frozen values.
 
     ``keep`` costs its caller nothing but a lock. What cannot be written is tried again until it can:
-    ``failed`` is called with a sentence when that begins, and when it has another reason; ``mended`` when it
-    has ended. Both are called on the writing thread.
+    ``trouble`` is a sentence meanwhile, else "".
     """
 
-    def __init__(
-        self,
-        folder: Path | None = None,
-        delay_s: float = DELAY_S,
-        failed: Callable[[str], None] = lambda sentence: None,
-        mended: Callable[[str], None] = lambda sentence: None,
-    ) -> None:
+    def __init__(self, folder: Path | None = None, delay_s: float = DELAY_S) -> None:
         self._folder = recovery_folder() if folder is None else folder
         self._delay_s = delay_s
-        self._failed = failed
-        self._mended = mended
-        self._trouble = ""
+        self.trouble = ""
         self._on_disk = False  # whether a part of what is kept may be there
         self._lock_file: int | None = None
         self.path = self._folder / _NO_NAME
@@ -117,7 +109,7 @@ class RecoveryFile:
         self._closing = False
         self._afterwards: list[Callable[[], object]] = []
         self._trying(self._hold_name)
-        self._thread = threading.Thread(target=self._run, name="recovery", daemon=True)
+        self._thread = Thread(self._run, "recovery", self._end)
         self._thread.start()
 
     def keep(self, stored: Stored | None, then: Callable[[], object] | None = None) -> None:
@@ -143,10 +135,8 @@ class RecoveryFile:
 
     def close(self) -> None:
         """End cleanly: the recovery file and its lock are removed."""
-        with self._state:
-            self._closing = True
-            self._state.notify_all()
-        self._thread.join()
+        self._end()
+        self._thread.finish()
         self._give_up_name()
         self._call(self._afterwards)
 
@@ -154,9 +144,12 @@ class RecoveryFile:
         try:
             self._work()
         finally:
-            with self._state:  # whoever waits for it does not wait for ever
-                self._closing = True
-                self._state.notify_all()
+            self._end()  # whoever waits for it does not wait for ever
+
+    def _end(self) -> None:
+        with self._state:
+            self._closing = True
+            self._state.notify_all()
 
     def _work(self) -> None:
         next_s = 0.0
@@ -191,7 +184,7 @@ class RecoveryFile:
 
     def _hurries(self) -> bool:
         """Whether to act at once; what has failed waits, even where there is only something to remove."""
-        nothing_unsaved = self._wanted is None and not self._trouble
+        nothing_unsaved = self._wanted is None and not self.trouble
         return nothing_unsaved or self._flushes > self._flushed or self._closing
 
     def _trying(self, act: Callable[[], None]) -> bool:
@@ -200,14 +193,9 @@ class RecoveryFile:
             with short_turns:
                 act()
         except Exception as error:
-            sentence = self._complaint(error)
-            if sentence != self._trouble:
-                self._trouble = sentence
-                _tell(self._failed, sentence)
+            self.trouble = self._complaint(error)
             return False
-        if self._trouble:
-            self._trouble = ""
-            _tell(self._mended, _("Unsaved work is kept safe again."))
+        self.trouble = ""
         return True
 
     def _complaint(self, error: Exception) -> str:
@@ -253,11 +241,6 @@ class RecoveryFile:
             held, self._lock_file = self._lock_file, None
             with suppress(OSError):
                 _drop_lock(self.path.with_suffix(_LOCK), held)
-
-
-def _tell(listener: Callable[[str], None], sentence: str) -> None:
-    with suppress(RuntimeError):  # nobody is there any more
-        listener(sentence)
 
 
 def recoverable(folder: Path | None = None) -> list[Recoverable]:

@@ -27,6 +27,7 @@ from workbench.session.frames import Frames
 from workbench.session.incoming import Incoming
 from workbench.session.origins import text_of
 from workbench.session.recovery import Recoverable, RecoveryFile
+from workbench.session.recovery_watch import RecoveryWatch
 from workbench.session.remembered import runnable
 from workbench.session.run import Run
 from workbench.session.saver import Saved, Saver
@@ -304,9 +305,8 @@ class Session(QObject):
         ``autosave_failed`` tells of trouble, ``autosave_mended`` of its end.
         """
         if self._recovery is None:
-            self._recovery = RecoveryFile(
-                folder, failed=self.autosave_failed.emit, mended=self.autosave_mended.emit
-            )
+            self._recovery = RecoveryFile(folder)
+            RecoveryWatch(self._recovery, self.autosave_failed.emit, self.autosave_mended.emit, self)
             self._keep_safe()
 
     def recover(self, work: Recoverable) -> None:

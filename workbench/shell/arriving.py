@@ -7,12 +7,13 @@ from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from workbench.language import _
+from workbench.session.answers import Answers
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
 
     from workbench.shell.slices import Slices
     from workbench.shell.window import MainWindow
@@ -22,14 +23,13 @@ if TYPE_CHECKING:
 class Arriving(QObject):
     """Enters a workspace as soon as its panels are made; who goes elsewhere meanwhile is not called back."""
 
-    _imported = Signal(str)
-
     def __init__(self, window: MainWindow, slices: Slices) -> None:
         super().__init__(window)
         self._window = window
         self._coming: dict[str, Workspace] = {}
         self._awaited: tuple[str, str, Callable[[], object]] = "", "", lambda: None
-        self._imported.connect(lambda slug: slices.add(self._make(slug)))
+        self._answers = Answers(self)
+        self._answers.arrived.connect(lambda slug: slices.add(self._make(slug)))
 
     def enter(self, workspace: Workspace, then: Callable[[], object]) -> None:
         """Begin to make the panels of a workspace, unless that is under way; show it and do ``then``."""
@@ -37,21 +37,10 @@ class Arriving(QObject):
         self._awaited = slug, self._window.place, then
         if slug in self._coming:
             return
-        from workbench.engine.background import thread
-
         self._coming[slug] = workspace
         self._window.bar.set_waiting(slug, True)
         self._window.say_status(_("Preparing {title}").format(title=workspace.title))
-        try:
-            thread(partial(self._import, workspace), "imports").start()
-        except RuntimeError:  # the system gives no more threads now
-            self._imported.emit(slug)
-
-    def _import(self, workspace: Workspace) -> None:
-        with suppress(Exception):  # the same failure is said where the panel is made
-            for module in workspace.modules:
-                import_module(module)
-        self._imported.emit(workspace.slug)
+        self._answers.ask(partial(_imported, slug, workspace.modules), "imports")
 
     def _make(self, slug: str) -> Iterator[None]:
         try:
@@ -62,3 +51,10 @@ class Arriving(QObject):
         awaited, place, then = self._awaited
         if (slug, self._window.place) == (awaited, place):
             self._window.enter(slug, then)
+
+
+def _imported(slug: str, modules: Sequence[str]) -> str:
+    with suppress(Exception):  # the same failure is said where the panel is made
+        for module in modules:
+            import_module(module)
+    return slug

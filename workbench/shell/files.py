@@ -1,9 +1,9 @@
 """Opening and saving: names, the question about unsaved changes, recent files, recovery after a crash."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QDropEvent
@@ -17,7 +17,7 @@ from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
     from workbench.document.building import Edit
-    from workbench.document.model import Sheet
+    from workbench.document.model import Document, Sheet
     from workbench.document.storage.files import Stored
     from workbench.session.recovery import Recoverable
     from workbench.session.saver import Saved
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 PROGRAM = "Graphics Workbench"
 SUFFIX = ".gwb"
+_LONGEST_FOLDER = 300
 _IMPORTED = ("drawing", "points", "mesh")  # what comes into a picture; another picture takes its place
 
 
@@ -116,26 +117,20 @@ class Files(QObject):
             from workbench.exchange.reading import Job
 
             take, refuse = partial(self._add_sheets, path), partial(self._not_imported, path)
-            job = Job("picture", str(path))
-            self._session.incoming.read(job, path.name, take, refuse, self._with_sheets)
+            prepare = partial(_with_sheets, self._session.document)
+            self._session.incoming.read(Job("picture", str(path)), path.name, take, refuse, prepare)
 
     def _into_curves(self, path: Path) -> None:
         from workbench.panels.curves.panel import CurvesPanel
 
-        panel_of(self._window.panels("curves"), CurvesPanel).exchange.take_file(path)
+        panel_of(self._window.panels("curves"), CurvesPanel).exchange.take_file(
+            path, self._window.messages.say
+        )
 
     def _into_space(self, path: Path) -> None:
         from workbench.panels.space.panel import SpacePanel
 
-        panel_of(self._window.panels("space"), SpacePanel).meshes.take_file(path)
-
-    def _with_sheets(self, stored: Any) -> "Edit":
-        """The edit by which the sheets of another picture come beside those of the open one."""
-        from workbench.document.building import both, foreseen
-        from workbench.document.sheet_edits import add_sheet
-
-        edits = [add_sheet(sheet) for sheet in stored.document.sheets]
-        return foreseen(both(*edits), self._session.document)
+        panel_of(self._window.panels("space"), SpacePanel).meshes.take_file(path, self._window.messages.say)
 
     def _add_sheets(self, path: Path, edit: "Edit") -> None:
         """Do that as one step of undo, and show the first of them."""
@@ -150,7 +145,7 @@ class Files(QObject):
             return
         added = [sheet for sheet in session.document.sheets if sheet.id not in known]
         self.show_sheet(added[0].id)
-        self._say_stand_ins(added)
+        self._warn_of(added)
 
     def _not_imported(self, path: Path, error: str) -> None:
         sentence = _("{name} was not imported: {error}").format(name=legible(path.name), error=error)
@@ -277,7 +272,7 @@ class Files(QObject):
     def _recovered(self, lost: "Recoverable", stored: "Stored") -> None:
         self._session.take_recovered(lost, stored)
         self._window.enter("draw")
-        self._say_stand_ins(stored.document.sheets)
+        self._warn_of(stored.document.sheets)
         if self._session.changed_on_disk:
             self._window.messages.say(
                 _(
@@ -315,13 +310,15 @@ class Files(QObject):
         self._remember(path)
         if self._window.place not in self._window.workspace_slugs:
             self._window.enter("draw")
-        self._say_stand_ins(stored.document.sheets)
+        self._warn_of(stored.document.sheets)
 
-    def _say_stand_ins(self, sheets: "Iterable[Sheet]") -> None:
-        """What serves for algorithms that a file asks for and this version lacks."""
+    def _warn_of(self, sheets: "Sequence[Sheet]") -> None:
+        """What serves for algorithms that a file asks for and this version lacks; pictures that are large."""
+        from workbench.display.setup import too_many_pixels
         from workbench.document.stand_ins import stand_ins
 
-        if sentences := stand_ins(sheets):
+        large = [too_many_pixels((sheet.width_px, sheet.height_px)) for sheet in sheets]
+        if sentences := [*stand_ins(sheets), *dict.fromkeys(filter(None, large))]:
             self._window.messages.say(" ".join(sentences), "warn")
 
     def _save(self, path: Path, then: Callable[[], object] | None) -> None:
@@ -342,7 +339,8 @@ class Files(QObject):
         if not self._session.dirty:
             self._window.messages.withdraw(self._unsaved)
         self._remember(saved.path)
-        self._window.say_status(_("Saved {name}.").format(name=name))
+        folder = legible(str(saved.path.absolute().parent), _LONGEST_FOLDER)
+        self._window.say_status(_("Saved {name} in {folder}.").format(name=name, folder=folder))
         if then:
             then()
 
@@ -388,3 +386,11 @@ def _kinds() -> list[str]:
         tuple(suffix for _title, suffixes in each for suffix in suffixes),
     )
     return [f"{title} ({' '.join('*' + suffix for suffix in kinds)})" for title, kinds in (everything, *each)]
+
+
+def _with_sheets(document: "Document", stored: "Stored") -> "Edit":
+    """The edit by which the sheets of another picture come beside those of the open one."""
+    from workbench.document.building import both, foreseen
+    from workbench.document.sheet_edits import add_sheet
+
+    return foreseen(both(*map(add_sheet, stored.document.sheets)), document)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QMenu
 
 from workbench.language import _, legible
 from workbench.shell.actions import commands, key_text, menu_titles, submenu_titles
+from workbench.shell.enter_key import EnterKey
 from workbench.shell.workspace_bar import WorkspaceBar
 from workbench.widgets.look.tips import plain_tip
 
@@ -42,6 +43,7 @@ class Menus(QObject):
             window.addAction(action)
             self.actions[command.id] = action
         self._make_menus()
+        EnterKey(window)
         self.refresh()
 
     def refresh(self, *_what: object) -> None:

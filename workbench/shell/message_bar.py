@@ -148,6 +148,7 @@ class MessageBar(QFrame):
         self._working = False
         self._refuse = None
         self._mark.kind = kind
+        self._mark.update()
         self._mark.setAccessibleName({"warn": _("Warning"), "error": _("Error")}.get(kind, _("Message")))
         self._text.setText(text)
         self.setAccessibleName(text)

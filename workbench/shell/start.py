@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 import sys
-import threading
 from collections.abc import Mapping
 from contextlib import suppress
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,12 +18,13 @@ from workbench.language import _
 from workbench.shell.settings import Settings
 from workbench.shell.slices import Slices
 from workbench.shell.theme import ThemeSwitch
-from workbench.shell.warming import Warming
 from workbench.shell.window import PROGRAM, MainWindow
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from workbench.engine.background import Thread
+    from workbench.shell.warming import Warming
     from workbench.shell.workspaces import Workspace
 
 # NumPy reads this when it is loaded, later. The tubes multiply small matrices many times a second: waiting
@@ -39,7 +40,6 @@ class Building(QObject):
     """Builds the rest of the window after the first frame: imports on a thread, then slices on this one."""
 
     built = Signal()
-    _imported = Signal()
 
     def __init__(self, window: MainWindow, path: Path | None = None, warms: bool = True) -> None:
         super().__init__(window)
@@ -47,28 +47,24 @@ class Building(QObject):
         self._path = path
         self._warms = warms
         self._slices = Slices(self)
-        self._imported.connect(lambda: self._slices.add(self._build()))
-        self._warming = Warming(window)
-        self._importing = threading.Thread(target=self._import, name="imports", daemon=True)
+        self._warming: Warming | None = None
+        self._importing: Thread | None = None
 
     def start(self) -> None:
         """Complete the window, and begin importing."""
+        from workbench.session.answers import Answers
+
         self._window.complete()
-        self._importing.start()
+        answers = Answers(self)
+        answers.arrived.connect(lambda _imported: self._slices.add(self._build()))
+        self._importing = answers.ask(partial(_imported, self._window.workspace(FIRST).modules), "imports")
 
-    def wait(self) -> None:
-        """Wait for threads, which must not outlive the interpreter."""
-        if self._importing.is_alive():
-            self._importing.join()
-        self._warming.stop()
-
-    def _import(self) -> None:
-        for module in (*_SLOW_IMPORTS, *self._window.workspace(FIRST).modules):
-            with suppress(Exception):  # the same failure is said where the module is needed
-                import_module(module)
-        with suppress(Exception):
-            import_module("workbench.display.setup").TubeSetup().check()  # reads the tables of phosphors
-        self._imported.emit()
+    def end(self) -> None:
+        """Prepare nothing further; no thread imports what is Qt's own while Qt comes to its end."""
+        if self._importing is not None:
+            self._importing.end()
+        if self._warming is not None:
+            self._warming.stop()
 
     def _build(self) -> Iterator[None]:
         from workbench.session.session import Session
@@ -97,6 +93,9 @@ class Building(QObject):
         QTimer.singleShot(0, window.files.offer_recovery)  # whatever fails there, this goes on
         window.status.preparing("")
         if self._warms:
+            from workbench.shell.warming import Warming
+
+            self._warming = Warming(window)
             self._warming.prepare(FIRST)
             window.entered.connect(self._warming.prepare)
         window.entered.connect(window.show_hints)
@@ -105,6 +104,15 @@ class Building(QObject):
         yield from window.prepare(FIRST)
         yield from window.build()
         self.built.emit()
+
+
+def _imported(modules: Sequence[str]) -> bool:
+    for module in (*_SLOW_IMPORTS, *modules):
+        with suppress(Exception):  # the same failure is said where the module is needed
+            import_module(module)
+    with suppress(Exception):
+        import_module("workbench.display.setup").TubeSetup().check()  # reads the tables of phosphors
+    return True
 
 
 def make_window(settings: Settings | None = None, offered: Sequence[Workspace] | None = None) -> MainWindow:
@@ -140,9 +148,15 @@ def start(argv: Sequence[str]) -> int:
         )
         return 2
     path = Path(words[0]).absolute() if words else None
-    if path is not None and not os.path.isfile(path):
-        sys.stderr.write(_("There is no file {path}.").format(path=words[0]) + "\n")
-        return 2
+    if path is not None:
+        from workbench.document.errors import DocumentError
+        from workbench.document.storage.content import check_file
+
+        try:
+            check_file(words[0], sys.maxsize)
+        except DocumentError as problem:
+            sys.stderr.write(f"{problem.short}\n")
+            return 2
     if not has_display(os.environ, sys.platform):
         sentence = _("There is no display to open a window on; log in to a desktop, or set DISPLAY.")
         sys.stderr.write(sentence + "\n")
@@ -166,7 +180,7 @@ def start(argv: Sequence[str]) -> int:
     interrupts.end()
     if status == STATUS and window.session is not None:
         window.session.abandon()
-    building.wait()
+    building.end()
     if application.platformName() == "offscreen":  # its clipboard is the process's own
         application.clipboard().clear()  # and outlives the interpreter, which what Python made there does not
     return status

@@ -156,7 +156,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
     patience.start()
     window.show()
     status = application.exec()
-    building.wait()
+    building.end()
     return status
 
 

@@ -2,7 +2,8 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QSize
+from PySide6.QtCore import QObject, QSize, QTimer
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
 from workbench.language import _
@@ -20,6 +21,9 @@ class Views(QObject):
         self._hidden: list[QWidget] | None = None
         self._in_front: dict[QDockWidget, QSize] = {}
         self._maximised = False
+        self._kept: QAction | None = None
+        self._soon = QTimer(self, interval=0, singleShot=True)
+        self._soon.timeout.connect(self.together)
 
     @property
     def alone(self) -> bool:
@@ -63,6 +67,9 @@ class Views(QObject):
         self._hidden, self._maximised = hidden, window.isMaximized()
         for widget in hidden:
             widget.hide()
+        if kept is not None:  # closed, it would leave nothing to be seen
+            self._kept = kept.toggleViewAction()
+            self._kept.toggled.connect(self._soon.start)
         window.showFullScreen()
 
     def together(self) -> None:
@@ -70,6 +77,9 @@ class Views(QObject):
         if self._hidden is None:
             return
         hidden, self._hidden = self._hidden, None
+        if self._kept is not None:
+            self._kept.toggled.disconnect(self._soon.start)
+            self._kept = None
         for widget in hidden:
             widget.show()
         area = self._window.arrangements.area(self._window.place)

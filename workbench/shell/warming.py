@@ -2,38 +2,42 @@
 
 from __future__ import annotations
 
-import threading
+from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from workbench.language import _
 from workbench.paths import CACHE, cache_folder
+from workbench.session.answers import Answers
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
+    from workbench.engine.background import Thread
     from workbench.engine.warm import Progress
     from workbench.engine.warm import Warming as Child
     from workbench.shell.window import MainWindow
 
 
 class Warming(QObject):
-    """One child process at a time, followed by a thread; the interface only reads what they report."""
-
-    _progressed = Signal(int, int)
-    _ended = Signal(str, str)
+    """One child process at a time, followed by a thread; the interface only takes what they report."""
 
     def __init__(self, window: MainWindow) -> None:
         super().__init__(window)
         self._window = window
         self._asked: set[str] = set()
         self._waiting: list[str] = []
-        self._thread: threading.Thread | None = None
-        self._child: Child | None = None
+        self._followed: _Followed | None = None
+        self._thread: Thread | None = None
         self._stopped = False
-        self._progressed.connect(self._tell)
-        self._ended.connect(self._end)
+        self._answers = Answers(self)
+        self._answers.arrived.connect(self._take)
+
+    @property
+    def busy(self) -> bool:
+        """Whether anything is being prepared."""
+        return self._followed is not None
 
     def prepare(self, workspace: str) -> None:
         """Prepare the algorithms of a workspace, once."""
@@ -47,58 +51,67 @@ class Warming(QObject):
     def stop(self) -> None:
         """End what is still running; what is finished is kept."""
         self._stopped = True
-        if self._child is not None:
-            self._child.stop()
+        if self._followed is not None:
+            self._followed.stop()
         if self._thread is not None:
-            self._thread.join()
+            self._thread.end()
 
     def _next(self) -> None:
-        if self._thread is None and self._waiting and not self._stopped:
+        if self._followed is None and self._waiting and not self._stopped:
             topics, self._waiting = self._waiting, []
-            thread = threading.Thread(target=self._work, args=(topics,), name="warming", daemon=True)
-            try:
-                thread.start()
-            except RuntimeError:  # the system gives no more threads now
-                self._waiting = topics
-            else:
-                self._thread = thread
+            self._followed = _Followed(topics)
+            work = partial(self._followed.work, self._answers.tell)
+            self._thread = self._answers.ask(work, "warming", self._followed.stop)
 
-    def _work(self, topics: Sequence[str]) -> None:
+    def _take(self, told: Progress | tuple[str, str]) -> None:
+        if isinstance(told, tuple):
+            self._followed = None
+            self._window.status.preparing(*told)
+            self._next()
+        else:
+            text = _("Preparing algorithm {done} of {total}").format(done=told.done, total=told.total)
+            self._window.status.preparing(text)
+
+
+class _Followed:
+    """A child process that prepares topics. Of Qt it knows nothing."""
+
+    def __init__(self, topics: Sequence[str]) -> None:
+        self._topics = topics
+        self._child: Child | None = None
+        self._stopped = False
+
+    def stop(self) -> None:
+        """End it; from any thread."""
+        self._stopped = True
+        if self._child is not None:
+            self._child.stop()
+
+    def work(self, tell: Callable[[Progress], None]) -> tuple[str, str]:
+        """Prepare, telling how far that is; what ``readiness`` says then, whatever happened."""
+        from workbench.engine.background import report
+
         try:
-            self._compile(topics)
-        finally:  # whatever happens, what waits has its turn
-            self._ended.emit(*readiness())
+            self._compile(tell)
+        except Exception:
+            report()
+        return readiness()
 
-    def _compile(self, topics: Sequence[str]) -> None:
+    def _compile(self, tell: Callable[[Progress], None]) -> None:
         from workbench.algorithms import catalogue
         from workbench.engine import compiled
         from workbench.engine.warm import Warming as Child
         from workbench.engine.warm import load
 
         if not self._stopped and compiled.available():
-            slugs = [entry.slug for entry in catalogue.entries() if entry.topic in topics]
+            slugs = [entry.slug for entry in catalogue.entries() if entry.topic in self._topics]
             self._child = Child(slugs)
             if self._stopped:
                 self._child.stop()
             else:
-                self._child.follow(self._report)
+                self._child.follow(tell)
             for slug in slugs:
                 load(slug, lambda: self._stopped)
-
-    def _report(self, progress: Progress) -> None:
-        self._progressed.emit(progress.done, progress.total)
-
-    def _tell(self, done: int, total: int) -> None:
-        self._window.status.preparing(
-            _("Preparing algorithm {done} of {total}").format(done=done, total=total)
-        )
-
-    def _end(self, text: str, reason: str) -> None:
-        if self._thread is not None:
-            self._thread.join()
-        self._thread, self._child = None, None
-        self._window.status.preparing(text, reason)
-        self._next()
 
 
 def readiness() -> tuple[str, str]:

@@ -136,7 +136,9 @@ def test_curves_are_written_as_svg_and_come_back(qtbot, zigzag, tmp_path):
     path = tmp_path / "curves.svg"
     write(format_for(formats_of("drawing"), path), write_svg(zigzag.session.sheet), path)
     other = opened(qtbot)
-    other.exchange.take_file(path)
+    said = []
+    other.exchange.take_file(path, said.append)
+    assert said == ["curves.svg: 1 figure imported."]
     assert the_curve(other).spline == "b_spline"
     assert places(other) == pytest.approx(np.array(ZIGZAG))
 
@@ -146,7 +148,9 @@ def test_points_are_saved_and_come_back(qtbot, zigzag, tmp_path, ending):
     path = tmp_path / f"points.{ending}"
     write(format_for(formats_of("points"), path), zigzag.points(), path)
     other = opened(qtbot)
-    other.exchange.take_file(path)
+    said = []
+    other.exchange.take_file(path, said.append)
+    assert said == [f"points.{ending}: {len(ZIGZAG)} points added."]
     assert places(other) == list(ZIGZAG)
 
 

@@ -11,6 +11,7 @@ from tests.panels.curves.by_hand import (
     click,
     curve_through,
     drag,
+    hover,
     opened,
     places,
     send,
@@ -157,3 +158,56 @@ def test_a_curve_with_two_ends_is_not_closed_by_a_click_on_its_first_point(qtbot
     qtbot.keyClick(panel.canvas, Qt.Key.Key_Return)
     assert places(panel) == [*ZIGZAG, ZIGZAG[0]]
     assert not the_curve(panel).closed
+
+
+def test_a_single_click_of_the_pen_leaves_nothing_behind_whatever_follows(qtbot):
+    panel = opened(qtbot, curve_through(*ZIGZAG))
+    session = panel.session
+    before = session.document
+    panel.choose_tool("pen")
+    click(panel, 8, 8)
+    assert session.document is before
+    panel.delete_selected()
+    settle()
+    assert session.document is before
+    assert not session.undo_stack.canUndo()
+    click(panel, 8, 8)
+    click(panel, 20, 8)
+    assert [len(figure.points_world) for figure in session.sheet.figures] == [len(ZIGZAG), 2]
+
+
+@pytest.mark.parametrize("tool", ["pen", "select"])
+@pytest.mark.parametrize("ended_by", ["undo", "a new picture"])
+def test_words_beside_the_pointer_go_with_what_was_drawn_or_dragged(qtbot, tool, ended_by):
+    panel = opened(qtbot, curve_through(*ZIGZAG))
+    session = panel.session
+    panel.choose_tool(tool)
+    if tool == "pen":
+        click(panel, 4, 40)
+        click(panel, 12, 40)
+        send(panel, QEvent.Type.MouseMove, 14, 30)
+        hover(panel, 14, 30)
+    else:
+        send(panel, QEvent.Type.MouseButtonPress, *ZIGZAG[1])
+        send(panel, QEvent.Type.MouseMove, 20, 20)
+    assert panel.canvas._tag
+    session.end_merge()
+    session.undo_stack.undo() if ended_by == "undo" else session.new()
+    settle()
+    assert panel.canvas._tag == ""
+    assert not panel.tool.busy
+
+
+def test_delete_takes_back_what_the_pen_draws_and_leaves_no_trace(qtbot):
+    panel = opened(qtbot, curve_through(*ZIGZAG))
+    session = panel.session
+    before = session.document
+    panel.choose_tool("pen")
+    for place in ((4, 40), (12, 40), (12, 44)):
+        click(panel, *place)
+    assert len(session.sheet.figures) == 2
+    panel.delete_selected()
+    settle()
+    assert session.document == before
+    assert not session.undo_stack.canUndo()
+    assert not panel.gesturing

@@ -21,8 +21,7 @@ def imported(qtbot: QtBot, session: Session, path: Path) -> list[str]:
     panel = SpacePanel(session)
     qtbot.addWidget(panel)
     said: list[str] = []
-    panel.hover_text.connect(said.append)
-    panel.meshes.take_file(path)
+    panel.meshes.take_file(path, said.append)
     qtbot.waitUntil(lambda: not session.incoming.busy, timeout=20_000)
     return [sentence for sentence in said if sentence]
 

@@ -44,9 +44,7 @@ def test_the_last_change_is_the_one_that_is_written(tmp_path: Path) -> None:
 def test_a_full_disk_is_told_and_the_next_change_tries_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    said: list[str] = []
-    mended: list[str] = []
-    file = RecoveryFile(tmp_path, failed=said.append, mended=mended.append)
+    file = RecoveryFile(tmp_path)
     with monkeypatch.context() as patch:
 
         def full(*_args: object) -> None:
@@ -55,13 +53,11 @@ def test_a_full_disk_is_told_and_the_next_change_tries_again(
         patch.setattr(os, "fsync", full)
         file.keep(Stored(example_document()))
         file.flush()
-    assert len(said) == 1
-    assert "No space left" in said[0]
-    assert mended == []
+    assert "No space left" in file.trouble
     file.keep(Stored(example_document()))
     file.flush()
     assert read(file.path).document == example_document()
-    assert (len(said), mended) == (1, ["Unsaved work is kept safe again."])
+    assert file.trouble == ""
     file.close()
 
 
@@ -70,8 +66,6 @@ def test_a_full_disk_is_told_and_the_next_change_tries_again(
 def test_whatever_fails_it_goes_on_by_itself(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, broken: str, error: Exception
 ) -> None:
-    said: list[str] = []
-    mended = threading.Event()
     folder = tmp_path / "recovery"
     stored = Stored(example_document(), blobs=BLOBS)
     with monkeypatch.context() as patch:
@@ -81,7 +75,7 @@ def test_whatever_fails_it_goes_on_by_itself(
 
         if broken != "_remove":
             patch.setattr(recovery, broken, refuse)
-        file = RecoveryFile(folder, 0.001, said.append, lambda _sentence: mended.set())
+        file = RecoveryFile(folder, 0.001)
         if broken == "_remove":
             file.keep(stored)
             assert file.flush()
@@ -89,11 +83,13 @@ def test_whatever_fails_it_goes_on_by_itself(
         file.keep(None if broken == "_remove" else stored)
         assert not file.flush()
         assert not file.flush()
+        assert file.trouble.startswith("Unsaved work is not kept")
+        assert file.trouble.endswith("save often until then.")
     # The disk is back; nothing is changed any more, and nobody asks.
-    assert mended.wait(10)
-    assert len(said) == 1
-    assert said[0].startswith("Unsaved work is not kept")
-    assert said[0].endswith("save often until then.")
+    end_s = time.monotonic() + 10
+    while file.trouble:
+        assert time.monotonic() < end_s
+        time.sleep(0.002)
     file.keep(stored)
     assert file.flush()
     assert recovery.Recoverable(file.path, None, "", 0.0).read() == stored
@@ -103,13 +99,14 @@ def test_whatever_fails_it_goes_on_by_itself(
 
 def test_nothing_is_tried_where_there_is_nothing_to_keep_or_remove(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
-    said: list[str] = []
-    file = RecoveryFile(tmp_path / "file" / "recovery", failed=said.append)
+    file = RecoveryFile(tmp_path / "file" / "recovery")
+    trouble = file.trouble
+    assert trouble
     (tmp_path / "file").unlink()
     for _time in range(3):
         file.keep(None)
         assert file.flush()
-    assert len(said) == 1
+    assert file.trouble == trouble  # nothing was tried
     assert list(tmp_path.iterdir()) == []
     file.close()
 

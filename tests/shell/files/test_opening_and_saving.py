@@ -5,13 +5,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.shell.dialogs import dialog_of, type_name
 from tests.shell.files.filing import CONTROL, answer, draw_a_line, saved
-from workbench.document.samples.examples import example_document
+from workbench.document.samples.examples import blank_sheet, example_document
 from workbench.document.state import SessionState
 from workbench.document.storage import saving
 from workbench.document.storage.files import Stored, load, save, write
@@ -63,6 +63,67 @@ def test_what_serves_for_an_algorithm_of_tomorrow_is_said(
     window.files.save()
     saved(window)
     assert [figure.algorithm for figure in load(chosen).sheets[0].figures] == ["line_of_tomorrow"]
+
+
+def test_enter_presses_the_button_that_has_the_focus_and_where_it_was_saved_is_said(
+    qtbot: QtBot, window: MainWindow, chosen: Path
+) -> None:
+    draw_a_line(qtbot, window)
+    window.files.new()
+    save_button = next(button for button in window.messages.buttons() if button.text() == "Save")
+    save_button.setFocus()
+    qtbot.waitUntil(save_button.hasFocus)
+    qtbot.keyClick(save_button, Qt.Key.Key_Return)
+    saved(window)
+    assert chosen.is_file()
+    assert window.session.sheet.figures == ()
+    draw_a_line(qtbot, window)
+    window.files.save_as()
+    saved(window)
+    assert f"Saved my lines.gwb in {chosen.parent}." in window.status.hover.text()
+
+
+class Paints(QObject):
+    """Counts how often a widget is painted."""
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self.count = 0
+        widget.installEventFilter(self)
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        self.count += event.type() == QEvent.Type.Paint
+        return False
+
+
+def test_the_mark_of_a_message_is_painted_anew_for_another_kind(qtbot: QtBot, window: MainWindow) -> None:
+    window.show()
+    window.messages.say("One sentence.")
+    qtbot.waitExposed(window)
+    paints = Paints(window.messages._mark)
+    QApplication.processEvents()
+    before = paints.count
+    window.messages.say("One sentence.", "error")
+    qtbot.waitUntil(lambda: paints.count > before)
+
+
+def test_a_name_that_is_a_folder_is_refused_in_a_sentence(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    (tmp_path / "taken.gwb").mkdir()
+    window.files.save_as()
+    assert type_name(qtbot, window, tmp_path / "taken") == ["taken.gwb is a folder; choose another name."]
+    dialog_of(qtbot, window).reject()
+    assert list((tmp_path / "taken.gwb").iterdir()) == []
+
+
+def test_a_large_picture_is_warned_about_when_it_is_opened(
+    qtbot: QtBot, window: MainWindow, chosen: Path
+) -> None:
+    save(blank_sheet(4096, 4096, "large"), chosen)
+    window.files.open_path(chosen)
+    qtbot.waitUntil(lambda: "4096 \u00d7 4096" in window.messages.text)
+    assert window.messages.text.endswith("choose a size such as 2048 \u00d7 1536.")
 
 
 def test_a_name_without_ending_gets_one(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:

@@ -5,7 +5,8 @@ A pipe, a device or a folder is refused before a byte is waited for.
 
 import os
 import stat
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from workbench.document.errors import DocumentError
@@ -32,21 +33,33 @@ def part(progress: Progress, begin: float, end: float) -> Progress:
 
 def read_content(path: Path | str, most: int, progress: Progress = silent) -> bytes:
     """The bytes of a regular file that has at most ``most``; raises DocumentError."""
+    check_file(path, most)
     where = str(path)
+    with _said_of(where), open(path, "rb", opener=_unwaiting) as file:
+        size = os.fstat(file.fileno())
+        _refuse_irregular(size, where, most)
+        parts: list[bytes] = []
+        read = 0
+        while part := file.read(_CHUNK):
+            parts.append(part)
+            read += len(part)
+            if read > most:  # it grows while it is read
+                raise _too_large(where, read, most)
+            progress(min(read / max(size.st_size, 1), 1.0))
+        return b"".join(parts)
+
+
+def check_file(path: Path | str, most: int) -> None:
+    """Raise DocumentError for what is no regular file of at most ``most`` bytes: what it is, what to do."""
+    with _said_of(str(path)):
+        _refuse_irregular(os.stat(path), str(path), most)
+
+
+@contextmanager
+def _said_of(where: str) -> Iterator[None]:
+    """Whatever the system refuses becomes a DocumentError that says so in a sentence."""
     try:
-        _refuse_irregular(os.stat(path), where, most)
-        with open(path, "rb", opener=_unwaiting) as file:
-            size = os.fstat(file.fileno())
-            _refuse_irregular(size, where, most)
-            parts: list[bytes] = []
-            read = 0
-            while part := file.read(_CHUNK):
-                parts.append(part)
-                read += len(part)
-                if read > most:  # it grows while it is read
-                    raise _too_large(where, read, most)
-                progress(min(read / max(size.st_size, 1), 1.0))
-            return b"".join(parts)
+        yield
     except FileNotFoundError as error:
         raise DocumentError("", _("There is no file {path}; choose another.").format(path=where)) from error
     except PermissionError as error:
@@ -77,8 +90,14 @@ def decoded(content: bytes, path: Path | str) -> str:
 def _refuse_irregular(status: os.stat_result, where: str, most: int) -> None:
     if stat.S_ISDIR(status.st_mode):
         raise DocumentError("", _("{path} is a folder; choose a file in it.").format(path=where))
+    if stat.S_ISFIFO(status.st_mode):
+        sentence = _("{path} is a pipe; write what comes out of it to a file, and open that.")
+        raise DocumentError("", sentence.format(path=where))
     if not stat.S_ISREG(status.st_mode):
-        sentence = _("{path} is not a file that can be opened; choose another.")
+        device = stat.S_ISCHR(status.st_mode) or stat.S_ISBLK(status.st_mode)
+        sentence = (
+            _("{path} is a device; choose a file.") if device else _("{path} is a socket; choose a file.")
+        )
         raise DocumentError("", sentence.format(path=where))
     if status.st_size > most:
         raise _too_large(where, status.st_size, most)

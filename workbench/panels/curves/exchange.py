@@ -16,18 +16,19 @@ from workbench.document.curves.edits import add_points
 from workbench.document.curves.pieces import goes_round
 from workbench.document.edits import add_figures, set_palette
 from workbench.document.errors import DocumentError
-from workbench.document.model import Curve, CurvePoint, Sheet
+from workbench.document.model import Curve, CurvePoint, Document, Sheet
 from workbench.exchange.point_lists import Array, write_points
 from workbench.exchange.readable import kind_of
 from workbench.exchange.reading import LIMITS, Fitted, Job
 from workbench.exchange.svg_paths import Imported
-from workbench.language import _, ngettext
+from workbench.language import _, legible, ngettext
 from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.curves.freehand import FIT_PX, fit_words
 from workbench.panels.stage.actions import PanelCommand
 from workbench.session.incoming import Prepare
 
 _PATH_DATA = re.compile(r"\s*[Mm]\s*[-+.\d][^<>&\"]*\Z")
+Say = Callable[[str], object]
 
 
 class CurveExchange(QObject):
@@ -92,97 +93,105 @@ class CurveExchange(QObject):
 
     def take_points(self, text: str) -> None:
         """Points go on the end of the selected open curve, or make a new one."""
-        self._read_text(Job("points"), text, _("points"), self._take_places)
+        self._read_text(Job("points"), text, _("points"), partial(self._take_places, self.said.emit))
 
     def take_svg(self, text: str) -> None:
         """The figures of an SVG come onto the sheet."""
         sheet = self.session.sheet
-        take, prepare = partial(self._take_drawing, sheet), partial(self._with_edit, sheet)
-        self._read_text(Job("drawing", sheet=sheet), text, _("SVG"), take, prepare)
+        self._read_text(Job("drawing", sheet=sheet), text, _("SVG"), *self._drawn(sheet, self.said.emit))
 
-    def take_file(self, path: Path) -> None:
-        """Bring in a file: an SVG by its ending, or else a table of points."""
+    def take_file(self, path: Path, say: Say) -> None:
+        """Bring in a file: an SVG by its ending, or else a table of points. ``say`` is told of it by name."""
         sheet = self.session.sheet
+
+        def tell(sentence: str) -> None:
+            say(_("{name}: {sentence}").format(name=legible(path.name), sentence=sentence))
+
         if kind_of(path) == "drawing":
-            take, prepare = partial(self._take_drawing, sheet), partial(self._with_edit, sheet)
-            self._read(Job("drawing", str(path), sheet=sheet), path.name, take, prepare)
+            self._read(Job("drawing", str(path), sheet=sheet), path.name, tell, *self._drawn(sheet, tell))
         else:
-            self._read(Job("points", str(path)), path.name, self._take_places)
+            self._read(Job("points", str(path)), path.name, tell, partial(self._take_places, tell))
 
-    def _read_text(self, job: Job, text: str, *how: Any) -> None:
+    def _read_text(self, job: Job, text: str, name: str, *how: Any) -> None:
         content = text[: LIMITS[job.kind] + 1].encode("utf-8", "replace")  # what is more is refused anyway
-        self._read(replace(job, content=content), *how)
+        self._read(replace(job, content=content), name, self.said.emit, *how)
 
-    def _read(self, job: Job, name: str, take: Callable[[Any], None], *prepare: Prepare) -> None:
+    def _read(self, job: Job, name: str, say: Say, take: Callable[[Any], None], *prepare: Prepare) -> None:
         """Read what is short at once, and else beside: meanwhile one may go on."""
-        self.session.incoming.read(job, name, take, self.said.emit, *prepare)
+        self.session.incoming.read(job, name, take, say, *prepare)
+
+    def _drawn(self, sheet: Sheet, say: Say) -> tuple[Callable[[Any], None], Prepare]:
+        """What takes a drawing onto the sheet, and what prepares it."""
+        return partial(self._take_drawing, sheet, say), partial(_with_edit, self.session.document, sheet.id)
 
     def _take_fitted(self, sheet: Sheet, result: Fitted) -> None:
-        if self._is_still(sheet) and self._add(add_figures(sheet.id, [result.curve]), _("Fit a curve")):
-            self.said.emit(fit_words(result.curve, result.points, result.error))
+        say, edit = self.said.emit, add_figures(sheet.id, [result.curve])
+        if self._is_still(sheet, say) and self._add(edit, _("Fit a curve"), say):
+            say(fit_words(result.curve, result.points, result.error))
 
-    def _take_places(self, points: Array) -> None:
+    def _take_places(self, say: Say, points: Array) -> None:
         places = points.tolist()
         curve = self.focus.selected
         if curve is not None and not goes_round(curve):
-            done = self._apply(add_points(curve.id, [(x, y) for x, y in places]), _("Add points"))
+            done = self._apply(add_points(curve.id, [(x, y) for x, y in places]), _("Add points"), say)
         else:
             curve_points = tuple(CurvePoint("", x, y) for x, y in places)
             curve = replace(self._model(), points_world=curve_points)
-            done = self._add(add_figures(self.session.sheet.id, [curve]), _("Add points"))
+            done = self._add(add_figures(self.session.sheet.id, [curve]), _("Add points"), say)
         if done:
             text = ngettext("{n} point added.", "{n} points added.", len(places))
-            self.said.emit(text.format(n=len(places)))
+            say(text.format(n=len(places)))
 
-    def _with_edit(self, sheet: Sheet, result: Any) -> tuple[Imported, Edit]:
-        """A drawing, and the edit that brings it onto the sheet, which for a large one takes its time.
-
-        Raises: ValueError with one sentence.
-        """
-        try:
-            edit = add_figures(sheet.id, result.figures)
-            if result.palette:
-                edit = both(set_palette(sheet.id, result.palette), edit)
-            return result, foreseen(edit, self.session.document)
-        except DocumentError as problem:
-            raise ValueError(problem.short) from None
-
-    def _take_drawing(self, sheet: Sheet, prepared: tuple[Imported, Edit]) -> None:
+    def _take_drawing(self, sheet: Sheet, say: Say, prepared: tuple[Imported, Edit]) -> None:
         """Put what an SVG held on the sheet, or say why there is nothing."""
         drawing, edit = prepared
-        if not self._is_still(sheet):
+        if not self._is_still(sheet, say):
             return
         if not drawing.figures:
-            self.said.emit(" ".join(drawing.notes) or _("This SVG shows nothing that is a figure."))
+            say(" ".join(drawing.notes) or _("This SVG shows nothing that is a figure."))
             return
-        if self._add(edit, _("Import SVG")):
+        if self._add(edit, _("Import SVG"), say):
             count = len(drawing.figures)
             said = [ngettext("{n} figure imported.", "{n} figures imported.", count).format(n=count)]
             if drawing.error > 0:
                 text = _("Arcs and curved insides are at most {error:.2g} off.")
                 said.append(text.format(error=drawing.error))
-            self.said.emit(" ".join([*said, *drawing.notes]))
+            say(" ".join([*said, *drawing.notes]))
 
-    def _is_still(self, sheet: Sheet) -> bool:
+    def _is_still(self, sheet: Sheet, say: Say) -> bool:
         """Whether the sheet that something was read for is still the current one; says so if not."""
         if self.session.sheet.id == sheet.id:
             return True
-        self.said.emit(_("Another sheet was opened before this was read; import it again here."))
+        say(_("Another sheet was opened before this was read; import it again here."))
         return False
 
-    def _add(self, edit: Edit, name: str) -> bool:
+    def _add(self, edit: Edit, name: str, say: Say) -> bool:
         """Do an edit that adds figures, and select them."""
         known = {figure.id for figure in self.session.sheet.figures}
-        if not self._apply(edit, name):
+        if not self._apply(edit, name, say):
             return False
         made = [figure.id for figure in self.session.sheet.figures if figure.id not in known]
         self.session.update_state(selection=tuple(made), active=made[-1])
         return True
 
-    def _apply(self, edit: Edit, name: str) -> bool:
+    def _apply(self, edit: Edit, name: str, say: Say) -> bool:
         try:
             self.session.apply(edit, name)
         except DocumentError as problem:
-            self.said.emit(problem.short)
+            say(problem.short)
             return False
         return True
+
+
+def _with_edit(document: Document, sheet: str, result: Any) -> tuple[Imported, Edit]:
+    """A drawing, and the edit that brings it onto the sheet, which for a large one takes its time.
+
+    Raises: ValueError with one sentence.
+    """
+    try:
+        edit = add_figures(sheet, result.figures)
+        if result.palette:
+            edit = both(set_palette(sheet, result.palette), edit)
+        return result, foreseen(edit, document)
+    except DocumentError as problem:
+        raise ValueError(problem.short) from None

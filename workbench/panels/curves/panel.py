@@ -156,7 +156,7 @@ class CurvesPanel(SteppedPanel):
 
     def delete_selected(self) -> None:
         """Remove the chosen points, or with none chosen what is selected."""
-        if not self.commands.remove():
+        if self.gesturing or not self.commands.remove():
             super().delete_selected()
 
     def copy(self) -> bool:

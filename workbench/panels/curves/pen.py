@@ -172,6 +172,9 @@ class PenTool(FigureTool):
             if self.show(partial(self._added, figure, first, nodes), _("Go on with the curve")):
                 self.session.update_state(selection=(figure,), active=figure)
             return
+        if len(nodes) < 2:  # nothing of which would be seen; whatever follows, it is not left behind
+            self.show(lambda document: document, "")
+            return
         made = self._curve(nodes, self.model.closed or closes)
         if self.show(add_figure(self.session.sheet.id, made), _("Draw {what}").format(what=self.title)):
             last = self.session.sheet.figures[-1].id

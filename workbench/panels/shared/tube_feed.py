@@ -2,18 +2,21 @@
 
 from fractions import Fraction
 
+import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer
 
-from workbench.display.setup import TubeSetup
+from workbench.display.setup import TubeSetup, too_many_pixels
 from workbench.document.model import AnyFigure, Sheet
 from workbench.document.state import LONGEST_TIME_S, TubeSettings
 from workbench.panels.stage.picture import without
 from workbench.rendering import display_list, frame_buffer
 from workbench.session.session import Session
+from workbench.widgets.tube.refusal import Refusal
 from workbench.widgets.tube.view import TubeView
 
 _SETTLE_MS = 120
+_NOTHING = np.zeros((3, 4), np.uint32)
 
 
 def setup_of(settings: TubeSettings) -> TubeSetup:
@@ -37,6 +40,7 @@ class TubeFeed(QObject):
         super().__init__(parent)
         self._session, self._views = session, views
         self._fed: dict[TubeView, tuple[Sheet, AnyFigure | None]] = {}
+        self._refusals = {view: Refusal(view) for view in views}
         self._times = dict.fromkeys(views, 0.0)
         self._resting = QTimer(self)
         self._resting.setSingleShot(True)
@@ -89,7 +93,9 @@ class TubeFeed(QObject):
             self._fed[view] = sheet, asked
             shown = sheet if asked is None else without(sheet, asked)
             if view.kind == "raster":
-                view.set_image(frame_buffer(shown))
+                refused = too_many_pixels((sheet.width_px, sheet.height_px))
+                self._refusals[view].say(refused)
+                view.set_image(_NOTHING if refused else frame_buffer(shown))
             else:
                 strokes = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(shown)]
                 view.set_strokes(strokes, (sheet.width_px, sheet.height_px))

@@ -1,10 +1,10 @@
 """Mesh files come into the scene, or onto a sheet of their own where there is no scene yet."""
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 from msgspec.structs import replace
-from PySide6.QtCore import QObject, Signal
 
 from workbench.document.building import Edit, foreseen
 from workbench.document.errors import DocumentError
@@ -25,25 +25,24 @@ _SIZE_PX = (320, 240)
 _LONGEST_NAME = 200
 _COLOUR = 0x9CC8E6
 
+Say = Callable[[str], object]
 
-class MeshImport(QObject):
-    """``said`` sends what was left out, or why nothing came in."""
 
-    said = Signal(str)
+class MeshImport:
+    """Its sentences name the file: what was left out, or why nothing came in."""
 
-    def __init__(self, session: Session, parent: QObject) -> None:
-        super().__init__(parent)
+    def __init__(self, session: Session) -> None:
         self._session = session
 
-    def take_file(self, path: Path) -> None:
+    def take_file(self, path: Path, say: Say) -> None:
         """Read a mesh file, beside the interface where it is long, and bring it in as one step of undo."""
         name, sheet = path.stem[:_LONGEST_NAME], self._session.sheet
         beside = "" if sheet.scene is None else sheet.id
         self._session.incoming.read(
             Job("mesh", str(path)),
             path.name,
-            partial(self._take, path),
-            partial(self._refuse, path),
+            partial(self._take, path, say),
+            partial(self._refuse, path, say),
             partial(self._edit, self._session.document, name, beside),
         )
 
@@ -61,18 +60,19 @@ class MeshImport(QObject):
             edit = add_sheet(replace(blank_sheet(*_SIZE_PX, name).sheets[0], scene=scene))
         return foreseen(edit, document), read.notes
 
-    def _refuse(self, path: Path, error: str) -> None:
+    @staticmethod
+    def _refuse(path: Path, say: Say, error: str) -> None:
         sentence = _("{name} was not imported: {error}")
-        self.said.emit(sentence.format(name=legible(path.name), error=error))
+        say(sentence.format(name=legible(path.name), error=error))
 
-    def _take(self, path: Path, made: tuple[Edit, tuple[str, ...]]) -> None:
+    def _take(self, path: Path, say: Say, made: tuple[Edit, tuple[str, ...]]) -> None:
         edit, notes = made
         session = self._session
         sheets = {sheet.id for sheet in session.document.sheets}
         try:
             session.apply(edit, _("Import {name}").format(name=legible(path.name)))
         except DocumentError as problem:
-            self._refuse(path, problem.short)
+            self._refuse(path, say, problem.short)
             return
         for sheet in session.document.sheets:
             if sheet.id not in sheets:
@@ -81,4 +81,4 @@ class MeshImport(QObject):
         if scene is not None:
             session.update_state(thing=scene.objects[-1].id)
         imported = _("{name} is in the scene.").format(name=legible(path.name))
-        self.said.emit(" ".join((imported, *notes)))
+        say(" ".join((imported, *notes)))

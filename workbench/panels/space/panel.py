@@ -29,8 +29,7 @@ class SpacePanel(PlainPanel, QWidget):
         super().__init__(parent)
         self.title = _("Space")
         self.session = session
-        self.meshes = MeshImport(session, self)
-        self.meshes.said.connect(self.hover_text)
+        self.meshes = MeshImport(session)
         self._rows = pages()
         self._pages: dict[str, Page] = {}
         self._actions: list[QAction] = []

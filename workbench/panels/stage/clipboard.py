@@ -10,7 +10,7 @@ from PySide6.QtGui import QGuiApplication
 from workbench.document.building import Edit, both, foreseen, moved_by, without_ids
 from workbench.document.edits import add_figures, set_palette
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Sheet
+from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.exchange.figures import MIME, write_figures
 from workbench.exchange.reading import LIMITS, Job
 from workbench.exchange.svg_reading import Imported
@@ -47,7 +47,7 @@ def paste_figures(session: Session, say: Callable[[str], object]) -> None:
     if job is None:
         say(_("There are no figures on the clipboard; copy some first."))
         return
-    take, prepare = partial(_take, session, sheet, say), partial(_placed, session, sheet)
+    take, prepare = partial(_take, session, sheet, say), partial(_placed, session.document, sheet)
     session.incoming.read(job, _("figures"), take, say, prepare)
 
 
@@ -66,7 +66,7 @@ def _job_held(sheet: Sheet) -> Job | None:
     return None
 
 
-def _placed(session: Session, sheet: Sheet, pasted: Imported) -> Edit:
+def _placed(document: Document, sheet: Sheet, pasted: Imported) -> Edit:
     """The edit that puts figures on the sheet. Raises: ValueError with one sentence."""
     taken = {without_ids(figure) for figure in sheet.figures}
     figures = [without_ids(each) for each in pasted.figures]
@@ -76,7 +76,7 @@ def _placed(session: Session, sheet: Sheet, pasted: Imported) -> Edit:
     if pasted.palette:
         edit = both(set_palette(sheet.id, pasted.palette), edit)
     try:
-        return foreseen(edit, session.document)
+        return foreseen(edit, document)
     except DocumentError as problem:
         raise ValueError(problem.short) from None
 

@@ -32,7 +32,10 @@ def snapped(x: float, y: float) -> Cell:
 
 
 class Gesture(QObject):
-    """One step of undo under way on ``session``. ``failed`` sends the sentence of a refused edit."""
+    """One step of undo under way on ``session``. ``failed`` sends the sentence of a refused edit.
+
+    ``tag`` is said beside the pointer meanwhile.
+    """
 
     failed = Signal(str)
 
@@ -42,6 +45,12 @@ class Gesture(QObject):
         self._before: Document | None = None
         self._shown: Document | None = None
         self._merge = ""
+        self.tag = ""
+
+    @property
+    def overtaken(self) -> bool:
+        """Whether something else was done meanwhile, such as an undo: then it is over."""
+        return self.busy and self.session.document is not self._shown
 
     @property
     def busy(self) -> bool:
@@ -61,9 +70,9 @@ class Gesture(QObject):
         before = self._before
         if before is None:
             return False
-        if self.session.document is not self._shown:
+        if self.overtaken:
             # Made of the document that it began with, it would take back what was done.
-            self._before = None
+            self._before, self.tag = None, ""
             return False
         try:
             self.session.apply(edit, name, self._merge, on=before)
@@ -90,7 +99,7 @@ class Gesture(QObject):
 
 
 class Tool(Gesture):
-    """A tool; its methods take device coordinates. ``tag`` is said beside the pointer, at pixel ``snap``."""
+    """A tool; its methods take device coordinates. ``tag`` is said at pixel ``snap``."""
 
     name = ""
     icon = ""
@@ -99,7 +108,6 @@ class Tool(Gesture):
 
     def __init__(self, session: Session) -> None:
         super().__init__(session)
-        self.tag = ""
         self.band: Curve | None = None
         self.snap: Cell | None = None
 
@@ -135,7 +143,6 @@ class HandleDrag(Gesture):
     def __init__(self, session: Session) -> None:
         super().__init__(session)
         self.held = ""
-        self.tag = ""
 
     def press(self, address: str) -> None:
         """Take hold of the handle with this address."""
@@ -161,7 +168,8 @@ class HandleDrag(Gesture):
         if len(rest) == 2:
             place = figure_map(sheet, figure).world_point(*cell)
             self.show(move_points({self.held: place}), _("Move point"))
-            self.tag = self._neighbour_text(figure, rest[0], cell)
+            if self.busy:
+                self.tag = self._neighbour_text(figure, rest[0], cell)
             return cell
         value = self._radius(figure, rest[0], cell)
         self.show(set_attributes({self.held: value}), _("Change radius"))

@@ -160,6 +160,7 @@ class FigurePanel(PlainPanel, QWidget):
             for signal in (run.changed, run.moved, run.grown, run.asked):
                 signal.connect(self.refresh_soon)
         session.changed.connect(self._take_tool_when_empty)
+        session.changed.connect(self._leave_overtaken)
         session.opened.connect(self._end_gesture)
         session.path_changed.connect(self._take_run)
         canvas.pressed.connect(self._press)
@@ -291,6 +292,10 @@ class FigurePanel(PlainPanel, QWidget):
             self.choose_tool("select")
         self.refresh_soon()
 
+    def _leave_overtaken(self) -> None:
+        if self.tool.overtaken or self.handle_drag.overtaken:
+            self._end_gesture()
+
     def _end_gesture(self) -> None:
         """Take back what is being drawn or dragged: it is of the sheet on which it was begun."""
         self.tool.cancel()
@@ -313,8 +318,10 @@ class FigurePanel(PlainPanel, QWidget):
         return [figure for figure in self.session.frames.sheet.figures if figure.id in chosen]
 
     def delete_selected(self) -> None:
-        """Remove the selected figures."""
-        if ids := [figure.id for figure in self.selected()]:
+        """Remove the selected figures; what is being drawn is taken back."""
+        if self.gesturing:
+            self._end_gesture()
+        elif ids := [figure.id for figure in self.selected()]:
             self.apply(remove_figures(ids), _("Delete"))
 
     def duplicate_selected(self) -> None:

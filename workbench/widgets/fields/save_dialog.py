@@ -29,6 +29,7 @@ class SaveDialog(QFileDialog):
     ) -> None:
         super().__init__(owner, title, str(start.parent))
         self._owner, self._formats, self._then = owner, list(formats), then
+        self._suffixes = {file_format.suffix for file_format in formats}
         self._filters = [f"{file_format.title} (*{file_format.suffix})" for file_format in formats]
         self.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         self.setFileMode(QFileDialog.FileMode.AnyFile)
@@ -55,7 +56,7 @@ class SaveDialog(QFileDialog):
         """Another kind is chosen: the name ends accordingly."""
         self._follow(name_filter)
         path = Path(self.selectedFiles()[0])
-        if path.suffix.lower() in {file_format.suffix for file_format in self._formats}:
+        if path.suffix.lower() in self._suffixes:
             self.selectFile(path.with_suffix(self.file_format.suffix).name)
 
     def accept(self) -> None:
@@ -63,7 +64,11 @@ class SaveDialog(QFileDialog):
         typed = Path(self.selectedFiles()[0])
         try:
             if _is_there(typed) and typed.is_dir():
-                super().accept()
+                if typed.suffix.lower() in self._suffixes:  # it was to be a file
+                    sentence = _("{name} is a folder; choose another name.")
+                    self._refuse(typed, sentence.format(name=legible(typed.name)))
+                else:
+                    super().accept()
                 return
             path, file_format = completed(self._formats, typed, self.file_format)
             there = _is_there(path)

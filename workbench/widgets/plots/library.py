@@ -5,7 +5,7 @@ from importlib import import_module
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from workbench.engine import background
+from workbench.session.answers import Answers
 
 
 class _Library(QObject):
@@ -16,24 +16,27 @@ class _Library(QObject):
     def __init__(self) -> None:
         super().__init__()
         self._there = False
-        self._coming = False
+        self._coming: Answers | None = None
 
     def ask(self) -> None:
         """Load it, unless it is there or coming."""
         if self._there:
             QTimer.singleShot(0, self.loaded.emit)
-        elif not self._coming:
-            self._coming = True
-            try:
-                background.thread(self._load, "imports").start()
-            except RuntimeError:  # the system gives no more threads now
-                self._load()
+        elif self._coming is None:
+            self._coming = Answers()  # here: this module may have been imported on another thread
+            self._coming.arrived.connect(self._loaded)
+            self._coming.ask(_load, "imports")
 
-    def _load(self) -> None:
-        with suppress(ImportError):  # the same failure is said where the plot is made
-            import_module("pyqtgraph")
+    def _loaded(self, _there: bool) -> None:
         self._there = True
+        self._coming = None
         self.loaded.emit()
+
+
+def _load() -> bool:
+    with suppress(ImportError):  # the same failure is said where the plot is made
+        import_module("pyqtgraph")
+    return True
 
 
 library = _Library()

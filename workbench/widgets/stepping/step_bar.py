@@ -16,6 +16,8 @@ from workbench.widgets.stepping.sentence_view import SentenceView
 from workbench.widgets.stepping.step_slider import StepSlider
 
 HEIGHT = 44
+_DIGITS = 6  # for which there is room in any case
+_FRAME = 20  # around the digits
 
 
 def stepping_keys(run: Run) -> dict[int, Callable[[], object]]:
@@ -57,7 +59,6 @@ class StepBar(QWidget):
         self.jump = EntryLine()
         self.jump.setFont(code_font())
         self.jump.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self.jump.setFixedWidth(64)
         self.jump.setAccessibleName(_("Go to step"))
         self.jump.setToolTip(_("Type a step and press Enter to go there"))
         self.jump.editingFinished.connect(self._jump)
@@ -65,6 +66,7 @@ class StepBar(QWidget):
         self.total.setFont(code_font())
         # The bar keeps its shape while the number grows.
         self.total.setMinimumWidth(QFontMetrics(code_font()).horizontalAdvance("/ 1000000+"))
+        self._fit_jump()
         self.total.setProperty("role", "muted")
         self.total.setToolTip(_("How many steps the run has; with + as far as it is recorded"))
         self.step = self._action(
@@ -172,10 +174,17 @@ class StepBar(QWidget):
         for action, button in zip((self.try_again, self.show_answer), self.after_wrong, strict=True):
             button.setVisible(run.ask_first)  # in its place beforehand, so that no answer moves the bar
             action.setEnabled(run.refused)
+        self._fit_jump()
         if not (self.jump.hasFocus() and self.jump.isModified()):
             self.jump.setText(str(run.number) if there else "")
         self.total.setText(f"/ {run.total_text}" if there else "")
         self._offer_stretches()
+
+    def _fit_jump(self) -> None:
+        """Let every step of the run have room in the field."""
+        run = self._run
+        digits = max(_DIGITS, len(run.total_text.rstrip("+")), len(str(run.number)))
+        self.jump.setFixedWidth(QFontMetrics(code_font()).horizontalAdvance("0" * digits) + _FRAME)
 
     def _offer_stretches(self) -> None:
         """Where a run is too long to be recorded whole, offer what comes before and behind."""

@@ -1,7 +1,7 @@
 """The hand table as the course writes it, one row for each step, filled only where it is looked at."""
 
 from collections.abc import Sequence
-from contextlib import suppress
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import (
@@ -16,11 +16,13 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
-from workbench.engine import background
+from workbench.algorithms.entry import Entry
 from workbench.engine.observation import Steps
+from workbench.engine.recording import Recording
 from workbench.exchange.run_tables import hand
 from workbench.exchange.tables import Table, shown, typeset
 from workbench.language import _
+from workbench.session.answers import Answers
 from workbench.session.run import Run
 from workbench.widgets.look.empty_state import EmptyState
 from workbench.widgets.look.tokens import colour, theme, tokens
@@ -127,7 +129,6 @@ class HandTable(QWidget):
 
     copied = Signal(str)
     example_wanted = Signal()
-    _ready = Signal(object)
 
     def __init__(self, run: Run, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -158,7 +159,8 @@ class HandTable(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.state)
         self.setFocusProxy(self.view)
-        self._ready.connect(self._take_copy)
+        self._copies = Answers(self)
+        self._copies.arrived.connect(self._take_copy)
         run.changed.connect(self._take_run)
         for signal in (run.moved, run.asked):
             signal.connect(self.refresh)
@@ -222,17 +224,15 @@ class HandTable(QWidget):
         if entry is None or recording is None:
             return
         if len(rows) <= _AT_ONCE:
-            self._take_copy(hand(Steps(entry, recording), rows).computed())
+            self._take_copy(_table(entry, recording, rows))
             return
         self.copied.emit(_("Copying {rows:,} rows ...").format(rows=len(rows)))
-
-        def copy() -> None:
-            table = hand(Steps(entry, recording), rows).computed()
-            with suppress(RuntimeError):  # this widget is gone
-                self._ready.emit(table)
-
-        background.thread(copy, "copy").start()
+        self._copies.ask(partial(_table, entry, recording, rows), "copy")
 
     def _take_copy(self, table: Table) -> None:
         put_on_clipboard(table)
         self.copied.emit(rows_copied(len(table.rows)))
+
+
+def _table(entry: Entry, recording: Recording, rows: Sequence[int]) -> Table:
+    return hand(Steps(entry, recording), rows).computed()

@@ -1,0 +1,18 @@
+"""Views that take each other's place leave something to be seen."""
+
+from pytestqt.qtbot import QtBot
+
+from workbench.shell.window import MainWindow
+
+
+def test_a_view_alone_that_is_closed_leaves_no_empty_window(qtbot: QtBot, window: MainWindow) -> None:
+    window.go("draw")
+    panel = window.panels("draw")[0]
+    panel.source.setFocus()
+    window.menus.actions["alone"].trigger()
+    (dock,) = (dock for dock in window.arrangements.docks("draw") if dock.isAncestorOf(panel.source))
+    dock.close()
+    qtbot.waitUntil(lambda: not window.views.alone)
+    assert panel.isVisibleTo(window)
+    assert not window.top.isHidden()
+    assert dock.isHidden()
