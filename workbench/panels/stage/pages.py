@@ -14,7 +14,8 @@ from workbench.exchange.frames import Picture as Frame
 from workbench.exchange.writing import FileFormat, Progress, Put, of_kind, whole
 from workbench.exchange.written import FORMATS as WINDOWLESS
 from workbench.widgets.canvas.overlay import Overlay
-from workbench.widgets.canvas.painter import Picture, Scene, paint_rulers, paint_scene, ruler_sizes
+from workbench.widgets.canvas.painter import Picture, Scene, paint_scene
+from workbench.widgets.canvas.rulers import paint_rulers, ruler_sizes
 from workbench.widgets.canvas.view import Area, fitted
 from workbench.widgets.look.tokens import LIGHT
 
@@ -72,7 +73,7 @@ def paint_page(
     view = fitted(area, *page.picture.size, round(8 * unit), largest=4096)
     scene = Scene(area, view, page.picture.size, LIGHT, unit, font, page.overlay, vector)
     paint_scene(painter, page.picture, scene)
-    paint_rulers(painter, scene, None)
+    paint_rulers(painter, scene)
     caption = scene.caption()
     caption.setPixelSize(round(13 * unit))
     painter.setFont(caption)
