@@ -15,8 +15,6 @@ from workbench.algorithms.entry import Entry
 from workbench.algorithms.viewing import window_to_viewport
 from workbench.document.model import (
     AnyFigure,
-    Circle,
-    Ellipse,
     Polygon,
     Rectangle,
     Sheet,
@@ -192,7 +190,7 @@ def device_rings(
     return [corners[start:end] for start, end in pairwise(ends)], np.array(of, np.int64)
 
 
-def device_radii(sheet: Sheet, figure: Circle | Ellipse) -> tuple[float, float]:
-    """Radii in pixels along x and y, not yet rounded, of one that stays round."""
+def device_radii(sheet: Sheet, figure: AnyFigure) -> tuple[float, float]:
+    """Radii in pixels along x and y, not yet rounded, of one that stays round; 0 where it has none."""
     scale, (rx, ry) = device_map(sheet), radii_of(figure)
     return abs(scale.sx) * rx, abs(scale.sy) * ry

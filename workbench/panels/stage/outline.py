@@ -9,6 +9,7 @@ from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline,
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering import display_list, figure_map, painter_of
 from workbench.rendering.memory import Memory
+from workbench.rendering.pipeline import fills
 from workbench.widgets.canvas.overlay import Handle
 
 Curve = NDArray[np.float64]
@@ -80,7 +81,7 @@ def _area_at(sheet: Sheet, x: int, y: int) -> AnyFigure | None:
     figure = sheet.figures[index] if index >= 0 else None
     if figure is None:
         return None
-    filled = isinstance(figure, SeedFill) or catalogue.get(figure.drawn_with).emits == "spans"
+    filled = fills(figure) or catalogue.get(figure.drawn_with).emits == "spans"
     return figure if filled else None
 
 

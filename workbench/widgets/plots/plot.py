@@ -142,7 +142,7 @@ class Plot(QWidget):
         self._take_theme()
 
     def _lay(self, *items: Any, kept: bool = False) -> None:
-        """Lay items on the plot, whatever its range; those ``kept`` are painted once, not with each cursor."""
+        """Lay items on the plot, whatever its range; ``kept`` ones are painted once, not with each cursor."""
         for item in items:
             if kept:
                 item.setCacheMode(_KEPT)
