@@ -6,10 +6,11 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from workbench.document import DocumentError, edits
-from workbench.document.model import Curve, CurvePoint
+from workbench.document.model import Curve, CurvePoint, Sheet
 from workbench.document.samples.examples import example
 from workbench.document.subjects import Subject
-from workbench.session import Session
+from workbench.rendering.mapping import Call
+from workbench.session import Session, following
 
 
 @pytest.fixture
@@ -120,3 +121,24 @@ def test_the_construction_of_a_curve_is_followed_at_u(session: Session, qtbot: Q
         session.update_state(subject=Subject("curve", arguments={"u": 1.5}))
     with pytest.raises(DocumentError, match="choose one of de_casteljau"):
         session.update_state(subject=Subject("curve", entry="bresenham_line"))
+
+
+def test_under_a_drag_the_calls_of_a_run_are_worked_out_once_at_its_end(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[Sheet] = []
+    calls_of = following.calls_of
+
+    def counted(sheet: Sheet, subject: Subject) -> list[Call]:
+        asked.append(sheet)
+        return calls_of(sheet, subject)
+
+    monkeypatch.setattr(following, "calls_of", counted)
+    session.hold_runs(True)
+    for _move in range(5):
+        session.apply(edits.move_figures(["f1"], 1.0, 0.0), "Move", "drag")
+        session.flush()
+    assert not asked
+    session.hold_runs(False)
+    assert asked == [session.sheet]
+    assert session.run.arguments == (25, 10, 35, 18)

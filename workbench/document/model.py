@@ -5,7 +5,7 @@ Ids are short texts, unique in their document, and survive edits, insertion and 
 """
 
 from itertools import pairwise
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import msgspec
 
@@ -100,6 +100,15 @@ class Figure(
         """The slug that draws it: its own, or where the catalogue has none of that name, the kind's first."""
         return self.algorithm if self.algorithm in self.algorithms else self.algorithms[0]
 
+    @property
+    def radii_world(self) -> tuple[float, float]:
+        """Its radii along x and y, before its chain; 0 for a figure that has none."""
+        return 0.0, 0.0
+
+    def with_radii(self, across: float, up: float) -> Self:
+        """The figure with these radii along x and y: a circle takes the first; one that has none stays."""
+        return self
+
 
 class Line(Figure, frozen=True, tag="line"):
     """A segment between two points."""
@@ -153,6 +162,15 @@ class Circle(Figure, frozen=True, tag="circle", kw_only=True):
 
     radius_world: Annotated[float, _radius(_("radius"), "r")]
 
+    @property
+    def radii_world(self) -> tuple[float, float]:
+        """Its radius, twice."""
+        return self.radius_world, self.radius_world
+
+    def with_radii(self, across: float, up: float) -> Self:
+        """The circle with the radius ``across``."""
+        return msgspec.structs.replace(self, radius_world=across)
+
 
 class Ellipse(Figure, frozen=True, tag="ellipse", kw_only=True):
     """An ellipse with axes parallel to x and y, about its one point; a radius of 0 makes it a segment."""
@@ -162,6 +180,15 @@ class Ellipse(Figure, frozen=True, tag="ellipse", kw_only=True):
 
     radius_x_world: Annotated[float, _radius(_("horizontal radius"), "r_x")]
     radius_y_world: Annotated[float, _radius(_("vertical radius"), "r_y")]
+
+    @property
+    def radii_world(self) -> tuple[float, float]:
+        """Both radii."""
+        return self.radius_x_world, self.radius_y_world
+
+    def with_radii(self, across: float, up: float) -> Self:
+        """The ellipse with these radii."""
+        return msgspec.structs.replace(self, radius_x_world=across, radius_y_world=up)
 
 
 class SeedFill(Figure, frozen=True, tag="seed_fill", kw_only=True):

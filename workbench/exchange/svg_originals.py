@@ -17,7 +17,7 @@ from workbench.document.addresses import highest
 from workbench.document.building import with_ids
 from workbench.document.check import check
 from workbench.document.errors import DocumentError
-from workbench.document.model import AnyFigure, Circle, Curve, Document, Ellipse, Sheet
+from workbench.document.model import AnyFigure, Curve, Document, Sheet
 from workbench.exchange.svg_transforms import framed
 from workbench.exchange.svg_tree import GEOMETRY
 
@@ -55,12 +55,8 @@ def moved(figure: AnyFigure, scale: float, dx: float, dy: float) -> AnyFigure:
         return figure
     points = tuple(replace(p, x=scale * p.x + dx, y=scale * p.y + dy) for p in figure.points_world)
     chain = framed(figure.transforms, scale, dx, dy)
-    figure = replace(figure, points_world=points, transforms=chain)
-    if isinstance(figure, Circle):
-        return replace(figure, radius_world=scale * figure.radius_world)
-    if isinstance(figure, Ellipse):
-        radii = (scale * figure.radius_x_world, scale * figure.radius_y_world)
-        return replace(figure, radius_x_world=radii[0], radius_y_world=radii[1])
+    across, up = figure.radii_world
+    figure = replace(figure, points_world=points, transforms=chain).with_radii(scale * across, scale * up)
     if isinstance(figure, Curve):
         steered = tuple(
             replace(p, tangent_x=scale * p.tangent_x, tangent_y=scale * p.tangent_y)

@@ -16,7 +16,7 @@ from workbench.rendering.curves import polylines_of
 from workbench.rendering.emissions import emitted
 from workbench.rendering.limits import clip_ring, polygon_reach, reach
 from workbench.rendering.mapping import Box, Call, device_map, device_rings, figure_map
-from workbench.rendering.rounds import Area, Lines, is_area, is_lines
+from workbench.rendering.rounds import Area, Lines, Round, is_area, is_lines
 from workbench.rendering.segments import (
     Segment,
     Segments,
@@ -112,13 +112,18 @@ def line_ends(sheet: Sheet, figures: Sequence[Lines]) -> tuple[NDArray[np.int64]
 
 def rings_of(sheet: Sheet, figures: Sequence[Area]) -> tuple[list[Ring], NDArray[np.int64]]:
     """The rings (k, 2) of some figures, device coordinates, and whose each is (n,), ascending."""
-    polygons = [k for k, figure in enumerate(figures) if isinstance(figure, Polygon)]
-    rings, of = device_rings(sheet, [figure for figure in figures if isinstance(figure, Polygon)])
-    rounds = [k for k, figure in enumerate(figures) if not isinstance(figure, Polygon)]
+    polygons: dict[int, Polygon] = {}
+    rounds: dict[int, Round] = {}
+    for k, figure in enumerate(figures):
+        if isinstance(figure, Polygon):
+            polygons[k] = figure
+        else:
+            rounds[k] = figure
+    rings, of = device_rings(sheet, list(polygons.values()))
     if not rounds:
         return rings, of
-    rings += [ring[:-1] for ring in polylines_of(sheet, [f for f in figures if not isinstance(f, Polygon)])]
-    whose = np.array([*(polygons[k] for k in of.tolist()), *rounds], np.int64)
+    rings += [ring[:-1] for ring in polylines_of(sheet, list(rounds.values()))]
+    whose = np.append(np.array(list(polygons), np.int64)[of], list(rounds))
     order = np.argsort(whose, kind="stable")
     return [rings[k] for k in order.tolist()], whose[order]
 

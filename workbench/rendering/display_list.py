@@ -15,14 +15,13 @@ from workbench.document.model import (
     AnyFigure,
     Circle,
     Ellipse,
-    SeedFill,
     Sheet,
 )
 from workbench.language import _
 from workbench.rendering.clipping import clip_box, ring_strokes, visible_rings, visible_segments
 from workbench.rendering.limits import reach
 from workbench.rendering.mapping import Box, box, device_radii, figure_map
-from workbench.rendering.pipeline import colour_of
+from workbench.rendering.pipeline import colour_of, fills
 from workbench.rendering.rounds import Lines, is_area, is_lines
 from workbench.rendering.segments import Segment, Segments, cut
 
@@ -141,4 +140,4 @@ def unshown(sheet: Sheet) -> list[tuple[str, str]]:
         "A vector tube draws strokes and has no memory of areas, so the seed fill is missing here. "
         "Look at it on the raster tube."
     )
-    return [(f.id, reason) for f in sheet.figures if f.visible and isinstance(f, SeedFill)]
+    return [(f.id, reason) for f in sheet.figures if f.visible and fills(f)]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from workbench.document.model import AnyFigure, Circle, Ellipse, Sheet
+from workbench.document.model import AnyFigure, Sheet
 from workbench.document.transforms.chains import transformed
 from workbench.rendering.mapping import Box
 
@@ -23,10 +23,7 @@ def world_extent(sheet: Sheet) -> Box | None:
 def _corners(figure: AnyFigure) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
     """Points (n, 2), world, around a figure."""
     points = np.array([(point.x, point.y) for point in figure.points_world], np.float64)
-    if isinstance(figure, Circle | Ellipse):
-        if isinstance(figure, Circle):
-            rx, ry = figure.radius_world, figure.radius_world
-        else:
-            rx, ry = figure.radius_x_world, figure.radius_y_world
+    rx, ry = figure.radii_world
+    if rx or ry:
         points = points[0] + np.array([(i * rx, j * ry) for i in (-1, 1) for j in (-1, 1)], np.float64)
     return points if figure.matrix is None else transformed(figure.matrix, points)

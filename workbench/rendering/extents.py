@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.document.model import AnyFigure, Circle, Curve, Ellipse, Sheet
+from workbench.document.model import AnyFigure, Curve, Sheet
 from workbench.rendering.curves import polyline_of
 from workbench.rendering.mapping import Box, FigureMap, device_map, device_points, figure_map
 
@@ -17,10 +17,10 @@ def extent_of(sheet: Sheet, figures: Sequence[AnyFigure]) -> Box | None:
     """
     visible = [figure for figure in figures if figure.visible]
     # Of straight figures all points at once: there may be thousands.
-    straight = [figure for figure in visible if not isinstance(figure, Circle | Ellipse | Curve)]
+    straight = [f for f in visible if not any(f.radii_world) and not isinstance(f, Curve)]
     places = [device_points(sheet, straight, [figure.points_world for figure in straight])]
     for figure in visible:
-        if isinstance(figure, Circle | Ellipse):
+        if any(figure.radii_world):
             places.append(_corners_of(sheet, figure))
         elif isinstance(figure, Curve):
             line = polyline_of(sheet, figure)
@@ -37,18 +37,14 @@ def extent_of_points(points: NDArray[np.float64]) -> Box | None:
     return xmin, ymin, xmax, ymax
 
 
-def _corners_of(sheet: Sheet, figure: Circle | Ellipse) -> NDArray[np.float64]:
+def _corners_of(sheet: Sheet, figure: AnyFigure) -> NDArray[np.float64]:
     """Two opposite corners (2, 2) of the box around a circle or ellipse under its chain."""
     scale, centre = figure_map(sheet, figure), figure.points_world[0]
-    if isinstance(figure, Circle):
-        rx = ry = figure.radius_world
-    else:
-        rx, ry = figure.radius_x_world, figure.radius_y_world
     if isinstance(scale, FigureMap):
         linear = np.array([(scale.xx, scale.xy), (scale.yx, scale.yy)])
     else:
         linear = np.diag(device_map(sheet)[:2])
     # x = c + A (rx cos t, ry sin t) reaches as far as the rows of A diag(rx, ry) are long.
-    half = np.hypot(*(linear * (rx, ry)).T)
+    half = np.hypot(*(linear * figure.radii_world).T)
     middle = np.array(scale.point(centre.x, centre.y))
     return np.array([middle - half, middle + half])

@@ -15,8 +15,6 @@ from workbench.algorithms.entry import Entry
 from workbench.algorithms.viewing import window_to_viewport
 from workbench.document.model import (
     AnyFigure,
-    Circle,
-    Ellipse,
     Polygon,
     Rectangle,
     Sheet,
@@ -128,14 +126,6 @@ def box(rectangle: Rectangle) -> Box:
     return rectangle.xmin, rectangle.ymin, rectangle.xmax, rectangle.ymax
 
 
-@lru_cache(maxsize=64)
-def _device_map(window: Box, viewport: Box, mode: str) -> DeviceMap:
-    if mode == "fill":
-        window = _seen_of(window, viewport)
-    matrix = window_to_viewport(window, viewport, mode != "stretch")
-    return DeviceMap(float(matrix[0, 0]), float(matrix[1, 1]), float(matrix[0, 2]), float(matrix[1, 2]))
-
-
 def _seen_of(window: Box, viewport: Box) -> Box:
     """The middle of a window that has the viewport's proportions."""
     (width, height), (wide, high) = ((r[2] - r[0], r[3] - r[1]) for r in (window, viewport))
@@ -144,9 +134,14 @@ def _seen_of(window: Box, viewport: Box) -> Box:
     return window[0] + x, window[1] + y, window[2] - x, window[3] - y
 
 
+@lru_cache(maxsize=64)
 def view_map(view: View) -> DeviceMap:
     """The map from a view's window (world) to its viewport (device)."""
-    return _device_map(box(view.window_world), box(view.viewport_device), view.mode)
+    window, viewport = box(view.window_world), box(view.viewport_device)
+    if view.mode == "fill":
+        window = _seen_of(window, viewport)
+    matrix = window_to_viewport(window, viewport, view.mode != "stretch")
+    return DeviceMap(float(matrix[0, 0]), float(matrix[1, 1]), float(matrix[0, 2]), float(matrix[1, 2]))
 
 
 def device_map(sheet: Sheet) -> DeviceMap:
@@ -192,7 +187,7 @@ def device_rings(
     return [corners[start:end] for start, end in pairwise(ends)], np.array(of, np.int64)
 
 
-def device_radii(sheet: Sheet, figure: Circle | Ellipse) -> tuple[float, float]:
-    """Radii in pixels along x and y, not yet rounded, of one that stays round."""
+def device_radii(sheet: Sheet, figure: AnyFigure) -> tuple[float, float]:
+    """Radii in pixels along x and y, not yet rounded, of one that stays round; 0 where it has none."""
     scale, (rx, ry) = device_map(sheet), radii_of(figure)
     return abs(scale.sx) * rx, abs(scale.sy) * ry

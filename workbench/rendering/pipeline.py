@@ -16,7 +16,6 @@ from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.document.model import (
     AnyFigure,
-    Circle,
     Ellipse,
     Polygon,
     Polyline,
@@ -159,10 +158,8 @@ def reach_of(sheet: Sheet, figure: AnyFigure) -> float:
     """How far the centre, the radii or the seed of a figure reach, in pixels; 0 for one that is clipped."""
     if not figure.points_world or is_lines(figure) or is_area(figure):
         return 0.0
-    assert isinstance(figure, Circle | Ellipse | SeedFill)
     x, y = figure_map(sheet, figure).point(figure.points_world[0].x, figure.points_world[0].y)
-    radii = () if isinstance(figure, SeedFill) else device_radii(sheet, figure)
-    return max(abs(x), abs(y), *radii)
+    return max(abs(x), abs(y), *device_radii(sheet, figure))
 
 
 def colour_of(sheet: Sheet, figure: AnyFigure) -> int:

@@ -55,15 +55,14 @@ def stays_round(figure: Round) -> bool:
         return True
     if isinstance(figure, Circle):
         return stays_circle(figure.matrix, figure.radius_world)
-    return axes_stay(figure.matrix, *_own_radii(figure))
+    return axes_stay(figure.matrix, *figure.radii_world)
 
 
-def radii_of(figure: Round) -> tuple[float, float]:
-    """Radii along x and y, world, of what the chain makes of one that stays round."""
+def radii_of(figure: AnyFigure) -> tuple[float, float]:
+    """Radii along x and y, world, of what the chain makes of one that stays round; 0 where it has none."""
     if figure.matrix is None:
-        return _own_radii(figure)
-    across, up = radii_under(figure.matrix, *_own_radii(figure))
-    return (across, across) if isinstance(figure, Circle) else (across, up)
+        return figure.radii_world
+    return figure.with_radii(*radii_under(figure.matrix, *figure.radii_world)).radii_world
 
 
 def reason(figure: AnyFigure) -> str:
@@ -80,11 +79,5 @@ def reason(figure: AnyFigure) -> str:
 def pieces_of_round(figure: Round) -> Pieces:
     """The exact curve before the chain, counter-clockwise from the right: rational quadratics, world."""
     centre = figure.points_world[0]
-    controls = _QUARTERS * _own_radii(figure) + (centre.x, centre.y)
+    controls = _QUARTERS * figure.radii_world + (centre.x, centre.y)
     return Pieces(np.arange(5.0), controls, _WEIGHTS)
-
-
-def _own_radii(figure: Round) -> tuple[float, float]:
-    if isinstance(figure, Circle):
-        return figure.radius_world, figure.radius_world
-    return figure.radius_x_world, figure.radius_y_world

@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.document.model import Line, Polyline, Sheet
+from workbench.document.model import Curve, Line, Polyline, Sheet
 from workbench.engine.at_hand import at_hand
 from workbench.rendering.curves import polylines_of
 from workbench.rendering.emissions import emitted
 from workbench.rendering.limits import clip_segments
 from workbench.rendering.mapping import Box, Call, device_points
-from workbench.rendering.rounds import Lines
+from workbench.rendering.rounds import Lines, Round
 
 Segment = tuple[float, float, float, float]
 Table = NDArray[np.float64]
@@ -32,21 +32,26 @@ class Segments(NamedTuple):
 
 def segments(sheet: Sheet, figures: Sequence[Lines]) -> Segments:
     """What figures are made of, not clipped; of a curve the chords that stand for it."""
-    curves = [k for k, figure in enumerate(figures) if not isinstance(figure, Line | Polyline)]
-    others = [k for k, figure in enumerate(figures) if isinstance(figure, Line | Polyline)]
+    curves: dict[int, Curve | Round] = {}
+    straight_ones: dict[int, Line | Polyline] = {}
+    for k, figure in enumerate(figures):
+        if isinstance(figure, Line | Polyline):
+            straight_ones[k] = figure
+        else:
+            curves[k] = figure
     if not curves:
-        return _straight(sheet, figures, np.arange(len(figures)))
-    chains = polylines_of(sheet, [figure for figure in figures if not isinstance(figure, Line | Polyline)])
-    chords = _chains(np.concatenate(chains), [len(chain) for chain in chains], np.array(curves))
-    if not others:
+        return _straight(sheet, list(straight_ones.values()), np.arange(len(figures)))
+    chains = polylines_of(sheet, list(curves.values()))
+    chords = _chains(np.concatenate(chains), [len(chain) for chain in chains], np.array(list(curves)))
+    if not straight_ones:
         return chords
-    straight = _straight(sheet, [figures[k] for k in others], np.array(others))
+    straight = _straight(sheet, list(straight_ones.values()), np.array(list(straight_ones)))
     of = np.concatenate([straight.of, chords.of])
     order = np.argsort(of, kind="stable")
     return Segments(np.concatenate([straight.table, chords.table])[order], of[order])
 
 
-def _straight(sheet: Sheet, figures: Sequence[Lines], numbers: NDArray[np.int64]) -> Segments:
+def _straight(sheet: Sheet, figures: Sequence[Line | Polyline], numbers: NDArray[np.int64]) -> Segments:
     chains = [
         (*figure.points_world, figure.points_world[0])
         if isinstance(figure, Polyline) and figure.closed and len(figure.points_world) > 2

@@ -54,7 +54,7 @@ class Following(QObject):
         before = lead.subject, lead.entry
         self._telling = True
         try:
-            lead.follow(subject, calls_of(session.sheet, subject), self._size)
+            self._follow(lead, subject)
             lead.landmarks = kind_of(subject).landmarks(session.sheet, subject)
             self.switch(stays=False)
             if subject.is_of(before[0]) and self._here == self._reached:
@@ -69,17 +69,17 @@ class Following(QObject):
             if other is None:
                 follower.clear()
             else:
-                follower.follow(other, calls_of(session.sheet, other), self._size)
+                self._follow(follower, other)
         self._lock()
+
+    def _follow(self, run: Run, subject: Subject) -> None:
+        sheet = self._session.sheet
+        run.follow_unheld(subject, lambda: calls_of(sheet, subject), (sheet.width_px, sheet.height_px))
 
     @property
     def _here(self) -> tuple[str, int]:
         """The workspace that is stepped in, and the step there."""
         return self._session.state.workspace, self._session.state.step
-
-    @property
-    def _size(self) -> tuple[int, int]:
-        return self._session.sheet.width_px, self._session.sheet.height_px
 
     def _compared(self, subject: Subject) -> list[Subject]:
         """What the followers run: what is compared of the subject, where the lead runs that itself."""

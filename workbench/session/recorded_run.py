@@ -1,7 +1,7 @@
 """The recording of one subject's run, made in the background and watched from the event loop."""
 
 import weakref
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
@@ -57,7 +57,7 @@ class RecordedRun(QObject):
         self.limit = LIMIT
         self.depth_limit = DEPTH_LIMIT
         self._held = False
-        self._deferred: tuple[Subject, Sequence[Call], tuple[int, int]] | None = None
+        self._deferred: Callable[[], None] | None = None
         self._recorder: Recorder | None = None
         self._begun = False
         self._abandoned: weakref.finalize[..., Any] | None = None
@@ -80,7 +80,7 @@ class RecordedRun(QObject):
             self.clear(kind_of(subject).invitation)
             return
         if self._held:
-            self._deferred = subject, calls, image_size
+            self._deferred = partial(self.follow, subject, calls, image_size)
             return
         entry, depth_limit = calls[0].entry, calls[0].recursion_limit or DEPTH_LIMIT
         arguments = tuple(call.arguments for call in calls if call.entry is entry)
@@ -94,6 +94,19 @@ class RecordedRun(QObject):
         self.entry, self.calls, self.subject, self.image_size = entry, arguments, subject, image_size
         self.depth_limit = depth_limit
         self._record(entry, 0)
+
+    def follow_unheld(
+        self, subject: Subject, calls: Callable[[], Sequence[Call]], image_size: tuple[int, int]
+    ) -> None:
+        """As ``follow``; while the run is held, what the ``calls`` would be is not even worked out."""
+
+        def follow() -> None:
+            self.follow(subject, calls(), image_size)
+
+        if self._held:
+            self._deferred = follow
+        else:
+            follow()
 
     def _record(self, entry: Entry, passed: int) -> None:
         copies = [tuple(a.copy() if isinstance(a, np.ndarray) else a for a in call) for call in self.calls]
@@ -191,7 +204,7 @@ class RecordedRun(QObject):
             self._recorder.go_on()
         if self._deferred is not None:
             deferred, self._deferred = self._deferred, None
-            self.follow(*deferred)
+            deferred()
 
     def stop(self) -> None:
         """Record no further; what is recorded stays."""

@@ -10,21 +10,10 @@ import numpy as np
 from workbench.algorithms import transforms
 from workbench.algorithms.transforms import Matrix
 from workbench.document.fields import Number
-from workbench.document.numbers import MAX_COORDINATE, coordinate
+from workbench.document.numbers import coordinate, factor, matrix_entry
 from workbench.document.transforms.chains import matrix_of
 from workbench.document.transforms.links import Elementary, Link
 from workbench.language import _
-
-LARGEST_ENTRY = 1e9
-
-
-def _factor(label: str, symbol: str, largest: float = MAX_COORDINATE) -> Number:
-    return Number(label=label, symbol=symbol, low=-largest, high=largest, keyed=True)
-
-
-def _entry(row: int, column: int) -> Number:
-    label = _("row {row}, column {column} of the matrix").format(row=row, column=column)
-    return _factor(label, f"m_{row}{column}", LARGEST_ENTRY)
 
 
 def _component(label: str, symbol: str) -> Number:
@@ -92,9 +81,9 @@ class Rotate3D(AboutPivot3D, frozen=True, tag="rotate", kw_only=True):
 class Scale3D(AboutPivot3D, frozen=True, tag="scale", kw_only=True):
     """Makes sx times as wide, sy times as high and sz times as deep, from the pivot."""
 
-    sx: Annotated[float, _factor(_("scale factor in x"), "s_x")] = 1.0
-    sy: Annotated[float, _factor(_("scale factor in y"), "s_y")] = 1.0
-    sz: Annotated[float, _factor(_("scale factor in z"), "s_z")] = 1.0
+    sx: Annotated[float, factor(_("scale factor in x"), "s_x")] = 1.0
+    sy: Annotated[float, factor(_("scale factor in y"), "s_y")] = 1.0
+    sz: Annotated[float, factor(_("scale factor in z"), "s_z")] = 1.0
 
     def _matrix(self) -> Matrix:
         return transforms.scaling_about_3d(self.sx, self.sy, self.sz, *self.pivot)
@@ -114,12 +103,12 @@ class Reflect3D(AboutPivot3D, frozen=True, tag="reflect", kw_only=True):
 class Shear3D(Link3D, frozen=True, tag="shear", kw_only=True):
     """x' = x + sh_xy (y - y_ref) + sh_xz (z - z_ref), and y' and z' likewise."""
 
-    sh_xy: Annotated[float, _factor(_("shear in x by y"), "sh_xy")] = 0.0
-    sh_xz: Annotated[float, _factor(_("shear in x by z"), "sh_xz")] = 0.0
-    sh_yx: Annotated[float, _factor(_("shear in y by x"), "sh_yx")] = 0.0
-    sh_yz: Annotated[float, _factor(_("shear in y by z"), "sh_yz")] = 0.0
-    sh_zx: Annotated[float, _factor(_("shear in z by x"), "sh_zx")] = 0.0
-    sh_zy: Annotated[float, _factor(_("shear in z by y"), "sh_zy")] = 0.0
+    sh_xy: Annotated[float, factor(_("shear in x by y"), "sh_xy")] = 0.0
+    sh_xz: Annotated[float, factor(_("shear in x by z"), "sh_xz")] = 0.0
+    sh_yx: Annotated[float, factor(_("shear in y by x"), "sh_yx")] = 0.0
+    sh_yz: Annotated[float, factor(_("shear in y by z"), "sh_yz")] = 0.0
+    sh_zx: Annotated[float, factor(_("shear in z by x"), "sh_zx")] = 0.0
+    sh_zy: Annotated[float, factor(_("shear in z by y"), "sh_zy")] = 0.0
     x_ref: Annotated[float, coordinate(_("x of the base line"), "x_ref")] = 0.0
     y_ref: Annotated[float, coordinate(_("y of the base line"), "y_ref")] = 0.0
     z_ref: Annotated[float, coordinate(_("z of the base line"), "z_ref")] = 0.0
@@ -132,18 +121,18 @@ class Shear3D(Link3D, frozen=True, tag="shear", kw_only=True):
 class Affine3D(Link3D, frozen=True, tag="matrix", kw_only=True):
     """x' = m11 x + m12 y + m13 z + m14, and y' and z' likewise; the last row of its matrix is 0 0 0 1."""
 
-    m11: Annotated[float, _entry(1, 1)] = 1.0
-    m12: Annotated[float, _entry(1, 2)] = 0.0
-    m13: Annotated[float, _entry(1, 3)] = 0.0
-    m14: Annotated[float, _entry(1, 4)] = 0.0
-    m21: Annotated[float, _entry(2, 1)] = 0.0
-    m22: Annotated[float, _entry(2, 2)] = 1.0
-    m23: Annotated[float, _entry(2, 3)] = 0.0
-    m24: Annotated[float, _entry(2, 4)] = 0.0
-    m31: Annotated[float, _entry(3, 1)] = 0.0
-    m32: Annotated[float, _entry(3, 2)] = 0.0
-    m33: Annotated[float, _entry(3, 3)] = 1.0
-    m34: Annotated[float, _entry(3, 4)] = 0.0
+    m11: Annotated[float, matrix_entry(1, 1)] = 1.0
+    m12: Annotated[float, matrix_entry(1, 2)] = 0.0
+    m13: Annotated[float, matrix_entry(1, 3)] = 0.0
+    m14: Annotated[float, matrix_entry(1, 4)] = 0.0
+    m21: Annotated[float, matrix_entry(2, 1)] = 0.0
+    m22: Annotated[float, matrix_entry(2, 2)] = 1.0
+    m23: Annotated[float, matrix_entry(2, 3)] = 0.0
+    m24: Annotated[float, matrix_entry(2, 4)] = 0.0
+    m31: Annotated[float, matrix_entry(3, 1)] = 0.0
+    m32: Annotated[float, matrix_entry(3, 2)] = 0.0
+    m33: Annotated[float, matrix_entry(3, 3)] = 1.0
+    m34: Annotated[float, matrix_entry(3, 4)] = 0.0
 
     def _matrix(self) -> Matrix:
         rows = [[getattr(self, f"m{row}{column}") for column in range(1, 5)] for row in range(1, 4)]

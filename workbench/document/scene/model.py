@@ -5,9 +5,9 @@ from typing import Annotated, ClassVar
 import msgspec
 
 from workbench.document.fields import Choice, Number
-from workbench.document.numbers import MAX_COORDINATE, coordinate
+from workbench.document.numbers import LARGEST_ENTRY, MAX_COORDINATE, coordinate
 from workbench.document.parts import WithParts
-from workbench.document.scene.links import LARGEST_ENTRY, Transformed3D
+from workbench.document.scene.links import Transformed3D
 from workbench.document.scene.solids import AnySolid, mesh_over
 from workbench.geometry.meshes import Mesh
 from workbench.language import _

@@ -204,18 +204,16 @@ def apply_to_points(addresses: Iterable[Address | str], matrix: Matrix) -> Edit:
 def _with_points_moved(figure: AnyFigure, chosen: set[str], matrix: Matrix) -> AnyFigure:
     points = figure.points_world
     numbers = {k for k, point in enumerate(points) if point.id in chosen}
-    path = isinstance(figure, Curve) and is_path(figure)
-    if path:
-        assert isinstance(figure, Curve)
-        carried = [handles_of(figure, k) for k in numbers if k % 3 == 0]
+    path = figure if isinstance(figure, Curve) and is_path(figure) else None
+    if path is not None:
+        carried = [handles_of(path, k) for k in numbers if k % 3 == 0]
         numbers |= {handle for both in carried for handle in both if handle is not None}
     order = sorted(numbers)
     new = dict(zip(order, moved_points(tuple(points[k] for k in order), matrix), strict=True))
     after = replace(figure, points_world=tuple(new.get(k, point) for k, point in enumerate(points)))
-    if not path:
+    if path is None:
         return after
-    assert isinstance(figure, Curve)
-    return moved(figure, with_followers(figure, {point.id: (point.x, point.y) for point in new.values()}))
+    return moved(path, with_followers(path, {point.id: (point.x, point.y) for point in new.values()}))
 
 
 @checked

@@ -20,12 +20,7 @@ def expressed(figure: AnyFigure, matrix: Matrix) -> AnyFigure | str:
     if sentence := _beyond(figure, matrix):
         return sentence
     figure = replace(figure, points_world=moved_points(figure.points_world, matrix))
-    if isinstance(figure, Circle):
-        return replace(figure, radius_world=radii_under(matrix, figure.radius_world, figure.radius_world)[0])
-    if isinstance(figure, Ellipse):
-        radii = radii_under(matrix, figure.radius_x_world, figure.radius_y_world)
-        return replace(figure, radius_x_world=radii[0], radius_y_world=radii[1])
-    return figure
+    return figure.with_radii(*radii_under(matrix, *figure.radii_world))
 
 
 def _beyond(figure: AnyFigure, matrix: Matrix) -> str:

@@ -13,23 +13,11 @@ import numpy as np
 
 from workbench.algorithms import transforms
 from workbench.algorithms.transforms import Matrix
-from workbench.document.fields import Choice, Number
-from workbench.document.numbers import MAX_COORDINATE, coordinate
+from workbench.document.fields import Choice
+from workbench.document.numbers import coordinate, factor, matrix_entry
 from workbench.language import _
 
-LARGEST_ENTRY = 1e9
-"""Of a matrix that is given as six numbers."""
-
 MIRRORS = ("line", "point")
-
-
-def _factor(label: str, symbol: str, largest: float = MAX_COORDINATE) -> Number:
-    return Number(label=label, symbol=symbol, low=-largest, high=largest, keyed=True)
-
-
-def _entry(row: int, column: int) -> Number:
-    label = _("row {row}, column {column} of the matrix").format(row=row, column=column)
-    return _factor(label, f"m_{row}{column}", LARGEST_ENTRY)
 
 
 _ANGLE = coordinate(_("angle"), "θ", "°")
@@ -128,8 +116,8 @@ class Rotate(AboutPivot, frozen=True, tag="rotate", kw_only=True):
 class Scale(AboutPivot, frozen=True, tag="scale", kw_only=True):
     """Makes sx times as wide and sy times as high, from the pivot."""
 
-    sx: Annotated[float, _factor(_("scale factor in x"), "s_x")] = 1.0
-    sy: Annotated[float, _factor(_("scale factor in y"), "s_y")] = 1.0
+    sx: Annotated[float, factor(_("scale factor in x"), "s_x")] = 1.0
+    sy: Annotated[float, factor(_("scale factor in y"), "s_y")] = 1.0
 
     def _matrix(self) -> Matrix:
         return transforms.scaling_about(self.sx, self.sy, self.x_pivot, self.y_pivot)
@@ -161,8 +149,8 @@ class Reflect(AboutPivot, frozen=True, tag="reflect", kw_only=True):
 class Shear(Link, frozen=True, tag="shear", kw_only=True):
     """x' = x + sh_x (y - y_ref), y' = y + sh_y (x - x_ref), with the base lines x = x_ref and y = y_ref."""
 
-    sh_x: Annotated[float, _factor(_("shear in x"), "sh_x")] = 0.0
-    sh_y: Annotated[float, _factor(_("shear in y"), "sh_y")] = 0.0
+    sh_x: Annotated[float, factor(_("shear in x"), "sh_x")] = 0.0
+    sh_y: Annotated[float, factor(_("shear in y"), "sh_y")] = 0.0
     x_ref: Annotated[float, coordinate(_("x of the base line"), "x_ref")] = 0.0
     y_ref: Annotated[float, coordinate(_("y of the base line"), "y_ref")] = 0.0
 
@@ -177,12 +165,12 @@ class Shear(Link, frozen=True, tag="shear", kw_only=True):
 class Affine(Link, frozen=True, tag="matrix", kw_only=True):
     """x' = m11 x + m12 y + m13, y' = m21 x + m22 y + m23; the last row of its matrix is 0 0 1."""
 
-    m11: Annotated[float, _entry(1, 1)] = 1.0
-    m12: Annotated[float, _entry(1, 2)] = 0.0
-    m13: Annotated[float, _entry(1, 3)] = 0.0
-    m21: Annotated[float, _entry(2, 1)] = 0.0
-    m22: Annotated[float, _entry(2, 2)] = 1.0
-    m23: Annotated[float, _entry(2, 3)] = 0.0
+    m11: Annotated[float, matrix_entry(1, 1)] = 1.0
+    m12: Annotated[float, matrix_entry(1, 2)] = 0.0
+    m13: Annotated[float, matrix_entry(1, 3)] = 0.0
+    m21: Annotated[float, matrix_entry(2, 1)] = 0.0
+    m22: Annotated[float, matrix_entry(2, 2)] = 1.0
+    m23: Annotated[float, matrix_entry(2, 3)] = 0.0
 
     @classmethod
     def of(cls, identity: str, matrix: Matrix) -> "Affine":

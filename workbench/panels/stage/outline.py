@@ -1,14 +1,17 @@
 """The ideal geometry of figures in device coordinates: drawn thin over the pixels, and pointed at."""
 
+from functools import lru_cache
+
 import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, SeedFill, Sheet
+from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, SeedFill, Sheet, View
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering import display_list, figure_map, painter_of
 from workbench.rendering.memory import Memory
+from workbench.rendering.pipeline import fills
 from workbench.widgets.canvas.overlay import Handle
 
 Curve = NDArray[np.float64]
@@ -18,8 +21,13 @@ _FLATNESS_PX = 0.005  # no corner is seen where a pixel is forty large
 
 def outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
     """The whole figure as open polylines, each (n, 2), in every view, clipped to its viewport alone."""
-    views = tuple(replace(view, clip_world=None) for view in sheet.views)
+    views = _unclipped(sheet.views)
     return _outlines.get((views, figure), lambda: _outline(replace(sheet, figures=(figure,), views=views)))
+
+
+@lru_cache(maxsize=16)
+def _unclipped(views: tuple[View, ...]) -> tuple[View, ...]:
+    return tuple(replace(view, clip_world=None) for view in views)
 
 
 def clipped_outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
@@ -80,7 +88,7 @@ def _area_at(sheet: Sheet, x: int, y: int) -> AnyFigure | None:
     figure = sheet.figures[index] if index >= 0 else None
     if figure is None:
         return None
-    filled = isinstance(figure, SeedFill) or catalogue.get(figure.drawn_with).emits == "spans"
+    filled = fills(figure) or catalogue.get(figure.drawn_with).emits == "spans"
     return figure if filled else None
 
 

@@ -14,7 +14,8 @@ from workbench.exchange.frames import Picture as Frame
 from workbench.exchange.writing import FileFormat, Progress, Put, of_kind, whole
 from workbench.exchange.written import FORMATS as WINDOWLESS
 from workbench.widgets.canvas.overlay import Overlay
-from workbench.widgets.canvas.painter import Picture, Scene, paint_rulers, paint_scene, ruler_sizes
+from workbench.widgets.canvas.painter import Picture, Scene, paint_scene
+from workbench.widgets.canvas.rulers import paint_rulers, ruler_sizes
 from workbench.widgets.canvas.view import Area, fitted
 from workbench.widgets.look.tokens import LIGHT
 
@@ -56,7 +57,7 @@ class Page:
         view = fitted(area, *self.picture.size, round(8 * unit), largest=4096)
         scene = Scene(area, view, self.picture.size, LIGHT, unit, font, self.overlay, vector)
         paint_scene(painter, self.picture, scene)
-        paint_rulers(painter, scene, None)
+        paint_rulers(painter, scene)
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRect, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen
+from PySide6.QtCore import QRect, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QImage, QPainter, QPen
 
 from workbench.algorithms.marks import Word
 from workbench.rendering.comparing import BOTH, ONLY_FIRST, ONLY_SECOND, TIE_FIRST, TIE_SECOND
@@ -14,7 +14,7 @@ from workbench.widgets.canvas.lines import paint_lines
 from workbench.widgets.canvas.mark_styles import sized
 from workbench.widgets.canvas.marks import paint_handles, paint_marks
 from workbench.widgets.canvas.overlay import Overlay
-from workbench.widgets.canvas.view import Area, CanvasView, label_step
+from workbench.widgets.canvas.view import Area, CanvasView
 from workbench.widgets.look.tokens import Tokens, colour
 
 GRID_FROM, GAP_FROM = 6, 8
@@ -235,64 +235,3 @@ def _paint_curves(painter: QPainter, scene: Scene) -> None:
     for pen, curves in ((muted, scene.overlay.ideal), (accent, scene.overlay.outlined)):
         paint_lines(painter, scene, curves, pen)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-
-
-def ruler_sizes(scene_font: QFont, size: tuple[int, int], unit: float) -> tuple[int, int]:
-    """Width of the left ruler and height of the lower one, in screen pixels."""
-    font = QFont(scene_font)
-    font.setPixelSize(max(1, round(CAPTION * unit)))
-    metrics = QFontMetricsF(font)
-    digits = len(str(max(1, size[1] - 1)))
-    return round(metrics.horizontalAdvance("0" * max(2, digits)) + 10 * unit), round(
-        metrics.height() + 4 * unit
-    )
-
-
-def paint_rulers(painter: QPainter, scene: Scene, pointed: tuple[int, int] | None) -> None:
-    """Axis numbers below and left of ``scene.area``; those of the ``pointed`` cell are emphasised."""
-    if scene.overlay.plane:
-        return
-    area, view, tokens = scene.area, scene.view, scene.tokens
-    font = scene.caption()
-    painter.setFont(font)
-    metrics = QFontMetricsF(font)
-    ruler_width, ruler_height = ruler_sizes(scene.font, scene.size, scene.unit)
-    hair = max(1, int(scene.unit))
-    painter.fillRect(
-        area.left - ruler_width, area.top, ruler_width, area.height + ruler_height, QColor(tokens.surface)
-    )
-    painter.fillRect(area.left, area.bottom, area.width, ruler_height, QColor(tokens.surface))
-    painter.fillRect(area.left - hair, area.top, hair, area.height, QColor(tokens.line))
-    painter.fillRect(area.left - hair, area.bottom, area.width + hair, hair, QColor(tokens.line))
-    widest = metrics.horizontalAdvance(str(max(scene.size)))
-    across = label_step(view.cell, widest + 10 * scene.unit)
-    upward = label_step(view.cell, metrics.height() + 6 * scene.unit)
-    seen = view.visible(area, *scene.size)
-    if seen is None:
-        return
-    tick = round(3 * scene.unit)
-    for horizontal, first, last, step in (
-        (True, seen[0], seen[1], across),
-        (False, seen[2], seen[3], upward),
-    ):
-        here = None if pointed is None else pointed[0 if horizontal else 1]
-        numbers = dict.fromkeys(range(-(-first // step) * step, last + 1, step), False)
-        if here is not None and first <= here <= last:
-            room = widest + 4 * scene.unit if horizontal else metrics.height()
-            numbers = {n: False for n in numbers if abs(n - here) * view.cell >= room}
-            numbers[here] = True
-        for number, strong in numbers.items():
-            painter.setPen(QColor(tokens.text if strong else tokens.muted))
-            middle_x, middle_y = view.to_screen(number, number)
-            text = str(number)
-            if horizontal:
-                wide = metrics.horizontalAdvance(text)
-                left = min(max(middle_x - wide / 2, area.left + 1), area.right - wide - 1)
-                painter.fillRect(round(middle_x), area.bottom, hair, tick, painter.pen().color())
-                painter.drawText(QPointF(left, area.bottom + 2 * scene.unit + metrics.ascent()), text)
-            else:
-                wide = metrics.horizontalAdvance(text)
-                base = middle_y + (metrics.ascent() - metrics.descent()) / 2
-                base = min(max(base, area.top + metrics.ascent()), area.bottom - metrics.descent())
-                painter.fillRect(area.left - tick, round(middle_y), tick, hair, painter.pen().color())
-                painter.drawText(QPointF(area.left - tick - 2 * scene.unit - wide, base), text)

@@ -13,14 +13,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from workbench.language import _
 from workbench.widgets.canvas.marks import paint_label, ring
 from workbench.widgets.canvas.overlay import Cell, Overlay, Still
-from workbench.widgets.canvas.painter import (
-    Picture,
-    Scene,
-    paint_over,
-    paint_rulers,
-    paint_scene,
-    ruler_sizes,
-)
+from workbench.widgets.canvas.painter import Picture, Scene, paint_over, paint_scene
+from workbench.widgets.canvas.rulers import Rulers, paint_rulers, ruler_sizes
 from workbench.widgets.canvas.view import Area, CanvasView, centred, fitted
 from workbench.widgets.look.tokens import theme_changed, tokens
 
@@ -41,6 +35,7 @@ class CanvasSurface(QWidget):
         self.setAccessibleName(_("Picture"))
         self._picture = Picture(np.zeros((1, 1), np.uint32), 0)
         self._overlay = Overlay()
+        self._rulers = Rulers()
         self._view = CanvasView()
         self._keeps_fit = True
         self._covered = 0
@@ -276,7 +271,7 @@ class CanvasSurface(QWidget):
             painter = QPainter(self._frame)
             painter.drawImage(0, 0, self._still_frame(scene, still))
             paint_over(painter, scene)
-        paint_rulers(painter, scene, self._cursor or self._hover)
+        self._rulers.paint(painter, scene, self._cursor or self._hover)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if self._pointed is not None:
             self._paint_ring(painter, scene, self._pointed)
@@ -343,6 +338,6 @@ class CanvasSurface(QWidget):
         image.fill(QColor(scene.tokens.surface))
         painter = QPainter(image)
         paint_scene(painter, self._picture, scene)
-        paint_rulers(painter, scene, None)
+        paint_rulers(painter, scene)
         painter.end()
         return image

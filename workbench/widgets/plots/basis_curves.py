@@ -151,8 +151,7 @@ class BasisCurves(ParameterPlot):
         self._value = pyqtgraph.TextItem()
         self._value.setFont(self._font())
         self._value.setZValue(3)
-        for item in (self._bold, self._value):
-            self._plot.addItem(item, ignoreBounds=True)
+        self._lay(self._bold, self._value)
 
     def _pen(self, number: int, width: float) -> QPen:
         style = PATTERNS[("solid", "dash", "dot")[number // DATA_INKS % 3]]
@@ -191,8 +190,7 @@ class BasisCurves(ParameterPlot):
             self._labels.append(pyqtgraph.TextItem())
             self._labels[-1].setFont(self._font())
             self._labels[-1].textItem.document().setDocumentMargin(0)
-            for item in (self._lines[-1], self._labels[-1]):
-                self._plot.addItem(item, ignoreBounds=True)
+            self._lay(self._lines[-1], self._labels[-1], kept=True)
 
     def _place_names(self) -> None:
         """Each name above its peak, where there is room."""

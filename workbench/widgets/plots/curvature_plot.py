@@ -126,8 +126,7 @@ class CurvaturePlot(ParameterPlot):
         self._joint_lines = pyqtgraph.PlotCurveItem(connect="pairs")
         self._line = pyqtgraph.PlotCurveItem(connect="finite", antialias=True)
         self._rings = pyqtgraph.ScatterPlotItem(size=8)
-        for item in (self._zero, self._joint_lines, self._line, self._rings):
-            self._plot.addItem(item, ignoreBounds=True)
+        self._lay(self._zero, self._joint_lines, self._line, self._rings, kept=True)
 
     def _restyle(self) -> None:
         now = tokens()

@@ -73,7 +73,7 @@ class DepthPlot(Plot):
 
         self._curve = self._plot.plot([], [], antialias=True)
         self._limit_line = pyqtgraph.InfiniteLine(angle=0)
-        self._plot.addItem(self._limit_line, ignoreBounds=True)
+        self._lay(self._limit_line)
 
     def _restyle(self) -> None:
         now = tokens()

@@ -170,8 +170,8 @@ class HodographPlot(ScrubbedPlot):
         self._line = pyqtgraph.PlotCurveItem(connect="finite", antialias=True)
         self._arrow = pyqtgraph.PlotCurveItem(antialias=True)
         self._spots.setSize(_SPOT_PX)
-        for item in (*self._axes, self._line, self._arrow):
-            self._plot.addItem(item, ignoreBounds=True)
+        self._lay(*self._axes, self._line, kept=True)
+        self._lay(self._arrow)
 
     def _restyle(self) -> None:
         now = tokens()

@@ -158,11 +158,11 @@ class ParameterPlot(ScrubbedPlot):
         self._plot.showGrid(x=False, y=False)
         self._grid = pyqtgraph.PlotCurveItem(connect="pairs")  # the axes' own is drawn anew with every line
         self._grid.setZValue(-2)
-        self._plot.addItem(self._grid, ignoreBounds=True)
+        self._lay(self._grid, kept=True)
         self._shades = [pyqtgraph.LinearRegionItem(movable=False) for _side in range(2)]
         for shade in self._shades:
             shade.setZValue(-1)
-            self._plot.addItem(shade, ignoreBounds=True)
+        self._lay(*self._shades, kept=True)
         self._limit()
         self._plot.setXRange(*self._view, padding=0)
         self._plot.getPlotItem().vb.sigXRangeChanged.connect(lambda _box, view: self._see(tuple(view)))

@@ -16,7 +16,7 @@ from PySide6.QtGui import (
     QPen,
     QShowEvent,
 )
-from PySide6.QtWidgets import QLabel, QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGraphicsItem, QLabel, QMenu, QVBoxLayout, QWidget
 
 from workbench.exchange.tables import Table
 from workbench.language import _
@@ -28,6 +28,7 @@ _ZOOM = 0.8
 _AXIS_PX = 48
 _GRID = 0.45
 _STEPS_TEN = 10
+_KEPT = QGraphicsItem.CacheMode.DeviceCoordinateCache
 
 
 def pen_of(ink: QColor | str, width: float = 0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
@@ -132,12 +133,20 @@ class Plot(QWidget):
             axis = self._plot.getAxis(side)
             axis.enableAutoSIPrefix(False)
             axis.setStyle(tickFont=self._font(), tickTextOffset=4, tickLength=-4)
+            axis.setCacheMode(_KEPT)
         self._plot.getAxis("left").setWidth(_AXIS_PX)
         self._plot.showGrid(y=True, alpha=_GRID)
         self._begin()
-        self._plot.addItem(self._cursor_line, ignoreBounds=True)
+        self._lay(self._cursor_line)
         self._column.insertWidget(self._column.indexOf(self.caption) + 1, self._plot, 1)
         self._take_theme()
+
+    def _lay(self, *items: Any, kept: bool = False) -> None:
+        """Lay items on the plot, whatever its range; ``kept`` ones are painted once, not with each cursor."""
+        for item in items:
+            if kept:
+                item.setCacheMode(_KEPT)
+            self._plot.addItem(item, ignoreBounds=True)
 
     def _font(self) -> QFont:
         font = QFont(self.font())

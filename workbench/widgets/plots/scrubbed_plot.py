@@ -136,7 +136,7 @@ class ScrubbedPlot(Plot):
         self._cursor_line.addMarker("v", 0.96, 10)
         self._spots = pyqtgraph.ScatterPlotItem(size=_SPOT_PX)
         self._spots.setZValue(2)
-        self._plot.addItem(self._spots, ignoreBounds=True)
+        self._lay(self._spots)
         self._plot.viewport().installEventFilter(self)
 
     def _restyle(self) -> None:

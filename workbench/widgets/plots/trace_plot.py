@@ -164,7 +164,7 @@ class TracePlot(Plot):
         ]
         for line in self._rules:
             line.setZValue(-1)
-            self._plot.addItem(line, ignoreBounds=True)
+            self._lay(line)
 
     def _heights(self, values: Any) -> Any:
         return np.log10(np.maximum(values, _LEAST)) if self._logarithmic else values
