@@ -22,6 +22,10 @@ _stack_size = threading.Lock()  # there is one for all threads
 _started: dict["Thread", Callable[[], None]] = {}
 
 
+def _nothing() -> None:
+    """What is left to do once it is done."""
+
+
 class Thread(threading.Thread):
     """A thread for ``work``. ``stop`` asks it to end, and is called from another one.
 
@@ -65,6 +69,7 @@ class Thread(threading.Thread):
             self._work()
         finally:
             _started.pop(self, None)
+            self._work = self._stop_work = _nothing  # what they hold is free to go
             self._ended.set()
 
     def finish(self) -> None:

@@ -12,7 +12,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from inspect import CO_GENERATOR
 from types import CodeType, FrameType, TracebackType
@@ -363,12 +363,10 @@ class Recorder:
 
     def start(self) -> bool:
         """Begin; False when the system gives no more threads now."""
-        try:
-            with background.large_stacks():
-                self._thread.start()
-        except RuntimeError:
-            return False
-        return True
+        with suppress(RuntimeError), background.large_stacks():
+            self._thread.start()
+            return True
+        return False
 
     def wait_for_first(self, timeout: float) -> None:
         """Wait until the first slice is recorded, or all there is; at most ``timeout`` seconds."""

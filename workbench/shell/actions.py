@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QKeySequence
 
 from workbench.language import _
+from workbench.shell.theme import choose_theme
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -248,7 +249,7 @@ def commands() -> tuple[Command, ...]:
         Command(
             "light_theme",
             _("Light theme"),
-            lambda w: w.choose_theme("light"),
+            lambda w: choose_theme(w, "light"),
             (),
             "sun",
             _("Dark words on light"),
@@ -258,7 +259,7 @@ def commands() -> tuple[Command, ...]:
         Command(
             "dark_theme",
             _("Dark theme"),
-            lambda w: w.choose_theme("dark"),
+            lambda w: choose_theme(w, "dark"),
             (),
             "moon",
             _("Light words on dark"),

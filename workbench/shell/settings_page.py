@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QPushBu
 
 from workbench.language import _
 from workbench.shell.pages import Page, heading, paragraph
+from workbench.shell.theme import choose_theme
 from workbench.widgets.look.comfort import comfort
 
 if TYPE_CHECKING:
@@ -71,9 +72,7 @@ class SettingsPage(Page):
         return box
 
     def _take_theme(self) -> None:
-        choice = self.theme.currentData()
-        self._window.settings.set("theme", choice)
-        self._window.themes.choose(choice)
+        choose_theme(self._window, self.theme.currentData())
 
     def _take_ask_first(self, on: bool) -> None:
         if self._window.session is not None:

@@ -1,11 +1,16 @@
 """Puts a theme on the whole program: Qt's palette, the style sheet, the tokens that painted widgets read."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QColor, QFont, QPalette
 from PySide6.QtWidgets import QApplication, QMainWindow
 
 from workbench.shell.style_sheet import style_sheet
 from workbench.widgets.look.tokens import DARK, LIGHT, TEXT_PX, Tokens, theme
+
+if TYPE_CHECKING:
+    from workbench.shell.window import MainWindow
 
 CHOICES = ("system", "light", "dark")
 _LARGE = 1.25
@@ -106,3 +111,9 @@ class ThemeSwitch(QObject):
         On the application Qt would go through every widget once for each of its ancestors.
         """
         window.setStyleSheet(self._sheet)
+
+
+def choose_theme(window: "MainWindow", name: str) -> None:
+    """Take a theme of CHOICES, also the next time."""
+    window.settings.set("theme", name)
+    window.themes.choose(name)

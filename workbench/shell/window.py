@@ -332,11 +332,6 @@ class MainWindow(QMainWindow):
         if self.place in self._offered:
             getattr(self.session.run, name)()
 
-    def choose_theme(self, name: str) -> None:
-        """Take the light or the dark theme, also the next time."""
-        self.settings.set("theme", name)
-        self.themes.choose(name)
-
     def toggle_detail(self) -> None:
         """Change between rows and lines."""
         self.session.run.set_detail(not self.session.run.detail)

@@ -39,9 +39,7 @@ def spline_tween(
     # Take the slopes of the straight lines between the keys
     refuse_track(frames, values, tensions, continuities, biases)
     n = len(frames)
-    slopes = [
-        (float(values[k + 1]) - float(values[k])) / float(frames[k + 1] - frames[k]) for k in range(n - 1)
-    ]
+    slopes = [slope_after(frames, values, k) for k in range(n - 1)]
     leaving = slopes[:0]
     arriving = slopes[:0]
 
@@ -66,6 +64,11 @@ def spline_tween(
 
     # Show the last key as it is
     yield int(frames[n - 1]), float(values[n - 1])
+
+
+def slope_after(frames: NDArray[Any], values: NDArray[Any], k: int) -> float:
+    """The slope, by frame, of the straight line from key k to the next."""
+    return (float(values[k + 1]) - float(values[k])) / float(frames[k + 1] - frames[k])
 
 
 def nearness(frames: NDArray[Any], k: int) -> float:

@@ -27,9 +27,8 @@ class LitPlace(NamedTuple):
 
 def lit_corner(vertices: Array, intensities: Array, k: int) -> LitCorner:
     """Vertex k, (n, 3), with its intensity, (n,)."""
-    return LitCorner(
-        float(vertices[k, 0]), float(vertices[k, 1]), float(vertices[k, 2]), float(intensities[k])
-    )
+    x, y, z = vertices[k, 0], vertices[k, 1], vertices[k, 2]
+    return LitCorner(float(x), float(y), float(z), float(intensities[k]))
 
 
 def lit_corners_of(

@@ -6,6 +6,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.animation import morph, slerp, spline_tween, tween
 from workbench.algorithms.marks import Frame, Mark
 from workbench.document.fields import Number
 from workbench.document.model import Sheet
@@ -19,7 +20,7 @@ from workbench.rendering.mapping import Call
 from workbench.rendering.subjects.registry import Given, SubjectKind, mapped, register
 
 KIND = "track"
-TWEEN, SPLINE_TWEEN, MORPH, SLERP = "tween", "spline_tween", "morph", "slerp"
+TWEEN, SPLINE_TWEEN, MORPH, SLERP = (text.__name__ for text in (tween, spline_tween, morph, slerp))
 _SHAPES = ("tension", "continuity", "bias")
 
 
