@@ -351,6 +351,13 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
         """The slug that clips polygons, likewise."""
         return self.polygon_clipper if self.polygon_clipper in POLYGON_CLIPPERS else POLYGON_CLIPPERS[0]
 
+    def place_of(self, figure: str) -> int:
+        """The place among the figures, from the back, of the one with this id; -1 where there is none.
+
+        In another frame a figure is another value, so it is not looked for as such.
+        """
+        return next((place for place, each in enumerate(self.figures) if each.id == figure), -1)
+
     @property
     def things(self) -> tuple[Any, ...]:
         """What has an id of its own and parts: figures, what the scene is made of, and tracks."""

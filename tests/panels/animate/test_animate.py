@@ -187,6 +187,20 @@ def test_moved_in_a_frame_with_auto_key_on_it_gets_keys(qtbot, panel: AnimatePan
     assert circle.points_world[0].x == 18.0
 
 
+def test_a_figure_that_moves_changes_its_place_in_any_frame(panel: AnimatePanel) -> None:
+    session = panel.session
+    session.frames.show(24)
+    ball = session.sheet.figures[-1]
+    session.update_state(selection=(ball.id,), active=ball.id)
+    settle()
+    assert panel.selected() != [ball]  # it is elsewhere in this frame
+    panel.shift_order(-1)
+    assert session.sheet.place_of(ball.id) == len(session.sheet.figures) - 2
+    panel.shift_order(1)
+    panel.shift_order(1)
+    assert session.sheet.place_of(ball.id) == len(session.sheet.figures) - 1
+
+
 def test_what_is_typed_wrong_is_said(qtbot, panel: AnimatePanel) -> None:
     said: list[str] = []
     panel.hover_text.connect(said.append)

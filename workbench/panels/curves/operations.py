@@ -209,7 +209,7 @@ class CurveOperations(CurveCommands):
             kept = corners[:-1] if around else corners
             points = tuple(WorldPoint("", x, y) for x, y in np.round(kept, 9).tolist())
             line = Polyline("", points, curve.algorithm, curve.colour, curve.name, closed=around)
-            place = sheet.figures.index(curve)
+            place = sheet.place_of(curve.id)
             edit = both(add_figure(sheet.id, line, place), remove_figures([curve.id]))
             if self.apply(edit, _("Convert the curve")):
                 made = self.session.sheet.figures[place].id

@@ -100,7 +100,7 @@ class FillCard(ParameterCard):
     def _problem(self, fill: SeedFill) -> str:
         sheet = self._session.sheet
         seed = snapped(*figure_map(sheet, fill).point(fill.points_world[0].x, fill.points_world[0].y))
-        place = sheet.figures.index(fill)
+        place = sheet.place_of(fill.id)
         return seed_problem(self._session, seed, fill.drawn_with, fill.colour, fill.boundary, place)
 
     def say_verdict(self, sentence: str) -> None:

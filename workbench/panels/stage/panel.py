@@ -340,8 +340,8 @@ class FigurePanel(PlainPanel, QWidget):
 
     def shift_order(self, by: int) -> None:
         """Move the selected figure one place to the front (or back)."""
-        chosen, figures = self.selected(), self.session.sheet.figures
-        if len(chosen) == 1 and 0 <= (place := figures.index(chosen[0]) + by) < len(figures):
+        chosen, sheet = self.selected(), self.session.sheet
+        if len(chosen) == 1 and 0 <= (place := sheet.place_of(chosen[0].id) + by) < len(sheet.figures):
             self.apply(reorder(chosen[0].id, place), _("Change order"))
 
     def ask_why(self) -> None:
