@@ -201,6 +201,22 @@ def test_a_figure_that_moves_changes_its_place_in_any_frame(panel: AnimatePanel)
     assert session.sheet.place_of(ball.id) == len(session.sheet.figures) - 1
 
 
+def test_a_figure_whose_colour_changes_is_copied_and_cut_in_any_frame(panel: AnimatePanel) -> None:
+    session = panel.session
+    session.frames.show(24)
+    ball = session.sheet.figures[-1]
+    session.update_state(selection=(ball.id,), active=ball.id)
+    settle()
+    (seen,) = panel.selected()
+    assert seen.colour >= len(session.sheet.palette)  # a colour of this frame alone
+    assert panel.copy()
+    assert panel.cut()
+    assert session.sheet.place_of(ball.id) == -1
+    assert panel.paste()
+    settle()
+    assert session.sheet.figures[-1].colour == ball.colour
+
+
 def test_what_is_typed_wrong_is_said(qtbot, panel: AnimatePanel) -> None:
     said: list[str] = []
     panel.hover_text.connect(said.append)

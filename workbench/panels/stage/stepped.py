@@ -161,9 +161,11 @@ class SteppedPanel(FigurePanel):
         self.view.refresh(self.tool, self.handle_drag)
 
     def copy(self) -> bool:
-        """Put the selected figures on the clipboard, or with none selected the picture."""
-        if chosen := self.selected():
-            self.hover_text.emit(copy_figures(self.session.sheet, chosen))
+        """Put the selected figures on the clipboard, as they are drawn, or with none selected the picture."""
+        sheet, chosen = self.session.sheet, {figure.id for figure in self.selected()}
+        if chosen:
+            figures = [figure for figure in sheet.figures if figure.id in chosen]
+            self.hover_text.emit(copy_figures(sheet, figures))
         else:
             self.paper.copy_picture()
         return True
