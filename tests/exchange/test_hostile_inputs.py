@@ -40,7 +40,7 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
         (SVG, "svg('<style>' + 'a,' * 150_000 + 'b{fill:red}</style>')", "more than 10,000 selectors"),
         (
             SVG,
-            "svg('<style>' + ''.join(f'.a.b{k}{{fill:red}}' for k in range(9_000)) + '</style>'"
+            "svg('<style>' + ''.join(f'.b{k}.a{{fill:red}}' for k in range(9_000)) + '</style>'"
             """ + ''.join(f'<g class="a c{k}"/>' for k in range(40_000)))""",
             "too many rules",
         ),

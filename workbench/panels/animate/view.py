@@ -8,6 +8,7 @@ from workbench.panels.animate.path import alone, ghosts, path_marks
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.compose import Composition, Progress
 from workbench.panels.stage.view import FigureView
+from workbench.rendering.subjects.track import is_of_a_track
 from workbench.session.run import Run
 from workbench.session.session import Session
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
@@ -32,7 +33,7 @@ class AnimateView(FigureView):
         """The session's run when it is that of a track and something of it is recorded."""
         run = self.session.run
         return (
-            run if run.subject is not None and run.subject.kind == "track" and run.step is not None else None
+            run if run.subject is not None and is_of_a_track(run.subject) and run.step is not None else None
         )
 
     def progress(self) -> Progress | None:

@@ -16,7 +16,13 @@ from workbench.panels.transform.matrices import Matrices
 from workbench.panels.transform.space_rows import space_rows
 from workbench.panels.transform.space_scene import scene_of, stepped_turn
 from workbench.panels.transform.space_view import SpaceView
-from workbench.rendering.subjects.space_chain import KIND, VERTEX, object_of, vertex_of
+from workbench.rendering.subjects.space_chain import (
+    KIND,
+    VERTEX,
+    is_of_a_chain_in_space,
+    object_of,
+    vertex_of,
+)
 from workbench.session.session import Session
 from workbench.widgets.stepping.step_bar import stepping_keys
 
@@ -72,7 +78,7 @@ class SpacePage(QWidget):
         """The object whose transforms are shown: the chosen one of the scene, else what is stepped."""
         session = self._session
         subject = session.subject
-        if subject.kind != KIND or session.state.thing:
+        if not is_of_a_chain_in_space(subject) or session.state.thing:
             subject = Subject(KIND, (session.state.thing,))
         return object_of(session.sheet, subject)
 
@@ -82,7 +88,7 @@ class SpacePage(QWidget):
         run = self._session.run
         if self._lit is not None:
             return self._lit
-        if run.entry is None or run.subject is None or run.subject.kind != KIND:
+        if run.entry is None or run.subject is None or not is_of_a_chain_in_space(run.subject):
             return 0
         return stepped_turn(run.entry.slug, run.step_number)
 
@@ -111,7 +117,7 @@ class SpacePage(QWidget):
     def _follow(self, thing: Object) -> None:
         """Step what is shown."""
         subject = self._session.subject
-        if self.isVisible() and subject.kind == KIND and subject.ids != (thing.id,):
+        if self.isVisible() and is_of_a_chain_in_space(subject) and subject.ids != (thing.id,):
             self._session.update_state(subject=replace(subject, ids=(thing.id,)), step=0)
 
     def _point(self, number: int | None) -> None:
@@ -128,7 +134,7 @@ class SpacePage(QWidget):
     def next_vertex(self) -> None:
         """Follow the next vertex of the object."""
         thing, subject = self.thing, self._session.subject
-        if thing is not None and subject.kind == KIND:
+        if thing is not None and is_of_a_chain_in_space(subject):
             following = (vertex_of(thing, subject) + 1) % len(thing.mesh.vertices)
             arguments = {**subject.arguments, VERTEX: following}
             self._session.update_state(subject=replace(subject, arguments=arguments))

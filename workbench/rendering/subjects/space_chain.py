@@ -24,6 +24,11 @@ VERTEX = "vertex"
 _MOST_VERTICES = 2**31
 
 
+def is_of_a_chain_in_space(subject: Subject) -> bool:
+    """Whether the chain of an object of the scene is what is stepped."""
+    return subject.kind == KIND
+
+
 def object_of(sheet: Sheet, subject: Subject) -> Object | None:
     """The object that a subject names, else the first of the scene; None where there is none."""
     objects = sheet.scene.objects if sheet.scene else ()

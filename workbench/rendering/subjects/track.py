@@ -24,6 +24,11 @@ TWEEN, SPLINE_TWEEN, MORPH, SLERP = (text.__name__ for text in (tween, spline_tw
 _SHAPES = ("tension", "continuity", "bias")
 
 
+def is_of_a_track(subject: Subject) -> bool:
+    """Whether the frames between keys are what is stepped."""
+    return subject.kind == KIND
+
+
 def at_frame(target: str, frame: int) -> Subject:
     """The in-betweens of a track around a frame."""
     return Subject(KIND, arguments={"target": target, "frame": frame})
