@@ -108,9 +108,9 @@ def test_a_refusal_is_the_same_sentence(job: Job, said: str) -> None:
 
 
 @pytest.mark.parametrize("kind", ["points", "fit"])
-def test_points_that_are_not_utf_8_are_refused_as_every_text_is(tmp_path: Path, kind: str) -> None:
+def test_points_that_are_no_text_are_refused_as_every_text_is(tmp_path: Path, kind: str) -> None:
     path = tmp_path / "a.csv"
-    path.write_bytes("größe;y\n1;2\n".encode("latin-1"))
+    path.write_bytes(b"1;2\n\0\xff;4\n")
     with pytest.raises(DocumentError) as refusal:
         read_now(Job(kind, str(path), sheet=SHEET))
     with pytest.raises(DocumentError) as same:
@@ -120,6 +120,8 @@ def test_points_that_are_not_utf_8_are_refused_as_every_text_is(tmp_path: Path, 
         == str(same.value)
         == (f"{path} is not UTF-8 text; save it as UTF-8, or choose another file.")
     )
+    path.write_bytes("größe;y\n1;2\n3;4".encode("latin-1"))
+    assert read_now(Job("points", str(path))).tolist() == [[1, 2], [3, 4]]
     path.write_bytes(b"\xef\xbb\xbf1;2\n3;4\n")
     assert read_now(Job("points", str(path))).tolist() == [[1, 2], [3, 4]]
 

@@ -32,7 +32,7 @@ class Made:
     """Pictures that follow one another: 3 x 2 pixels, the first so many of them red."""
 
     def __init__(self, parts: int, seconds: float = 0.25) -> None:
-        self.parts, self.seconds = parts, seconds
+        self.parts, self.seconds, self.rests = parts, seconds, True
 
     def image(self, number: int) -> np.ndarray[Any, Any]:
         picture = np.full((2, 3, 3), 255, np.uint8)

@@ -168,7 +168,8 @@ class Copying:
     def __init__(self, window, path):
         pass
     def start(self):
-        copy_figures(list(example_document().sheets[0].figures))
+        sheet = example_document().sheets[0]
+        copy_figures(sheet, list(sheet.figures))
         QApplication.quit()
     def end(self):
         pass
