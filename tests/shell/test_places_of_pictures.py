@@ -42,4 +42,3 @@ def test_a_scene_is_shown_in_space_again_wherever_it_comes_from(qtbot: QtBot, tm
         come()
         qtbot.waitUntil(lambda: window.place == "space", timeout=20_000)
     leave(window)
-
