@@ -383,7 +383,7 @@ class ProjectionPage(QWidget):
             self._follow()
 
     def _say_scale(self) -> None:
-        self.zoom_text.emit(_("{scale:.3g} px a unit").format(scale=self.eye.scale))
+        self.zoom_text.emit(_("{scale:.3g} px per unit").format(scale=self.eye.scale))
 
     # The run
 
