@@ -7,6 +7,7 @@ from PySide6.QtCore import QPoint, Qt
 
 from tests.panels.by_hand import recorded, settle
 from tests.panels.viewing.hand import LEFT, NO_KEYS, drag, type_into, viewport, window
+from workbench.algorithms.marks import Word
 from workbench.document.model import MODES, Rectangle
 from workbench.document.storage.files import read
 from workbench.document.view_edits import set_mode, set_window
@@ -272,3 +273,21 @@ def test_a_refusal_goes_as_soon_as_the_rectangle_is_put_right_elsewhere(qtbot, s
     assert panel.card.complaint.text() == ""
     assert not any(field.field.property("wrong") for field in fields.values())
     assert fields["xmax"].field.text() == f"{panel.view.window_world.xmax:g}"
+
+
+def test_during_a_drag_the_numbers_stand_beside_the_pointer_alone(qtbot, session, panel):
+    def corners():
+        return [each for each in panel.left.plane._plane.drawn if isinstance(each, Word) and each.carded]
+
+    assert len(corners()) == 2
+    plane = panel.left.plane
+    right, top = window(panel)[2:]
+    start = plane.position(right, top).toPoint()
+    qtbot.mousePress(plane, LEFT, NO_KEYS, start)
+    qtbot.mouseMove(plane, start + QPoint(12, -9))
+    settle()
+    assert "to" in plane._tag
+    assert not corners()
+    qtbot.mouseRelease(plane, LEFT, NO_KEYS, start + QPoint(12, -9))
+    settle()
+    assert len(corners()) == 2
