@@ -166,10 +166,9 @@ def reach(sheet: Sheet, figure: AnyFigure | None) -> Area | None:
     if not len(places):
         return None
     size = np.array([sheet.width_px, sheet.height_px], np.float64)
-    (left, bottom), (right, top) = (
-        np.clip(ends, -_FARTHEST * size, (1 + _FARTHEST) * size).tolist()
-        for ends in (places.min(axis=0), places.max(axis=0))
-    )
+    low, high = -_FARTHEST * size, (1 + _FARTHEST) * size
+    left, bottom = np.clip(places.min(axis=0), low, high).tolist()
+    right, top = np.clip(places.max(axis=0), low, high).tolist()
     return left, bottom, right, top
 
 
