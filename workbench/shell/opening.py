@@ -24,6 +24,12 @@ def open_question(window: MainWindow, question: Question) -> None:
     _enter(window, question.workspace, example(question.example), question.step, question.dock)
 
 
+def enter_where_seen(window: MainWindow, left_in: str = "") -> None:
+    """Go to the workspace that a picture was left in, or else to one where its sheet can be seen."""
+    places = (left_in, place_for(window.session.sheet), "draw")
+    window.enter(next(place for place in places if place in window.workspace_slugs))
+
+
 def place_for(sheet: Sheet) -> str:
     """The workspace where what a sheet has can be seen: its motion, its scene, or its figures."""
     if sheet.motion is not None and sheet.motion.tracks:
