@@ -260,7 +260,7 @@ def test_a_sentence_links_variables_and_pixels() -> None:
 
 def test_numbers_are_shown_as_people_write_them() -> None:
     shown = [number_text(value) for value in (12, -3, 10.800000000000001, -0.0, 1 / 3, np.float32(10.8))]
-    assert shown == ["12", "−3", "10.8", "0", "0.333333", "10.8"]
+    assert shown == ["12", "−3", "10.8", "0", "0.3333", "10.8"]
 
 
 def test_a_step_is_a_value() -> None:

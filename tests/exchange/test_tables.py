@@ -12,9 +12,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from workbench.algorithms.numerals import decimal
 from workbench.exchange.tables import (
     Table,
-    number,
     plain,
     shown,
     to_csv,
@@ -101,12 +101,12 @@ def test_headings(heading: str, small: str, flat: str) -> None:
     ],
 )
 def test_numbers_as_the_course_writes_them(value: float, text: str) -> None:
-    assert number(value) == text
+    assert decimal(value) == text
 
 
 @given(st.floats(-1e6, 1e6))
 def test_a_shown_number_is_near_the_true_one(value: float) -> None:
-    assert abs(float(number(value)) - value) <= 0.5e-4 + abs(value) * 1e-12
+    assert abs(float(decimal(value)) - value) <= 0.5e-4 + abs(value) * 1e-12
 
 
 def test_values_of_arrays_and_numpy() -> None:

@@ -284,3 +284,17 @@ def test_a_hint_does_not_outlive_the_docks_that_it_points_at(window: MainWindow)
     assert window.findChild(Hints) is None
     window.show_hints()
     assert window.findChild(Hints) is not None
+
+
+@pytest.mark.parametrize("slug", ["transform", "view", "space", "animate"])
+def test_in_a_low_window_no_dock_lies_over_another(window: MainWindow, slug: str) -> None:
+    window.go(slug)
+    settle(10)
+    window.resize(952, 500)
+    window.messages.say("One picture stays open beside this example.")
+    settle(30)
+    docks = [dock for dock in area(window).docks if not dock.visibleRegion().isEmpty()]
+    assert len(docks) > 1
+    for k, dock in enumerate(docks):
+        for other in docks[k + 1 :]:
+            assert not dock.geometry().intersects(other.geometry()), (dock.objectName(), other.objectName())

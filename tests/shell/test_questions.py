@@ -1,9 +1,14 @@
 """A question of the paper opens its workspace, its example and its step, wherever one comes from."""
 
 import pytest
+from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
+from workbench.document.samples.examples import example_document
 from workbench.panels.space.panel import SpacePanel
+from workbench.session.session import Session
+from workbench.shell.command_palette import CommandPalette
+from workbench.shell.home import HomePage
 from workbench.shell.questions import questions
 from workbench.shell.start import Building, make_window
 from workbench.shell.workspaces import panel_of
@@ -46,3 +51,38 @@ def test_questions_of_space_open_their_page_with_a_dock_and_a_diagram(
     assert diagram is not None
     assert len(diagram.blocks) > 5
     window.close()
+
+
+@pytest.mark.parametrize(
+    ("typed", "number"), [("not the origin", 12), ("rotation about any", 12), ("viewport", 4)]
+)
+def test_a_question_is_found_by_its_words_and_by_its_algorithms(
+    qtbot: QtBot, typed: str, number: int
+) -> None:
+    window = make_window()
+    window.show()
+    window.attach(Session(window, example_document()))
+    palette = CommandPalette.open_over(window)
+    qtbot.keyClicks(palette.field, typed)
+    rows = [palette.list.item(row).text() for row in range(palette.list.count())]
+    (question,) = (each for each in questions() if each.number == number)
+    assert f"Question {number}: {question.text}" in rows[:6]
+    palette.list.setCurrentRow(rows.index(f"Question {number}: {question.text}"))
+    qtbot.keyClick(palette.field, Qt.Key.Key_Return)
+    assert window.place == question.workspace
+    window.session.undo_stack.setClean()
+    window.close()
+
+
+def test_a_wide_home_has_the_questions_in_two_columns_above_the_examples(qtbot: QtBot) -> None:
+    home = HomePage([])
+    qtbot.addWidget(home)
+    home.show_questions()
+    home.show()
+    rows = home.questions.rows
+    for width, columns in ((1280, 2), (960, 1), (1280, 2)):
+        home.resize(width, 560)
+        qtbot.waitUntil(lambda n=columns: len({row.mapTo(home, QPoint()).x() for row in rows}) == n)  # type: ignore[misc]
+        heights = [row.mapTo(home, QPoint()).y() for row in rows[: 12 // columns]]
+        assert heights == sorted(set(heights))
+    assert max(row.mapTo(home, QPoint()).y() for row in rows) < 400

@@ -44,7 +44,7 @@ def joined(sentences: Iterable[Sequence[Part]]) -> Iterator[Part]:
 
 
 def number_text(value: Any) -> str:
-    """A value as a sentence or a table shows it: six significant digits, a true minus sign."""
+    """A value as a sentence or a table shows it: four decimals at most, a true minus sign."""
     if isinstance(value, tuple | list):
         return f"({', '.join(number_text(item) for item in value)})"
     if isinstance(value, bool) or not hasattr(value, "__float__"):

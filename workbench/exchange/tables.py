@@ -15,10 +15,11 @@ from typing import Any
 
 import numpy as np
 
+from workbench.algorithms.numerals import decimal
+
 _SUBSCRIPTS = str.maketrans("0123456789+-−=()aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉₊₋₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ")
 _SUPERSCRIPTS = str.maketrans("0123456789+-−=()n", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻⁼⁽⁾ⁿ")
 _RAISED_OR_LOWERED = re.compile(r"([_^])(?:\{([^}]*)\}|(\w))")
-_DECIMALS = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,22 +57,12 @@ def plain(heading: str) -> str:
     return _RAISED_OR_LOWERED.sub(lambda match: match[1] + (match[2] or match[3]), heading)
 
 
-def number(value: float) -> str:
-    """A number as the course writes it: whole ones without a point, others to four decimals at most."""
-    if isinstance(value, int):
-        return str(value)
-    if not math.isfinite(value) or 0 < abs(value) < 10**-_DECIMALS or abs(value) >= 1e15:
-        return f"{value:.4g}"
-    text = f"{value:.{_DECIMALS}f}".rstrip("0").rstrip(".")
-    return "0" if text == "-0" else text
-
-
 def shown(value: Any) -> str:
     """Any value of a table as a person reads it; a pair of coordinates is (x, y), a picture its size."""
     if isinstance(value, np.generic):
         return shown(value.item())
     if isinstance(value, int | float) and not isinstance(value, bool):
-        return number(value)
+        return decimal(value)
     if isinstance(value, np.ndarray):
         return " × ".join(str(size) for size in reversed(value.shape))
     if isinstance(value, tuple):

@@ -1,5 +1,6 @@
 """Any command by a few letters of its name (Ctrl+K)."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -29,7 +30,8 @@ from workbench.widgets.look.tokens import colour, tokens
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
 
-_WIDTH, _ROWS = 520, 10
+_WIDTH, _ROWS = 620, 10
+_BESIDE = 2.0
 _PADDING_PX, _MARGIN_PX = 5, 10
 _OFFER = Qt.ItemDataRole.UserRole
 Index = QModelIndex | QPersistentModelIndex
@@ -37,20 +39,24 @@ Index = QModelIndex | QPersistentModelIndex
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """One thing that can be done."""
+    """One thing that can be done; ``also`` are words it is looked for by, beside its text."""
 
     text: str
     keys: str
     act: Callable[[], object]
+    also: tuple[str, ...] = ()
 
 
 def match(letters: str, text: str) -> float | None:
     """How well ``letters`` name ``text``, less being better; None when they do not occur in this order.
 
-    Letters that begin words or follow each other count as near.
+    A text in which they begin a word as they were typed comes first; letters that begin words or follow each
+    other count as near.
     """
-    wanted = letters.lower().replace(" ", "")
     low = text.lower()
+    if re.search(rf"(?<!\w){re.escape(letters.strip().lower())}", low):
+        return 0.01 * len(text)
+    wanted = letters.lower().replace(" ", "")
     cost, last = 0.0, -1
     for letter in wanted:
         places = [i for i in range(last + 1, len(low)) if low[i] == letter]
@@ -67,6 +73,15 @@ def match(letters: str, text: str) -> float | None:
             cost += 2 + 0.1 * (found - last)
         last = found
     return cost + 0.01 * len(text)
+
+
+def _rank(letters: str, offer: Offer) -> float | None:
+    """How well the letters name what is offered; a word beside its text has to have them as they are."""
+    cost = match(letters, offer.text)
+    beside = [word for word in offer.also if letters.strip().lower() in word.lower()]
+    if beside:
+        cost = min(_BESIDE, _BESIDE if cost is None else cost)
+    return cost
 
 
 def _bring(dock: QDockWidget) -> None:
@@ -104,7 +119,13 @@ def offers(window: "MainWindow") -> list[Offer]:
         made.append(Offer(_("Export a table: {title}").format(title=table.title), "", table.ask))
     if window.session is not None:
         from workbench.document.samples.examples import examples
+        from workbench.shell.questions import algorithms_for, questions
 
+        for question in questions():
+            if question.workspace in window.workspace_slugs:
+                text = _("Question {n}: {text}").format(n=question.number, text=question.text)
+                also = (question.topic, *algorithms_for(question.number))
+                made.append(Offer(text, "", partial(window.open_question, question), also))
         for example in examples():
             text = _("Example: {title}").format(title=example.title)
             made.append(Offer(text, "", partial(window.open_example, example.slug)))
@@ -181,7 +202,7 @@ class CommandPalette(QFrame):
     def _search(self, letters: str) -> None:
         ranked = []
         for place, offer in enumerate(self._offers):
-            cost = match(letters, offer.text)
+            cost = _rank(letters, offer)
             if cost is not None:
                 ranked.append((cost if letters else 0.0, place, offer))
         ranked.sort(key=lambda each: each[:2])

@@ -9,7 +9,15 @@ import zlib
 from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QByteArray, QSize, Qt
-from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QDockWidget,
+    QMainWindow,
+    QSizePolicy,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
 from shiboken6 import isValid
 
 from workbench.language import _
@@ -30,6 +38,7 @@ _SIDES = {
 }
 
 _CHECKSUM_BYTES = 4
+_LEAST_PX = 72
 
 
 class DockArea(QMainWindow):
@@ -65,6 +74,8 @@ class DockArea(QMainWindow):
             self._sides[name] = _SIDES["right"] if name in lower else asked
             self._add(name, title)
         for name, widget in self._widgets.items():
+            if self._sides[name] in (_SIDES["left"], _SIDES["right"]):
+                _let_be_low(widget)
             if widget.parentWidget() is None:
                 self.dock(name).setWidget(widget)
         self._fill_middle(middle)
@@ -215,6 +226,17 @@ class DockArea(QMainWindow):
         if focus is None or not self.isAncestorOf(focus) or not focus.isVisibleTo(self):
             focus = self.host
         focus.setFocus()
+
+
+def _let_be_low(widget: QWidget) -> None:
+    """Let a dock beside the middle be as low as the window makes it.
+
+    Where two above one another ask for more than there is, Qt lays the upper one over the lower.
+    """
+    policy = widget.sizePolicy()
+    policy.setVerticalPolicy(QSizePolicy.Policy.Ignored)
+    widget.setSizePolicy(policy)
+    widget.setMinimumHeight(min(_LEAST_PX, widget.minimumSizeHint().height()))
 
 
 def _checksum(state: QByteArray) -> bytes:

@@ -115,7 +115,7 @@ def export_commands() -> tuple[Command, ...]:
         ),
         Command(
             "export_wireframe",
-            _("Export the edges of the scene as SVG..."),
+            _("Export the wireframe as SVG..."),
             export_wireframe,
             (),
             "line-segments",

@@ -13,6 +13,7 @@ from workbench.exchange.readable import READABLE, SUFFIXES, kind_of
 from workbench.language import _, legible
 from workbench.paths import home_folder
 from workbench.shell.exports import Exports
+from workbench.shell.opening import enter_where_seen
 from workbench.shell.workspaces import panel_of
 
 if TYPE_CHECKING:
@@ -173,7 +174,7 @@ class Files(QObject):
         """Show another sheet of the picture."""
         self._session.show_sheet(sheet)
         if self._window.place not in self._window.workspace_slugs:
-            self._window.enter("draw")
+            enter_where_seen(self._window)
 
     def save(self, then: Callable[[], object] | None = None) -> None:
         """Save, the first time under a name that is asked for; ``then`` follows when it was saved.
@@ -271,7 +272,7 @@ class Files(QObject):
 
     def _recovered(self, lost: "Recoverable", stored: "Stored") -> None:
         self._session.take_recovered(lost, stored)
-        self._window.enter("draw")
+        enter_where_seen(self._window, stored.session.workspace)
         self._warn_of(stored.document.sheets)
         if self._session.changed_on_disk:
             self._window.messages.say(
@@ -308,8 +309,7 @@ class Files(QObject):
     def _show(self, path: Path, on_disk: "Stamp | None", stored: "Stored") -> None:
         self._session.take(stored, path, on_disk)
         self._remember(path)
-        if self._window.place not in self._window.workspace_slugs:
-            self._window.enter("draw")
+        enter_where_seen(self._window, stored.session.workspace)
         self._warn_of(stored.document.sheets)
 
     def _warn_of(self, sheets: "Sequence[Sheet]") -> None:

@@ -9,8 +9,9 @@ from PySide6.QtCore import QSize, Signal, SignalInstance
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout
 
-from workbench.language import _, legible, ngettext
+from workbench.language import _, legible
 from workbench.paths import resource
+from workbench.shell.home_questions import QuestionList
 from workbench.shell.pages import Page, heading, paragraph
 from workbench.widgets.look.tips import plain_tip
 
@@ -18,12 +19,10 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    from workbench.shell.questions import Question
-
 _EXAMPLE_COLUMNS = 5
 _NAME_LENGTH = 28
-_MOST_TITLES = 4
 THUMBNAIL = QSize(132, 84)
+_CARD_PX = THUMBNAIL.height() + 46
 
 
 class HomePage(Page):
@@ -36,23 +35,22 @@ class HomePage(Page):
     question_chosen = Signal(object)
 
     def __init__(self, recent: Sequence[Path]) -> None:
-        super().__init__("", width=1040)
+        super().__init__("", width=1232)
         self.column.addLayout(self._head())
         self._recent_title = heading(self.column, _("Recent pictures"))
         self._recent = QGridLayout()
         self._recent.setSpacing(8)
         self.column.addLayout(self._recent)
+        heading(self.column, _("Twelve questions of a first course"))
+        self.questions = QuestionList()
+        self.questions.chosen.connect(self.question_chosen)
+        self.column.addWidget(self.questions)
         heading(self.column, _("Examples"))
         self._cards: list[QPushButton] = []
         self._examples = QGridLayout()
         self._examples.setSpacing(8)
-        self._examples.setRowMinimumHeight(0, THUMBNAIL.height() + 46)
+        self._examples.setRowMinimumHeight(1, _CARD_PX)
         self.column.addLayout(self._examples)
-        heading(self.column, _("Twelve questions of a first course"))
-        self._questions = QGridLayout()
-        self._questions.setHorizontalSpacing(16)
-        self._questions.setVerticalSpacing(4)
-        self.column.addLayout(self._questions)
         self.column.addStretch(1)
         self.show_recent(recent)
 
@@ -87,32 +85,8 @@ class HomePage(Page):
         return row
 
     def show_questions(self) -> None:
-        """List the questions: those that can be worked on as buttons, the others below them."""
-        from PySide6.QtCore import Qt
-
-        from workbench.shell.questions import algorithms_for, questions
-
-        grid = self._questions
-        for column in (0, 1):
-            grid.setColumnStretch(column, 1)
-        offered = [each for each in questions() if each.workspace]
-        listed = [each for each in questions() if not each.workspace]
-        for place, question in enumerate(offered):
-            button = _question_card(question, algorithms_for(question.number))
-            button.clicked.connect(partial(self._choose, self.question_chosen, question))
-            grid.addWidget(button, place, 0, 1, 2)
-        later = QLabel(_("The workspaces of these are still to come:"))
-        later.setProperty("role", "muted")
-        grid.addWidget(later, len(offered), 0, 1, 2)
-        half = (len(listed) + 1) // 2
-        for place, question in enumerate(listed):
-            label = QLabel(f"{question.number}   {question.text}")
-            label.setProperty("role", "muted")
-            label.setWordWrap(True)
-            label.setAlignment(Qt.AlignmentFlag.AlignTop)
-            if titles := algorithms_for(question.number):
-                label.setToolTip(_("There is already: {titles}").format(titles=" · ".join(titles)))
-            grid.addWidget(label, len(offered) + 1 + place % half, place // half)
+        """List the questions, each a button where it can be worked on."""
+        self.questions.fill()
 
     @staticmethod
     def _choose(signal: SignalInstance, what: object, _checked: bool = False) -> None:
@@ -134,18 +108,26 @@ class HomePage(Page):
         for place in range(4):
             self._recent.setColumnStretch(place, 1)
 
-    def show_examples(self, examples: Sequence[tuple[str, str, QPixmap]]) -> None:
-        """Offer examples: name, title, picture."""
+    def show_examples(self, examples: Sequence[tuple[str, str, str, QPixmap]]) -> None:
+        """Offer examples, those of a workspace under its title: name, title, workspace, picture."""
         from PySide6.QtCore import Qt
 
         _empty(self._examples)
         self._cards = []
-        for place, (name, title, picture) in enumerate(examples):
+        row, column_of_card, last = -1, 0, ""
+        for name, title, workspace, picture in examples:
+            if workspace != last:
+                group = QLabel(workspace)
+                group.setProperty("role", "muted")
+                row, column_of_card, last = row + 2, 0, workspace
+                self._examples.addWidget(group, row - 1, 0, 1, _EXAMPLE_COLUMNS)
+            elif column_of_card == _EXAMPLE_COLUMNS:
+                row, column_of_card = row + 1, 0
             card = QPushButton()
             card.setProperty("card", True)
             card.setToolTip(_("Open the example: {title}").format(title=title))
             card.setAccessibleName(title)
-            card.setFixedHeight(THUMBNAIL.height() + 46)
+            card.setFixedHeight(_CARD_PX)
             card.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
             column = QVBoxLayout(card)
             column.setContentsMargins(10, 6, 10, 4)
@@ -161,50 +143,14 @@ class HomePage(Page):
                 column.addWidget(label)
             self._cards.append(card)
             card.clicked.connect(partial(self._choose, self.example_chosen, name))
-            self._examples.addWidget(card, place // _EXAMPLE_COLUMNS, place % _EXAMPLE_COLUMNS)
+            self._examples.addWidget(card, row, column_of_card)
+            column_of_card += 1
         for place in range(_EXAMPLE_COLUMNS):
             self._examples.setColumnStretch(place, 1)
 
     def example_buttons(self) -> list[QPushButton]:
         """The example cards, in order."""
         return list(self._cards)
-
-
-def _question_card(question: Question, titles: Sequence[str]) -> QPushButton:
-    """A question that can be worked on, and under it the algorithms that serve it."""
-    from PySide6.QtCore import Qt
-
-    card = QPushButton()
-    card.setProperty("card", True)
-    card.setAccessibleName(f"{question.number} {question.text}")
-    tip = _("Open workspace, example and step of this question")
-    card.setToolTip("\n".join([tip, *(f"• {title}" for title in titles)]))
-    card.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-    grid = QGridLayout(card)
-    grid.setContentsMargins(12, 6, 12, 6)
-    grid.setHorizontalSpacing(12)
-    grid.setVerticalSpacing(0)
-    grid.setColumnStretch(1, 1)
-    number, words, below = QLabel(str(question.number)), QLabel(question.text), QLabel(_some_of(titles))
-    number.setMinimumWidth(18)
-    below.setProperty("role", "muted")
-    for label, row, column in ((number, 0, 0), (words, 0, 1), (below, 1, 1)):
-        label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        # A narrow window shows the beginning: the tooltip has all
-        across = QSizePolicy.Policy.Ignored if column else QSizePolicy.Policy.Fixed
-        label.setSizePolicy(across, QSizePolicy.Policy.Fixed)
-        grid.addWidget(label, row, column)
-    below.setVisible(bool(titles))
-    card.setFixedHeight(grid.sizeHint().height())
-    return card
-
-
-def _some_of(titles: Sequence[str]) -> str:
-    """The first few titles, and how many more there are."""
-    shown, more = list(titles[:_MOST_TITLES]), len(titles) - _MOST_TITLES
-    if more > 0:
-        shown.append(ngettext("{count} more", "{count} more", more).format(count=more))
-    return " · ".join(shown)
 
 
 def _empty(grid: QGridLayout) -> None:

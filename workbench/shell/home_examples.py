@@ -14,10 +14,10 @@ from workbench.rendering.scene.viewpoint import window_around
 from workbench.shell.home import THUMBNAIL
 
 
-def thumbnails(ratio: float) -> Iterator[tuple[str, str, QPixmap]]:
-    """Slug, title and picture of each example, one at a time since each takes a few milliseconds."""
+def thumbnails(ratio: float) -> Iterator[tuple[Example, QPixmap]]:
+    """Each example and its picture, one at a time since each takes a few milliseconds."""
     for example in examples():
-        yield example.slug, example.title, _thumbnail(example, ratio)
+        yield example, _thumbnail(example, ratio)
 
 
 def _thumbnail(example: Example, ratio: float) -> QPixmap:

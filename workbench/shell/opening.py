@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from workbench.document.samples.examples import Example, example
 
 if TYPE_CHECKING:
+    from workbench.document.model import Sheet
     from workbench.shell.questions import Question
     from workbench.shell.window import MainWindow
 
@@ -21,6 +22,21 @@ def open_question(window: MainWindow, question: Question) -> None:
     """Open workspace, example and step of a question."""
     window.files.example(question.example)
     _enter(window, question.workspace, example(question.example), question.step, question.dock)
+
+
+def enter_where_seen(window: MainWindow, left_in: str = "") -> None:
+    """Go to the workspace that a picture was left in, or else to one where its sheet can be seen."""
+    places = (left_in, place_for(window.session.sheet), "draw")
+    window.enter(next(place for place in places if place in window.workspace_slugs))
+
+
+def place_for(sheet: Sheet) -> str:
+    """The workspace where what a sheet has can be seen: its motion, its scene, or its figures."""
+    if sheet.motion is not None and sheet.motion.tracks:
+        return "animate"
+    if sheet.scene is not None and sheet.scene.objects and not sheet.figures:
+        return "space"
+    return "draw"
 
 
 def _enter(window: MainWindow, workspace: str, chosen: Example, step: int | None, dock: str = "") -> None:

@@ -23,7 +23,7 @@ def questions() -> tuple[Question, ...]:
     return (
         Question(
             1,
-            _("How does a scene in space become a flat picture, and why is it divided by depth?"),
+            _("How does a scene in space become flat, and why is it divided by depth?"),
             _("Projection"),
             "space",
             "space-house",
@@ -32,7 +32,7 @@ def questions() -> tuple[Question, ...]:
         ),
         Question(
             2,
-            _("How does a depth buffer decide which surface is seen, and what does it cost?"),
+            _("How does a depth buffer decide what is seen, and what does it cost?"),
             _("Surfaces"),
             "space",
             "overlapping-triangles",
@@ -88,7 +88,7 @@ def questions() -> tuple[Question, ...]:
         ),
         Question(
             10,
-            _("Row by row or stroke by stroke: how do raster and random scan draw one picture?"),
+            _("Row by row or stroke by stroke: how do raster and random scan draw?"),
             _("Display"),
             "display",
             "octants",

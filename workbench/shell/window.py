@@ -19,7 +19,7 @@ from workbench.shell.places import HomePage, make_page
 from workbench.shell.settings import Settings
 from workbench.shell.theme import ThemeSwitch
 from workbench.shell.workspace_bar import WorkspaceBar
-from workbench.shell.workspaces import Workspace, join, panel_class, workspaces
+from workbench.shell.workspaces import Workspace, join, panel_class, titles, workspaces
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -187,8 +187,8 @@ class MainWindow(QMainWindow):
         home.show_questions()
         yield from self.menus.add_icons(self.bar)
         shown = []
-        for example in thumbnails(self.devicePixelRatioF()):
-            shown.append(example)
+        for example, picture in thumbnails(self.devicePixelRatioF()):
+            shown.append((example.slug, example.title, titles()[example.workspace], picture))
             yield
         home.show_examples(shown)
 

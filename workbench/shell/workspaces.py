@@ -86,6 +86,11 @@ def panel_of(panels: "Sequence[Panel]", kind: type[P]) -> P:
     raise LookupError(f"no {kind.__name__} here")
 
 
+def titles() -> dict[str, str]:
+    """What each workspace is called, by its slug."""
+    return {each.slug: each.title for each in workspaces()}
+
+
 def workspaces() -> tuple[Workspace, ...]:
     """Those that exist."""
     inspector = "workbench.panels.shared.inspector:InspectorPanel"

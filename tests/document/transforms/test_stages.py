@@ -52,6 +52,11 @@ def test_the_symbols_of_every_stage_come_to_its_matrix(chain):
 
 
 @given(chains)
+def test_no_stage_is_called_as_the_factors_or_the_whole_of_a_product(chain):
+    assert not {stage.symbols.name for stage in stages(chain)} & {"A", "B", "M", "P"}
+
+
+@given(chains)
 def test_the_entries_of_a_stage_are_numbers_of_its_link(chain):
     for stage in stages(chain):
         for (row, column), (attribute, sign) in stage.entries.items():

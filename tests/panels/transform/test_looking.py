@@ -363,3 +363,30 @@ def test_the_legend_goes_where_the_figure_is_not(panel, session):
         session.undo_stack.undo()
         settle()
     assert places == {True, False}
+
+
+@pytest.mark.parametrize("by", [(-14.0, 0.0), (9.0, -9.0), (0.0, 12.0)])
+def test_what_a_link_moves_out_of_the_picture_stays_in_sight(qtbot, panel, session, by):
+    canvas = panel.canvas
+    session.apply(add_transform(figure(session).id, Translate("", tx=by[0], ty=by[1])), "Move it away")
+    settle()
+    matrix = matrix_of(chain(session))
+    for point in figure(session).points_world:
+        x, y, w = matrix @ (point.x, point.y, 1.0)
+        assert w == 1.0
+        screen_x, screen_y = canvas.view.to_screen(*device(session, x, y))
+        assert canvas.area.left <= screen_x <= canvas.area.right
+        assert canvas.area.top <= screen_y <= canvas.area.bottom
+    fitted = canvas.view
+    session.undo_stack.undo()
+    settle()
+    assert canvas.view.cell > fitted.cell or canvas.view == fitted
+
+
+def test_a_picture_that_somebody_moved_is_not_moved_back_by_a_link(qtbot, panel, session):
+    panel.canvas.zoom(1)
+    moved = panel.canvas.view
+    session.apply(add_transform(figure(session).id, Translate("", tx=20.0)), "Move it away")
+    settle()
+    now = panel.canvas.view
+    assert (now.cell, now.left) == (moved.cell, moved.left)

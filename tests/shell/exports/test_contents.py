@@ -134,7 +134,7 @@ def test_export_is_found_by_its_name(window: MainWindow) -> None:
         "Export the hand table...",
         "Export the points of the curve...",
         "Export the scene as PNG...",
-        "Export the edges of the scene as SVG...",
+        "Export the wireframe as SVG...",
         "Export the mesh...",
         "Export another table",
     ]

@@ -5,6 +5,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import View
+from workbench.algorithms.numerals import settled
 from workbench.algorithms.projection.classification import classify
 from workbench.algorithms.transforms.products import factors_text, row_of
 
@@ -25,7 +26,7 @@ def _projected_view(when: str, answer: str, sentence: str) -> View:
     return View(
         block="Multiply by the projection",
         when=when,
-        row="('projection', x_h, y_h, z_h, w)",
+        row="('projection', *settled(x_h, y_h, z_h), w)",
         options=_OPTIONS,
         answer=repr(answer),
         marks="(row_of('P', projection, 3),)",
@@ -33,18 +34,19 @@ def _projected_view(when: str, answer: str, sentence: str) -> View:
     )
 
 
-VIEW_FUNCTIONS = (factors_text, keeps_depth, row_of)
+VIEW_FUNCTIONS = (factors_text, keeps_depth, row_of, settled)
 
 VIEWS = (
     View(
         block="Place the point in the world",
-        row="('world', x, y, z, one)",
-        sentence="The model's matrix takes the point to {x}, {y}, {z} in the world.",
+        row="('world', *settled(x, y, z), one)",
+        sentence="The model's matrix takes the point to {settled(x, y, z)} in the world.",
     ),
     View(
         block="Turn to view coordinates",
-        row="('view', x_v, y_v, z_v, one)",
-        sentence="Seen from the eye it is at {x_v}, {y_v}, {z_v}: right, up, and {z_v} into the picture.",
+        row="('view', *settled(x_v, y_v, z_v), one)",
+        sentence="Seen from the eye it is at {settled(x_v, y_v, z_v)}: right, up, and {z_v} "
+        "into the picture.",
     ),
     _projected_view("w == 1.0", "nothing to divide: w is 1", ": the division changes nothing."),
     _projected_view(
@@ -61,19 +63,19 @@ VIEWS = (
     View(
         block="Divide by w",
         when="keeps_depth(projection)",
-        row="('view plane', x_p, y_p, z_p, 1.0)",
-        sentence="x = {x_h}/{w} = {x_p}, y = {y_h}/{w} = {y_p}; z = {z_h}/{w} = {z_p} is left for "
+        row="('view plane', *settled(x_p, y_p, z_p), 1.0)",
+        sentence="{settled(x_h, y_h, z_h)}/{w} = {settled(x_p, y_p, z_p)}; its z is left for "
         "hidden surfaces.",
     ),
     View(
         block="Divide by w",
-        row="('view plane', x_p, y_p, z_p, 1.0)",
-        sentence="x = {x_h}/{w} = {x_p}, y = {y_h}/{w} = {y_p}, z = {z_h}/{w} = {z_p}: on this line of "
-        "sight z comes out so at any depth, and says nothing of what hides what.",
+        row="('view plane', *settled(x_p, y_p, z_p), 1.0)",
+        sentence="{settled(x_h, y_h, z_h)}/{w} = {settled(x_p, y_p, z_p)}: on this line of sight "
+        "z comes out so at any depth, and says nothing of what hides what.",
     ),
     View(
         block="Map to the viewport",
-        row="('device', x_d, y_d, z_p, 1.0)",
+        row="('device', *settled(x_d, y_d, z_p), 1.0)",
         sentence="On the device that is {x_d}, {y_d}, in pixels.",
     ),
 )

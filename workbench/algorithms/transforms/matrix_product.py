@@ -19,7 +19,6 @@ from workbench.algorithms.marks import Mark
 from workbench.algorithms.numerals import numeral
 from workbench.algorithms.transforms.plane import rotation, translation
 from workbench.algorithms.transforms.products import (
-    brief_factors,
     factors_text,
     matrix_mark,
     product_mark,
@@ -85,7 +84,7 @@ ENTRY = Entry(
     emits="cells",
     source="Hearn and Baker, Computer Graphics, C Version, section A-4",
     columns=("i, j", "row × column", "m_{ij}"),
-    view_functions=(brief_factors, factors_text, product_marks, sums_in_question, numeral),
+    view_functions=(factors_text, product_marks, sums_in_question, numeral),
     views=(
         View(
             block="Check that rows and columns fit",
@@ -94,7 +93,7 @@ ENTRY = Entry(
         ),
         View(
             block="Add the products of the row and the column",
-            row="(f'{row + 1}, {column + 1}', brief_factors(a[row], b[:, column]), total)",
+            row="(f'{row + 1}, {column + 1}', factors_text(a[row], b[:, column]), total)",
             options="sums_in_question(a, b, row, column)",
             answer="numeral(total)",
             marks="product_marks(a, b, row, column)",

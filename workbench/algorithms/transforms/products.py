@@ -12,7 +12,6 @@ Numbers: TypeAlias = Sequence[float] | NDArray[Any]
 ROW_INK: Ink = "data1"
 COLUMN_INK: Ink = "data2"
 SUM_INK: Ink = "accent"
-_DECIMALS = 4
 
 
 def factor(value: float) -> str:
@@ -24,15 +23,6 @@ def factor(value: float) -> str:
 def factors_text(row: Numbers, column: Numbers) -> str:
     """The products not worked out: 2·5 + (−1)·6."""
     return " + ".join(f"{factor(a)}·{factor(b)}" for a, b in zip(row, column, strict=True))
-
-
-def brief_factors(row: Numbers, column: Numbers) -> str:
-    """The same as matrices are written, with four decimals, so that a table has room for it."""
-    return factors_text(*([_brief(value) for value in numbers] for numbers in (row, column)))
-
-
-def _brief(value: float) -> float:
-    return round(float(value), _DECIMALS) if abs(value) >= 10**-_DECIMALS else float(value)
 
 
 def sum_of_products(row: Numbers, column: Numbers) -> float:

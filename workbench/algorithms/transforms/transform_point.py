@@ -17,7 +17,7 @@ from workbench.algorithms.entry import Entry, Law, Parameter, View
 from workbench.algorithms.marks import Mark, Spot, Stroke, Word, along
 from workbench.algorithms.numerals import numeral
 from workbench.algorithms.transforms.plane import rotation_about
-from workbench.algorithms.transforms.products import brief_factors, factor, factors_text, matrix_mark, row_of
+from workbench.algorithms.transforms.products import factor, factors_text, matrix_mark, row_of
 from workbench.algorithms.transforms.refusals import refuse_point
 
 
@@ -90,7 +90,7 @@ def _row_view(block: str, number: int, name: str, variable: str) -> View:
     factors = f"factors_text(matrix[{number}], {_COLUMN})"
     return View(
         block=f"Multiply the {block} row by it",
-        row=f"({name!r}, brief_factors(matrix[{number}], {_COLUMN}), {variable})",
+        row=f"({name!r}, factors_text(matrix[{number}], {_COLUMN}), {variable})",
         marks=f"(row_of('M', matrix, {number}),)",
         sentence=f"{name} = {{{factors}}} = {{{variable}}}.",
     )
@@ -102,7 +102,7 @@ def _weight_view(when: str, answer: str, sentence: str) -> View:
     return View(
         block="Multiply the third row by it",
         when=when,
-        row=f"('w', brief_factors(matrix[2], {_COLUMN}), w)",
+        row=f"('w', factors_text(matrix[2], {_COLUMN}), w)",
         options=_OPTIONS,
         answer=repr(answer),
         marks="(row_of('M', matrix, 2),)",
@@ -126,7 +126,7 @@ ENTRY = Entry(
     emitted_columns=("x′", "y′", "w"),
     source="Hearn and Baker, Computer Graphics, C Version, section 5-2",
     columns=("coordinate", "calculation", "value"),
-    view_functions=(brief_factors, factor, factors_text, numeral, row_of),
+    view_functions=(factor, factors_text, numeral, row_of),
     views=(
         View(
             block="Write the point as a column",

@@ -50,6 +50,8 @@ def _solid(thing: Object, before: Object | None) -> Fault | None:
 def _camera(camera: Camera, _before: Any) -> Fault | None:
     from workbench.document.scene.viewing import projection_matrix, view_matrix  # as the solids' makers
 
+    if not any(camera.up.xyz):
+        return "", _("has no upward direction: u_x, u_y and u_z are all 0; make one of them another number")
     try:
         view_matrix(camera)
         projection_matrix(camera)

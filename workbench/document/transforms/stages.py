@@ -114,7 +114,7 @@ def _symbolic(link: AnyLink, index: str) -> Iterator[tuple[SymbolicMatrix, Entri
             at_axes = slanted._replace(cells=((*first[:2], nothing), (*second[:2], nothing), last))
             yield from _about(link, "ref", (at_axes, _SHEAR), index)
         case Affine():
-            yield transforms.symbolic_matrix(link.matrix, "B", index), _AFFINE
+            yield transforms.symbolic_matrix(link.matrix, "G", index), _AFFINE
 
 
 def _about(

@@ -7,11 +7,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.exchange.tables import number
+from workbench.algorithms.numerals import numeral, settled
 
 Shows = Literal["symbols", "numbers", "both"]
 HIDDEN, ABSENT = "?", "·"
-_NOISE = 1e-12
 MOST = 4
 
 
@@ -20,7 +19,7 @@ def displayed(value: float) -> str:
 
     What is left of a rounding, such as the cosine of a right angle, is 0.
     """
-    return number(0 if abs(value) < _NOISE else float(value)).replace("-", "−")
+    return numeral(*settled(value))
 
 
 @dataclass(frozen=True, slots=True)

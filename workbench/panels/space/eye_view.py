@@ -14,7 +14,7 @@ from workbench.panels.space.looking import points_of
 from workbench.panels.space.object_handles import INKS, Handle, Handles, Mode
 from workbench.panels.space.scene_view import REACH_PX, SceneView
 from workbench.panels.space.stepped import DIVIDED, Vertex, way_text
-from workbench.panels.space.strokes import label, lines, short
+from workbench.panels.space.strokes import Labels, lines, short
 from workbench.rendering.scene.render import placed
 from workbench.widgets.look.tokens import colour, tokens
 
@@ -103,7 +103,7 @@ class EyeView(SceneView):
 
     def paint_over(self, painter: QPainter) -> None:
         """Vanishing points, what runs together there, and the vertex that is projected."""
-        corners = self._corners_of_chosen()
+        corners, labels = self._corners_of_chosen(), Labels(painter, self)
         for axis, point in self.vanishing():
             ink = colour(tokens().data[INKS[axis]])
             (at,) = self.on_screen(np.array([point]))
@@ -116,7 +116,7 @@ class EyeView(SceneView):
             if self.rect().contains(QPointF(*np.clip(at, -1e5, 1e5)).toPoint()):
                 x, y = point
                 text = f"VP{AXES[axis]} ({short(x)}, {short(y)})"
-                label(painter, self.size(), at, text, tokens().data[INKS[axis]])
+                labels.put(at, text, tokens().data[INKS[axis]])
             painter.setBrush(Qt.BrushStyle.NoBrush)
         net = self.net
         if net is not None:
@@ -131,7 +131,7 @@ class EyeView(SceneView):
                 painter.setBrush(colour(tokens().canvas))
                 painter.drawEllipse(QPointF(*at.tolist()), 5, 5)
                 painter.setBrush(Qt.BrushStyle.NoBrush)
-                label(painter, self.size(), at, self._words(self.vertex), tokens().accent)
+                labels.put(at, self._words(self.vertex), tokens().accent)
 
     @staticmethod
     def _words(vertex: Vertex) -> str:

@@ -22,7 +22,7 @@ from workbench.panels.space.looking import points_of
 from workbench.panels.space.object_handles import INKS
 from workbench.panels.space.scene_view import REACH_PX, SceneView
 from workbench.panels.space.stepped import DIVIDED, Clipped, Vertex, way_text
-from workbench.panels.space.strokes import label, lines, outline, short
+from workbench.panels.space.strokes import Labels, lines, outline, short
 from workbench.rendering.scene.render import placed
 from workbench.widgets.look.tokens import colour, tokens
 
@@ -163,7 +163,8 @@ class OutsideView(SceneView):
         """Volume, plane, projectors, the picture on the plane, and the eye."""
         camera, now = self.seen.camera, tokens()
         self.grips = []
-        self._paint_volume(painter)
+        labels = Labels(painter, self)
+        self._paint_volume(painter, labels)
         plane = self._plane()
         (eye,) = self.projected(np.array([camera.eye.xyz]))
         central = camera.projection == "perspective"
@@ -175,10 +176,10 @@ class OutsideView(SceneView):
             painter.setBrush(Qt.BrushStyle.NoBrush)
             if self.clipped is None:
                 self._paint_projectors(painter, eye if central else None)
-                self._paint_way(painter, eye if central else None)
+                self._paint_way(painter, labels, eye if central else None)
             words = _("view plane, d = {d:.4g}").format(d=camera.distance)
             at = corners[corners[:, 1].argmin()]
-            self.grips.append(("distance", label(painter, self.size(), at, words, now.accent)))
+            self.grips.append(("distance", labels.put(at, words, now.accent)))
         if self.clipped is not None:
             self._paint_clipped(painter, self.clipped)
         if np.isfinite(eye).all() and (central or camera.projection == "orthographic"):
@@ -190,11 +191,11 @@ class OutsideView(SceneView):
             painter.setBrush(Qt.BrushStyle.NoBrush)
             x, y, z = map(short, camera.eye.xyz)
             text = _("eye ({x}, {y}, {z})").format(x=x, y=y, z=z)
-            card = label(painter, self.size(), eye + np.array([0.0, 34.0]), text, now.text)
+            card = labels.put(eye + np.array([0.0, 34.0]), text, now.text)
             round_eye = QRectF(eye[0] - REACH_PX, eye[1] - REACH_PX, 2 * REACH_PX, 2 * REACH_PX)
             self.grips += [("eye", round_eye), ("eye", card)]
 
-    def _paint_volume(self, painter: QPainter) -> None:
+    def _paint_volume(self, painter: QPainter, labels: Labels) -> None:
         """The edges of the view volume, and the names of its near and far plane."""
         camera, now = self.seen.camera, tokens()
         near, far = (self.projected(end) for end in self.volume())
@@ -210,9 +211,7 @@ class OutsideView(SceneView):
                 low = corners[corners[:, 1].argmax()] + np.array([0.0, 26.0])
                 title = _("near {z:.4g}") if name == "near" else _("far {z:.4g}")
                 words = title.format(z=getattr(camera, name))
-                self.grips.append(
-                    (name, label(painter, self.size(), upper if name == "near" else low, words, ink))
-                )
+                self.grips.append((name, labels.put(upper if name == "near" else low, words, ink)))
 
     def _chosen_mesh(self) -> tuple[Mesh, Index] | None:
         """The mesh of the chosen object, else of the first, in the world, and its edges; none where there are
@@ -240,7 +239,7 @@ class OutsideView(SceneView):
         pen = QPen(colour(now.data[0]), 1.5)
         lines(painter, image[edges[:, 0]], image[edges[:, 1]], pen)
 
-    def _paint_way(self, painter: QPainter, eye: Array | None) -> None:
+    def _paint_way(self, painter: QPainter, labels: Labels, eye: Array | None) -> None:
         """The vertex as far as it has come: in the world, along the axes of the view, on the plane."""
         vertex, now = self.vertex, tokens()
         if vertex is None:
@@ -263,7 +262,7 @@ class OutsideView(SceneView):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if stage:
             at = end[0] if stage >= DIVIDED else start[0]
-            label(painter, self.size(), at, way_text(vertex), now.accent)
+            labels.put(at, way_text(vertex), now.accent)
 
     def _paint_view_axes(self, painter: QPainter, vertex: Vertex) -> None:
         """From the eye into the picture, then to the right, then up: z, x and y of view coordinates."""

@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
-from workbench.document.scene.model import Camera, Scene
+from workbench.document.scene.model import Scene
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
@@ -22,6 +22,7 @@ from workbench.panels.space.eye_view import EyeView
 from workbench.panels.space.family_dock import FamilyDock
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.matrix_strip import MatrixStrip
+from workbench.panels.space.morph import Morph
 from workbench.panels.space.object_clipboard import copy_chosen, object_held, paste_object
 from workbench.panels.space.object_handles import MODES, title_of_mode
 from workbench.panels.space.objects_dock import ObjectsDock
@@ -32,6 +33,7 @@ from workbench.panels.space.side_by_side import SideBySide
 from workbench.panels.space.solids_offered import offers
 from workbench.panels.space.stepped import clipped_so_far, vertex_on_its_way
 from workbench.panels.space.stepping_choice import SteppingChoice
+from workbench.panels.space.view_commands import ViewCommands
 from workbench.panels.space.view_cube import SIDE_PX, ViewCube
 from workbench.panels.space.view_tools import ViewTools, tools_of
 from workbench.panels.stage.empty import EmptyState
@@ -43,7 +45,7 @@ _CARD_GAP_PX = 8
 _REST_MS = 50
 
 
-class ProjectionPage(QWidget):
+class ProjectionPage(ViewCommands, QWidget):
     """``hover_text``: said in passing; ``zoom_text``: the scale."""
 
     hover_text = Signal(str)
@@ -83,6 +85,7 @@ class ProjectionPage(QWidget):
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._refresh_rest)
         self._kept: Scene | None = None
+        self.morph = Morph(self)
         self._connect()
         self.refresh()
 
@@ -124,6 +127,8 @@ class ProjectionPage(QWidget):
         for told in (session.changed, session.state_changed):
             told.connect(self._follow)
             told.connect(self.refresh_soon)
+        self.morph.valueChanged.connect(self.refresh_soon)
+        self.morph.finished.connect(self._arrive)
         for told in (eye.resized, self.card.refitted):
             told.connect(self._place_cube)
         self.cube.chosen.connect(self.glance)
@@ -224,27 +229,6 @@ class ProjectionPage(QWidget):
         """The view that has the focus, else the picture."""
         return self.outside if self.outside.hasFocus() or self.eye.isHidden() else self.eye
 
-    def choose(self, slug: str) -> None:
-        """Give the scene another projection."""
-        self.say(self.looking.choose(slug, _("Change the projection")))
-        self.eye.keeps_fit = True
-
-    def face(self, side: str) -> None:
-        """Stand before one of the six sides, and see all of the scene."""
-        self.say(self.looking.face(side))
-        self.eye.keeps_fit = True
-        self._kept = None
-
-    def glance(self, slug: str) -> None:
-        """See the scene by another projection from where that is at its best; the document keeps its own."""
-        self.say(self.looking.glance(slug))
-        self.eye.keeps_fit = True
-        self._kept = None
-
-    def keep(self) -> None:
-        """Write what is seen now into the document."""
-        self.say(self.looking.keep())
-
     def switch_trackball(self) -> None:
         """Turn freely, or on a turntable that keeps the horizon level."""
         self.looking.trackball = self._actions["trackball"].isChecked()
@@ -253,26 +237,6 @@ class ProjectionPage(QWidget):
         """At the top right, or below where the card leaves no room there; the choice of steps likewise."""
         beside = self.card.x() + self.card.width() + SIDE_PX + 8 <= self.eye.width()
         self.cube.move(self.eye.width() - SIDE_PX - 4, 4 if beside else self.eye.height() - SIDE_PX - 4)
-
-    def switch(self) -> None:
-        """Exchange perspective and parallel projection, from the same place."""
-        camera = self.looking.camera
-        other = "orthographic" if camera.projection == "perspective" else "perspective"
-        self.look(replace(camera, projection=other))
-
-    def look(self, camera: Camera) -> None:
-        """See all of the scene by another camera; the document keeps its own."""
-        self.say(self.looking.look(camera))
-        self.eye.keeps_fit = True
-        self._kept = None
-
-    def go_home(self) -> None:
-        """See the scene as the document has it, and all of it."""
-        self.say(self.looking.look(None))
-        self.eye.keeps_fit = True
-        self.outside.stand_aside()
-        self._kept = None
-        self.refresh_soon()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Keys that the views left step the run."""
@@ -338,13 +302,13 @@ class ProjectionPage(QWidget):
         chosen = self.session.state.thing
         self.eye.vertex = vertex_on_its_way(self.session)
         self.outside.clipped = clipped_so_far(self.session)
-        self.eye.show_scene(scene, chosen)
+        self.eye.show_scene(self.morph.through(scene), chosen)
         kept = self.session.sheet.scene
         anew = kept is not self._kept
+        if (anew or self.morph.state() == self.morph.State.Running) and self.eye.keeps_fit:
+            self.eye.fit()
         if anew:
             self._kept = kept
-            if self.eye.keeps_fit:
-                self.eye.fit()
             self._show_outside()
             self.outside.stand_aside()
         self._show_outside()
@@ -356,7 +320,7 @@ class ProjectionPage(QWidget):
     def _refresh_rest(self, anew: bool = False) -> None:
         """Show beside the picture what it is seen by; during a drag less often than that."""
         self._rest.stop()
-        scene, chosen = self.eye.scene, self.session.state.thing
+        scene, chosen = self.looking.scene or Scene(), self.session.state.thing
         self.strip.show_camera(scene.camera, anew)
         self.card.show_camera(scene.camera, self.looking.around)
         self.family.show_camera(scene.camera, self.card.kind.currentData() or "")
@@ -383,7 +347,7 @@ class ProjectionPage(QWidget):
             self._follow()
 
     def _say_scale(self) -> None:
-        self.zoom_text.emit(_("{scale:.3g} px a unit").format(scale=self.eye.scale))
+        self.zoom_text.emit(_("{scale:.3g} px per unit").format(scale=self.eye.scale))
 
     # The run
 

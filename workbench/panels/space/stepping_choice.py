@@ -14,6 +14,7 @@ class SteppingChoice(QComboBox):
     def __init__(self, session: Session, parent: QWidget) -> None:
         super().__init__(parent)
         self._session = session
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.setAccessibleName(_("What is stepped"))
         self.setToolTip(_("Step a vertex on its way into the picture, or its object clipped to what is seen"))
         self.activated.connect(self._choose)

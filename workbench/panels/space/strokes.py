@@ -1,8 +1,9 @@
 """Lines, outlines and labels over a view of a scene, in logical pixels of its widget."""
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRect, QRectF, QSize, Qt
+from PySide6.QtCore import QLineF, QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen, QPolygonF
+from PySide6.QtWidgets import QWidget
 
 from workbench.geometry.meshes import Array
 from workbench.rendering.scene.volume import clip_segments, side_planes
@@ -10,6 +11,8 @@ from workbench.widgets.look.tokens import colour, tokens
 
 _LONG_PX, _AROUND_PX = 4e3, 64
 _CRUMB = 1e-9
+_SIDES = ((True, 0), (False, 0), (True, 1), (False, 1), (True, -1), (False, -1), (True, 2), (False, 2))
+"""Right of a place or left of it, and how many cards lower than just above it; the first is best."""
 
 
 def short(value: float, digits: int = 3) -> str:
@@ -46,19 +49,40 @@ def outline(painter: QPainter, corners: Array) -> None:
         painter.drawPolygon(QPolygonF([QPointF(*each) for each in corners.tolist()]))
 
 
-def label(painter: QPainter, within: QSize, at: Array, text: str, ink: str) -> QRectF:
-    """Words on a small card beside a place (2,), kept within a widget of this size; where the card is."""
-    if not np.isfinite(at).all():
-        return QRectF()
-    metrics = painter.fontMetrics()
-    width, height = metrics.horizontalAdvance(text) + 10, metrics.height() + 4
-    x = min(max(float(at[0]) + 8, 2.0), within.width() - width - 2.0)
-    y = min(max(float(at[1]) - height - 6, 2.0), within.height() - height - 2.0)
-    box = QRectF(x, y, width, height)
-    painter.setPen(QPen(colour(ink), 1))
-    painter.setBrush(colour(tokens().raised))
-    painter.drawRoundedRect(box, 4, 4)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(colour(tokens().text))
-    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
-    return box
+class Labels:
+    """Words on small cards over a view, each where it hides least of those before it and of the widgets that
+    float there."""
+
+    def __init__(self, painter: QPainter, view: QWidget) -> None:
+        self._painter = painter
+        self._size = view.size()
+        floating = view.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)
+        self._taken = [QRectF(each.geometry()) for each in floating if each.isVisible()]
+
+    def put(self, at: Array, text: str, ink: str) -> QRectF:
+        """Write beside a place (2,), within the view; where the card is, empty for a place of no numbers."""
+        if not np.isfinite(at).all():
+            return QRectF()
+        painter, metrics = self._painter, self._painter.fontMetrics()
+        width, height = metrics.horizontalAdvance(text) + 10, metrics.height() + 4
+        box = min((self._beside(at, width, height, *side) for side in _SIDES), key=self._hidden)
+        self._taken.append(box)
+        painter.setPen(QPen(colour(ink), 1))
+        painter.setBrush(colour(tokens().raised))
+        painter.drawRoundedRect(box, 4, 4)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(colour(tokens().text))
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+        return box
+
+    def _beside(self, at: Array, width: float, height: float, right: bool, steps: int) -> QRectF:
+        """A card right or left of a place, its own height above it or so many times that below."""
+        x = float(at[0]) + (8 if right else -8 - width)
+        y = float(at[1]) - height - 6 + steps * (height + 4)
+        x = min(max(x, 2.0), self._size.width() - width - 2.0)
+        y = min(max(y, 2.0), self._size.height() - height - 2.0)
+        return QRectF(x, y, width, height)
+
+    def _hidden(self, box: QRectF) -> float:
+        common = [box.intersected(each) for each in self._taken]
+        return sum(each.width() * each.height() for each in common)

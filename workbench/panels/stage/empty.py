@@ -7,6 +7,10 @@ from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from workbench.language import _
 
+_BESIDE_PX, _GAP_PX = 16, 8
+_UNDER_PX = 40
+"""Axes and the names of corners stand there."""
+
 
 class EmptyState(QFrame):
     """One sentence and one button in the middle of ``canvas``; the pointer passes through the sentence."""
@@ -22,12 +26,13 @@ class EmptyState(QFrame):
         super().__init__(canvas)
         self.setObjectName("card")
         self.sentence = QLabel(invitation)
+        self.sentence.setWordWrap(True)
         self.sentence.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.button = QPushButton(button or _("Show an example"))
         self.button.setToolTip(tip or _("Open a picture that is already drawn"))
         self.button.clicked.connect(lambda: act())
         column = QVBoxLayout(self)
-        column.setContentsMargins(16, 12, 16, 12)
+        column.setContentsMargins(_BESIDE_PX, 12, _BESIDE_PX, 12)
         column.setSpacing(8)
         column.addWidget(self.sentence)
         column.addWidget(self.button, 0, Qt.AlignmentFlag.AlignHCenter)
@@ -48,6 +53,11 @@ class EmptyState(QFrame):
 
     def _centre(self) -> None:
         canvas = self.parentWidget()
-        if canvas is not None:
-            self.adjustSize()
-            self.move((canvas.width() - self.width()) // 2, round(canvas.height() * 0.6))
+        if canvas is None:
+            return
+        # A narrow canvas has the sentence in several lines
+        least = self.sentence.fontMetrics().horizontalAdvance(self.sentence.text()) + 2
+        self.sentence.setFixedWidth(max(1, min(least, canvas.width() - 2 * (_BESIDE_PX + _GAP_PX))))
+        self.adjustSize()
+        below = canvas.height() - self.height() - _UNDER_PX
+        self.move((canvas.width() - self.width()) // 2, max(0, min(round(canvas.height() * 0.6), below)))

@@ -32,6 +32,7 @@ _GRID_PX, _LABEL_PX = 22.0, 52.0
 _HEAD_PX, _HEAD_ANGLE = 10.0, 0.35
 _ARC_STEPS = 24
 _AXIS_PX = 90.0
+_FARTHEST = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,6 +149,27 @@ def on_device(scale: DeviceMap, matrix: Matrix | None) -> Matrix:
 def placed(curves: tuple[Points, ...], matrix: Matrix) -> tuple[Points, ...]:
     """Curves under a matrix."""
     return tuple(transformed(matrix, curve) for curve in curves)
+
+
+def reach(sheet: Sheet, figure: AnyFigure | None) -> Area | None:
+    """How far a figure goes at all its stages, device; beyond the picture at most so many times its size as
+    leaves something to be seen. None where nothing is transformed.
+    """
+    if figure is None or not figure.transforms:
+        return None
+    scale, curves = device_map(sheet), curves_of(sheet, figure)
+    made = [None, *products(stages(figure.transforms))]
+    places = np.concatenate(
+        [np.zeros((0, 2)), *(curve for each in made for curve in placed(curves, on_device(scale, each)))]
+    )
+    places = places[np.isfinite(places).all(axis=1)]
+    if not len(places):
+        return None
+    size = np.array([sheet.width_px, sheet.height_px], np.float64)
+    low, high = -_FARTHEST * size, (1 + _FARTHEST) * size
+    left, bottom = np.clip(places.min(axis=0), low, high).tolist()
+    right, top = np.clip(places.max(axis=0), low, high).tolist()
+    return left, bottom, right, top
 
 
 def others(sheet: Sheet, figure: AnyFigure | None) -> tuple[PenStroke, ...]:

@@ -30,6 +30,7 @@ from workbench.panels.transform.scene import (
     moved_axes,
     others,
     plane,
+    reach,
 )
 from workbench.panels.transform.told import place_text
 from workbench.panels.transform.whole import WholeDock
@@ -113,6 +114,7 @@ class TransformView(FigureView):
         self.legend.follow(acting if works else (), self.card.ghosts.isChecked(), self.lit, around)
         self._busy = busy = tool.busy or drag.busy or self.chain_box.busy
         if not busy:
+            self.canvas.set_reach(reach(sheet, active))
             self._leisure.stop()
             self._show_beneath()
         elif not self._leisure.isActive():

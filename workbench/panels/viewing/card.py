@@ -88,6 +88,7 @@ class ViewCard(QScrollArea):
         self.complaint.setWordWrap(True)
         self.complaint.setProperty("role", "error")
         self.complaint.hide()
+        self._complained_of: View | None = None
         self._column.addWidget(self.complaint)
         self._make_modes()
         self._make_clipping()
@@ -191,6 +192,8 @@ class ViewCard(QScrollArea):
     def refresh(self, before: View | None) -> None:
         """Show the view; what differs from how it was ``before`` a drag is lit."""
         sheet, view = self.session.sheet, self.view
+        if self._complained_of is not None and view != self._complained_of:
+            self._complain("")  # it was put right elsewhere, as by a drag or by undo
         names = [view_name(sheet, each) for each in sheet.views]
         line = self.views.lineEdit()
         if names != [self.views.itemText(k) for k in range(self.views.count())]:
@@ -237,33 +240,37 @@ class ViewCard(QScrollArea):
 
     # What is edited
 
-    def apply(self, edit: Edit, name: str, merge: str = "", slug: str = "") -> bool:
-        """Do an edit; False where it was refused, which is said under the fields; those of ``slug`` are
-        edged then."""
+    def apply(
+        self, edit: Edit, name: str, merge: str = "", slug: str = "", asked: Rectangle | None = None
+    ) -> bool:
+        """Do an edit; False where it was refused, which is said under the fields; of those of ``slug`` the
+        ones are edged then in which ``asked`` is another than the rectangle there."""
         try:
             self.session.apply(edit, name, merge)
         except DocumentError as problem:
-            self._complain(problem.short, slug)
+            self._complain(problem.short, slug, asked)
             return False
-        self._complain("", "")
+        self._complain("")
         return True
 
-    def _complain(self, sentence: str, slug: str) -> None:
+    def _complain(self, sentence: str, slug: str = "", asked: Rectangle | None = None) -> None:
         self.complaint.setText(sentence)
         self.complaint.setVisible(bool(sentence))
+        self._complained_of = self.view if sentence else None
         for name, fields in self.rectangles.items():
-            fields.mark_wrong(bool(sentence) and name == slug)
+            fields.mark_wrong(asked if name == slug else None)
 
     def refuse(self, sentence: str) -> None:
         """Say what is wrong with a number that was given elsewhere."""
-        self._complain(sentence, "")
+        self._complain(sentence)
 
     def _change(self, named: Named, rectangle: Rectangle, merge: str) -> None:
         sentence = no_extent(rectangle, named.slug == "viewport")
         if sentence:
-            self._complain(sentence, named.slug)
+            self._complain(sentence, named.slug, rectangle)
         else:
-            self.apply(named.edit(self.view.id, rectangle), change_of(named), merge, named.slug)
+            edit = named.edit(self.view.id, rectangle)
+            self.apply(edit, change_of(named), merge, named.slug, rectangle)
 
     def _set_mode(self, number: int) -> None:
         self.apply(set_mode(self.view.id, MODES[number]), _("Change how the window is shown"))

@@ -100,9 +100,10 @@ class RectangleFields(QWidget):
     def _set(self, side: str, value: float, merge: str) -> None:
         self.changed.emit(replace(self._rectangle, **{side: value}), merge)
 
-    def mark_wrong(self, wrong: bool) -> None:
-        """Edge the fields in error, or no longer."""
-        for field in self.fields.values():
+    def mark_wrong(self, asked: Rectangle | None) -> None:
+        """Edge the sides in error in which what was ``asked`` for is another; with None none any longer."""
+        for side, field in self.fields.items():
+            wrong = asked is not None and getattr(asked, side) != getattr(self._rectangle, side)
             if field.field.property("wrong") != wrong:
                 field.field.setProperty("wrong", wrong)
                 field.field.style().polish(field.field)

@@ -209,10 +209,13 @@ def _on_the_device(geometry: Geometry) -> Iterator[Drawn]:
 
 
 def framed(named: Named, rectangle: Rectangle, held: bool, small: bool) -> Iterator[Drawn]:
-    """A rectangle that can be dragged, two of its corners with their coordinates."""
+    """A rectangle that can be dragged, two of its corners with their coordinates.
+
+    While it is ``held`` they stand beside the pointer, where a corner's name would lie under them.
+    """
     solid = named.slug == "window"
     yield PenStroke(_ring(rectangle), named.ink, 3.0 if held else 2.0, "solid" if solid else "dash")
-    if small:
+    if small or held:
         return
     for x, y, right, up in ((rectangle.xmin, rectangle.ymin, -1, -1), (rectangle.xmax, rectangle.ymax, 1, 1)):
         yield Word(f"({displayed(x)}, {displayed(y)})", x, y, "text", right, up, True)

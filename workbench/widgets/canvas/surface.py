@@ -21,6 +21,8 @@ from workbench.widgets.look.tokens import theme_changed, tokens
 MARGIN = 12
 WORTHWHILE = 0.85
 
+Reach = tuple[float, float, float, float]
+
 
 class CanvasSurface(QWidget):
     """A picture of cells under grid, rulers and marks. ``view_changed`` sends the zoom in percent."""
@@ -39,6 +41,7 @@ class CanvasSurface(QWidget):
         self._view = CanvasView()
         self._keeps_fit = True
         self._covered = 0
+        self._reach: Reach | None = None
         self.worthwhile = WORTHWHILE
         self.cells_per_unit = 1.0
         self._stale = True
@@ -137,14 +140,31 @@ class CanvasSurface(QWidget):
         self._keeps_fit = True
         area, margin = self.area, round(MARGIN * self.devicePixelRatioF())
         plane = self._overlay.plane
-        whole = fitted(area, *self._picture.size, margin, in_cells=not plane)
+        left, bottom, right, top = self._whole()
+        size = right - left, top - bottom
+        whole = fitted(area, *size, margin, in_cells=not plane)
         covered = min(area.right - 1, area.left + round(self._covered * self.devicePixelRatioF()))
-        beside = fitted(replace(area, left=covered), *self._picture.size, margin, in_cells=not plane)
+        beside = fitted(replace(area, left=covered), *size, margin, in_cells=not plane)
         if beside.cell < self.worthwhile * whole.cell:
             # As far from what is covered as the picture can go and be seen whole
-            room = area.right - margin - whole.left - round(whole.cell * self._picture.size[0])
+            room = area.right - margin - whole.left - round(whole.cell * size[0])
             beside = whole.moved(max(0, min(room, covered - whole.left)), 0)
-        self._show(beside, keep=True)
+        self._show(beside.moved(-round(left * beside.cell), round(bottom * beside.cell)), keep=True)
+
+    def _whole(self) -> Reach:
+        """What a fitted picture shows, itself and what reaches beyond it, in cells from its lower left."""
+        width, height = self._picture.size
+        if self._reach is None:
+            return 0.0, 0.0, width, height
+        left, bottom, right, top = self._reach
+        return min(left + 0.5, 0.0), min(bottom + 0.5, 0.0), max(right + 0.5, width), max(top + 0.5, height)
+
+    def set_reach(self, reach: Reach | None) -> None:
+        """What is drawn of a plane reaches so far: left, bottom, right, top, device."""
+        before = self._whole()
+        self._reach = reach
+        if self._keeps_fit and self._whole() != before:
+            self.fit()
 
     def set_covered(self, width: int) -> None:
         """So many logical pixels at the left of the picture are covered by something else."""

@@ -103,7 +103,7 @@ class CanvasView:
 
 
 def fitted(
-    area: Area, width: int, height: int, margin: int, largest: int = MAGNIFIED[-1], in_cells: bool = True
+    area: Area, width: float, height: float, margin: int, largest: int = MAGNIFIED[-1], in_cells: bool = True
 ) -> CanvasView:
     """The whole picture in the middle of ``area``, as large as whole cells or, else, the room allow."""
     room = min((area.width - 2 * margin) / width, (area.height - 2 * margin) / height)
@@ -113,7 +113,7 @@ def fitted(
     return centred(area, width, height, cell)
 
 
-def centred(area: Area, width: int, height: int, cell: float) -> CanvasView:
+def centred(area: Area, width: float, height: float, cell: float) -> CanvasView:
     """The middle of the picture in the middle of ``area``, at the given zoom."""
     middle_x, middle_y = area.centre
     return CanvasView(cell, round(middle_x - width * cell / 2), round(middle_y + height * cell / 2))

@@ -89,9 +89,9 @@ class SentenceView(QLabel):
         if run.entry is None:
             return (Part(run.invitation, None),)
         if run.waiting:
-            score = _("Which pixel comes next? Click it on the canvas. {right} right, {wrong} wrong so far.")
+            score = _("Which pixel comes next? Click it. {right} right, {wrong} wrong.")
             if run.options:
-                score = _("What comes next? Choose it. {right} right, {wrong} wrong so far.")
+                score = _("What comes next? {right} right, {wrong} wrong.")
             asked = Part(score.format(right=run.right, wrong=run.wrong), None)
             return (*run.sentence, Part(" ", None), asked) if run.position else (asked,)
         parts = run.sentence
