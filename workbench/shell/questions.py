@@ -70,7 +70,15 @@ def questions() -> tuple[Question, ...]:
             "display",
             "house",
         ),
-        Question(7, _("Deciding what is hidden: surface against surface, or pixel by pixel?"), _("Surfaces")),
+        Question(
+            7,
+            _("Deciding what is hidden: surface against surface, or pixel by pixel?"),
+            _("Surfaces"),
+            "space",
+            "arena-ring",
+            6,
+            "question_7",
+        ),
         Question(
             8,
             _("Through its points or only near them: which spline does which?"),

@@ -19,6 +19,10 @@ def space_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("space-visibility", lambda window: _visibility(window, "overlapping-triangles", 684)),
         ("space-piercing", lambda window: _visibility(window, "piercing-planes", 860)),
         ("space-fighting", _fighting),
+        ("space-arena", lambda window: _arena(window, "arena-ring")),
+        ("space-arena-piercing", lambda window: _arena(window, "piercing-planes")),
+        ("space-question-7", _question_7),
+        ("space-painter", _painter),
     ]
 
 
@@ -45,6 +49,29 @@ def _fighting(window: MainWindow) -> None:
 
     _visibility(window, "almost-one-plane", 0)
     window.session.update_state(subject=Subject("visibility", arguments={"bits": 8}), step=1796)
+
+
+def _arena(window: MainWindow, slug: str) -> None:
+    """All methods on a scene, which may belong to another page."""
+    _visibility(window, slug, 0)
+    window.panels("space")[0].show_page("arena")
+
+
+def _question_7(window: MainWindow) -> None:
+    from workbench.shell.questions import questions
+
+    window.open_question(next(each for each in questions() if each.number == 7))
+
+
+def _painter(window: MainWindow) -> None:
+    """The painter's algorithm on a ring that has no order, and why a pixel is wrong."""
+    from workbench.document.subjects import Subject
+
+    _arena(window, "arena-ring")
+    window.panels("space")[0].show_page("visibility")
+    subject = Subject("visibility", entry="painter")
+    window.session.update_state(subject=subject, step=5, pixel=(10, 5))
+    window.arrangements.bring_forward("fragments")
 
 
 def _empty(window: MainWindow) -> None:

@@ -107,4 +107,8 @@ ENTRY = Entry(
     marks=square_marks,
     stack="waiting",
     counted={"cells divided": ("Divide",)},
+    keeps={
+        "pixels marked as painted": "image.size",
+        "cells waiting": "7 * (max(image.shape) - 1).bit_length() + 1",
+    },
 )

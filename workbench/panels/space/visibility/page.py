@@ -31,12 +31,12 @@ from workbench.panels.space.visibility.picture import (
 )
 from workbench.panels.space.visibility.surface_run import SurfaceRun, surface_run
 from workbench.panels.stage.empty import EmptyState
+from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.depth_measures import differing
 from workbench.rendering.scene.fragments import NOTHING
 from workbench.rendering.scene.framing import framed
 from workbench.rendering.subjects.registry import marks_on_device
 from workbench.rendering.subjects.visibility import (
-    BACK_FACES,
     KIND,
     NOT_ROUNDED,
     SURFACE_METHODS,

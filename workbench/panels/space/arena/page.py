@@ -1,0 +1,476 @@
+"""The page Hidden surfaces: every method on one scene, what each shows, where it errs, and what it costs."""
+
+from collections.abc import Sequence
+from functools import partial
+
+import numpy as np
+from msgspec.structs import replace
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QGuiApplication, QHideEvent, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from workbench.algorithms import catalogue
+from workbench.document.samples.arena import READY
+from workbench.document.samples.examples import example
+from workbench.document.subjects import Subject
+from workbench.exchange.diagrams import Derivation
+from workbench.exchange.tables import Table
+from workbench.language import _, ngettext
+from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
+from workbench.panels.space.arena.derivation import derivation
+from workbench.panels.space.arena.question_dock import QuestionDock
+from workbench.panels.space.arena.tile import Pixels, TileState, seconds_text
+from workbench.panels.space.arena.tile_grid import TileGrid
+from workbench.panels.space.arena.work import ArenaJob, ArenaWorker, Preparing, Told, Twice
+from workbench.panels.space.visibility.card import COLUMNS
+from workbench.panels.space.visibility.picture import paint_surfaces
+from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.folding_card import fill_choices
+from workbench.panels.stage.picture import data_colours, packed
+from workbench.rendering.scene.arena import TRUTH, MethodRun, methods_for
+from workbench.rendering.scene.growth import TIMES, Growth
+from workbench.rendering.scene.render import DeviceTriangles
+from workbench.rendering.scene.spaces import NOT_YET, Measures, title_of
+from workbench.rendering.subjects.visibility import (
+    KIND,
+    fault_of,
+    method_of,
+    scene_size,
+    size_of,
+    triangles_of,
+    visible_objects,
+    window_of,
+)
+from workbench.session.session import Session
+from workbench.widgets.look.tokens import TITLE_PX, theme_changed, tokens
+
+SLUG, STEPPED_ON = "arena", "visibility"
+_SETTLE_MS = 120
+
+
+class ArenaPage(QWidget):
+    """``hover_text``: what is under the pointer or said in passing; ``zoom_text``: how far the work is."""
+
+    hover_text = Signal(str)
+    zoom_text = Signal(str)
+    _due = Signal()
+
+    usual = Subject(KIND, entry="painter")
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.session = session
+        self._waiting = False
+        self._timing = False
+        self._job: ArenaJob | None = None
+        self._device: DeviceTriangles | None = None
+        self._pictures: dict[str, Pixels] = {}
+        self.measures = Measures()
+        self.problem = ""
+        self.grid = TileGrid()
+        self.question = QuestionDock()
+        self.worker = ArenaWorker(self)
+        self._settle = QTimer(self, interval=_SETTLE_MS, singleShot=True)
+        self._settle.timeout.connect(self._run)
+        self.sentence = QLabel()
+        self.sentence.setWordWrap(True)
+        self.sentence.setContentsMargins(12, 4, 12, 6)
+        self.sentence.setStyleSheet(f"font-size: {TITLE_PX}px")
+        self.sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(self._made_bar())
+        column.addWidget(self.grid, 1)
+        column.addWidget(self.sentence)
+        self.empty = EmptyState(
+            self.grid,
+            _("This sheet has no scene."),
+            partial(session.open_example, READY[0]),
+            _("Show three bars in a ring"),
+        )
+        self.setFocusProxy(self.grid)
+        self._actions = self._made_actions()
+        KeysWhileSeen(self, self._actions)
+        self._connect()
+
+    def _made_bar(self) -> QHBoxLayout:
+        self.ready, self.size_box = QComboBox(), QComboBox()
+        self.ready.setAccessibleName(_("Ready scenes"))
+        self.ready.setToolTip(_("Open a scene on which it is known which methods fail, and why"))
+        self.ready.setPlaceholderText(_("Ready scenes"))
+        for slug in READY:
+            self.ready.addItem(example(slug).title, slug)
+            self.ready.setItemData(
+                self.ready.count() - 1, example(slug).description, Qt.ItemDataRole.ToolTipRole
+            )
+        self.ready.setCurrentIndex(-1)
+        self.ready.activated.connect(lambda k: self.session.open_example(self.ready.itemData(k)))
+        self.size_box.setAccessibleName(_("Size of the pictures"))
+        self.size_box.setToolTip(
+            _("How many pixels a picture has; times are measured at ten times the width and height")
+        )
+        self.size_box.activated.connect(lambda k: self._give_columns(self.size_box.itemData(k)))
+        self.marks = QCheckBox(_("Mark differences"))
+        self.marks.setToolTip(_("Mark the pixels that show another surface than ray casting"))
+        self.marks.setChecked(True)
+        self.marks.toggled.connect(self._show_tiles)
+        self.measure = QPushButton(_("Measure times"))
+        self.measure.clicked.connect(lambda: self.stop() if self.worker.busy else self.measure_times())
+        bar = QHBoxLayout()
+        bar.setContentsMargins(8, 4, 8, 4)
+        bar.setSpacing(8)
+        for widget in (self.ready, self.size_box, self.marks):
+            bar.addWidget(widget)
+        bar.addStretch(1)
+        bar.addWidget(self.measure)
+        return bar
+
+    def _made_actions(self) -> list[QAction]:
+        rows = (
+            ("measure", _("Measure times"), "Ctrl+M", self.measure_times),
+            ("step", _("Step this method"), "Ctrl+Return", lambda: self.step_method(self.chosen)),
+        )
+        made = []
+        for name, text, key, do in rows:
+            action = QAction(text, self)
+            action.setObjectName(f"arena.{name}")
+            action.setShortcut(QKeySequence(key))
+            action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            action.triggered.connect(lambda _checked=False, do=do: do())
+            self.addAction(action)
+            made.append(action)
+        self.grid.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        self.grid.addActions(made)
+        return made
+
+    def _connect(self) -> None:
+        session = self.session
+        self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
+        for told in (session.changed, session.state_changed):
+            told.connect(self.refresh_soon)
+        theme_changed.connect(self._show_tiles)
+        self.grid.chosen.connect(self.choose)
+        self.grid.stepped.connect(self.step_method)
+        self.grid.pointed.connect(self._point)
+        self.question.seen.connect(self._measure_if_not_yet)
+        self.question.measure_wanted.connect(self.measure_times)
+        self.worker.told.connect(self._take)
+        self.worker.ended.connect(self._end)
+
+    # What Space asks of a page
+
+    @property
+    def widget(self) -> QWidget:
+        """Itself."""
+        return self
+
+    def docks(self) -> Sequence[DockPart]:
+        """The table of the two spaces."""
+        right = Qt.DockWidgetArea.RightDockWidgetArea
+        return (("question_7", _("Object and image space"), self.question, right),)
+
+    def commands(self) -> Sequence[QAction]:
+        """Its commands."""
+        return self._actions
+
+    def said(self) -> Said:
+        """What is said in passing, and how far the work is."""
+        return Said(self.hover_text, self.zoom_text)
+
+    def tables(self) -> Sequence[tuple[str, Table]]:
+        """What every method did, and the table of the two spaces."""
+        if not self.measures.runs:
+            return ()
+        return ((_("Hidden surfaces"), self._table()), *self.question.content())
+
+    def copy(self) -> bool:
+        """Put the pictures on the clipboard."""
+        QGuiApplication.clipboard().setPixmap(self.grid.tiles_grabbed())
+        self.hover_text.emit(_("The pictures are on the clipboard."))
+        return True
+
+    def paste(self) -> bool:
+        """Nothing can be pasted here."""
+        return False
+
+    def derivation(self) -> Derivation | None:
+        """The two spaces as a page; None where there is no scene."""
+        return None if self._device is None else derivation(self._device, self.measures)
+
+    def point_at(self, cell: Cell | None) -> None:
+        """Ring a pixel in all pictures."""
+        self.grid.point_at(cell)
+
+    # What is shown
+
+    @property
+    def chosen(self) -> str:
+        """The method that is spoken of, and that the step bar steps."""
+        return method_of(self.session.sheet, self.session.subject) if self._here else ""
+
+    @property
+    def _here(self) -> bool:
+        return self.session.state.workspace == SLUG and self.session.subject.kind == KIND
+
+    def refresh_soon(self, *_arguments: object) -> None:
+        """Show the session as it is when all that happens now has happened; unseen, when it is seen."""
+        if not self._waiting and self.isVisible():
+            self._waiting = True
+            self._due.emit()
+
+    def refresh(self) -> None:
+        """Show the session as it is now; another scene is run as soon as nothing more is changed."""
+        self._waiting = False
+        if not self.isVisible() or not self._here:
+            return
+        session = self.session
+        sheet, subject, fault = session.sheet, session.subject, fault_of(session.sheet)
+        self.empty.sentence.setText(fault)
+        self.empty.setVisible(bool(fault))
+        self.measure.setEnabled(not fault)
+        sizes = [size_of(sheet, columns) for columns in COLUMNS]
+        fill_choices(self.size_box, [(w, f"{w} × {h} px") for w, h in sizes], scene_size(sheet, subject)[0])
+        if fault or sheet.scene is None:
+            self._begin(None)
+        else:
+            methods = methods_for(sheet.scene.camera)
+            job = ArenaJob(sheet.scene, scene_size(sheet, subject), window_of(sheet), methods)
+            if job != self._job:
+                self._begin(job)
+        self._tell()
+
+    def _begin(self, job: ArenaJob | None) -> None:
+        """Forget what was of another scene."""
+        self.stop()
+        self._job, self.measures, self.problem, self._device = job, Measures(), "", None
+        self._pictures = {}
+        if job is not None:
+            try:
+                self._device = triangles_of(self.session.sheet, self._coarse)
+            except ValueError as problem:
+                self.problem = str(problem)
+            self.grid.show_methods(job.methods, job.size)
+            self._settle.start()
+        else:
+            self.grid.show_methods((), (3, 2))
+        self.question.show_measures(self.measures, self.chosen)
+        self._show_tiles()
+
+    @property
+    def _coarse(self) -> Subject:
+        """The subject but for its method: the size alone."""
+        columns = scene_size(self.session.sheet, self.session.subject)[0]
+        return Subject(KIND, arguments={"columns": columns})
+
+    def _run(self) -> None:
+        if self._job is not None and self._device is not None:
+            self.worker.run(self._job)
+        self._tell()
+
+    # Measuring
+
+    def measure_times(self) -> None:
+        """Time every method, after the pictures where those are not there yet."""
+        if self._job is None or self._device is None:
+            return
+        self._timing = True
+        if not self._settle.isActive() and not self.worker.busy:
+            self.measures = self.measures._replace(growth={}, twice={})
+            self.worker.time(self._job)
+        self._tell()
+
+    def _measure_if_not_yet(self) -> None:
+        if self.isVisible() and not self.measures.growth:
+            self.measure_times()
+
+    def stop(self) -> None:
+        """Leave what is being measured; what is done stays."""
+        self._settle.stop()
+        self._timing = False
+        self.worker.cancel()
+        self._tell()
+
+    def _take(self, told: Told) -> None:
+        measures = self.measures
+        if isinstance(told, MethodRun):
+            measures = measures._replace(runs={**measures.runs, told.method: told})
+        elif isinstance(told, Twice):
+            measures = measures._replace(twice={**measures.twice, told.run.method: told.run})
+        elif isinstance(told, Growth):
+            measures = measures._replace(growth={**measures.growth, told.method: told})
+        if isinstance(told, Preparing):
+            self.zoom_text.emit(_("Compiling {done} of {total}").format(done=told.done, total=told.total))
+        self.measures = measures
+        if isinstance(told, MethodRun | Growth):
+            self._show_tile(told.method)
+            self.question.show_measures(self.measures, self.chosen)
+        self._tell()
+
+    def _end(self, problem: str) -> None:
+        self.problem = problem
+        timed = bool(self.measures.growth) or problem
+        if not timed and (self._timing or self.question.in_sight.now):
+            self.measure_times()
+        else:
+            self._timing = False
+        self._tell()
+
+    # Telling
+
+    def _tell(self) -> None:
+        """The sentence, how far the work is, and what the button does."""
+        job, measures, busy = self._job, self.measures, self.worker.busy
+        self.grid.choose(self.chosen)
+        self.question.show_busy(busy or job is None)
+        self.measure.setText(_("Stop") if busy else _("Measure times"))
+        self.measure.setToolTip(
+            _("Leave what is being measured (Escape)")
+            if busy
+            else _("Time every method at ten times the width and height (Ctrl+M)")
+        )
+        if job is None:
+            self.sentence.setText("")
+            return
+        all_of = len(job.methods)
+        if self._timing and measures.runs:
+            self.zoom_text.emit(_("{n} of {all} timed").format(n=len(measures.growth), all=all_of))
+        elif len(measures.runs) < all_of:
+            self.zoom_text.emit(_("{n} of {all} run").format(n=len(measures.runs), all=all_of))
+        else:
+            self.zoom_text.emit(f"{job.size[0]} × {job.size[1]} px")
+        self.sentence.setText(self.problem or self._sentence())
+
+    def _sentence(self) -> str:
+        """What is to be said of the method that is chosen."""
+        run = self.measures.runs.get(self.chosen)
+        if run is None or self._job is None:
+            return _("The methods are being run.") if self.worker.busy else ""
+        title = title_of(run.method)
+        if run.method == TRUTH:
+            return _("{title} compares all surfaces at each pixel: the others are held against it.").format(
+                title=title
+            )
+        wrong = int(run.different.sum())
+        if not wrong:
+            said = _("{title} shows at every pixel what ray casting shows.").format(title=title)
+        else:
+            reason = _(catalogue.get(run.method).fails_where or "depths are equal but for a rounding error")
+            said = ngettext(
+                "{title} differs in {n:,} pixel. It shows another surface where {reason}.",
+                "{title} differs in {n:,} pixels. It shows another surface where {reason}.",
+                wrong,
+            ).format(title=title, n=wrong, reason=reason)
+        growth = self.measures.growth.get(run.method)
+        if growth is None:
+            return said
+        width, height = (TIMES * side for side in self._job.size)
+        time = seconds_text(growth.at_ten, growth.measured)
+        return (
+            said
+            + " "
+            + _("{width} × {height} pixels take {time}.").format(width=width, height=height, time=time)
+        )
+
+    def _show_tiles(self, *_what: object) -> None:
+        self._pictures = {}
+        for method in self.grid.tiles:
+            self._show_tile(method)
+
+    def _show_tile(self, method: str) -> None:
+        run, growth = self.measures.runs.get(method), self.measures.growth.get(method)
+        if run is not None and method not in self._pictures:
+            self._pictures[method] = self._picture(run)
+        self.grid.tiles[method].show_state(TileState(self._pictures.get(method), run, growth))
+
+    def _picture(self, run: MethodRun) -> Pixels:
+        """The surfaces in their colours; a wrong pixel is checked."""
+        assert self._device is not None
+        now = tokens()
+        themed = data_colours(now)
+        colours = np.array([themed.get(each, each) for each in self._device.colours.tolist()], np.uint32)
+        paper = np.full(run.seen.shape, packed(now.canvas), np.uint32)
+        paint_surfaces(paper, run.seen, colours, 1.0)
+        if self.marks.isChecked():
+            rows, columns = np.nonzero(run.different)
+            checks = np.where((rows + columns) % 2, packed(now.error), packed(now.canvas))
+            paper[rows, columns] = checks.astype(np.uint32)
+        return paper
+
+    def _point(self, cell: Cell | None) -> None:
+        self.hover_text.emit("" if cell is None else self.describe(*cell))
+
+    def describe(self, x: int, y: int) -> str:
+        """What ray casting shows at a pixel, and who shows something else."""
+        truth = self.measures.runs.get(TRUTH)
+        if truth is None:
+            return f"({x}, {y})"
+        others = [
+            _("{title}: {surface}").format(
+                title=title_of(run.method), surface=self._name(int(run.seen[y, x]))
+            )
+            for run in self.measures.runs.values()
+            if run.different[y, x]
+        ]
+        surface = self._name(int(truth.seen[y, x]))
+        said = _("({x}, {y}) {surface} by ray casting").format(x=x, y=y, surface=surface)
+        return "; ".join([said, *others])
+
+    def _name(self, triangle: int) -> str:
+        scene = self.session.sheet.scene
+        if triangle < 0 or scene is None or self._device is None:
+            return _("nothing")
+        thing = visible_objects(scene)[int(self._device.objects[triangle])]
+        return _("{name}, triangle {n}").format(name=thing.name or thing.id, n=triangle)
+
+    def _table(self) -> Table:
+        """A row for each method."""
+        columns = _("method"), _("space"), _("tests"), _("divides"), _("keeps"), _("time"), _("differs")
+        rows = []
+        for method, tile in self.grid.tiles.items():
+            values = [value for _name, value in tile.lines()] if tile.state.run is not None else [NOT_YET] * 5
+            rows.append((title_of(method), _(catalogue.get(method).works_in), *values))
+        return Table(columns, rows, formulas=False)
+
+    # The hand
+
+    def choose(self, method: str) -> None:
+        """Speak of a method, and step it in the step bar."""
+        if method and method != self.chosen:
+            self.session.choose(method)
+
+    def step_method(self, method: str) -> None:
+        """Step a method on the page Visibility, the first wrong pixel pointed at."""
+        if not method:
+            return
+        session, coarse = self.session, self._coarse
+        run = self.measures.runs.get(method)
+        wrong = [] if run is None else np.argwhere(run.different).tolist()
+        session.visit(STEPPED_ON, coarse)
+        pixel = (wrong[0][1], wrong[0][0]) if wrong else None
+        session.update_state(subject=replace(coarse, entry=method), step=0, pixel=pixel)
+
+    def _give_columns(self, columns: int) -> None:
+        subject = self.session.state.subject
+        self.session.update_state(
+            subject=replace(subject, arguments={**subject.arguments, "columns": columns}), step=0
+        )
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape stops what is measured."""
+        if event.key() == Qt.Key.Key_Escape and self.worker.busy:
+            self.stop()
+        else:
+            super().keyPressEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show what happened while it was hidden."""
+        super().showEvent(event)
+        self.refresh_soon()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Nothing is measured unseen."""
+        super().hideEvent(event)
+        self.stop()
+        if self._job is not None and len(self.measures.runs) < len(self._job.methods):
+            self._job = None
