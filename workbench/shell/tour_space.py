@@ -53,8 +53,13 @@ def _fighting(window: MainWindow) -> None:
 
 def _arena(window: MainWindow, slug: str) -> None:
     """All methods on a scene, which may belong to another page."""
+
+    def arrive() -> None:
+        window.panels("space")[0].show_page("arena")
+        window.arrangements.bring_forward("growth")
+
     _visibility(window, slug, 0)
-    window.panels("space")[0].show_page("arena")
+    window.enter("space", arrive)
 
 
 def _question_7(window: MainWindow) -> None:
@@ -64,14 +69,16 @@ def _question_7(window: MainWindow) -> None:
 
 
 def _painter(window: MainWindow) -> None:
-    """The painter's algorithm on a ring that has no order, and why a pixel is wrong."""
+    """The painter's algorithm on a ring that has no order, and what came to a pixel that is wrong."""
     from workbench.document.subjects import Subject
 
-    _arena(window, "arena-ring")
-    window.panels("space")[0].show_page("visibility")
-    subject = Subject("visibility", entry="painter")
-    window.session.update_state(subject=subject, step=5, pixel=(10, 5))
-    window.arrangements.bring_forward("fragments")
+    def arrive() -> None:
+        window.panels("space")[0].show_page("visibility")
+        window.session.update_state(subject=Subject("visibility", entry="painter"), step=5, pixel=(10, 5))
+        window.arrangements.bring_forward("fragments")
+
+    _visibility(window, "arena-ring", 0)
+    window.enter("space", arrive)
 
 
 def _empty(window: MainWindow) -> None:

@@ -126,5 +126,5 @@ ENTRY = Entry(
     marks=square_marks,
     stack="waiting",
     counted={"squares divided": ("Divide",)},
-    keeps={"squares waiting": "3 * (max(image.shape) - 1).bit_length() + 1"},
+    keeps={"squares": "3 * (max(image.shape) - 1).bit_length() + 1"},
 )

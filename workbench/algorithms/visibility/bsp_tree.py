@@ -132,5 +132,5 @@ ENTRY = Entry(
     marks=marks,
     stack="walk",
     counted={"splits": ("Split the piece",)},
-    keeps={"pieces in the tree": "len(faces) + counted['splits']"},
+    keeps={"pieces": "len(faces) + counted['splits']"},
 )

@@ -108,7 +108,7 @@ ENTRY = Entry(
     stack="waiting",
     counted={"cells divided": ("Divide",)},
     keeps={
-        "pixels marked as painted": "image.size",
-        "cells waiting": "7 * (max(image.shape) - 1).bit_length() + 1",
+        "flags": "image.size",
+        "cells": "7 * (max(image.shape) - 1).bit_length() + 1",
     },
 )

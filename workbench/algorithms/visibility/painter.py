@@ -130,7 +130,7 @@ ENTRY = Entry(
     next_rung="depth_sort",
     tie="Of equal depths the lower number is painted last, and stays",
     writes="image",
-    keeps={"surfaces in order": "len(faces)"},
-    fails_where="surfaces pierce one another or overlap in a cycle: then no order of whole surfaces is right",
+    keeps={"surfaces": "len(faces)"},
+    fails_where="surfaces pierce or overlap in a cycle, so that no order of whole surfaces is right",
     marks=marks,
 )

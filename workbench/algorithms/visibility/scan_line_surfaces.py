@@ -105,6 +105,6 @@ ENTRY = Entry(
     tie="Of equal depths the lower number is taken",
     writes="image",
     keeps={"edges": "3 * len(faces)"},
-    fails_where="surfaces pierce one another: one comparison decides all pixels from an edge to the next",
+    fails_where="surfaces pierce, since one comparison decides all pixels from an edge to the next",
     marks=marks,
 )

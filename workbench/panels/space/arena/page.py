@@ -18,8 +18,9 @@ from workbench.exchange.tables import Table
 from workbench.language import _, ngettext
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.arena.derivation import derivation
+from workbench.panels.space.arena.growth_dock import GrowthDock
 from workbench.panels.space.arena.question_dock import QuestionDock
-from workbench.panels.space.arena.tile import Pixels, TileState, seconds_text
+from workbench.panels.space.arena.tile import Pixels, TileState
 from workbench.panels.space.arena.tile_grid import TileGrid
 from workbench.panels.space.arena.work import ArenaJob, ArenaWorker, Preparing, Told, Twice
 from workbench.panels.space.visibility.card import COLUMNS
@@ -28,7 +29,7 @@ from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.folding_card import fill_choices
 from workbench.panels.stage.picture import data_colours, packed
 from workbench.rendering.scene.arena import TRUTH, MethodRun, methods_for
-from workbench.rendering.scene.growth import TIMES, Growth
+from workbench.rendering.scene.growth import Growth
 from workbench.rendering.scene.render import DeviceTriangles
 from workbench.rendering.scene.spaces import NOT_YET, Measures, title_of
 from workbench.rendering.subjects.visibility import (
@@ -42,10 +43,11 @@ from workbench.rendering.subjects.visibility import (
     window_of,
 )
 from workbench.session.session import Session
-from workbench.widgets.look.tokens import TITLE_PX, theme_changed, tokens
+from workbench.widgets.look.tokens import theme_changed, tokens
 
 SLUG, STEPPED_ON = "arena", "visibility"
 _SETTLE_MS = 120
+_LEAST_LETTERS = 14
 
 
 class ArenaPage(QWidget):
@@ -68,14 +70,13 @@ class ArenaPage(QWidget):
         self.measures = Measures()
         self.problem = ""
         self.grid = TileGrid()
-        self.question = QuestionDock()
+        self.question, self.growth = QuestionDock(), GrowthDock()
         self.worker = ArenaWorker(self)
         self._settle = QTimer(self, interval=_SETTLE_MS, singleShot=True)
         self._settle.timeout.connect(self._run)
         self.sentence = QLabel()
         self.sentence.setWordWrap(True)
         self.sentence.setContentsMargins(12, 4, 12, 6)
-        self.sentence.setStyleSheet(f"font-size: {TITLE_PX}px")
         self.sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -105,11 +106,14 @@ class ArenaPage(QWidget):
                 self.ready.count() - 1, example(slug).description, Qt.ItemDataRole.ToolTipRole
             )
         self.ready.setCurrentIndex(-1)
+        self.ready.setMinimumContentsLength(_LEAST_LETTERS)
+        self.ready.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.ready.activated.connect(lambda k: self.session.open_example(self.ready.itemData(k)))
         self.size_box.setAccessibleName(_("Size of the pictures"))
         self.size_box.setToolTip(
             _("How many pixels a picture has; times are measured at ten times the width and height")
         )
+        self.size_box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.size_box.activated.connect(lambda k: self._give_columns(self.size_box.itemData(k)))
         self.marks = QCheckBox(_("Mark differences"))
         self.marks.setToolTip(_("Mark the pixels that show another surface than ray casting"))
@@ -154,7 +158,7 @@ class ArenaPage(QWidget):
         self.grid.stepped.connect(self.step_method)
         self.grid.pointed.connect(self._point)
         self.question.seen.connect(self._measure_if_not_yet)
-        self.question.measure_wanted.connect(self.measure_times)
+        self.growth.seen.connect(self._measure_if_not_yet)
         self.worker.told.connect(self._take)
         self.worker.ended.connect(self._end)
 
@@ -166,9 +170,12 @@ class ArenaPage(QWidget):
         return self
 
     def docks(self) -> Sequence[DockPart]:
-        """The table of the two spaces."""
+        """The table of the two spaces, and how the time grows."""
         right = Qt.DockWidgetArea.RightDockWidgetArea
-        return (("question_7", _("Object and image space"), self.question, right),)
+        return (
+            ("question_7", _("Object and image space"), self.question, right),
+            ("growth", _("Growth"), self.growth, right),
+        )
 
     def commands(self) -> Sequence[QAction]:
         """Its commands."""
@@ -182,7 +189,7 @@ class ArenaPage(QWidget):
         """What every method did, and the table of the two spaces."""
         if not self.measures.runs:
             return ()
-        return ((_("Hidden surfaces"), self._table()), *self.question.content())
+        return (_("Hidden surfaces"), self._table()), *self.question.content(), *self.growth.content()
 
     def copy(self) -> bool:
         """Put the pictures on the clipboard."""
@@ -254,7 +261,7 @@ class ArenaPage(QWidget):
             self._settle.start()
         else:
             self.grid.show_methods((), (3, 2))
-        self.question.show_measures(self.measures, self.chosen)
+        self._show_measures()
         self._show_tiles()
 
     @property
@@ -304,13 +311,18 @@ class ArenaPage(QWidget):
         self.measures = measures
         if isinstance(told, MethodRun | Growth):
             self._show_tile(told.method)
-            self.question.show_measures(self.measures, self.chosen)
+            self._show_measures()
         self._tell()
+
+    def _show_measures(self) -> None:
+        self.question.show_measures(self.measures)
+        self.growth.show_growth(self.measures.growth, self.chosen)
 
     def _end(self, problem: str) -> None:
         self.problem = problem
         timed = bool(self.measures.growth) or problem
-        if not timed and (self._timing or self.question.in_sight.now):
+        looked_at = self.question.in_sight.now or self.growth.in_sight.now
+        if not timed and (self._timing or looked_at):
             self.measure_times()
         else:
             self._timing = False
@@ -322,7 +334,7 @@ class ArenaPage(QWidget):
         """The sentence, how far the work is, and what the button does."""
         job, measures, busy = self._job, self.measures, self.worker.busy
         self.grid.choose(self.chosen)
-        self.question.show_busy(busy or job is None)
+        self.growth.show_growth(measures.growth, self.chosen)
         self.measure.setText(_("Stop") if busy else _("Measure times"))
         self.measure.setToolTip(
             _("Leave what is being measured (Escape)")
@@ -357,20 +369,11 @@ class ArenaPage(QWidget):
         else:
             reason = _(catalogue.get(run.method).fails_where or "depths are equal but for a rounding error")
             said = ngettext(
-                "{title} differs in {n:,} pixel. It shows another surface where {reason}.",
-                "{title} differs in {n:,} pixels. It shows another surface where {reason}.",
+                "{title} shows another surface at {n:,} pixel: where {reason}.",
+                "{title} shows another surface at {n:,} pixels: where {reason}.",
                 wrong,
             ).format(title=title, n=wrong, reason=reason)
-        growth = self.measures.growth.get(run.method)
-        if growth is None:
-            return said
-        width, height = (TIMES * side for side in self._job.size)
-        time = seconds_text(growth.at_ten, growth.measured)
-        return (
-            said
-            + " "
-            + _("{width} × {height} pixels take {time}.").format(width=width, height=height, time=time)
-        )
+        return said
 
     def _show_tiles(self, *_what: object) -> None:
         self._pictures = {}
@@ -425,10 +428,10 @@ class ArenaPage(QWidget):
 
     def _table(self) -> Table:
         """A row for each method."""
-        columns = _("method"), _("space"), _("tests"), _("divides"), _("keeps"), _("time"), _("differs")
+        columns = _("method"), _("space"), _("tests"), _("time"), _("divides"), _("keeps"), _("differs")
         rows = []
         for method, tile in self.grid.tiles.items():
-            values = [value for _name, value in tile.lines()] if tile.state.run is not None else [NOT_YET] * 5
+            values = tile.values() or (NOT_YET,) * 5
             rows.append((title_of(method), _(catalogue.get(method).works_in), *values))
         return Table(columns, rows, formulas=False)
 

@@ -24,13 +24,13 @@ from workbench.rendering.scene.arena import TRUTH, MethodRun, space_of
 from workbench.rendering.scene.growth import Growth
 from workbench.rendering.scene.spaces import NOT_YET, title_of
 from workbench.widgets.canvas.overlay import Cell
-from workbench.widgets.look.icons import icon
+from workbench.widgets.look.icons import icon, set_icon
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, TEXT_PX, colour, theme_changed, tokens
-from workbench.widgets.look.type_faces import code_font
 
-HEAD_PX, LINE_PX, AIR_PX = 24, 15, 8
-LEAST_PX = QSize(156, 190)
-_ICON_PX, _BUTTON_PX = 16, 44
+HEAD_PX, LINE_PX, AIR_PX, LINES = 24, 15, 8, 3
+LEAST_PX = QSize(150, 150)
+_ICON_PX, _BUTTON_PX = 16, 18
+_WHOLE = 0.85  # a pixel is made of whole ones of the screen where the picture does not become much smaller
 Pixels = NDArray[np.uint32]
 
 
@@ -63,7 +63,8 @@ class MethodTile(QWidget):
         self.setAccessibleName(title_of(method))
         self.setToolTip(_(catalogue.get(method).summary))
         self.button = QToolButton(self)
-        self.button.setText(_("Step"))
+        set_icon(self.button, "arrow-right", "accent")
+        self.button.setAutoRaise(True)
         self.button.setToolTip(_("Step this method on the page Visibility, with the same scene (Enter)"))
         self.button.setAccessibleName(_("Step {title}").format(title=title_of(method)))
         self.button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -74,7 +75,7 @@ class MethodTile(QWidget):
     def show_state(self, state: TileState) -> None:
         """Show a picture and what is known of it."""
         self.state = state
-        self.setAccessibleDescription("; ".join(f"{name} {value}" for name, value in self.lines()))
+        self.setAccessibleDescription("; ".join(filter(None, self.values())) or _("not run yet"))
         self.update()
 
     def choose(self, on: bool) -> None:
@@ -95,42 +96,41 @@ class MethodTile(QWidget):
         run = self.state.run
         return 0 if run is None else int(run.different.sum())
 
-    def lines(self) -> list[tuple[str, str]]:
-        """What is written below the picture: name and value."""
+    def values(self) -> tuple[str, ...]:
+        """What is known of the run: tests, time, divisions, what is kept, how many pixels differ."""
         run, growth = self.state.run, self.state.growth
         if run is None:
-            return [(_("not run yet"), "")]
-        counted, kept = list(run.counted.items()), list(run.keeps.items())
-        divided = [_("{n:,} {what}").format(n=n, what=_(what)) for what, n in counted[-1:]]
-        keeps = [_("{n:,} {what}").format(n=n, what=_(what)) for what, n in kept[:1]]
-        return [
-            (_("tests"), f"{run.tests:,}"),
-            (_("divides"), divided[0] if divided else _("nothing")),
-            (_("keeps"), keeps[0] if keeps else _("nothing")),
-            (_("time"), NOT_YET if growth is None else seconds_text(growth.at_ten, growth.measured)),
-            (_("differs"), _("{n:,} of {all:,} px").format(n=self.wrong, all=run.seen.size)),
-        ]
+            return ()
+        divided = [_("{n:,} {what}").format(n=n, what=_(what)) for what, n in run.counted.items()]
+        kept = [_("{n:,} {what}").format(n=n, what=_(what)) for what, n in run.keeps.items()]
+        return (
+            _("{n:,} tests").format(n=run.tests),
+            NOT_YET if growth is None else seconds_text(growth.at_ten, growth.measured),
+            divided[-1] if divided else "",
+            _("keeps {what}").format(what=kept[0] if kept else _("nothing")),
+            _("{n:,} px differ").format(n=self.wrong),
+        )
 
     # Painting
 
     @property
     def _room(self) -> QRectF:
         """Where the picture may be."""
-        below = LINE_PX * 5 + AIR_PX
+        below = LINE_PX * LINES + AIR_PX + 2
         return QRectF(
             AIR_PX, HEAD_PX + LINE_PX, self.width() - 2 * AIR_PX, self.height() - HEAD_PX - LINE_PX - below
         )
 
     @property
     def _picture_area(self) -> QRectF:
-        """Where it is: its pixels are whole ones of the screen where there is room."""
+        """Where it is."""
         room, picture = self._room, self.state.picture
         if picture is None:
             return room
         rows, columns = picture.shape
         ratio = self.devicePixelRatioF()
         scale = min(room.width() / columns, room.height() / rows) * ratio
-        scale = (int(scale) if scale >= 1 else scale) / ratio
+        scale = (int(scale) if int(scale) > _WHOLE * scale else scale) / ratio
         width, height = columns * scale, rows * scale
         left = room.left() + round((room.width() - width) / 2 * ratio) / ratio
         return QRectF(left, room.top(), width, height)
@@ -175,14 +175,16 @@ class MethodTile(QWidget):
         font.setWeight(QFont.Weight.DemiBold)
         painter.setFont(font)
         painter.setPen(colour(now.text))
-        room = QRectF(left, 4, self.width() - left - _BUTTON_PX - 4, HEAD_PX - 4)
-        title = painter.fontMetrics().elidedText(
-            title_of(self.method), Qt.TextElideMode.ElideRight, int(room.width())
-        )
+        room = QRectF(left, 4, self.width() - left - AIR_PX, HEAD_PX - 4)
+        title = title_of(self.method)
+        if painter.fontMetrics().horizontalAdvance(title) > room.width():
+            font.setPixelSize(CAPTION_PX)
+            painter.setFont(font)
+        title = painter.fontMetrics().elidedText(title, Qt.TextElideMode.ElideRight, int(room.width()))
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, title)
         space = _(space_of(self.method))
         if self.method == TRUTH:
-            space = _("{space} · taken as the truth").format(space=space)
+            space = _("{space} · the truth").format(space=space)
         painter.setFont(self._caption())
         painter.setPen(colour(now.muted))
         below = QRectF(AIR_PX, HEAD_PX, self.width() - 2 * AIR_PX, LINE_PX - 2)
@@ -220,22 +222,34 @@ class MethodTile(QWidget):
         return QRectF(left, top, (x_high - x_low + 1) * wide, (y_high - y_low + 1) * high)
 
     def _paint_lines(self, painter: QPainter) -> None:
-        now, lines = tokens(), self.lines()
-        top = self.height() - LINE_PX * 5 - AIR_PX
-        for k, (name, value) in enumerate(lines):
-            row = QRectF(AIR_PX, top + k * LINE_PX, self.width() - 2 * AIR_PX, LINE_PX)
-            bad = bool(self.wrong) and k == len(lines) - 1
-            painter.setFont(self._caption())
-            painter.setPen(colour(now.error if bad else now.muted))
-            painter.drawText(row, Qt.AlignmentFlag.AlignVCenter, name)
-            taken = painter.fontMetrics().horizontalAdvance(name) + AIR_PX
-            font = QFont(code_font(CAPTION_PX))
-            font.setBold(bad)
-            painter.setFont(font)
-            painter.setPen(colour(now.error if bad else now.text))
-            room = row.adjusted(taken, 0, 0, 0)
-            said = painter.fontMetrics().elidedText(value, Qt.TextElideMode.ElideRight, int(room.width()))
-            painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, said)
+        now, values = tokens(), self.values()
+        font = self._caption()
+        painter.setFont(font)
+        painter.setPen(colour(now.text if values else now.muted))
+        left, right = (
+            Qt.AlignmentFlag.AlignVCenter | side
+            for side in (Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight)
+        )
+        if not values:
+            painter.drawText(self._line(0), left, _("not run yet"))
+            return
+        tests, time, divided, kept, differ = values
+        for line, side, value in ((0, left, tests), (0, right, time), (1, left, kept)):
+            painter.drawText(self._line(line), side, value)
+        font.setBold(bool(self.wrong))
+        painter.setFont(font)
+        painter.setPen(colour(now.error if self.wrong else now.text))
+        painter.drawText(self._line(2), left, differ)
+        taken = painter.fontMetrics().horizontalAdvance(differ) + AIR_PX
+        painter.setFont(self._caption())
+        painter.setPen(colour(now.text))
+        room = self._line(2).adjusted(taken, 0, 0, 0)
+        divided = painter.fontMetrics().elidedText(divided, Qt.TextElideMode.ElideRight, int(room.width()))
+        painter.drawText(room, right, divided)
+
+    def _line(self, number: int) -> QRectF:
+        top = self.height() - LINE_PX * LINES - AIR_PX + number * LINE_PX
+        return QRectF(AIR_PX, top, self.width() - 2 * AIR_PX, LINE_PX)
 
     def _caption(self) -> QFont:
         font = QFont(self.font())
@@ -245,9 +259,11 @@ class MethodTile(QWidget):
     # The hand
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """The button stays in its corner."""
+        """The button stays beside the line that is short."""
         super().resizeEvent(event)
-        self.button.setGeometry(self.width() - _BUTTON_PX - 5, 5, _BUTTON_PX, HEAD_PX - 4)
+        middle = self._line(1).center().y()
+        left = self.width() - _BUTTON_PX - AIR_PX + 2
+        self.button.setGeometry(left, round(middle) - _BUTTON_PX // 2, _BUTTON_PX, _BUTTON_PX)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """It is chosen."""

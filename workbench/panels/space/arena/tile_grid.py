@@ -5,7 +5,7 @@ from PySide6.QtGui import QPixmap, QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 from workbench.language import _
-from workbench.panels.space.arena.tile import AIR_PX, HEAD_PX, LEAST_PX, LINE_PX, MethodTile
+from workbench.panels.space.arena.tile import AIR_PX, HEAD_PX, LEAST_PX, LINE_PX, LINES, MethodTile
 from workbench.rendering.scene.viewpoint import Size
 from workbench.widgets.canvas.overlay import Cell
 
@@ -37,6 +37,7 @@ class TileGrid(QScrollArea):
             for tile in self.tiles.values():
                 tile.deleteLater()
             self.tiles = {method: self._tile(method) for method in methods}
+            self.setFocusProxy(next(iter(self.tiles.values()), None))
         self._size = size
         self._lay_out()
 
@@ -92,7 +93,7 @@ class TileGrid(QScrollArea):
         rows = -(-len(self.tiles) // columns)
         width = (view.width() - _GAP_PX * (columns + 1)) // columns
         share = self._size[1] / self._size[0]
-        most = round((width - 2 * AIR_PX) * share) + HEAD_PX + 6 * LINE_PX + 2 * AIR_PX
+        most = round((width - 2 * AIR_PX) * share) + HEAD_PX + (LINES + 1) * LINE_PX + 2 * AIR_PX
         fitting = (view.height() - _GAP_PX * (rows + 1)) // max(rows, 1)
         height = max(LEAST_PX.height(), min(most, fitting))
         for k, tile in enumerate(self.tiles.values()):
