@@ -37,7 +37,7 @@ class TileGrid(QScrollArea):
             for tile in self.tiles.values():
                 tile.deleteLater()
             self.tiles = {method: self._tile(method) for method in methods}
-            self.setFocusProxy(next(iter(self.tiles.values()), None))
+            self.setFocusProxy(next(iter(self.tiles.values()), self._inner))
         self._size = size
         self._lay_out()
 
