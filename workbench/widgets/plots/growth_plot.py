@@ -34,6 +34,7 @@ class GrowthPlot(Plot):
         self._unit = ""
         self._strong = ""
         self._lines: list[Any] = []
+        self._say()
 
     def show_curves(self, curves: Sequence[GrowthCurve], unit: str, strong: str) -> None:
         """Plot the curves; ``unit`` is what n counts, ``strong`` the name of the one that is spoken of."""
