@@ -76,7 +76,7 @@ def test_every_method_has_a_tile_that_tells_what_it_does_and_the_wrong_one_says_
     assert page.sentence.text().startswith(
         f"Painter's algorithm shows another surface at {painter.wrong} pixel"
     )
-    assert "no order is right" in page.sentence.text()
+    assert "their farthest corners do not tell which is nearer" in page.sentence.text()
 
 
 def test_wrong_pixels_are_checked_unless_that_is_switched_off(qtbot, page):
@@ -87,7 +87,7 @@ def test_wrong_pixels_are_checked_unless_that_is_switched_off(qtbot, page):
     apart = picture("painter") != picture("ray_casting")
     assert np.array_equal(apart, wrong)
     marked = picture("painter")[wrong].tolist()
-    page.marks.click()
+    page.bar.marks.click()
     assert (picture("painter")[wrong] != marked).any()
     assert not np.array_equal(picture("painter"), picture("ray_casting"))
     assert np.array_equal(picture("octree"), picture("ray_casting"))
@@ -169,7 +169,7 @@ def test_the_pixel_under_the_pointer_is_ringed_in_all_and_told(qtbot, page):
 
 
 def test_a_ready_scene_is_opened_here_and_run(qtbot, page, session):
-    page.ready.activated.emit(READY.index("arena-bracket"))
+    page.bar.ready.activated.emit(READY.index("arena-bracket"))
     session.visit("arena", page.usual)
     until_run(qtbot, page, METHODS + 1)
     assert {method for method, tile in page.grid.tiles.items() if tile.wrong} == {"back_faces", "painter"}
@@ -180,7 +180,7 @@ def test_a_sheet_without_a_scene_says_so_and_offers_one(qtbot, page, session):
     session.visit("arena", page.usual)
     qtbot.waitUntil(page.empty.isVisible, timeout=5_000)
     assert page.empty.sentence.text() == "This sheet has no scene."
-    assert not page.measure.isEnabled()
+    assert not page.bar.measure.isEnabled()
     assert page.derivation() is None
     assert not page.tables()
     qtbot.mouseClick(page.empty.button, LEFT)
@@ -192,7 +192,7 @@ def test_a_sheet_without_a_scene_says_so_and_offers_one(qtbot, page, session):
 def test_times_are_measured_told_and_plotted(qtbot, page, monkeypatch):
     monkeypatch.setattr(work, "growth_of", grown)
     monkeypatch.setattr(work, "_prepare", lambda *_work: None)
-    qtbot.mouseClick(page.measure, LEFT)
+    qtbot.mouseClick(page.bar.measure, LEFT)
     qtbot.waitUntil(lambda: len(page.measures.growth) == METHODS and not page.worker.busy, timeout=60_000)
     assert "1 ms" in page.grid.tiles["painter"].values()
     assert "about 5 s" in page.grid.tiles["octree"].values()
@@ -213,13 +213,13 @@ def test_measuring_is_stopped_by_the_button_and_by_escape(qtbot, page, monkeypat
 
     monkeypatch.setattr(work, "growth_of", endless)
     monkeypatch.setattr(work, "_prepare", lambda *_work: None)
-    for stop in (lambda: page.measure.click(), lambda: qtbot.keyClick(page, Qt.Key.Key_Escape)):
-        page.measure.click()
+    for stop in (lambda: page.bar.measure.click(), lambda: qtbot.keyClick(page, Qt.Key.Key_Escape)):
+        page.bar.measure.click()
         assert page.worker.busy
-        assert page.measure.text() == "Stop"
+        assert page.bar.measure.text() == "Stop"
         stop()
         assert not page.worker.busy
-        assert page.measure.text() == "Measure times"
+        assert page.bar.measure.text() == "Measure times"
     assert len(page.measures.runs) == METHODS
 
 
@@ -228,7 +228,7 @@ def test_what_fails_is_said_in_one_sentence(qtbot, page, monkeypatch):
         raise ValueError("There is no compiler here.")
 
     monkeypatch.setattr(work, "_prepare", without)
-    page.measure.click()
+    page.bar.measure.click()
     qtbot.waitUntil(lambda: not page.worker.busy, timeout=5_000)
     assert page.sentence.text() == "There is no compiler here."
 
@@ -246,10 +246,10 @@ def test_the_two_spaces_are_exported_as_a_labelled_page(qtbot, page):
 
 def test_every_control_has_a_name_and_a_tip(page):
     for control in (
-        page.ready,
-        page.size_box,
-        page.marks,
-        page.measure,
+        page.bar.ready,
+        page.bar.size_box,
+        page.bar.marks,
+        page.bar.measure,
         page.growth.what,
         page.question.table,
     ):

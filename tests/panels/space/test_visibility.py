@@ -424,7 +424,9 @@ def test_gains_and_costs_tell_of_the_method_that_is_stepped(qtbot, page, session
     recorded(qtbot, session)
     qtbot.waitUntil(lambda: "Compares in" in page.cost.words.text(), timeout=20_000)
     words = page.cost.words.text()
-    assert "109 pixels show another surface than by ray casting: where surfaces pierce" in words
+    assert (
+        "109 pixels show another surface than by ray casting: where the depths of surfaces overlap" in words
+    )
     assert "2 surfaces; the depth buffer keeps 1,536 depths" in words
     assert "Drawn in the other order" not in words
     session.update_state(subject=Subject("visibility"))

@@ -131,6 +131,6 @@ ENTRY = Entry(
     tie="Of equal depths the lower number is painted last, and stays",
     writes="image",
     keeps={"surfaces": "len(faces)"},
-    fails_where="surfaces pierce or overlap in a cycle, so that no order is right",
+    fails_where="the depths of surfaces overlap, so that their farthest corners do not tell which is nearer",
     marks=marks,
 )

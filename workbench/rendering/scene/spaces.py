@@ -38,6 +38,11 @@ def title_of(method: str) -> str:
     return _(catalogue.get(method).title)
 
 
+def fails_where(method: str) -> str:
+    """Where a method shows another surface than ray casting, as the end of a sentence."""
+    return _(catalogue.get(method).fails_where) or _("depths are equal but for a rounding error")
+
+
 def in_object_space(method: str) -> bool:
     """Whether its comparisons begin in object space."""
     return space_of(method).startswith("object")

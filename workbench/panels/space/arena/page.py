@@ -7,43 +7,37 @@ import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QHideEvent, QKeyEvent, QKeySequence, QShowEvent
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from workbench.algorithms import catalogue
 from workbench.document.samples.arena import READY
-from workbench.document.samples.examples import example
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
-from workbench.language import _, ngettext
+from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
+from workbench.panels.space.arena.bar import ArenaBar
 from workbench.panels.space.arena.derivation import derivation
 from workbench.panels.space.arena.growth_dock import GrowthDock
 from workbench.panels.space.arena.question_dock import QuestionDock
+from workbench.panels.space.arena.telling import describe, picture_of, sentence_of, table_of
 from workbench.panels.space.arena.tile import Pixels, TileState
 from workbench.panels.space.arena.tile_grid import TileGrid
 from workbench.panels.space.arena.work import ArenaJob, ArenaWorker, Preparing, Told, Twice
-from workbench.panels.space.visibility.card import COLUMNS
-from workbench.panels.space.visibility.picture import paint_surfaces
 from workbench.panels.stage.empty import EmptyState
-from workbench.panels.stage.folding_card import fill_choices
-from workbench.panels.stage.picture import data_colours, packed
-from workbench.rendering.scene.arena import TRUTH, MethodRun, methods_for
+from workbench.rendering.scene.arena import MethodRun, methods_for
 from workbench.rendering.scene.growth import Growth
 from workbench.rendering.scene.render import DeviceTriangles
-from workbench.rendering.scene.spaces import NOT_YET, Measures, title_of
+from workbench.rendering.scene.spaces import Measures
 from workbench.rendering.subjects.visibility import (
     KIND,
     fault_of,
     method_of,
     scene_size,
-    size_of,
     triangles_of,
-    visible_objects,
     window_of,
 )
 from workbench.session.session import Session
-from workbench.widgets.look.tokens import theme_changed, tokens
+from workbench.widgets.look.tokens import theme_changed
 
 SLUG, STEPPED_ON = "arena", "visibility"
 _SETTLE_MS = 120
@@ -69,7 +63,7 @@ class ArenaPage(QWidget):
         self._pictures: dict[str, Pixels] = {}
         self.measures = Measures()
         self.problem = ""
-        self.grid = TileGrid()
+        self.bar, self.grid = ArenaBar(), TileGrid()
         self.question, self.growth = QuestionDock(), GrowthDock()
         self.worker = ArenaWorker(self)
         self._settle = QTimer(self, interval=_SETTLE_MS, singleShot=True)
@@ -81,7 +75,7 @@ class ArenaPage(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addLayout(self._made_bar())
+        column.addWidget(self.bar)
         column.addWidget(self.grid, 1)
         column.addWidget(self.sentence)
         self.empty = EmptyState(
@@ -94,41 +88,6 @@ class ArenaPage(QWidget):
         self._actions = self._made_actions()
         KeysWhileSeen(self, self._actions)
         self._connect()
-
-    def _made_bar(self) -> QHBoxLayout:
-        self.ready, self.size_box = QComboBox(), QComboBox()
-        self.ready.setAccessibleName(_("Ready scenes"))
-        self.ready.setToolTip(_("Open a scene on which it is known which methods fail, and why"))
-        self.ready.setPlaceholderText(_("Ready scenes"))
-        for slug in READY:
-            self.ready.addItem(example(slug).title, slug)
-            self.ready.setItemData(
-                self.ready.count() - 1, example(slug).description, Qt.ItemDataRole.ToolTipRole
-            )
-        self.ready.setCurrentIndex(-1)
-        self.ready.setMinimumContentsLength(_LEAST_LETTERS)
-        self.ready.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.ready.activated.connect(lambda k: self.session.open_example(self.ready.itemData(k)))
-        self.size_box.setAccessibleName(_("Size of the pictures"))
-        self.size_box.setToolTip(
-            _("How many pixels a picture has; times are measured at ten times the width and height")
-        )
-        self.size_box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.size_box.activated.connect(lambda k: self._give_columns(self.size_box.itemData(k)))
-        self.marks = QCheckBox(_("Mark differences"))
-        self.marks.setToolTip(_("Mark the pixels that show another surface than ray casting"))
-        self.marks.setChecked(True)
-        self.marks.toggled.connect(self._show_tiles)
-        self.measure = QPushButton(_("Measure times"))
-        self.measure.clicked.connect(lambda: self.stop() if self.worker.busy else self.measure_times())
-        bar = QHBoxLayout()
-        bar.setContentsMargins(8, 4, 8, 4)
-        bar.setSpacing(8)
-        for widget in (self.ready, self.size_box, self.marks):
-            bar.addWidget(widget)
-        bar.addStretch(1)
-        bar.addWidget(self.measure)
-        return bar
 
     def _made_actions(self) -> list[QAction]:
         rows = (
@@ -149,7 +108,11 @@ class ArenaPage(QWidget):
         return made
 
     def _connect(self) -> None:
-        session = self.session
+        session, bar = self.session, self.bar
+        bar.scene_wanted.connect(session.open_example)
+        bar.columns_wanted.connect(self._give_columns)
+        bar.marks.toggled.connect(self._show_tiles)
+        bar.measure.clicked.connect(lambda: self.stop() if self.worker.busy else self.measure_times())
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
         for told in (session.changed, session.state_changed):
             told.connect(self.refresh_soon)
@@ -189,7 +152,11 @@ class ArenaPage(QWidget):
         """What every method did, and the table of the two spaces."""
         if not self.measures.runs:
             return ()
-        return (_("Hidden surfaces"), self._table()), *self.question.content(), *self.growth.content()
+        return (
+            (_("Hidden surfaces"), table_of(self.grid.tiles.values())),
+            *self.question.content(),
+            *self.growth.content(),
+        )
 
     def copy(self) -> bool:
         """Put the pictures on the clipboard."""
@@ -235,9 +202,8 @@ class ArenaPage(QWidget):
         sheet, subject, fault = session.sheet, session.subject, fault_of(session.sheet)
         self.empty.sentence.setText(fault)
         self.empty.setVisible(bool(fault))
-        self.measure.setEnabled(not fault)
-        sizes = [size_of(sheet, columns) for columns in COLUMNS]
-        fill_choices(self.size_box, [(w, f"{w} × {h} px") for w, h in sizes], scene_size(sheet, subject)[0])
+        self.bar.measure.setEnabled(not fault)
+        self.bar.show_sizes(sheet, scene_size(sheet, subject)[0])
         if fault or sheet.scene is None:
             self._begin(None)
         else:
@@ -335,12 +301,7 @@ class ArenaPage(QWidget):
         job, measures, busy = self._job, self.measures, self.worker.busy
         self.grid.choose(self.chosen)
         self.growth.show_growth(measures.growth, self.chosen)
-        self.measure.setText(_("Stop") if busy else _("Measure times"))
-        self.measure.setToolTip(
-            _("Leave what is being measured (Escape)")
-            if busy
-            else _("Time every method at ten times the width and height (Ctrl+M)")
-        )
+        self.bar.show_busy(busy)
         if job is None:
             self.sentence.setText("")
             return
@@ -351,29 +312,9 @@ class ArenaPage(QWidget):
             self.zoom_text.emit(_("{n} of {all} run").format(n=len(measures.runs), all=all_of))
         else:
             self.zoom_text.emit(f"{job.size[0]} × {job.size[1]} px")
-        self.sentence.setText(self.problem or self._sentence())
-
-    def _sentence(self) -> str:
-        """What is to be said of the method that is chosen."""
-        run = self.measures.runs.get(self.chosen)
-        if run is None or self._job is None:
-            return _("The methods are being run.") if self.worker.busy else ""
-        title = title_of(run.method)
-        if run.method == TRUTH:
-            return _("{title} compares all surfaces at each pixel: the others are held against it.").format(
-                title=title
-            )
-        wrong = int(run.different.sum())
-        if not wrong:
-            said = _("{title} shows at every pixel what ray casting shows.").format(title=title)
-        else:
-            reason = _(catalogue.get(run.method).fails_where or "depths are equal but for a rounding error")
-            said = ngettext(
-                "{title} shows another surface at {n:,} pixel: where {reason}.",
-                "{title} shows another surface at {n:,} pixels: where {reason}.",
-                wrong,
-            ).format(title=title, n=wrong, reason=reason)
-        return said
+        run = measures.runs.get(self.chosen)
+        waiting = _("The methods are being run.") if busy else ""
+        self.sentence.setText(self.problem or (waiting if run is None else sentence_of(run)))
 
     def _show_tiles(self, *_what: object) -> None:
         self._pictures = {}
@@ -382,58 +323,16 @@ class ArenaPage(QWidget):
 
     def _show_tile(self, method: str) -> None:
         run, growth = self.measures.runs.get(method), self.measures.growth.get(method)
-        if run is not None and method not in self._pictures:
-            self._pictures[method] = self._picture(run)
+        if run is not None and self._device is not None and method not in self._pictures:
+            self._pictures[method] = picture_of(run, self._device, self.bar.marks.isChecked())
         self.grid.tiles[method].show_state(TileState(self._pictures.get(method), run, growth))
 
-    def _picture(self, run: MethodRun) -> Pixels:
-        """The surfaces in their colours; a wrong pixel is checked."""
-        assert self._device is not None
-        now = tokens()
-        themed = data_colours(now)
-        colours = np.array([themed.get(each, each) for each in self._device.colours.tolist()], np.uint32)
-        paper = np.full(run.seen.shape, packed(now.canvas), np.uint32)
-        paint_surfaces(paper, run.seen, colours, 1.0)
-        if self.marks.isChecked():
-            rows, columns = np.nonzero(run.different)
-            checks = np.where((rows + columns) % 2, packed(now.error), packed(now.canvas))
-            paper[rows, columns] = checks.astype(np.uint32)
-        return paper
-
     def _point(self, cell: Cell | None) -> None:
-        self.hover_text.emit("" if cell is None else self.describe(*cell))
-
-    def describe(self, x: int, y: int) -> str:
-        """What ray casting shows at a pixel, and who shows something else."""
-        truth = self.measures.runs.get(TRUTH)
-        if truth is None:
-            return f"({x}, {y})"
-        others = [
-            _("{title}: {surface}").format(
-                title=title_of(run.method), surface=self._name(int(run.seen[y, x]))
-            )
-            for run in self.measures.runs.values()
-            if run.different[y, x]
-        ]
-        surface = self._name(int(truth.seen[y, x]))
-        said = _("({x}, {y}) {surface} by ray casting").format(x=x, y=y, surface=surface)
-        return "; ".join([said, *others])
-
-    def _name(self, triangle: int) -> str:
-        scene = self.session.sheet.scene
-        if triangle < 0 or scene is None or self._device is None:
-            return _("nothing")
-        thing = visible_objects(scene)[int(self._device.objects[triangle])]
-        return _("{name}, triangle {n}").format(name=thing.name or thing.id, n=triangle)
-
-    def _table(self) -> Table:
-        """A row for each method."""
-        columns = _("method"), _("space"), _("tests"), _("time"), _("divides"), _("keeps"), _("differs")
-        rows = []
-        for method, tile in self.grid.tiles.items():
-            values = tile.values() or (NOT_YET,) * 5
-            rows.append((title_of(method), _(catalogue.get(method).works_in), *values))
-        return Table(columns, rows, formulas=False)
+        scene, device = self.session.sheet.scene, self._device
+        if cell is None or scene is None or device is None:
+            self.hover_text.emit("")
+        else:
+            self.hover_text.emit(describe(self.measures.runs, scene, device, *cell))
 
     # The hand
 

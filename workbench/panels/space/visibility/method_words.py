@@ -6,6 +6,7 @@ from workbench.algorithms import catalogue
 from workbench.algorithms.visibility.surfaces import NOTHING
 from workbench.language import _
 from workbench.rendering.scene.arena import MethodRun
+from workbench.rendering.scene.spaces import fails_where
 
 
 class MethodMeasures(NamedTuple):
@@ -46,9 +47,8 @@ def _picture(run: MethodRun) -> str:
     wrong, covered = int(run.different.sum()), int((run.seen != NOTHING).sum())
     if not wrong:
         return _("All {covered:,} covered pixels show what ray casting shows.").format(covered=covered)
-    reason = _(catalogue.get(run.method).fails_where or "depths are equal but for a rounding error")
     said = _("{wrong:,} pixels show another surface than by ray casting: where {reason}.")
-    return said.format(wrong=wrong, reason=reason)
+    return said.format(wrong=wrong, reason=fails_where(run.method))
 
 
 def _listed(counts: dict[str, int]) -> str:
