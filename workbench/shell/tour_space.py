@@ -70,11 +70,13 @@ def _question_7(window: MainWindow) -> None:
 
 def _painter(window: MainWindow) -> None:
     """The painter's algorithm on a ring that has no order, and what came to a pixel that is wrong."""
+    from workbench.algorithms.visibility import painter
     from workbench.document.subjects import Subject
 
     def arrive() -> None:
         window.panels("space")[0].show_page("visibility")
-        window.session.update_state(subject=Subject("visibility", entry="painter"), step=5, pixel=(10, 5))
+        subject = Subject("visibility", entry=painter.__name__)
+        window.session.update_state(subject=subject, step=5, pixel=(10, 5))
         window.arrangements.bring_forward("fragments")
 
     _visibility(window, "arena-ring", 0)

@@ -199,7 +199,7 @@ def test_times_are_measured_told_and_plotted(qtbot, page, monkeypatch):
     rows = {row.feature: row for row in page.question.rows}
     assert "Depth sort n^2.0" in rows["Cost, n polygons"].object_space
     assert "Ray casting p^1.0" in rows["Cost, p pixels"].image_space
-    assert "squares divided here" in rows["Precision"].image_space
+    assert "squares divided, then" in rows["Precision"].image_space
     tables = dict(page.tables())
     assert len(tables["Hidden surfaces"].rows) == METHODS
     assert tables["Time by polygons"].rows[0] == ("Depth buffer", 6, pytest.approx(0.1), pytest.approx(2.0))

@@ -138,7 +138,7 @@ def test_the_table_of_the_two_spaces_tells_the_numbers_of_the_scene() -> None:
     assert f"wrong here: Painter's algorithm {wrong} px" in rows["Accuracy"].object_space
     assert "no pixel is wrong here" in rows["Accuracy"].image_space
     squares = done["area_subdivision"].counted["squares divided"]
-    assert f"{squares:,} squares divided here" in rows["Precision"].image_space
+    assert f"Area subdivision {squares:,} squares divided, then {squares:,}" in rows["Precision"].image_space
     assert "Painter's algorithm n^2.0" in rows["Cost, n polygons"].object_space
     assert "Painter's algorithm p^1.0" in rows["Cost, p pixels"].object_space
     assert rows["Examples"].image_space == "Area subdivision"

@@ -103,14 +103,21 @@ def _basis(measures: Measures) -> SpaceRow:
 
 def _precision(measures: Measures) -> SpaceRow:
     said = [_("that of the coordinates: the same for a picture of any size"), _("that of the pixels")]
-    for side, method in enumerate(("bsp_tree", "area_subdivision")):
-        once, twice = measures.runs.get(method), measures.twice.get(method)
-        if once is not None and twice is not None:
-            (what, n), (_what, m) = (*once.counted.items(),)[-1], (*twice.counted.items(),)[-1]
-            said[side] += _("; {title}: {n:,} {what} here, {m:,} at twice the width and height").format(
-                title=title_of(method), n=n, m=m, what=_(what)
+    for side, methods in enumerate(_sides(measures.twice)):
+        divided = [
+            _("{title} {n:,} {what}, then {m:,}").format(
+                title=title_of(each), n=n, what=_(what), m=measures.twice[each].counted[what]
             )
-    return SpaceRow(_("Precision"), said[0], said[1])
+            for each in methods
+            if each in measures.runs
+            for what, n in list(measures.runs[each].counted.items())[-1:]
+        ]
+        if divided:
+            said[side] += _("; here, and at twice the width and height: {divided}").format(
+                divided=", ".join(divided)
+            )
+    but = _("A method of both spaces that divides down to the size of a pixel depends on that size too.")
+    return SpaceRow(_("Precision"), said[0], said[1], but)
 
 
 def _accuracy(measures: Measures) -> SpaceRow:

@@ -1,7 +1,7 @@
 """What stands above the tiles: ready scenes, the size of the pictures, the marks, and the measuring."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QPushButton, QSizePolicy, QWidget
 
 from workbench.document.model import Sheet
 from workbench.document.samples.arena import READY
@@ -11,7 +11,7 @@ from workbench.panels.space.visibility.card import COLUMNS
 from workbench.panels.stage.folding_card import fill_choices
 from workbench.rendering.subjects.visibility import size_of
 
-_LEAST_LETTERS = 14
+_LEAST_LETTERS = 8
 
 
 class ArenaBar(QWidget):
@@ -38,6 +38,7 @@ class ArenaBar(QWidget):
             _("How many pixels a picture has; times are measured at ten times the width and height")
         )
         self.size_box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.size_box.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.size_box.activated.connect(lambda k: self.columns_wanted.emit(self.size_box.itemData(k)))
         self.marks = QCheckBox(_("Mark differences"))
         self.marks.setToolTip(_("Mark the pixels that show another surface than ray casting"))

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QHideEvent, QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
+from workbench.algorithms.visibility import painter
 from workbench.document.samples.arena import READY
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
@@ -51,7 +52,7 @@ class ArenaPage(QWidget):
     zoom_text = Signal(str)
     _due = Signal()
 
-    usual = Subject(KIND, entry="painter")
+    usual = Subject(KIND, entry=painter.__name__)
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from PySide6.QtCore import QObject, Signal
 
+from workbench.algorithms import catalogue
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
 from workbench.engine.background import report
@@ -15,9 +16,6 @@ from workbench.rendering.scene.arena import MethodRun, runs_of
 from workbench.rendering.scene.growth import Growth, growth_of
 from workbench.rendering.scene.viewpoint import Size
 from workbench.session.answers import Answers
-
-COUNTED_TWICE = ("bsp_tree", "area_subdivision")
-"""One of either space, counted at twice the width and height too: what depends on the size?"""
 
 
 class ArenaJob(NamedTuple):
@@ -35,7 +33,7 @@ class ArenaJob(NamedTuple):
 
 
 class Twice(NamedTuple):
-    """A run at twice the width and height."""
+    """A run at twice the width and height: what of the work depends on the size of the picture?"""
 
     run: MethodRun
 
@@ -135,7 +133,7 @@ def _run(job: ArenaJob, work: _Work, tell: Callable[[Told], None]) -> None:
 
 def _time(job: ArenaJob, work: _Work, tell: Callable[[Told], None]) -> None:
     _prepare(job, work, tell)
-    counted = [method for method in job.methods if method in COUNTED_TWICE]
+    counted = [method for method in job.methods if catalogue.get(method).counted]
     for run in runs_of(job.scene, job.twice, job.window, counted, work.flag):
         tell(Twice(run))
     for method in job.methods:
@@ -149,7 +147,7 @@ def _prepare(job: ArenaJob, work: _Work, tell: Callable[[Told], None]) -> None:
 
     if not compiled.available():
         raise ValueError(_("Times are those of compiled texts, and there is no compiler here."))
-    child = Warming(job.methods, ("paint", "collect"))
+    child = Warming(job.methods, ("paint", "collect", "count"))
     work.stop_child = child.stop
     if work.flag.is_set:
         child.stop()
