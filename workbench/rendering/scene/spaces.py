@@ -169,13 +169,17 @@ def _powers(growth: Mapping[str, Growth], which: int, letter: str, said: Sequenc
     told = list(said)
     for side, methods in enumerate(_sides(growth)):
         powers = [
-            f"{title_of(each)} {letter}^{power:.1f}".replace("-", "−")
+            f"{title_of(each)} {letter}^{_power_text(power)}"
             for each in methods
             if (power := growth[each].exponents[which]) is not None
         ]
         if powers:
             told[side] += _("; measured: {powers}").format(powers=", ".join(powers))
     return told[0], told[1]
+
+
+def _power_text(power: float) -> str:
+    return f"{round(power, 1) + 0.0:.1f}".replace("-", "−")
 
 
 def _examples(measures: Measures) -> SpaceRow:

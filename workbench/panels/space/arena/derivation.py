@@ -18,12 +18,12 @@ _PICTURE_PT, _PLOT_PT = 130.0, 170.0
 _LINE_PT = 0.18
 
 
-def derivation(device: DeviceTriangles, measures: Measures) -> Derivation:
-    """The page of what is measured by now."""
+def derivation(device: DeviceTriangles | None, measures: Measures) -> Derivation:
+    """The page of what is measured by now; pictures come with the triangles of the scene."""
     title = _("Object space and image space")
     blocks: list[Block] = [Heading(title)]
     for run in measures.runs.values():
-        if run.method == TRUTH or run.different.any():
+        if device is not None and (run.method == TRUTH or run.different.any()):
             blocks += [Sentence(_told(run)), _picture(run, device)]
     for row in space_rows(measures):
         blocks.append(Heading(row.feature))

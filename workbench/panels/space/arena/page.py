@@ -34,7 +34,6 @@ from workbench.rendering.subjects.visibility import (
     fault_of,
     method_of,
     scene_size,
-    triangles_of,
     window_of,
 )
 from workbench.session.session import Session
@@ -171,7 +170,7 @@ class ArenaPage(QWidget):
 
     def derivation(self) -> Derivation | None:
         """The two spaces as a page; None where there is no scene."""
-        return None if self._device is None else derivation(self._device, self.measures)
+        return None if self._job is None else derivation(self._device, self.measures)
 
     def point_at(self, cell: Cell | None) -> None:
         """Ring a pixel in all pictures."""
@@ -220,10 +219,6 @@ class ArenaPage(QWidget):
         self._job, self.measures, self.problem, self._device = job, Measures(), "", None
         self._pictures = {}
         if job is not None:
-            try:
-                self._device = triangles_of(self.session.sheet, self._coarse)
-            except ValueError as problem:
-                self.problem = str(problem)
             self.grid.show_methods(job.methods, job.size)
             self._settle.start()
         else:
@@ -238,7 +233,7 @@ class ArenaPage(QWidget):
         return Subject(KIND, arguments={"columns": columns})
 
     def _run(self) -> None:
-        if self._job is not None and self._device is not None:
+        if self._job is not None:
             self.worker.run(self._job)
         self._tell()
 
@@ -267,7 +262,9 @@ class ArenaPage(QWidget):
 
     def _take(self, told: Told) -> None:
         measures = self.measures
-        if isinstance(told, MethodRun):
+        if isinstance(told, DeviceTriangles):
+            self._device = told
+        elif isinstance(told, MethodRun):
             measures = measures._replace(runs={**measures.runs, told.method: told})
         elif isinstance(told, Twice):
             measures = measures._replace(twice={**measures.twice, told.run.method: told.run})

@@ -11,9 +11,11 @@ from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
 from workbench.engine.background import report
 from workbench.engine.stopping import Stop, Stopped
+from workbench.engine.turns import short_turns
 from workbench.language import _, reason_of
-from workbench.rendering.scene.arena import MethodRun, runs_of
+from workbench.rendering.scene.arena import MethodRun, device_of, runs_of
 from workbench.rendering.scene.growth import Growth, growth_of
+from workbench.rendering.scene.render import DeviceTriangles
 from workbench.rendering.scene.viewpoint import Size
 from workbench.session.answers import Answers
 
@@ -45,7 +47,7 @@ class Preparing(NamedTuple):
     total: int
 
 
-Told = MethodRun | Twice | Growth | Preparing
+Told = DeviceTriangles | MethodRun | Twice | Growth | Preparing
 
 
 class ArenaWorker(QObject):
@@ -111,7 +113,8 @@ class _Work:
     def done(self, tell: Callable[[Any], None]) -> "tuple[_Work, str] | None":
         """Do it, telling what is done; then a sentence if it failed."""
         try:
-            self._do(self, lambda told: tell((self, told)))
+            with short_turns:
+                self._do(self, lambda told: tell((self, told)))
         except Stopped:
             return None
         except ValueError as error:
@@ -125,6 +128,7 @@ class _Work:
 
 
 def _run(job: ArenaJob, work: _Work, tell: Callable[[Told], None]) -> None:
+    tell(device_of(job.scene, job.size, job.window))
     for run in runs_of(job.scene, job.size, job.window, job.methods, work.flag):
         if work.flag.is_set:
             raise Stopped
