@@ -1,6 +1,7 @@
 """Object space against image space as a page: pictures of the scene, the table, and how the time grows."""
 
 import math
+import re
 from itertools import pairwise
 
 import numpy as np
@@ -15,7 +16,7 @@ from workbench.rendering.scene.spaces import Measures, space_rows, title_of
 from workbench.widgets.formulas.paper import paper_inks
 
 _PICTURE_PT, _PLOT_PT = 130.0, 170.0
-_LINE_PT = 0.18
+_POWER = re.compile(r"\b([np])\^(−?[\d.]*\d)")
 
 
 def derivation(device: DeviceTriangles | None, measures: Measures) -> Derivation:
@@ -27,8 +28,11 @@ def derivation(device: DeviceTriangles | None, measures: Measures) -> Derivation
             blocks += [Sentence(_told(run)), _picture(run, device)]
     for row in space_rows(measures):
         blocks.append(Heading(row.feature))
-        blocks.append(Sentence(_("Object space: {text}.").format(text=row.object_space)))
-        blocks.append(Sentence(_("Image space: {text}.").format(text=row.image_space)))
+        for said, text in (
+            (_("Object space: {text}."), row.object_space),
+            (_("Image space: {text}."), row.image_space),
+        ):
+            blocks.append(Sentence(said.format(text=_POWER.sub(r"$\1^{\2}$", text))))
         if row.but:
             blocks.append(Sentence(_("But: {text}").format(text=row.but)))
     growth = list(measures.growth.values())
@@ -41,7 +45,9 @@ def derivation(device: DeviceTriangles | None, measures: Measures) -> Derivation
 def _told(run: MethodRun) -> str:
     n = int(run.different.sum())
     if not n:
-        return _("{title} ({space}):").format(title=title_of(run.method), space=_(space_of(run.method)))
+        return _("{title} ({space}), which is taken as the truth:").format(
+            title=title_of(run.method), space=_(space_of(run.method))
+        )
     said = _("{title} ({space}): {n:,} of {all:,} pixels are wrong, crossed out here.")
     return said.format(title=title_of(run.method), space=_(space_of(run.method)), n=n, all=run.seen.size)
 
@@ -90,7 +96,7 @@ def _growth(growth: list[Growth], which: int) -> Drawing:
         y = _free(float(points[-1, 1]), taken, (y_high - y_low + 0.3) / 12)
         items.append(Word(told, x_high + 0.35, y, ink, 1, 0))  # type: ignore[arg-type]
     right = x_high + (x_high - x_low) * 0.7 + 1.0
-    return Drawing((x_low, y_low - 0.2, right, y_high + 0.4), items, _PLOT_PT)
+    return Drawing((x_low, y_low - 0.9, right, y_high + 0.4), items, _PLOT_PT)
 
 
 def _points(growth: Growth, which: int) -> list[tuple[float, float]]:
