@@ -1,6 +1,5 @@
 """Object space against image space as a page: pictures of the scene, the table, and how the time grows."""
 
-import math
 import re
 from itertools import pairwise
 
@@ -85,16 +84,19 @@ def _growth(growth: list[Growth], which: int) -> Drawing:
     for power in range(int(y_low), int(y_high) + 1):
         items.append(Word(f"10^{{{power}}}", x_low, float(power), "muted", -1, 0))
     items.append(Word(_("s"), x_low, y_high + 0.3, "muted", 1, 0))
-    taken: list[float] = []
-    for k, (each, points) in enumerate(lines):
+    for k, (_each, points) in enumerate(lines):
         ink = f"data{k % 6 + 1}"
         items.append(Stroke(points, ink, "medium", "solid" if k < 6 else "dash"))  # type: ignore[arg-type]
         items += [Spot(float(x), float(y), ink, "dot", "medium") for x, y in points]  # type: ignore[arg-type]
-        exponent = each.exponents[which]
-        name = title_of(each.method)
-        told = name if exponent is None else f"{name}: {unit}^{{{exponent:.2f}}}"
-        y = _free(float(points[-1, 1]), taken, (y_high - y_low + 0.3) / 12)
-        items.append(Word(told, x_high + 0.35, y, ink, 1, 0))  # type: ignore[arg-type]
+    # Names from top to bottom, as the lines end
+    order = sorted(range(len(lines)), key=lambda k: -float(lines[k][1][-1, 1]))
+    for place, k in enumerate(order):
+        each, exponent = lines[k][0], lines[k][0].exponents[which]
+        told = title_of(each.method)
+        if exponent is not None:
+            told += f": {unit}^{{{exponent:.2f}}}"
+        y = y_high - (y_high - y_low) * place / max(len(order) - 1, 1)
+        items.append(Word(told, x_high + 0.6, y, f"data{k % 6 + 1}", 1, 0))  # type: ignore[arg-type]
     right = x_high + (x_high - x_low) * 0.7 + 1.0
     return Drawing((x_low, y_low - 0.9, right, y_high + 0.4), items, _PLOT_PT)
 
@@ -102,11 +104,3 @@ def _growth(growth: list[Growth], which: int) -> Drawing:
 def _points(growth: Growth, which: int) -> list[tuple[float, float]]:
     points = growth.by_polygons if which else growth.by_pixels
     return [(max(n, 1), max(seconds, 1e-7)) for n, seconds in points]
-
-
-def _free(y: float, taken: list[float], apart: float) -> float:
-    """The place nearest to ``y`` that is ``apart`` from those taken, which it joins."""
-    steps = (side * k * apart for k in range(64) for side in (1, -1))
-    place = next(y + step for step in steps if all(abs(y + step - each) >= apart - 1e-9 for each in taken))
-    taken.append(place if math.isfinite(place) else y)
-    return taken[-1]

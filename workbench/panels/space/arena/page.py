@@ -302,6 +302,8 @@ class ArenaPage(QWidget):
         self.bar.show_busy(busy)
         if job is None:
             self.sentence.setText("")
+            if self.isVisible():
+                self.zoom_text.emit("")
             return
         all_of = len(job.methods)
         if self._timing and measures.runs:
