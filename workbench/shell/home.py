@@ -87,32 +87,13 @@ class HomePage(Page):
         return row
 
     def show_questions(self) -> None:
-        """List the questions: those that can be worked on as buttons, the others below them."""
-        from PySide6.QtCore import Qt
-
+        """List the questions, as buttons."""
         from workbench.shell.questions import algorithms_for, questions
 
-        grid = self._questions
-        for column in (0, 1):
-            grid.setColumnStretch(column, 1)
-        offered = [each for each in questions() if each.workspace]
-        listed = [each for each in questions() if not each.workspace]
-        for place, question in enumerate(offered):
+        for place, question in enumerate(questions()):
             button = _question_card(question, algorithms_for(question.number))
             button.clicked.connect(partial(self._choose, self.question_chosen, question))
-            grid.addWidget(button, place, 0, 1, 2)
-        later = QLabel(_("The workspaces of these are still to come:"))
-        later.setProperty("role", "muted")
-        grid.addWidget(later, len(offered), 0, 1, 2)
-        half = (len(listed) + 1) // 2
-        for place, question in enumerate(listed):
-            label = QLabel(f"{question.number}   {question.text}")
-            label.setProperty("role", "muted")
-            label.setWordWrap(True)
-            label.setAlignment(Qt.AlignmentFlag.AlignTop)
-            if titles := algorithms_for(question.number):
-                label.setToolTip(_("There is already: {titles}").format(titles=" · ".join(titles)))
-            grid.addWidget(label, len(offered) + 1 + place % half, place // half)
+            self._questions.addWidget(button, place, 0)
 
     @staticmethod
     def _choose(signal: SignalInstance, what: object, _checked: bool = False) -> None:

@@ -6,14 +6,14 @@ from workbench.language import _
 
 
 class Question(NamedTuple):
-    """One question. ``workspace`` and ``example`` say where it is worked on, if anywhere yet; ``dock`` names
-    the dock that comes forward there."""
+    """One question: ``workspace`` and ``example`` say where it is worked on, ``dock`` names the dock that
+    comes forward there."""
 
     number: int
     text: str
     topic: str
-    workspace: str = ""
-    example: str = ""
+    workspace: str
+    example: str
     step: int = 0
     dock: str = ""
 
