@@ -30,7 +30,7 @@ def test_the_twelfth_question_opens_the_turn_about_a_point_at_its_step(qtbot: Qt
     window.close()
 
 
-@pytest.mark.parametrize(("number", "page"), [(1, "space"), (2, "visibility"), (5, "space")])
+@pytest.mark.parametrize(("number", "page"), [(1, "space"), (2, "visibility"), (5, "space"), (7, "arena")])
 def test_questions_of_space_open_their_page_with_a_dock_and_a_diagram(
     qtbot: QtBot, number: int, page: str
 ) -> None:

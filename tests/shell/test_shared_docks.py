@@ -115,7 +115,7 @@ def test_each_workspace_keeps_its_place(qtbot: QtBot, window: MainWindow) -> Non
     stands("bresenham_line", 6)
 
 
-OFFERED = [question for question in questions() if question.workspace]
+OFFERED = questions()
 
 
 @pytest.mark.parametrize("question", OFFERED, ids=lambda question: question.example)

@@ -326,13 +326,11 @@ def test_a_message_in_the_place_of_another_is_closed_without_answering_that(wind
     assert (window.messages.text, ended) == ("", [])
 
 
-def test_home_lists_twelve_questions_and_offers_those_with_a_workspace(window: MainWindow) -> None:
+def test_home_lists_twelve_questions_each_with_a_workspace(window: MainWindow) -> None:
     assert [question.number for question in questions()] == list(range(1, 13))
     slugs = {each.slug for each in workspaces()}
-    offered = [question for question in questions() if question.workspace]
-    assert offered
-    assert {question.workspace for question in offered} <= slugs
-    here = [question for question in offered if question.workspace in window.workspace_slugs]
+    assert {question.workspace for question in questions()} <= slugs
+    here = [question for question in questions() if question.workspace in window.workspace_slugs]
     assert here
     for question in here:
         window.open_question(question)
@@ -348,12 +346,11 @@ def test_home_names_the_algorithms_of_each_question(qtbot: QtBot) -> None:
     for question in questions():
         titles = [entry.title for entry in catalogue.entries() if question.number in entry.questions]
         assert algorithms_for(question.number) == titles
-        if question.workspace:
-            assert titles
-            card = cards[f"{question.number} {question.text}"]
-            assert all(title in card.toolTip() for title in titles)
-            said = [label.text() for label in card.findChildren(QLabel)]
-            assert said == [str(question.number), question.text, titles_of_workspaces()[question.workspace]]
+        assert titles
+        card = cards[f"{question.number} {question.text}"]
+        assert all(title in card.toolTip() for title in titles)
+        said = [label.text() for label in card.findChildren(QLabel)]
+        assert said == [str(question.number), question.text, titles_of_workspaces()[question.workspace]]
 
 
 def test_commands_wait_for_the_session(qtbot: QtBot, panels: None) -> None:

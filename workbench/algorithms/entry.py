@@ -126,6 +126,8 @@ class Entry:
     over. Without a recording, as while something is dragged, ``now`` is empty, ``emitted`` everything and
     ``ended`` true. ``stack`` names the local whose length is plotted, or CALLS for a text that calls itself.
     ``counted`` maps what is counted beside the arithmetic to the beginnings of the titles of its blocks.
+    ``keeps`` maps what it keeps beside its picture to an expression for how many there are at most, over the
+    parameters and ``counted``. ``fails_where`` ends the sentence "It shows another surface where ...".
 
     ``draws`` are the kinds of figure that it can draw, ``clips`` those that it can clip to a window, as
     documents name them; ``constructs`` are the kinds of spline of whose points, as they are, it makes the
@@ -169,6 +171,8 @@ class Entry:
     frame: Frame = "device"
     stack: str = ""
     counted: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    keeps: Mapping[str, str] = field(default_factory=dict)
+    fails_where: str = ""
 
     @property
     def parameter_names(self) -> tuple[str, ...]:

@@ -6,14 +6,14 @@ from workbench.language import _
 
 
 class Question(NamedTuple):
-    """One question. ``workspace`` and ``example`` say where it is worked on, if anywhere yet; ``dock`` names
-    the dock that comes forward there."""
+    """One question: ``workspace`` and ``example`` say where it is worked on, ``dock`` names the dock that
+    comes forward there."""
 
     number: int
     text: str
     topic: str
-    workspace: str = ""
-    example: str = ""
+    workspace: str
+    example: str
     step: int = 0
     dock: str = ""
 
@@ -70,7 +70,15 @@ def questions() -> tuple[Question, ...]:
             "display",
             "house",
         ),
-        Question(7, _("Deciding what is hidden: surface against surface, or pixel by pixel?"), _("Surfaces")),
+        Question(
+            7,
+            _("Deciding what is hidden: surface against surface, or pixel by pixel?"),
+            _("Surfaces"),
+            "space",
+            "arena-ring",
+            6,
+            "question_7",
+        ),
         Question(
             8,
             _("Through its points or only near them: which spline does which?"),

@@ -19,6 +19,10 @@ def space_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("space-visibility", lambda window: _visibility(window, "overlapping-triangles", 684)),
         ("space-piercing", lambda window: _visibility(window, "piercing-planes", 860)),
         ("space-fighting", _fighting),
+        ("space-arena", lambda window: _arena(window, "arena-ring")),
+        ("space-arena-piercing", lambda window: _arena(window, "piercing-planes")),
+        ("space-question-7", _question_7),
+        ("space-painter", _painter),
     ]
 
 
@@ -45,6 +49,38 @@ def _fighting(window: MainWindow) -> None:
 
     _visibility(window, "almost-one-plane", 0)
     window.session.update_state(subject=Subject("visibility", arguments={"bits": 8}), step=1796)
+
+
+def _arena(window: MainWindow, slug: str) -> None:
+    """All methods on a scene, which may belong to another page."""
+
+    def arrive() -> None:
+        window.panels("space")[0].show_page("arena")
+        window.arrangements.bring_forward("growth")
+
+    _visibility(window, slug, 0)
+    window.enter("space", arrive)
+
+
+def _question_7(window: MainWindow) -> None:
+    from workbench.shell.questions import questions
+
+    window.open_question(next(each for each in questions() if each.number == 7))
+
+
+def _painter(window: MainWindow) -> None:
+    """The painter's algorithm on a ring that has no order, and what came to a pixel that is wrong."""
+    from workbench.algorithms.visibility import painter
+    from workbench.document.subjects import Subject
+
+    def arrive() -> None:
+        window.panels("space")[0].show_page("visibility")
+        subject = Subject("visibility", entry=painter.__name__)
+        window.session.update_state(subject=subject, step=5, pixel=(10, 5))
+        window.arrangements.bring_forward("fragments")
+
+    _visibility(window, "arena-ring", 0)
+    window.enter("space", arrive)
 
 
 def _empty(window: MainWindow) -> None:

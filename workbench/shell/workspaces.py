@@ -166,7 +166,7 @@ def workspaces() -> tuple[Workspace, ...]:
             ("workbench.panels.space.panel:SpacePanel", inspector),
             steps=True,
             topics=("projection", "visibility"),
-            lower=("hand_table", "fragments", "depth_cost", "variables"),
+            lower=("hand_table", "fragments", "depth_cost", "growth", "variables"),
         ),
         Workspace(
             "animate",

@@ -126,4 +126,5 @@ ENTRY = Entry(
     marks=square_marks,
     stack="waiting",
     counted={"squares divided": ("Divide",)},
+    keeps={"squares": "3 * (max(image.shape) - 1).bit_length() + 1"},
 )

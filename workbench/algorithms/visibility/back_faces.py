@@ -160,6 +160,7 @@ ENTRY = Entry(
         "Without its back faces a solid is drawn rightly: only a convex one, alone in the picture.",
     ),
     works_in="object space",
+    fails_where="a face turned to the eye hides another such face, since nothing compares the two",
     questions=(7,),
     labs=("Hidden surfaces: back faces",),
     frame="world",

@@ -132,4 +132,5 @@ ENTRY = Entry(
     marks=marks,
     stack="walk",
     counted={"splits": ("Split the piece",)},
+    keeps={"pieces": "len(faces) + counted['splits']"},
 )

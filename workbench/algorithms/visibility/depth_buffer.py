@@ -112,4 +112,5 @@ ENTRY = Entry(
     labs=("Hidden surfaces: depth buffer",),
     tie="Strictly nearer wins, so the first drawn stays",
     writes="image",
+    keeps={"depths": "depth.size"},
 )

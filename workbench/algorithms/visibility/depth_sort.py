@@ -137,4 +137,5 @@ ENTRY = Entry(
     writes="image",
     marks=marks,
     counted={"swaps and splits": ("Swap",), "splits": ("Split",)},
+    keeps={"pieces": "len(faces) + 2 * counted['splits']"},
 )

@@ -107,4 +107,8 @@ ENTRY = Entry(
     marks=square_marks,
     stack="waiting",
     counted={"cells divided": ("Divide",)},
+    keeps={
+        "flags": "image.size",
+        "cells": "7 * (max(image.shape) - 1).bit_length() + 1",
+    },
 )

@@ -130,5 +130,7 @@ ENTRY = Entry(
     next_rung="depth_sort",
     tie="Of equal depths the lower number is painted last, and stays",
     writes="image",
+    keeps={"surfaces": "len(faces)"},
+    fails_where="the depths of surfaces overlap, so that their farthest corners do not tell which is nearer",
     marks=marks,
 )

@@ -104,5 +104,7 @@ ENTRY = Entry(
     labs=("Hidden surfaces: scan-line method",),
     tie="Of equal depths the lower number is taken",
     writes="image",
+    keeps={"edges": "3 * len(faces)"},
+    fails_where="surfaces pierce, since one comparison decides all pixels from an edge to the next",
     marks=marks,
 )

@@ -2,6 +2,7 @@
 
 from workbench.document.model import AnyFigure, Circle, Document, Ellipse
 from workbench.document.samples.animate import animate_examples
+from workbench.document.samples.arena import arena_examples
 from workbench.document.samples.clip import clip_examples
 from workbench.document.samples.curves import curve_examples
 from workbench.document.samples.figures import (
@@ -89,6 +90,7 @@ def examples() -> list[Example]:
         *curve_examples(),
         *space_examples(),
         *visibility_examples(),
+        *arena_examples(),
         *animate_examples(),
     ]
 

@@ -64,9 +64,9 @@ def _overlapping_triangles() -> Document:
         far=_FAR,
         distance=_NEAR,
     )
-    materials = _even(0x0072B2), _even(0xD55E00, "m2")
+    materials = even_material(0x0072B2), even_material(0xD55E00, "m2")
     window = Rectangle(-24.0, -16.0, 24.0, 16.0)
-    return _document(_("Two triangles that pierce"), Scene(objects, materials, (), camera), window)
+    return scene_document(_("Two triangles that pierce"), Scene(objects, materials, (), camera), window)
 
 
 def _triangle(corners: tuple[tuple[float, float, float], ...]) -> Mesh:
@@ -75,7 +75,7 @@ def _triangle(corners: tuple[tuple[float, float, float], ...]) -> Mesh:
     return Mesh(places, Faces.of([[0, 1, 2]]))
 
 
-def _even(colour: int, identity: str = "m1") -> Material:
+def even_material(colour: int, identity: str = "m1") -> Material:
     """A material that has its colour in any light, so that surfaces are told apart by it."""
     return Material(identity, colour=colour, ambient=1.0, diffuse=0.0, specular=0.0)
 
@@ -87,10 +87,10 @@ def _piercing_planes() -> Document:
         Object(f"o{k}", MeshSolid(blob_of(square)), f"m{k}", _("Square {n}").format(n=k))
         for k, square in enumerate(squares, 1)
     )
-    materials = tuple(_even(PALETTE[k], f"m{k}") for k in range(1, len(squares) + 1))
+    materials = tuple(even_material(PALETTE[k], f"m{k}") for k in range(1, len(squares) + 1))
     camera = Camera(eye=Point3D(4.0, 3.0, 6.0), near=4.0, far=12.0, distance=5.0)
     scene = Scene(objects, materials, (), camera)
-    return _document(_("Piercing planes"), scene, Rectangle(-1.8, -1.2, 1.8, 1.2))
+    return scene_document(_("Piercing planes"), scene, Rectangle(-1.8, -1.2, 1.8, 1.2))
 
 
 def _almost_one_plane() -> Document:
@@ -100,11 +100,12 @@ def _almost_one_plane() -> Document:
         for k, (solid, name) in enumerate(solids, 1)
     )
     camera = Camera(eye=Point3D(0.0, 0.0, 8.0), near=1.0, far=100.0, distance=5.0)
-    scene = Scene(objects, (_even(0x0072B2), _even(0xD55E00, "m2")), (), camera)
-    return _document(_("Two faces almost in one plane"), scene, Rectangle(-1.8, -1.2, 1.8, 1.2))
+    scene = Scene(objects, (even_material(0x0072B2), even_material(0xD55E00, "m2")), (), camera)
+    return scene_document(_("Two faces almost in one plane"), scene, Rectangle(-1.8, -1.2, 1.8, 1.2))
 
 
-def _document(name: str, scene: Scene, window: Rectangle) -> Document:
+def scene_document(name: str, scene: Scene, window: Rectangle) -> Document:
+    """A sheet of a scene, of which a window of the view plane is seen."""
     width, height = SIZE_PX
     view = View("v1", window, whole_sheet(width, height))
     return Document((Sheet("s1", name, width, height, (view,), PALETTE, scene=scene),))

@@ -3,27 +3,19 @@
 import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import (
-    QFrame,
-    QHeaderView,
-    QLabel,
-    QTableWidget,
-    QTableWidgetItem,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout, QWidget
 
 from workbench.document.scene.looking import kind_of, kinds
 from workbench.document.scene.model import Camera, Scene
 from workbench.exchange.tables import Table
 from workbench.geometry.meshes import Array
 from workbench.language import _, reason_of
+from workbench.panels.space.feature_table import FeatureTable
 from workbench.panels.space.in_sight import InSight
 from workbench.rendering.scene.contrast import Contrast, Row, contrast
 from workbench.widgets.look.empty_state import EmptyState
 
 _PARALLEL, _PERSPECTIVE = 1, 2
-_AIR_PX = 6
 _TELLING_ROW = 2
 
 
@@ -36,22 +28,10 @@ class ContrastDock(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.table = QTableWidget(0, 3)
-        self.table.setAccessibleName(_("Parallel and perspective"))
-        self.table.setToolTip(
-            _("Choose a row to see in the scene what was measured; its cells switch between the projections")
+        self.table = FeatureTable(
+            _("Parallel and perspective"),
+            _("Choose a row to see in the scene what was measured; its cells switch between the projections"),
         )
-        self.table.setWordWrap(True)
-        self.table.setShowGrid(False)
-        self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
-        self.table.setSelectionMode(QTableWidget.SelectionMode.SingleSelection)
-        self.table.setTabKeyNavigation(False)
-        self.table.verticalHeader().hide()
-        header = self.table.horizontalHeader()
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        header.setHighlightSections(False)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        header.sectionResized.connect(self._fit_rows)
         self.table.currentCellChanged.connect(self._choose)
         self.note = QLabel()
         self.note.setWordWrap(True)
@@ -114,30 +94,15 @@ class ContrastDock(QWidget):
 
     def _fill(self, now: Contrast) -> None:
         self._showing = True
-        self.table.setHorizontalHeaderLabels(("", _("Parallel"), _("Perspective")))
+        rows = [(row.feature, row.parallel, row.perspective) for row in now.rows]
+        headings = ("", _("Parallel"), _("Perspective"))
+        self.table.show_rows(headings, rows, [row.but for row in now.rows])
         for column, camera in ((_PARALLEL, now.parallel), (_PERSPECTIVE, now.perspective)):
             if (heading := self.table.horizontalHeaderItem(column)) is not None:
                 heading.setToolTip(title_of(camera))
-        self.table.setRowCount(len(now.rows))
-        for number, row in enumerate(now.rows):
-            for column, text in enumerate((row.feature, row.parallel, row.perspective)):
-                item = QTableWidgetItem(text)
-                item.setToolTip(row.but or text)
-                if not column:
-                    font = item.font()
-                    font.setBold(True)
-                    item.setFont(font)
-                self.table.setItem(number, column, item)
         if self.table.currentRow() < 0:
             self.table.setCurrentCell(_TELLING_ROW, 0)
-        self._fit_rows()
         self._showing = False
-
-    def _fit_rows(self, *_what: object) -> None:
-        """As high as their words, and some air."""
-        self.table.resizeRowsToContents()
-        for row in range(self.table.rowCount()):
-            self.table.setRowHeight(row, self.table.rowHeight(row) + _AIR_PX)
 
     # Choosing
 

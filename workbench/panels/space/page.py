@@ -83,7 +83,13 @@ def pages() -> tuple[PageRow, ...]:
         PageRow(
             "visibility",
             _("Visibility"),
-            _("Which surface is seen: the depth buffer, fragment by fragment"),
+            _("Which surface is seen: a method for hidden surfaces, step by step"),
             "workbench.panels.space.visibility.page:VisibilityPage",
+        ),
+        PageRow(
+            "arena",
+            _("Hidden surfaces"),
+            _("Every method for hidden surfaces on one scene: what each shows, where it errs, what it costs"),
+            "workbench.panels.space.arena.page:ArenaPage",
         ),
     )

@@ -54,6 +54,7 @@ class SpacePanel(PlainPanel, QWidget):
         self.page = ""
         self.show_page(self._rows[0].slug)
         session.path_changed.connect(self._take_run)
+        session.state_changed.connect(self._follow)
 
     def _connect(self, slug: str, page: Page) -> None:
         said = page.said()
@@ -87,6 +88,12 @@ class SpacePanel(PlainPanel, QWidget):
         self.buttons.buttons()[number].setChecked(True)
         self.setFocusProxy(page.widget)
         self._take_run()
+
+    def _follow(self, *_states: object) -> None:
+        """Show the page whose run is stepped, since another page may have led there."""
+        visited = self.session.state.workspace
+        if self.isVisible() and visited != self.page and visited in self._pages:
+            self.show_page(visited)
 
     def page_of(self, slug: str) -> Page:
         """The page of this slug. LookupError: there is none."""

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.visibility.surfaces import NOTHING, surface_of
+from workbench.engine.stopping import Stop
 from workbench.geometry.meshes import Array, Index
 from workbench.rendering.mapping import Call
 from workbench.rendering.scene.viewpoint import Size
@@ -31,7 +32,7 @@ def method_call(method: str, corners: Array, triangles: Index, colours: Index, s
     """
     width, height = size
     given: dict[str, Any] = {
-        "image": np.zeros((height, width), np.int64),
+        "image": np.zeros((height, width), np.uint32),  # for which kernels are compiled ahead
         "depth": np.full((height, width), FARTHEST),
         "vertices": corners,
         "faces": triangles,
@@ -42,20 +43,25 @@ def method_call(method: str, corners: Array, triangles: Index, colours: Index, s
 
 
 def surfaces_seen(
-    method: str, corners: Array, triangles: Index, size: Size, compiling: bool = False
+    method: str,
+    corners: Array,
+    triangles: Index,
+    size: Size,
+    compiling: bool = False,
+    stop: Stop | None = None,
 ) -> Index:
     """(height, width) the number of the triangle that a method shows at each pixel, or NOTHING.
 
     Without ``compiling`` the plain reading serves until the kernel is there. Raises: ValueError, a sentence,
-    where it would need too many pieces.
+    where it would need too many pieces; Stopped.
     """
     from workbench.engine.compiled import paint
 
     numbers = np.arange(1, len(triangles) + 1)
     call = method_call(method, corners, triangles, numbers, size)
-    image: Index = call.arguments[0]
-    paint(call.entry.function, image, 0, *call.arguments, compiling=compiling)
-    return image - 1
+    image: NDArray[np.uint32] = call.arguments[0]
+    paint(call.entry.function, image, 0, *call.arguments, stop=stop, compiling=compiling)
+    return image.astype(np.int64) - 1
 
 
 def picture_by(

@@ -8,22 +8,23 @@ from msgspec.structs import replace
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.marks import Frame, Mark
-from workbench.algorithms.visibility import back_faces, depth_buffer
+from workbench.algorithms.visibility import depth_buffer
 from workbench.document.fields import Number
 from workbench.document.model import Rectangle, Sheet
-from workbench.document.scene.model import Camera, Object, Scene
+from workbench.document.scene.model import Object, Scene
 from workbench.document.subjects import Argument, Subject
-from workbench.geometry.meshes import Array, Mesh
 from workbench.language import _
 from workbench.rendering.mapping import Call
 from workbench.rendering.marks import on_device
+from workbench.rendering.scene import back_face_calls
+from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.fragments import fragments_of
 from workbench.rendering.scene.methods import METHODS, method_call
 from workbench.rendering.scene.render import DeviceTriangles, device_triangles, placed
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
 KIND = "visibility"
-DEPTH_BUFFER, BACK_FACES = depth_buffer.__name__, back_faces.__name__
+DEPTH_BUFFER = depth_buffer.__name__
 LEAST_COLUMNS, USUAL_COLUMNS, MOST_COLUMNS = 8, 48, 96
 SURFACE_METHODS = tuple(method for method in METHODS if method != DEPTH_BUFFER)
 """Those that keep no depths, and are told by their own marks and what they have painted."""
@@ -138,7 +139,7 @@ def _triangles(
 def _depth_call(scene: Scene, size: Size, window: Rectangle | None, bits: int, last_first: bool) -> Call:
     largest = 2**bits - 1 if bits else 1
     device = _triangles(scene, size, window, float(largest), last_first)
-    image = np.zeros(size[::-1], np.int64)
+    image = np.zeros(size[::-1], np.uint32)
     # Into a buffer of whole numbers the text's own writing cuts a depth off, as a real one does.
     depth = np.full(size[::-1], largest, np.int64 if bits else np.float64)
     arguments = image, depth, device.corners, device.triangles, device.colours
@@ -160,46 +161,15 @@ def _exact(subject: Subject) -> dict[str, Argument]:
     return {**subject.arguments, "bits": NOT_ROUNDED}
 
 
-def _back_face_calls(sheet: Sheet) -> list[Call]:
-    """Each object's faces, one call for all that have equally many corners."""
-    if sheet.scene is None or fault_of(sheet):
-        return []
-    camera = sheet.scene.camera
-    eye, look_at = np.array(camera.eye.xyz), np.array(camera.look_at.xyz)
-    entry = catalogue.get(BACK_FACES)
-    return [
-        Call(entry, (mesh.vertices, faces, eye, look_at))
-        for mesh, *_rest in placed(sheet.scene)
-        for faces in _by_corners(mesh)
-    ]
-
-
-def _by_corners(mesh: Mesh) -> list[Array]:
-    sizes = mesh.faces.sizes
-    return [
-        mesh.faces.corners[np.repeat(sizes == size, sizes)].reshape(-1, size) for size in np.unique(sizes)
-    ]
-
-
 def faces_in_order(sheet: Sheet) -> list[tuple[int, int]]:
     """The number of its object and its own of each face, in the order in which back faces are looked for."""
-    if sheet.scene is None:
-        return []
-    return [
-        (number, int(face))
-        for number, (mesh, *_rest) in enumerate(placed(sheet.scene))
-        for face in np.argsort(mesh.faces.sizes, kind="stable")
-    ]
-
-
-def _from_a_point(camera: Camera) -> bool:
-    return camera.projection == "perspective"
+    return [] if sheet.scene is None else back_face_calls.faces_in_order(sheet.scene)
 
 
 def _choices(sheet: Sheet, subject: Subject) -> tuple[str, ...]:
     if sheet.scene is None:
         return ()
-    backs = (BACK_FACES,) if _from_a_point(sheet.scene.camera) else ()
+    backs = (BACK_FACES,) if back_face_calls.looks_from_a_point(sheet.scene.camera) else ()
     return DEPTH_BUFFER, *backs, *SURFACE_METHODS
 
 
@@ -211,7 +181,7 @@ def method_of(sheet: Sheet, subject: Subject) -> str:
 
 def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
     if method_of(sheet, subject) == BACK_FACES:
-        return _back_face_calls(sheet)
+        return [] if sheet.scene is None or fault_of(sheet) else back_face_calls.back_face_calls(sheet.scene)
     make = depth_call if method_of(sheet, subject) == DEPTH_BUFFER else surface_call
     call = make(sheet, subject)
     return [] if call is None else [call]

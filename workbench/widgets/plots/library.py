@@ -23,11 +23,12 @@ class _Library(QObject):
         if self._there:
             QTimer.singleShot(0, self.loaded.emit)
         elif self._coming is None:
-            self._coming = Answers()  # here: this module may have been imported on another thread
-            self._coming.arrived.connect(self._loaded)
+            # Here, and by no method of ours: this module may have been imported on another thread, now over
+            self._coming = Answers()
+            self._coming.arrived.connect(lambda _there: self._loaded())
             self._coming.ask(_load, "imports")
 
-    def _loaded(self, _there: bool) -> None:
+    def _loaded(self) -> None:
         self._there = True
         self._coming = None
         self.loaded.emit()

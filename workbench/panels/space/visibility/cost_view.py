@@ -1,5 +1,6 @@
-"""What a depth buffer gives and what it costs: advantages and limits, each with a number of this scene."""
+"""What the method that is stepped gives and what it costs, each with a number of this scene."""
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -8,12 +9,20 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
-from workbench.language import _, ngettext
+from workbench.language import _, ngettext, reason_of
 from workbench.panels.space.visibility.depth_run import DepthRun
+from workbench.panels.space.visibility.method_words import MethodMeasures, method_words
 from workbench.rendering.mapping import Call
+from workbench.rendering.scene.arena import run_methods
 from workbench.rendering.scene.depth_measures import DepthMeasures, distance_of, least_distance, measured
 from workbench.rendering.scene.fragments import NOTHING
-from workbench.rendering.subjects.visibility import NOT_ROUNDED, backwards, depth_call
+from workbench.rendering.subjects.visibility import (
+    DEPTH_BUFFER,
+    NOT_ROUNDED,
+    backwards,
+    depth_call,
+    window_of,
+)
 from workbench.session.answers import Answers
 
 _BYTE, _DOUBLE = 8, 64
@@ -28,14 +37,16 @@ class CostView(QScrollArea):
         super().__init__(parent)
         self._question = 0
         self._run: DepthRun | None = None
-        self._asked: object = None
+        self._asked: tuple[Call, str] | None = None
         self.measures: DepthMeasures | None = None
+        self._method = DEPTH_BUFFER
+        self._other: MethodMeasures | None = None
         self.words = QLabel()
         self.words.setWordWrap(True)
         self.words.setContentsMargins(12, 8, 12, 8)
         self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.words.setAccessibleName(_("Advantages and limits, measured"))
+        self.words.setAccessibleName(_("Gains and costs, measured"))
         self.setWidget(self.words)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -43,49 +54,76 @@ class CostView(QScrollArea):
         self._answers = Answers(self)
         self._answers.arrived.connect(self._take)
 
-    def refresh(self, run: DepthRun | None) -> None:
-        """Follow the run."""
-        self._run = run
+    def refresh(self, run: DepthRun | None, method: str = DEPTH_BUFFER) -> None:
+        """Follow the run of a method."""
+        self._run, self._method = run, method
         if run is None or not len(run.fragments):
             self._question += 1
-            self._asked = self.measures = None
+            self._asked = self.measures = self._other = None
             nothing = _("No surface covers a pixel, so there is nothing to measure.")
-            elsewhere = _("On the page Visibility the depth buffer is measured on this scene.")
+            elsewhere = _("On the page Visibility the method that is stepped is measured on this scene.")
             self.words.setText(elsewhere if run is None else nothing)
-        elif self.isVisible() and run.call is not self._asked:
+        elif self.isVisible() and not self._is_asked(run.call, method):
             self._ask(run)
         else:
             self._tell()
 
+    def _is_asked(self, call: Call, method: str) -> bool:
+        return self._asked is not None and self._asked[0] is call and self._asked[1] == method
+
     def showEvent(self, event: QShowEvent) -> None:
         """Measure when it is seen."""
         super().showEvent(event)
-        self.refresh(self._run)
+        self.refresh(self._run, self._method)
 
     def _ask(self, run: DepthRun) -> None:
         self._question += 1
-        self._asked, self.measures = run.call, None
-        sheet, subject = run.sheet, run.subject
-        other = {"backwards": not backwards(subject)}, {"bits": NOT_ROUNDED}
-        calls = [
-            depth_call(sheet, replace(subject, arguments={**subject.arguments, **each})) for each in other
-        ]
-        reverse, unrounded = calls
-        assert reverse is not None
-        assert unrounded is not None
+        self._asked, self.measures, self._other = (run.call, self._method), None, None
         self.words.setText(_("Measuring…"))
-        work = partial(_measured, self._question, run.call, reverse, unrounded)
-        self._answers.ask(work, "measures of a depth buffer")
+        work: Callable[[], object] = partial(_let_loose, self._question, run, self._method)
+        if self._method == DEPTH_BUFFER:
+            work = partial(_measured, self._question, *_calls(run))
+        self._answers.ask(work, "measures of hidden surfaces")
 
-    def _take(self, answer: tuple[int, DepthMeasures]) -> None:
+    def _take(self, answer: tuple[int, DepthMeasures | MethodMeasures | str]) -> None:
         question, measures = answer
-        if question == self._question:
+        if question != self._question:
+            return
+        if isinstance(measures, DepthMeasures):
             self.measures = measures
-            self._tell()
+        elif isinstance(measures, MethodMeasures):
+            self._other = measures
+        else:
+            self.words.setText(measures)
+        self._tell()
 
     def _tell(self) -> None:
         if self._run is not None and self.measures is not None:
             self.words.setText(_told(self._run, self.measures))
+        elif self._other is not None:
+            self.words.setText(method_words(self._other))
+
+
+def _calls(run: DepthRun) -> tuple[Call, Call, Call]:
+    """The run, the same in the other order, and the same without rounding."""
+    other = {"backwards": not backwards(run.subject)}, {"bits": NOT_ROUNDED}
+    reverse, unrounded = (
+        depth_call(run.sheet, replace(run.subject, arguments={**run.subject.arguments, **each}))
+        for each in other
+    )
+    assert reverse is not None
+    assert unrounded is not None
+    return run.call, reverse, unrounded
+
+
+def _let_loose(question: int, run: DepthRun, method: str) -> tuple[int, MethodMeasures | str]:
+    scene = run.sheet.scene
+    assert scene is not None
+    try:
+        runs = run_methods(scene, run.size, window_of(run.sheet), (method, DEPTH_BUFFER))
+    except ValueError as problem:
+        return question, reason_of(problem)
+    return question, MethodMeasures(*runs)
 
 
 def _measured(question: int, *calls: Call) -> tuple[int, DepthMeasures]:

@@ -1,4 +1,4 @@
-"""Why this pixel? Every fragment that came to it, its depth against the stored one; a click goes there."""
+"""Why this pixel? Every fragment that came to it, or all that was painted there; a click goes to the step."""
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QKeyEvent
@@ -6,6 +6,9 @@ from PySide6.QtWidgets import QLabel, QListWidget, QListWidgetItem, QVBoxLayout,
 
 from workbench.language import _, ngettext
 from workbench.panels.space.visibility.depth_run import DepthRun
+from workbench.panels.space.visibility.pixel_steps import PixelStep, pixel_steps
+from workbench.rendering.scene.back_face_calls import BACK_FACES
+from workbench.rendering.scene.fragments import NOTHING
 from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
 
@@ -35,31 +38,54 @@ class FragmentList(QWidget):
         column.addWidget(self.list, 1)
         self.setAutoFillBackground(True)
 
-    def refresh(self, run: DepthRun | None) -> None:
-        """Follow the run."""
+    def refresh(self, run: DepthRun | None, keeps_depths: bool = True) -> None:
+        """Follow the run: the fragments, or what was painted where a method keeps no depths."""
         pixel = self._session.state.pixel
         if run is None or pixel is None:
             self._shown = ()
             self.list.clear()
             self.caption.setText(_("Click a pixel, or point at one and press Y: what came to it?"))
             return
+        if keeps_depths:
+            self._list_fragments(run, pixel)
+        else:
+            self._list_painted(run, pixel)
+        self._mark(run.reached if keeps_depths else self._session.run.number)
+
+    def _list_fragments(self, run: DepthRun, pixel: tuple[int, int]) -> None:
         numbers = run.fragments.at(*pixel).tolist()
         if run.hidden:
             numbers = [number for number in numbers if number < run.reached]
-        shown = run.call, pixel, len(numbers)
-        if not self._shown or shown[0] is not self._shown[0] or shown[1:] != self._shown[1:]:
-            self._shown = shown
-            self._list(run, pixel, numbers)
-        self._mark(run)
-
-    def _list(self, run: DepthRun, pixel: tuple[int, int], numbers: list[int]) -> None:
-        self.list.clear()
+        if self._is_shown(run, pixel, len(numbers)):
+            return
         text = ngettext("{n} fragment came to it.", "{n} fragments came to it.", len(numbers))
         said = text.format(n=len(numbers)) if numbers else _nothing(run)
-        self.caption.setText(f"<b>({pixel[0]}, {pixel[1]})</b> {said}")
         winners = [number for number in numbers if run.fragments.won[number]]
-        for number in numbers:
-            self.list.addItem(self._item(run, number, number == winners[-1]))
+        self._list(pixel, said, [self._item(run, number, number == winners[-1]) for number in numbers])
+
+    def _list_painted(self, run: DepthRun, pixel: tuple[int, int]) -> None:
+        stepped = self._session.run
+        if stepped.entry is not None and stepped.entry.slug == BACK_FACES:
+            self._shown = ()
+            self._list(pixel, _("Back faces are told of faces, not of pixels: choose another method."), [])
+            return
+        steps = pixel_steps(run, stepped, *pixel)
+        if self._is_shown(run, pixel, (stepped.entry, *steps)):
+            return
+        text = ngettext("It was painted {n} time.", "It was painted {n} times.", len(steps))
+        said = text.format(n=len(steps)) if steps else _("No surface was painted there.")
+        self._list(pixel, said, [_painted_item(run, step, step is steps[-1]) for step in steps])
+
+    def _is_shown(self, run: DepthRun, pixel: tuple[int, int], rows: object) -> bool:
+        """Whether these rows of the pixel are listed already; from now on they are."""
+        before, self._shown = self._shown, (run.call, pixel, rows)
+        return bool(before) and before[0] is run.call and before[1:] == self._shown[1:]
+
+    def _list(self, pixel: tuple[int, int], said: str, items: list[QListWidgetItem]) -> None:
+        self.list.clear()
+        self.caption.setText(f"<b>({pixel[0]}, {pixel[1]})</b> {said}")
+        for item in items:
+            self.list.addItem(item)
 
     def _item(self, run: DepthRun, number: int, stands: bool) -> QListWidgetItem:
         fragments = run.fragments
@@ -74,17 +100,12 @@ class FragmentList(QWidget):
         head = _("Step {n}: {surface}, {verb}.").format(n=number + 1, surface=name, verb=verb)
         z, stored = float(fragments.z[number]), float(fragments.stored[number])
         told = text.format(z=run.depth_text(z), stored=run.depth_text(stored))
-        item = QListWidgetItem(icon("check" if won else "x", "text" if won else "warn"), f"{head}\n{told}")
-        font = item.font()
-        font.setWeight(font.Weight.DemiBold if stands else font.Weight.Normal)
-        item.setFont(font)
-        item.setData(Qt.ItemDataRole.UserRole, number + 1)
-        return item
+        return _list_item(number + 1, f"{head}\n{told}", won, stands)
 
-    def _mark(self, run: DepthRun) -> None:
+    def _mark(self, step: int) -> None:
         """The line of the present step is the current one."""
         rows = [self.list.item(k).data(Qt.ItemDataRole.UserRole) for k in range(self.list.count())]
-        self.list.setCurrentRow(rows.index(run.reached) if run.reached in rows else -1)
+        self.list.setCurrentRow(rows.index(step) if step in rows else -1)
 
     def _go(self, item: QListWidgetItem) -> None:
         self._session.update_state(step=item.data(Qt.ItemDataRole.UserRole), detail=False)
@@ -103,3 +124,26 @@ def _nothing(run: DepthRun) -> str:
     if run.hidden:
         return _("No fragment has come to it yet: it holds z = {z}.").format(z=z)
     return _("No surface covers it: it keeps z = {z} and the colour of the ground.").format(z=z)
+
+
+def _painted_item(run: DepthRun, step: PixelStep, stands: bool) -> QListWidgetItem:
+    verb = _("painted, and stands") if stands else _("painted")
+    head = _("Step {n}: {surface}, {verb}.").format(n=step.step, surface=run.name_of(step.surface), verb=verb)
+    z, under = run.depth_text(step.z), run.depth_text(step.under_z)
+    if step.under == NOTHING:
+        told = _("z = {z}, over the ground.").format(z=z)
+    elif step.hides_nearer:
+        told = _("z = {z}, over what is nearer, {under}.").format(z=z, under=under)
+    else:
+        told = _("z = {z}, over {under}, which is not nearer.").format(z=z, under=under)
+    return _list_item(step.step, f"{head}\n{told}", not step.hides_nearer, stands)
+
+
+def _list_item(step: int, text: str, right: bool, stands: bool) -> QListWidgetItem:
+    """A line that leads to a step; what stands is half bold."""
+    item = QListWidgetItem(icon("check" if right else "x", "text" if right else "warn"), text)
+    font = item.font()
+    font.setWeight(font.Weight.DemiBold if stands else font.Weight.Normal)
+    item.setFont(font)
+    item.setData(Qt.ItemDataRole.UserRole, step)
+    return item

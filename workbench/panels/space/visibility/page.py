@@ -1,4 +1,4 @@
-"""The page Visibility: the depth buffer from the inside, on a coarse picture of the scene."""
+"""The page Visibility: a method for hidden surfaces from the inside, on a coarse picture of the scene."""
 
 from collections.abc import Callable, Sequence
 
@@ -31,12 +31,12 @@ from workbench.panels.space.visibility.picture import (
 )
 from workbench.panels.space.visibility.surface_run import SurfaceRun, surface_run
 from workbench.panels.stage.empty import EmptyState
+from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.depth_measures import differing
 from workbench.rendering.scene.fragments import NOTHING
 from workbench.rendering.scene.framing import framed
 from workbench.rendering.subjects.registry import marks_on_device
 from workbench.rendering.subjects.visibility import (
-    BACK_FACES,
     KIND,
     NOT_ROUNDED,
     SURFACE_METHODS,
@@ -184,7 +184,7 @@ class VisibilityPage(QWidget):
     def derivation(self) -> Derivation | None:
         """The depth buffer at its step; None where something else is stepped, or nothing can be."""
         run = self._run
-        if run is None or not len(run.fragments) or self._tests_faces:
+        if run is None or not len(run.fragments) or not self._keeps_depths:
             return None
         return derivation(run, self.cost.measures)
 
@@ -226,8 +226,8 @@ class VisibilityPage(QWidget):
             self.canvas.set_overlay(self._overlay(run, wrong))
             self.plot.show_row(row_of_depths(run, now))
         self._show_lens()
-        self.fragments.refresh(run)
-        self.cost.refresh(run)
+        self.fragments.refresh(run, self._keeps_depths)
+        self.cost.refresh(run, self._method)
 
     @property
     def _method(self) -> str:
@@ -322,13 +322,16 @@ class VisibilityPage(QWidget):
             return
         self.session.update_state(pixel=(x, y))
         if not self.session.run.waiting and not self.session.run.run_to_pixel(x, y):
-            self.hover_text.emit(_("No fragment comes to ({x}, {y}).").format(x=x, y=y))
+            said = _("No fragment comes to ({x}, {y}).")
+            if not self._keeps_depths:
+                said = _("Nothing is painted at ({x}, {y}).")
+            self.hover_text.emit(said.format(x=x, y=y))
 
     def ask_why(self) -> None:
         """List what came to the pixel that is pointed at."""
         cell = self.canvas.pointed_cell
         if self._tests_faces:
-            self.hover_text.emit(_("Back faces are told of faces, not of pixels: choose the depth buffer."))
+            self.hover_text.emit(_("Back faces are told of faces, not of pixels: choose another method."))
         elif cell is None:
             self.hover_text.emit(_("Point at a pixel first, then ask why it is as it is."))
         else:

@@ -1,0 +1,80 @@
+"""A method that keeps no depths, stepped on the page Visibility: its pixels, its gains and costs."""
+
+import pytest
+
+from tests.panels.by_hand import recorded
+from workbench.document.samples.examples import example
+from workbench.document.subjects import Subject
+from workbench.panels.space.visibility.page import VisibilityPage
+from workbench.session.session import Session
+
+
+@pytest.fixture
+def session(qtbot):
+    made = Session(document=example("overlapping-triangles").document)
+    yield made
+    made.close()
+    made.deleteLater()
+
+
+@pytest.fixture
+def page(qtbot, session):
+    made = VisibilityPage(session)
+    qtbot.addWidget(made)
+    made.resize(900, 620)
+    made.show()
+    session.visit("visibility", made.usual)
+    recorded(qtbot, session)
+    return made
+
+
+def test_why_this_pixel_tells_what_the_painter_painted_there_and_over_what(qtbot, page, session):
+    session.update_state(subject=Subject("visibility", entry="painter"), pixel=(23, 15))
+    recorded(qtbot, session)
+    listed = [page.fragments.list.item(k).text() for k in range(page.fragments.list.count())]
+    assert listed == [
+        "Step 1: Triangle 1, painted.\nz = 0.5075, over the ground.",
+        "Step 2: Triangle 0, painted, and stands.\nz = 0.5200, over what is nearer, 0.5075.",
+    ]
+    assert "It was painted 2 times." in page.fragments.caption.text()
+    page.fragments.list.itemClicked.emit(page.fragments.list.item(1))
+    recorded(qtbot, session)
+    assert session.run.number == 2
+    assert page.fragments.list.currentRow() == 1
+    assert page.derivation() is None  # which is that of the depth buffer
+
+
+def test_why_this_pixel_tells_of_each_method_the_surface_that_it_shows(qtbot, page, session):
+    shown_by = {"scan_line_surfaces": 0, "area_subdivision": 1, "ray_casting": 1}  # the first errs here
+    for method, surface in shown_by.items():
+        session.update_state(subject=Subject("visibility", entry=method), pixel=(28, 15))
+        recorded(qtbot, session)
+        assert page.fragments.list.count() == 1
+        assert f"Triangle {surface}, painted, and stands" in page.fragments.list.item(0).text()
+    session.update_state(pixel=(0, 0))
+    recorded(qtbot, session)
+    assert page.fragments.list.count() == 0
+    assert "No surface was painted there" in page.fragments.caption.text()
+
+
+def test_asked_first_a_pixel_tells_only_of_steps_that_were_seen(qtbot, page, session):
+    session.update_state(subject=Subject("visibility", entry="painter"), ask_first=True, pixel=(23, 15))
+    recorded(qtbot, session)
+    assert page.fragments.list.count() == 0
+
+
+def test_gains_and_costs_tell_of_the_method_that_is_stepped(qtbot, page, session):
+    qtbot.addWidget(page.cost)
+    page.cost.show()
+    session.update_state(subject=Subject("visibility", entry="painter"))
+    recorded(qtbot, session)
+    qtbot.waitUntil(lambda: "Compares in" in page.cost.words.text(), timeout=20_000)
+    words = page.cost.words.text()
+    assert (
+        "109 pixels show another surface than by ray casting: where the depths of surfaces overlap" in words
+    )
+    assert "2 surfaces; the depth buffer keeps 1,536 depths" in words
+    assert "Drawn in the other order" not in words
+    session.update_state(subject=Subject("visibility"))
+    recorded(qtbot, session)
+    qtbot.waitUntil(lambda: "Drawn in the other order" in page.cost.words.text(), timeout=20_000)

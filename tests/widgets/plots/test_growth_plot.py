@@ -1,0 +1,53 @@
+"""Curves of growth: both scales logarithmic, the powers told, and the library of plots from any thread."""
+
+import threading
+
+import numpy as np
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from workbench.widgets.plots.growth_plot import GrowthCurve, GrowthPlot
+from workbench.widgets.plots.library import _Library
+
+
+class _Told(QWidget):
+    times = 0
+
+    def take(self) -> None:
+        self.times += 1
+
+
+CURVES = [
+    GrowthCurve("Painter's algorithm", [(10, 1e-4), (100, 1e-3)], 1.0),
+    GrowthCurve("Octree", [(10, 1e-3), (100, 1e-1)], 2.0),
+    GrowthCurve("Back faces", [(10, 1e-5)], None),
+]
+
+
+def test_lines_are_laid_over_logarithms_and_the_one_spoken_of_is_told_first(qtbot: QtBot) -> None:
+    plot = GrowthPlot()
+    qtbot.addWidget(plot)
+    plot.resize(400, 240)
+    plot.show()
+    assert "Measure the times" in plot.caption.text()
+    plot.show_curves(CURVES, "n pixels", "Painter's algorithm")
+    qtbot.waitUntil(lambda: plot._plot is not None, timeout=20_000)
+    x, y = plot._lines[0].getData()
+    assert np.allclose(x, [1.0, 2.0])
+    assert np.allclose(y, [-1.0, 0.0])  # milliseconds
+    assert plot.accessibleDescription() == "Painter's algorithm n^1.00; Octree n^2.00"
+    numbers = plot.numbers()
+    assert numbers is not None
+    assert numbers.rows[0] == ("Painter's algorithm", 10, "0.1")
+
+
+def test_the_library_comes_though_it_was_first_imported_on_a_thread_that_is_over(qtbot: QtBot) -> None:
+    made: list[_Library] = []
+    thread = threading.Thread(target=lambda: made.append(_Library()))
+    thread.start()
+    thread.join()
+    widget = _Told()
+    qtbot.addWidget(widget)
+    made[0].loaded.connect(widget.take)
+    made[0].ask()
+    qtbot.waitUntil(lambda: widget.times == 1, timeout=20_000)
