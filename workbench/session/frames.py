@@ -22,12 +22,14 @@ _TICK_MS = 8
 
 
 class Frames(QObject):
-    """The frames of the current sheet. ``played``: the clock was started or stopped.
+    """The frames of the current sheet. ``played``: the clock was started or stopped. ``settled``: somebody
+    went to a frame, or it stopped in one.
 
     ``mode`` says what comes after the last frame, ``speed`` how many times as fast as the rate says it plays.
     """
 
     played = Signal(bool)
+    settled = Signal()
 
     def __init__(self, session: "Session", clock: Callable[[], float] = perf_counter) -> None:
         super().__init__(session)
@@ -66,6 +68,7 @@ class Frames(QObject):
         """Show a frame, or the nearest that there is; playing goes on from there."""
         self._put(number)
         self._since = self._clock(), float(self.number)
+        self.settled.emit()
 
     def _put(self, number: int) -> None:
         session = self._session
@@ -104,6 +107,7 @@ class Frames(QObject):
         if self.playing:
             self._timer.stop()
             self.played.emit(False)
+            self.settled.emit()
 
     def toggle(self) -> None:
         """Play, or stop."""

@@ -20,7 +20,10 @@ def open_example(window: MainWindow, slug: str, step: int | None = None) -> None
 def open_question(window: MainWindow, question: Question) -> None:
     """Open workspace, example and step of a question."""
     window.files.example(question.example)
-    _enter(window, question.workspace, example(question.example), question.step, question.dock)
+    if question.frame:
+        window.session.frames.show(question.frame)
+    step = None if question.frame else question.step
+    _enter(window, question.workspace, example(question.example), step, question.dock)
 
 
 def _enter(window: MainWindow, workspace: str, chosen: Example, step: int | None, dock: str = "") -> None:

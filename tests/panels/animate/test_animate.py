@@ -10,7 +10,9 @@ from tests.panels.by_hand import LEFT, drag, settle
 from workbench.document.model import Circle
 from workbench.document.motion.tracks import track_on
 from workbench.panels.animate.panel import AnimatePanel
+from workbench.panels.shared.inspector import InspectorPanel
 from workbench.session.session import Session
+from workbench.shell.workspaces import join
 from workbench.widgets.timeline.scale import LABEL_PX, ROW_PX, RULER_PX
 
 ALT = Qt.KeyboardModifier.AltModifier
@@ -268,3 +270,44 @@ def test_an_empty_sheet_says_what_to_do(panel: AnimatePanel) -> None:
     assert panel.between.title.text() == "Nothing moves yet"
     assert panel.timeline.shown.tracks == ()
     assert panel.empty.isVisible()
+
+
+def test_the_sentence_tells_of_the_frame_that_is_shown_also_after_undo(qtbot, panel: AnimatePanel) -> None:
+    session = panel.session
+    session.frames.show(34)
+    settle()
+    qtbot.waitUntil(lambda: session.run.number == 7, timeout=5000)
+    said = "".join(part.text for part in session.run.sentence)
+    assert said.startswith("Frame 34 is in-between 6 of 11")
+    pull(qtbot, panel, key_place(panel, 0, 2), frame_place(panel, 0, 31))
+    qtbot.waitUntil(lambda: session.run.number == 4, timeout=5000)
+    session.undo_stack.undo()
+    settle()
+    qtbot.waitUntil(lambda: session.run.number == 7, timeout=5000)
+    assert session.frames.number == 34
+    session.frames.show(3)
+    qtbot.waitUntil(lambda: session.run.number == 4, timeout=5000)
+    assert session.frames.number == 3
+
+
+def test_there_is_one_transport_at_a_time(qtbot, panel: AnimatePanel) -> None:
+    inspector = InspectorPanel(panel.session)
+    qtbot.addWidget(inspector.step_bar)
+    join([panel, inspector])
+    inspector.step_bar.show()
+    bar, transport = inspector.step_bar.bar, panel.transport
+    panel.hide()
+    panel.show()
+    assert not bar.isVisible()
+    assert transport.frame.isVisible()
+    panel.between.step.click()
+    assert bar.isVisible()
+    assert not transport.frame.isVisible()
+    transport.leave.trigger()
+    assert not bar.isVisible()
+    panel.session.run.set_ask_first(True)
+    assert bar.isVisible()
+    transport.leave.trigger()
+    assert not panel.session.run.ask_first
+    panel.hide()
+    assert bar.isVisible()

@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent, QResizeEvent
+from PySide6.QtCore import Qt, Signal, SignalInstance
+from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from workbench.document.building import Edit
@@ -34,7 +34,7 @@ from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.stepped import SteppedPanel
 from workbench.panels.stage.tools import CircleTool, LineTool, PolygonTool, PolylineTool, SelectTool
-from workbench.rendering.subjects.track import KIND, at_frame
+from workbench.rendering.subjects.track import KIND, aimed
 from workbench.session.session import Session
 from workbench.widgets.timeline.rows import TimelineShown
 from workbench.widgets.timeline.timeline import Timeline
@@ -54,6 +54,7 @@ class AnimatePanel(SteppedPanel):
     first_tool = "circle"
     usual = Subject(KIND)
     view: AnimateView
+    _stepping = Signal(bool)
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         kinds = (SelectTool, CircleTool, PolygonTool, LineTool, PolylineTool)
@@ -64,6 +65,7 @@ class AnimatePanel(SteppedPanel):
         self.transport, self.between = Transport(session), BetweenDock()
         self.timeline = Timeline(easing_titles().items())
         self.chosen = ""
+        self._steps = False
         self._copied: tuple[CopiedKey, ...] = ()
         self._before: Document | None = None
         self._connect_timeline()
@@ -79,6 +81,7 @@ class AnimatePanel(SteppedPanel):
                 ("step_track", _("Step through the in-betweens"), "list-numbers", "", self._step_track),
             ],
         )
+        self.card.fold()
 
     def _connect_timeline(self) -> None:
         timeline, transport, between = self.timeline, self.transport, self.between
@@ -98,12 +101,18 @@ class AnimatePanel(SteppedPanel):
         transport.rate_wanted.connect(lambda rate: self._set_motion(rate=rate))
         transport.ghosts_toggled.connect(lambda on: self._set_reach(USUAL_REACH if on else 0))
         transport.zoom_wanted.connect(timeline.zoom)
+        transport.leaving_wanted.connect(lambda: self._step(False))
         between.easing_wanted.connect(self._ease_interval)
         between.handles_dragged.connect(self._drag_handles)
         between.handles_dropped.connect(self._drop_keys)
         between.stepping_wanted.connect(self._step_track)
         frames.played.connect(self.refresh_soon)
-        self.session.run.moved.connect(self._follow_run)
+        frames.settled.connect(self._aim_run)
+        self.session.changed.connect(self._aim_run)
+        run = self.session.run
+        run.moved.connect(self._follow_run)
+        for told in (run.asked, run.played):
+            told.connect(self._look_at_run)
 
     def begin(
         self, middle: QWidget, card: QWidget, invitation: str, commands: Sequence[PanelCommand]
@@ -271,20 +280,67 @@ class AnimatePanel(SteppedPanel):
 
     # What is stepped
 
-    def _aim_run(self) -> None:
-        """Let the run be that of the chosen track, between the keys around the frame that is shown."""
-        if (track := self._track()) is not None:
-            subject = at_frame(track.target, self.session.frames.number)
-            self.session.update_state(subject=subject, step=0)
+    @property
+    def stepping(self) -> SignalInstance:
+        """Whether an in-between is stepped; else the sentence tells of the frame that is shown."""
+        return self._stepping
+
+    def _step(self, on: bool) -> None:
+        """Step the run by buttons of its own, or go from frame to frame."""
+        run = self.session.run
+        if not on:
+            run.pause()
+            run.set_ask_first(False)
+            run.set_detail(False)
+        self._steps = on
+        self.transport.set_stepping(on)
+        self._stepping.emit(on)
+
+    def _aim_run(self, *_changed: object) -> None:
+        """Let the run be that of the chosen track, at the step that shows the frame.
+
+        Whoever steps by line, or is asked, stays where that is.
+        """
+        session, track = self.session, self._track()
+        if track is None or not self.isVisible() or session.frames.playing:
+            return
+        now, run = session.state.subject, session.run
+        subject, step = aimed(session.sheet, now, track.target, session.frames.number)
+        if not run.detail and not run.ask_first:
+            session.update_state(subject=subject, step=step)
+        elif not subject.is_of(now):
+            session.update_state(subject=subject, step=0)
 
     def _step_track(self) -> None:
+        self.session.frames.stop()
         self._aim_run()
-        self.session.run.forward()
+        self._step(True)
+        if self.session.state.step == 0:
+            self.session.run.forward()
+
+    def _look_at_run(self, *_now: object) -> None:
+        """A run that asks, or plays by itself, is stepped."""
+        run = self.session.run
+        if self.isVisible() and not self._steps and (run.ask_first or run.playing):
+            self._step(True)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """The run is that of the frame that is shown."""
+        super().showEvent(event)
+        self._step(self.session.run.ask_first or self.session.run.detail)
+        self._aim_run()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Elsewhere everything is stepped by its buttons."""
+        super().hideEvent(event)
+        self._stepping.emit(True)
 
     def _follow_run(self) -> None:
-        """The frame that a step works out is shown."""
+        """The frame that a step works out is shown, once the run is where it is going."""
         run = self.view.stepped_run()
         if not self.isVisible() or run is None or run.step is None or run.number == 0 or run.entry is None:
+            return
+        if run.target != run.number or self.session.frames.playing:
             return
         headings = run.entry.columns
         if "frame" in headings and len(run.step.row) == len(headings):
