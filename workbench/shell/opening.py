@@ -22,8 +22,7 @@ def open_question(window: MainWindow, question: Question) -> None:
     window.files.example(question.example)
     if question.frame:
         window.session.frames.show(question.frame)
-    step = None if question.frame else question.step
-    _enter(window, question.workspace, example(question.example), step, question.dock)
+    _enter(window, question.workspace, example(question.example), question.step, question.dock)
 
 
 def _enter(window: MainWindow, workspace: str, chosen: Example, step: int | None, dock: str = "") -> None:

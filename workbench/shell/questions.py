@@ -6,8 +6,8 @@ from workbench.language import _
 
 
 class Question(NamedTuple):
-    """One question. ``workspace`` and ``example`` say where it is worked on, if anywhere yet, and ``step`` or
-    ``frame`` where that is telling; ``dock`` names the dock that comes forward there."""
+    """One question. ``workspace`` and ``example`` say where it is worked on, if anywhere yet, and ``step`` and
+    ``frame`` what is seen there; ``dock`` names the dock that comes forward there."""
 
     number: int
     text: str
@@ -85,6 +85,7 @@ def questions() -> tuple[Question, ...]:
             _("Animation"),
             "animate",
             "animate-ball",
+            7,
             frame=34,
         ),
         Question(
