@@ -6,7 +6,7 @@ from workbench.language import _
 
 
 class Question(NamedTuple):
-    """One question. ``workspace`` and ``example`` say where it is worked on, if anywhere yet, and ``step`` and
+    """One question. ``workspace`` and ``example`` say where it is worked on, if anywhere yet, ``step`` and
     ``frame`` what is seen there; ``dock`` names the dock that comes forward there."""
 
     number: int

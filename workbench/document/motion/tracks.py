@@ -1,6 +1,7 @@
 """Tracks of a document: found, put in place of others, and taken along with what they hang on."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import lru_cache
 from itertools import chain
 from typing import Any
 
@@ -20,7 +21,12 @@ def motion_of(sheet: Sheet) -> Motion:
 
 def track_on(sheet: Sheet, target: str) -> Track | None:
     """The track on this target, if there is one."""
-    return next((track for track in motion_of(sheet).tracks if track.target == target), None)
+    return None if sheet.motion is None else _by_target(sheet.motion).get(target)
+
+
+@lru_cache(maxsize=8)
+def _by_target(motion: Motion) -> Mapping[str, Track]:
+    return {track.target: track for track in reversed(motion.tracks)}
 
 
 def with_motion(document: Document, sheet: str, motion: Motion | None) -> Document:

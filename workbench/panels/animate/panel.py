@@ -176,8 +176,9 @@ class AnimatePanel(SteppedPanel):
         if (track := track_on(sheet, self.chosen)) is not None:
             return track
         active = self.session.active_figure
-        own = [each for each in tracks if active is not None and each.target.startswith(f"{active.id}/")]
-        return next(iter((*own, *tracks)), None)
+        own = f"{active.id}/" if active is not None else ""
+        first = next((each for each in tracks if each.target.startswith(own)), None)
+        return first or next(iter(tracks), None)
 
     def _choose_track(self, target: str) -> None:
         self.chosen = target
@@ -344,7 +345,13 @@ class AnimatePanel(SteppedPanel):
             return
         headings = run.entry.columns
         if "frame" in headings and len(run.step.row) == len(headings):
-            self.session.frames.show(int(run.step.row[headings.index("frame")]))
+            frame = int(run.step.row[headings.index("frame")])
+            subject = self.session.state.subject
+            target = str(subject.arguments.get("target", ""))
+            if aimed(self.session.sheet, subject, target, frame) == (subject, run.step.number):
+                self.session.frames.show(frame)
+            else:  # a late word of a run whose keys have been moved meanwhile
+                self._aim_run()
 
     def _arrow(self, dx: int, dy: int, modifiers: Modifiers) -> None:
         """Arrows move what is selected; with nothing selected they go from frame to frame."""

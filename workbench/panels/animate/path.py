@@ -18,6 +18,7 @@ _GHOST_STEP = 3
 _MOST_GHOSTS = 8
 
 
+@lru_cache(maxsize=16)
 def alone(sheet: Sheet, figure: AnyFigure) -> Sheet:
     """The sheet with one figure and what moves it, so that a frame of it costs little."""
     motion = motion_of(sheet)
