@@ -174,7 +174,7 @@ def workspaces() -> tuple[Workspace, ...]:
             "film-strip",
             ("workbench.panels.animate.panel:AnimatePanel", inspector, tube),
             steps=True,
-            topics=("animation",),
+            topics=("animation", "visibility"),
             lower=("hand_table", "source", "variables", "about", "tube"),
         ),
         Workspace(

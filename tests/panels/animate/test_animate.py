@@ -7,10 +7,15 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
 from tests.panels.by_hand import LEFT, drag, settle
+from workbench.algorithms.marks import Word
 from workbench.document.model import Circle
 from workbench.document.motion.tracks import track_on
+from workbench.exchange.diagram_svg import write_diagram
+from workbench.exchange.diagrams import Drawing, Sentence
 from workbench.panels.animate.panel import AnimatePanel
 from workbench.panels.shared.inspector import InspectorPanel
+from workbench.rendering import frame_buffer
+from workbench.rendering.scene.backdrop import with_scene
 from workbench.session.session import Session
 from workbench.shell.workspaces import join
 from workbench.widgets.timeline.scale import LABEL_PX, ROW_PX, RULER_PX
@@ -311,3 +316,32 @@ def test_there_is_one_transport_at_a_time(qtbot, panel: AnimatePanel) -> None:
     assert not panel.session.run.ask_first
     panel.hide()
     assert bar.isVisible()
+
+
+def test_the_page_of_a_track_has_the_numbers_of_its_frame(panel: AnimatePanel) -> None:
+    panel.session.frames.show(34)
+    page = panel.derivation()
+    assert page is not None
+    sentences = [block.text for block in page.blocks if isinstance(block, Sentence)]
+    assert "Frame 34 is in-between 6 of 11: t = 6 / 12 = 0.5." in sentences
+    assert "P = 46 + 0.292893 · (10 − 46) = 35.4558" in sentences
+    way, graph = (block for block in page.blocks if isinstance(block, Drawing))
+    named = [item.text for item in way.items if isinstance(item, Word)]
+    assert named == [f"k = {frame}" for frame in (0, 16, 28, 34, 40, 49, 58)]
+    assert [item.text for item in graph.items if isinstance(item, Word)][2] == "P_{2} = 46"
+    assert "<svg" in write_diagram(page)
+    panel.session.new()
+    assert panel.derivation() is None
+
+
+def test_a_scene_is_seen_from_where_its_camera_has_come(panel: AnimatePanel) -> None:
+    panel.session.open_example("animate-drive")
+    settle()
+    assert panel.empty.isHidden()
+    panel.session.frames.show(22)
+    near = with_scene(frame_buffer(panel.session.shown), panel.session.shown)
+    panel.session.frames.show(0)
+    far = with_scene(frame_buffer(panel.session.shown), panel.session.shown)
+    paper = panel.session.sheet.palette[panel.session.sheet.background]
+    assert 0 < (far != paper).sum() < (near != paper).sum() / 2
+    assert "Camera, eye" in panel.timeline.shown.tracks[0].label

@@ -23,9 +23,11 @@ from workbench.document.motion.evaluation import in_frame
 from workbench.document.motion.model import BEZIER_NAME, Track
 from workbench.document.motion.tracks import motion_of, track_on
 from workbench.document.subjects import Subject
+from workbench.exchange.diagrams import Derivation
 from workbench.language import _, ngettext
 from workbench.panels.animate.between_dock import BetweenDock
 from workbench.panels.animate.card import AnimateCard
+from workbench.panels.animate.derivation import derivation
 from workbench.panels.animate.names import easing_titles, label_of, value_text
 from workbench.panels.animate.rows import rows_of
 from workbench.panels.animate.view import USUAL_REACH, AnimateView
@@ -132,6 +134,17 @@ class AnimatePanel(SteppedPanel):
         """The in-between of the frame that is shown."""
         return [("between", _("In-between"), self.between, Qt.DockWidgetArea.RightDockWidgetArea)]
 
+    def derivation(self) -> Derivation | None:
+        """The page of the chosen track: what keys and in-betweens are, drawn and with its numbers."""
+        session, track = self.session, self._track()
+        figure = session.active_figure
+        return None if track is None else derivation(session.sheet, track, figure, session.frames.number)
+
+    def _take_tool_when_empty(self) -> None:
+        """As everywhere; what moves in a scene is no reason to draw."""
+        if self.session.sheet.scene is None:
+            super()._take_tool_when_empty()
+
     def show_example(self) -> None:
         """Open the bouncing ball."""
         self.session.open_example(EXAMPLE)
@@ -142,6 +155,12 @@ class AnimatePanel(SteppedPanel):
         self.timeline.setFixedHeight(_TIMELINE_PX if self.height() >= _LOW_PX else _LOW_TIMELINE_PX)
 
     # What is shown
+
+    def refresh(self) -> None:
+        """As everywhere; a scene is something to see."""
+        super().refresh()
+        if self.session.sheet.scene is not None:
+            self.empty.hide()
 
     def show_now(self) -> None:
         """Canvas, timeline and in-between as the session is now."""

@@ -3,11 +3,14 @@
 from dataclasses import replace
 
 from workbench.algorithms.marks import Mark
+from workbench.algorithms.visibility import depth_buffer
 from workbench.document.model import AnyFigure
+from workbench.engine.compiled import ready
 from workbench.panels.animate.path import alone, ghosts, path_marks
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.compose import Composition, Progress
 from workbench.panels.stage.view import FigureView
+from workbench.rendering.scene.backdrop import with_scene
 from workbench.session.run import Run
 from workbench.session.session import Session
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
@@ -46,15 +49,17 @@ class AnimateView(FigureView):
     def completed(
         self, made: Composition, progress: Progress | None, number: int | None = None
     ) -> Composition:
-        """With the path, the ghosts, and what the run draws of an outline."""
+        """With the scene, once its text is compiled, the path, the ghosts, and what the run draws."""
         overlay = made.overlay
         run = self.stepped_run()
         stepped: tuple[Mark, ...] = ()
         if run is not None and (number is not None or run.number > 0):
             stepped = self.step_marks(number)
-        return replace(
-            made, overlay=replace(overlay, ideal=(), drawn=(*overlay.drawn, *self._moving(), *stepped))
-        )
+        pixels = made.pixels
+        if self.sheet.scene is not None and ready(depth_buffer):
+            pixels = with_scene(pixels, self.sheet)
+        drawn = (*overlay.drawn, *self._moving(), *stepped)
+        return replace(made, pixels=pixels, overlay=replace(overlay, ideal=(), drawn=drawn))
 
     def _point(self, figure: AnyFigure) -> str:
         """The point whose path is drawn: the one that the chosen track moves, where it moves one."""

@@ -33,7 +33,7 @@ class Looking:
     @property
     def scene(self) -> Scene | None:
         """The scene, with the camera that it is seen by now."""
-        return seen_scene(self.session.state, self.session.sheet)
+        return seen_scene(self.session.state, self.session.frames.sheet)
 
     @property
     def camera(self) -> Camera:
@@ -44,7 +44,7 @@ class Looking:
     @property
     def around(self) -> bool:
         """Whether it is seen otherwise than the document says."""
-        scene = self.session.sheet.scene
+        scene = self.session.frames.sheet.scene
         return scene is not None and self.camera != scene.camera
 
     @property
@@ -60,7 +60,7 @@ class Looking:
         """See the scene by another camera, with None by its own again; the document stays as it is."""
         session = self.session
         try:
-            session.update_state(looks=with_look(session.state, session.sheet, camera))
+            session.update_state(looks=with_look(session.state, session.frames.sheet, camera))
         except DocumentError as problem:
             return problem.short
         return ""
