@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from workbench.document.building import Edit
-from workbench.document.model import Sheet
+from workbench.document.model import AnyFigure, Sheet
 from workbench.document.motion.auto_key import auto_key
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.model import Motion
@@ -63,6 +63,14 @@ class Frames(QObject):
         """The current sheet in its frame; one without motion is the sheet itself."""
         sheet = self._session.sheet
         return sheet if sheet.motion is None else at(sheet, self.number)
+
+    @property
+    def figure(self) -> AnyFigure | None:
+        """The active figure as it is in the frame."""
+        active = self._session.active_figure
+        if active is None or self._session.sheet.motion is None:
+            return active
+        return next(figure for figure in self.sheet.figures if figure.id == active.id)
 
     def show(self, number: int) -> None:
         """Show a frame, or the nearest that there is; playing goes on from there."""
