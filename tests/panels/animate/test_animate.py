@@ -20,6 +20,7 @@ from workbench.session.session import Session
 from workbench.shell.workspaces import join
 from workbench.widgets.timeline.scale import LABEL_PX, ROW_PX, RULER_PX
 
+CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
 
 
@@ -345,3 +346,30 @@ def test_a_scene_is_seen_from_where_its_camera_has_come(panel: AnimatePanel) -> 
     paper = panel.session.sheet.palette[panel.session.sheet.background]
     assert 0 < (far != paper).sum() < (near != paper).sum() / 2
     assert "Camera, eye" in panel.timeline.shown.tracks[0].label
+
+
+def test_chosen_keys_are_scaled_in_time_with_ctrl(qtbot, panel: AnimatePanel) -> None:
+    panel.timeline.choose([key.id for key in panel.timeline.shown.tracks[0].keys[:3]])
+    grip, end = key_place(panel, 0, 2), frame_place(panel, 0, 14)
+    qtbot.mousePress(panel.timeline, LEFT, CTRL, grip)
+    qtbot.mouseMove(panel.timeline, (grip + end) / 2)
+    qtbot.mouseMove(panel.timeline, end)
+    qtbot.mouseRelease(panel.timeline, LEFT, CTRL, end)
+    settle()
+    assert frames_on(panel, 0) == [0, 8, 14, 40, 49, 58]
+    panel.session.undo_stack.undo()
+    settle()
+    assert frames_on(panel, 0) == [0, 16, 28, 40, 49, 58]
+
+
+def test_a_frame_is_put_in_and_taken_out(panel: AnimatePanel) -> None:
+    panel.session.frames.show(20)
+    actions = {action.objectName().partition(".")[2]: action for action in panel.actions()}
+    actions["insert_time"].trigger()
+    settle()
+    assert frames_on(panel, 0) == [0, 16, 29, 41, 50, 59]
+    assert panel.session.frames.count == 60
+    panel.session.frames.show(16)
+    actions["remove_time"].trigger()
+    settle()
+    assert frames_on(panel, 0) == [0, 28, 40, 49, 58]

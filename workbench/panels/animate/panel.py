@@ -6,28 +6,16 @@ from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from workbench.document.building import Edit
-from workbench.document.errors import DocumentError
-from workbench.document.model import Document
-from workbench.document.motion.edits import (
-    CopiedKey,
-    copied_keys,
-    move_keys,
-    paste_keys,
-    remove_keys,
-    set_easing,
-    set_key,
-    set_motion,
-)
 from workbench.document.motion.evaluation import in_frame
-from workbench.document.motion.model import BEZIER_NAME, Track
+from workbench.document.motion.model import Track
 from workbench.document.motion.tracks import motion_of, track_on
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
-from workbench.language import _, ngettext
+from workbench.language import _
 from workbench.panels.animate.between_dock import BetweenDock
 from workbench.panels.animate.card import AnimateCard
 from workbench.panels.animate.derivation import derivation
+from workbench.panels.animate.key_edits import KeyEdits
 from workbench.panels.animate.names import easing_titles, label_of, value_text
 from workbench.panels.animate.rows import rows_of
 from workbench.panels.animate.view import USUAL_REACH, AnimateView
@@ -45,8 +33,6 @@ from workbench.widgets.timeline.transport import Transport
 EXAMPLE = "animate-ball"
 _TIMELINE_PX, _LOW_TIMELINE_PX, _LOW_PX = 170, 100, 460
 _MANY = 24
-_DRAG = "drag keys"
-_EASE = "shape easing"
 
 
 class AnimatePanel(SteppedPanel):
@@ -68,8 +54,9 @@ class AnimatePanel(SteppedPanel):
         self.timeline = Timeline(easing_titles().items())
         self.chosen = ""
         self._steps = False
-        self._copied: tuple[CopiedKey, ...] = ()
-        self._before: Document | None = None
+        self.keys = KeyEdits(session, self.timeline, self)
+        self.keys.said.connect(self.hover_text)
+        self.keys.done.connect(self.refresh_soon)
         self._connect_timeline()
         self.start(
             _("Nothing moves yet. Draw a figure, turn auto-key on, and move it in another frame."),
@@ -78,8 +65,10 @@ class AnimatePanel(SteppedPanel):
                 ("set_key", _("Set a key here"), "key", "K", self._key_here),
                 ("auto_key", _("Auto-key on or off"), "record", "", self.transport.auto_key.toggle),
                 ("fit_frames", _("Show all frames"), "arrows-out-line-horizontal", "", self.timeline.fit),
-                ("copy_keys", _("Copy the chosen keys"), "copy", "", self._copy_keys),
-                ("paste_keys", _("Paste keys here"), "clipboard-text", "", self._paste_keys),
+                ("copy_keys", _("Copy the chosen keys"), "copy", "", self.keys.copy),
+                ("paste_keys", _("Paste keys here"), "clipboard-text", "", self.keys.paste),
+                ("insert_time", _("Insert a frame here"), "plus", "", self.keys.insert_time),
+                ("remove_time", _("Remove this frame"), "minus", "", self.keys.remove_time),
                 ("step_track", _("Step through the in-betweens"), "list-numbers", "", self._step_track),
             ],
         )
@@ -90,23 +79,24 @@ class AnimatePanel(SteppedPanel):
         frames = self.session.frames
         timeline.frame_wanted.connect(frames.show)
         timeline.track_chosen.connect(self._choose_track)
-        timeline.keys_dragged.connect(self._drag_keys)
-        timeline.keys_dropped.connect(self._drop_keys)
+        timeline.keys_dragged.connect(self.keys.drag)
+        timeline.keys_scaled.connect(self.keys.scale)
+        timeline.keys_dropped.connect(self.keys.drop)
         timeline.key_wanted.connect(self._set_key)
-        timeline.deletion_wanted.connect(self._delete_keys)
-        timeline.easing_wanted.connect(self._ease)
+        timeline.deletion_wanted.connect(self.keys.delete)
+        timeline.easing_wanted.connect(self.keys.ease)
         timeline.reach_wanted.connect(self._set_reach)
         timeline.play_wanted.connect(frames.toggle)
         timeline.scrolled.connect(self.refresh_soon)
         transport.said.connect(self.hover_text)
-        transport.length_wanted.connect(lambda count: self._set_motion(frames=count))
-        transport.rate_wanted.connect(lambda rate: self._set_motion(rate=rate))
+        transport.length_wanted.connect(lambda count: self.keys.set_motion(frames=count))
+        transport.rate_wanted.connect(lambda rate: self.keys.set_motion(rate=rate))
         transport.ghosts_toggled.connect(lambda on: self._set_reach(USUAL_REACH if on else 0))
         transport.zoom_wanted.connect(timeline.zoom)
         transport.leaving_wanted.connect(lambda: self._step(False))
-        between.easing_wanted.connect(self._ease_interval)
-        between.handles_dragged.connect(self._drag_handles)
-        between.handles_dropped.connect(self._drop_keys)
+        between.easing_wanted.connect(lambda easing: self.keys.ease_interval(between.key, easing))
+        between.handles_dragged.connect(lambda *handles: self.keys.bend(between.key, handles))
+        between.handles_dropped.connect(self.keys.drop)
         between.stepping_wanted.connect(self._step_track)
         frames.played.connect(self.refresh_soon)
         frames.settled.connect(self._aim_run)
@@ -216,85 +206,31 @@ class AnimatePanel(SteppedPanel):
 
     # What is done to keys
 
-    @property
-    def _sheet(self) -> str:
-        return self.session.sheet.id
-
-    def _edit(self, edit: Edit, name: str, merge: str = "", on: Document | None = None) -> None:
-        try:
-            self.session.apply(edit, name, merge, on)
-        except DocumentError as problem:
-            self.hover_text.emit(problem.short)
-        self.refresh_soon()
-
-    def _set_key(self, target: str, frame: int) -> None:
-        self.chosen = target
-        self._edit(set_key(self._sheet, target, frame), _("Set key"))
-
     def _key_here(self) -> None:
-        track = self._track()
+        track, frame = self._track(), self.session.frames.number
         if track is not None:
-            self._set_key(track.target, self.session.frames.number)
+            self._set_key(track.target, frame)
         elif (figure := self.session.active_figure) is not None:
             target = f"{figure.id}/points_world"
             if len(figure.points_world) == 1:
                 target = f"{figure.id}/{figure.points_world[0].id}/*"
-            self._set_key(target, self.session.frames.number)
+            self._set_key(target, frame)
 
-    def _drag_keys(self, by: int) -> None:
-        if self._before is None:
-            self._before = self.session.document
-        keys = self.timeline.selected
-        self._edit(move_keys(self._sheet, keys, by), _("Move keys"), _DRAG, self._before)
-
-    def _drop_keys(self) -> None:
-        self._before = None
-        self.session.end_merge()
-
-    def _delete_keys(self) -> None:
-        if keys := self.timeline.selected:
-            self._edit(remove_keys(self._sheet, keys), _("Delete keys"))
-
-    def _ease(self, easing: str) -> None:
-        if keys := self.timeline.selected:
-            self._edit(set_easing(self._sheet, keys, easing), _("Change easing"))
-
-    def _ease_interval(self, easing: str) -> None:
-        if (key := self.between.key) is not None:
-            self._edit(set_easing(self._sheet, [key.id], easing), _("Change easing"))
-
-    def _drag_handles(self, x1: float, y1: float, x2: float, y2: float) -> None:
-        if (key := self.between.key) is None:
-            return
-        if key.easing != BEZIER_NAME:
-            self.hover_text.emit(_("The easing is a Bézier easing now."))
-        edit = set_easing(self._sheet, [key.id], BEZIER_NAME, x1=x1, y1=y1, x2=x2, y2=y2)
-        self._edit(edit, _("Shape easing"), _EASE)
-
-    def _set_motion(self, frames: int | None = None, rate: float | None = None) -> None:
-        self._edit(set_motion(self._sheet, frames, rate), _("Change length or rate"))
-
-    def _copy_keys(self) -> None:
-        self._copied = copied_keys(self.session.document, self._sheet, self.timeline.selected)
-        count = len(self._copied)
-        self.hover_text.emit(ngettext("{n} key is copied.", "{n} keys are copied.", count).format(n=count))
-
-    def _paste_keys(self) -> None:
-        if self._copied:
-            edit = paste_keys(self._sheet, self._copied, self.session.frames.number)
-            self._edit(edit, _("Paste keys"))
+    def _set_key(self, target: str, frame: int) -> None:
+        self.chosen = target
+        self.keys.set(target, frame)
 
     def copy(self) -> bool:
         """The chosen keys while the timeline has the focus, else as everywhere."""
         if self.timeline.hasFocus() and self.timeline.selected:
-            self._copy_keys()
+            self.keys.copy()
             return True
         return super().copy()
 
     def paste(self) -> bool:
         """Keys while the timeline has the focus, else as everywhere."""
-        if self.timeline.hasFocus() and self._copied:
-            self._paste_keys()
+        if self.timeline.hasFocus() and self.keys.copied:
+            self.keys.paste()
             return True
         return super().paste()
 
