@@ -373,3 +373,22 @@ def test_a_frame_is_put_in_and_taken_out(panel: AnimatePanel) -> None:
     actions["remove_time"].trigger()
     settle()
     assert frames_on(panel, 0) == [0, 28, 40, 49, 58]
+
+
+def test_a_key_of_the_path_is_dragged_in_its_own_frame(qtbot, panel: AnimatePanel) -> None:
+    session = panel.session
+    panel.choose_tool("select")
+    session.frames.show(34)
+    settle()
+    on_path = [handle for handle in panel.canvas.overlay.handles if handle.id.startswith("path/")]
+    assert [handle.id for handle in on_path] == [f"path/{frame}" for frame in (0, 16, 28, 40, 49, 58)]
+    drag(qtbot, panel, (212, 26), (208, 34), (204, 42))
+    assert session.frames.number == 49
+    ball = session.shown.figures[-1]
+    assert (ball.points_world[0].x, ball.points_world[0].y) == (204.0, 42.0)
+    assert frames_on(panel, 0) == [0, 16, 28, 40, 49, 58]
+    assert frames_on(panel, 1) == [0, 49, 58]
+    session.undo_stack.undo()
+    settle()
+    assert frames_on(panel, 1) == [0, 58]
+    assert session.shown.figures[-1].points_world[0].y == 26.0

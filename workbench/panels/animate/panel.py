@@ -18,7 +18,7 @@ from workbench.panels.animate.derivation import derivation
 from workbench.panels.animate.key_edits import KeyEdits
 from workbench.panels.animate.names import easing_titles, label_of, value_text
 from workbench.panels.animate.rows import rows_of
-from workbench.panels.animate.view import USUAL_REACH, AnimateView
+from workbench.panels.animate.view import ON_PATH, USUAL_REACH, AnimateView
 from workbench.panels.panel import DockPart
 from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.gesture import Modifiers
@@ -307,6 +307,14 @@ class AnimatePanel(SteppedPanel):
                 self.session.frames.show(frame)
             else:  # a late word of a run whose keys have been moved meanwhile
                 self._aim_run()
+
+    def _press_handle(self, address: str, modifiers: Modifiers) -> None:
+        """A key of the path is taken hold of in its own frame."""
+        figure = self.session.active_figure
+        if address.startswith(ON_PATH) and figure is not None:
+            self.session.frames.show(int(address.removeprefix(ON_PATH)))
+            address = f"{self.session.sheet.id}/{figure.id}/{self.view.held_point}/x"
+        super()._press_handle(address, modifiers)
 
     def _arrow(self, dx: int, dy: int, modifiers: Modifiers) -> None:
         """Arrows move what is selected; with nothing selected they go from frame to frame."""

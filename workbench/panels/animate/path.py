@@ -45,21 +45,28 @@ def _middle(sheet: Sheet, point: str) -> tuple[float, float]:
     return float(place[0]), float(place[1])
 
 
+def keyed_places(moving: Sheet, point: str = "", of: str = "") -> dict[int, tuple[float, float]]:
+    """Where the path is in each frame that has a key, on the device; with ``of`` only those of that part."""
+    path, motion = path_of(moving, point), motion_of(moving)
+    step = -(-motion.frames // MOST_SPOTS)
+    tracks = [track for track in motion.tracks if not of or f"/{of}/" in track.target]
+    frames = sorted({key.frame for track in tracks for key in track.keys})
+    return {
+        frame: (path[frame // step, 0], path[frame // step, 1]) for frame in frames if frame < motion.frames
+    }
+
+
 def path_marks(moving: Sheet, frame: int, point: str = "") -> Iterator[Mark]:
     """A mark for each frame, so that speed is seen, larger ones at keys, and a ring where it is now."""
     path = path_of(moving, point)
     if len(path) < 2 or not np.ptp(path, axis=0).any():
         return
-    motion = motion_of(moving)
-    step = -(-motion.frames // MOST_SPOTS)
+    step = -(-motion_of(moving).frames // MOST_SPOTS)
     yield Stroke(path, "muted", "hair")
     for x, y in path.tolist():
         yield Spot(x, y, "text", "dot", "pixel")
-    keyed = sorted({key.frame // step for track in motion.tracks for key in track.keys})
-    for number in keyed:
-        if number < len(path):
-            x, y = path[number].tolist()
-            yield Spot(x, y, "accent", "square", "small")
+    for x, y in keyed_places(moving, point).values():
+        yield Spot(x, y, "accent", "square", "small")
     x, y = path[min(frame // step, len(path) - 1)].tolist()
     yield Spot(x, y, "accent", "ring", "large")
 
