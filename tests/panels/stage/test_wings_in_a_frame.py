@@ -82,6 +82,12 @@ def test_space_is_seen_by_the_camera_of_the_frame(qtbot, sessions: list[Session]
     settle()
     assert page.looking.around
     session.frames.show(60)
-    page.go_home()
     settle()
+    assert page.looking.around
+    assert page.eye.scene.camera.projection == "isometric"
+    assert page.card.back.isVisibleTo(page.card)
+    page.card.back.click()
+    settle()
+    assert not page.looking.around
+    assert not page.card.back.isVisibleTo(page.card)
     assert page.eye.scene.camera.eye.xyz == (0.2, 0.8, 1.9)
