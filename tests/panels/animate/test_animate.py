@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
 from tests.panels.by_hand import LEFT, drag, settle
-from workbench.algorithms.marks import Word
+from workbench.algorithms.marks import Spot, Word
 from workbench.document.model import Circle
 from workbench.document.motion.tracks import track_on
 from workbench.exchange.diagram_svg import write_diagram
@@ -392,3 +392,25 @@ def test_a_key_of_the_path_is_dragged_in_its_own_frame(qtbot, panel: AnimatePane
     settle()
     assert frames_on(panel, 1) == [0, 58]
     assert session.shown.figures[-1].points_world[0].y == 26.0
+
+
+def test_asked_first_a_click_tells_where_it_is_in_the_next_frame(qtbot, panel: AnimatePanel) -> None:
+    session, run = panel.session, panel.session.run
+    session.frames.show(29)
+    qtbot.waitUntil(lambda: run.number == 2, timeout=5000)
+    run.set_ask_first(True)
+    settle()
+    assert run.waiting
+    assert len([mark for mark in panel.canvas.overlay.drawn if isinstance(mark, Spot)]) < 20
+    value = float(str(run.steps[3].answer))
+    other = min(float(str(option)) for option in run.options)
+    assert abs(other - value) > 2
+    qtbot.mouseClick(panel.canvas, LEFT, pos=panel.canvas.widget_position(140.0, other).toPoint())
+    settle()
+    assert run.refused
+    run.try_again()
+    qtbot.mouseClick(panel.canvas, LEFT, pos=panel.canvas.widget_position(140.0, value).toPoint())
+    settle()
+    assert run.right + run.wrong == 1
+    assert session.frames.number == 30
+    assert not session.dirty

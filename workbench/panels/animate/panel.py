@@ -12,6 +12,7 @@ from workbench.document.motion.tracks import motion_of, track_on
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
 from workbench.language import _
+from workbench.panels.animate.asking import answer_at, asked_axis
 from workbench.panels.animate.between_dock import BetweenDock
 from workbench.panels.animate.card import AnimateCard
 from workbench.panels.animate.derivation import derivation
@@ -279,6 +280,8 @@ class AnimatePanel(SteppedPanel):
         run = self.session.run
         if self.isVisible() and not self._steps and (run.ask_first or run.playing):
             self._step(True)
+        if self.isVisible() and asked_axis(self.session) is not None and run.answered is None:
+            self.hover_text.emit(_("Where is it in the next frame? Click there, or choose the value."))
 
     def showEvent(self, event: QShowEvent) -> None:
         """The run is that of the frame that is shown."""
@@ -290,6 +293,16 @@ class AnimatePanel(SteppedPanel):
         """Elsewhere everything is stepped by its buttons."""
         super().hideEvent(event)
         self._stepping.emit(True)
+
+    @property
+    def _answering(self) -> bool:
+        """Also where a place in the next frame is asked for."""
+        return super()._answering or asked_axis(self.session) is not None
+
+    def clicked(self, x: int, y: int) -> None:
+        """With *Ask first* a click tells where the figure is in the next frame."""
+        if not answer_at(self.session, x, y):
+            super().clicked(x, y)
 
     def _follow_run(self) -> None:
         """The frame that a step works out is shown, once the run is where it is going."""

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from workbench.algorithms.marks import Mark
+from workbench.algorithms.marks import Mark, Spot
 from workbench.algorithms.visibility import depth_buffer
 from workbench.document.model import AnyFigure, Sheet
 from workbench.engine.compiled import ready
@@ -107,6 +107,9 @@ class AnimateView(FigureView):
         own, frames = self._own, self.session.frames
         if own is None:
             return ()
+        if self.session.run.waiting:  # frames to come would tell
+            places = keyed_places(own, self._point(own.figures[0])).values()
+            return tuple(Spot(x, y, "accent", "square", "small") for x, y in places)
         reach = 0 if frames.playing else self.reach
         return (
             *ghosts(own, frames.number, reach),
