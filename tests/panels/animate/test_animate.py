@@ -9,10 +9,13 @@ from PySide6.QtWidgets import QApplication
 from tests.panels.by_hand import LEFT, drag, settle
 from workbench.algorithms.marks import Spot, Word
 from workbench.document.model import Circle
+from workbench.document.motion.evaluation import at as at_frame
 from workbench.document.motion.tracks import track_on
 from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Drawing, Sentence
+from workbench.panels.animate.falling import by_equation
 from workbench.panels.animate.panel import AnimatePanel
+from workbench.panels.animate.path import alone
 from workbench.panels.shared.inspector import InspectorPanel
 from workbench.rendering import frame_buffer
 from workbench.rendering.scene.backdrop import with_scene
@@ -414,3 +417,20 @@ def test_asked_first_a_click_tells_where_it_is_in_the_next_frame(qtbot, panel: A
     assert run.right + run.wrong == 1
     assert session.frames.number == 30
     assert not session.dirty
+
+
+def test_falling_by_its_equation_lies_beside_the_easing(panel: AnimatePanel) -> None:
+    session = panel.session
+    ball, target = session.sheet.figures[-1], target_of(panel, 0)
+    falling = by_equation(alone(session.sheet, ball), target)
+    assert falling is not None
+    for frame in range(28, 41):
+        t = (frame - 28) / 12
+        assert at_frame(falling, frame).figures[0].points_world[0].y == pytest.approx(46 - 36 * t * t)
+    for frame in range(16, 29):
+        t = (28 - frame) / 12
+        assert at_frame(falling, frame).figures[0].points_world[0].y == pytest.approx(46 - 36 * t * t)
+    assert by_equation(alone(session.sheet, ball), target_of(panel, 1)) is None
+    session.frames.show(34)
+    settle()
+    assert "by t²: 46 + 0.25 · (10 − 46) = 37" in panel.between.sums.text()

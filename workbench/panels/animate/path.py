@@ -7,10 +7,11 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from workbench.algorithms.marks import MOST_SPOTS, Ink, Mark, Pattern, Spot, Stroke
+from workbench.algorithms.marks import MOST_SPOTS, Ink, Mark, Pattern, Spot, Stroke, Word
 from workbench.document.model import AnyFigure, Sheet
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.tracks import motion_of
+from workbench.language import _
 from workbench.panels.stage.outline import outline
 from workbench.rendering import figure_map
 
@@ -69,6 +70,14 @@ def path_marks(moving: Sheet, frame: int, point: str = "") -> Iterator[Mark]:
         yield Spot(x, y, "accent", "square", "small")
     x, y = path[min(frame // step, len(path) - 1)].tolist()
     yield Spot(x, y, "accent", "ring", "large")
+
+
+def equation_marks(falling: Sheet, point: str = "") -> Iterator[Mark]:
+    """The path by an equation, and at its end what it is."""
+    path = path_of(falling, point)
+    yield Stroke(path, "data4", "thin", "dot")
+    x, y = path[-1].tolist()
+    yield Word(_("dotted: falling by its equation, t²"), x, y, "data4", -1, -1)
 
 
 def ghosts(moving: Sheet, frame: int, reach: int) -> Iterator[Mark]:
