@@ -434,3 +434,17 @@ def test_falling_by_its_equation_lies_beside_the_easing(panel: AnimatePanel) -> 
     session.frames.show(34)
     settle()
     assert "by t²: 46 + 0.25 · (10 − 46) = 37" in panel.between.sums.text()
+
+
+def test_a_late_word_of_a_run_of_other_keys_moves_nothing(qtbot, panel: AnimatePanel) -> None:
+    session = panel.session
+    session.frames.show(34)
+    qtbot.waitUntil(lambda: session.run.number == 7, timeout=5000)
+    panel.timeline.choose([panel.timeline.shown.tracks[0].keys[2].id])
+    panel.keys.drag(3)
+    session.frames.settled.emit()
+    session.run.moved.emit()  # the run still goes from frame 28 to 40
+    assert (session.frames.number, session.state.step) == (34, 4)
+    panel.keys.drop()
+    qtbot.waitUntil(lambda: session.run.number == 4, timeout=5000)
+    assert session.frames.number == 34
