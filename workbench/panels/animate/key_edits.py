@@ -8,6 +8,7 @@ from workbench.document.model import Document
 from workbench.document.motion.edits import (
     CopiedKey,
     copied_keys,
+    even_speed,
     insert_time,
     move_keys,
     paste_keys,
@@ -104,6 +105,10 @@ class KeyEdits(QObject):
         """Give one key an easing."""
         if key is not None:
             self._edit(set_easing(self._sheet, [key.id], easing), _("Change easing"))
+
+    def even_speed(self, target: str) -> None:
+        """Let a track take its ways in times as they are long."""
+        self._edit(even_speed(self._sheet, target), _("Even the speed"))
 
     def insert_time(self) -> None:
         """Put one frame before the one that is shown."""

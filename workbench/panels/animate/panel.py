@@ -68,6 +68,7 @@ class AnimatePanel(SteppedPanel):
                 ("fit_frames", _("Show all frames"), "arrows-out-line-horizontal", "", self.timeline.fit),
                 ("copy_keys", _("Copy the chosen keys"), "copy", "", self.keys.copy),
                 ("paste_keys", _("Paste keys here"), "clipboard-text", "", self.keys.paste),
+                ("even_speed", _("Even the speed along the path"), "path", "", self._even_speed),
                 ("insert_time", _("Insert a frame here"), "plus", "", self.keys.insert_time),
                 ("remove_time", _("Remove this frame"), "minus", "", self.keys.remove_time),
                 ("step_track", _("Step through the in-betweens"), "list-numbers", "", self._step_track),
@@ -216,6 +217,10 @@ class AnimatePanel(SteppedPanel):
             if len(figure.points_world) == 1:
                 target = f"{figure.id}/{figure.points_world[0].id}/*"
             self._set_key(target, frame)
+
+    def _even_speed(self) -> None:
+        if (track := self._track()) is not None:
+            self.keys.even_speed(track.target)
 
     def _set_key(self, target: str, frame: int) -> None:
         self.chosen = target
