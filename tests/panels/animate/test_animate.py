@@ -1,47 +1,19 @@
 """The Animate panel by hand and by keyboard: keys dragged, set, eased, deleted, played, stepped; auto-key."""
 
-from collections.abc import Iterator
-
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
 from tests.panels.by_hand import LEFT, drag, settle
-from workbench.algorithms.marks import Spot, Word
 from workbench.document.model import Circle
-from workbench.document.motion.evaluation import at as at_frame
 from workbench.document.motion.tracks import track_on
-from workbench.exchange.diagram_svg import write_diagram
-from workbench.exchange.diagrams import Drawing, Sentence
-from workbench.panels.animate.falling import by_equation
 from workbench.panels.animate.panel import AnimatePanel
-from workbench.panels.animate.path import alone
 from workbench.panels.shared.inspector import InspectorPanel
-from workbench.rendering import frame_buffer
-from workbench.rendering.scene.backdrop import with_scene
-from workbench.session.session import Session
 from workbench.shell.workspaces import join
 from workbench.widgets.timeline.scale import LABEL_PX, ROW_PX, RULER_PX
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
-
-
-@pytest.fixture
-def panel(qtbot) -> Iterator[AnimatePanel]:
-    session = Session()
-    session.open_example("animate-ball")
-    panel = AnimatePanel(session)
-    qtbot.addWidget(panel)
-    qtbot.addWidget(panel.between)
-    panel.resize(960, 620)
-    panel.between.show()
-    panel.show()
-    panel.activateWindow()
-    settle()
-    yield panel
-    session.frames.stop()
-    session.close()
 
 
 def target_of(panel: AnimatePanel, row: int) -> str:
@@ -322,35 +294,6 @@ def test_there_is_one_transport_at_a_time(qtbot, panel: AnimatePanel) -> None:
     assert bar.isVisible()
 
 
-def test_the_page_of_a_track_has_the_numbers_of_its_frame(panel: AnimatePanel) -> None:
-    panel.session.frames.show(34)
-    page = panel.derivation()
-    assert page is not None
-    sentences = [block.text for block in page.blocks if isinstance(block, Sentence)]
-    assert "Frame 34 is in-between 6 of 11: t = 6 / 12 = 0.5." in sentences
-    assert "P = 46 + 0.292893 · (10 − 46) = 35.4558" in sentences
-    way, graph = (block for block in page.blocks if isinstance(block, Drawing))
-    named = [item.text for item in way.items if isinstance(item, Word)]
-    assert named == [f"k = {frame}" for frame in (0, 16, 28, 34, 40, 49, 58)]
-    assert [item.text for item in graph.items if isinstance(item, Word)][2] == "P_{2} = 46"
-    assert "<svg" in write_diagram(page)
-    panel.session.new()
-    assert panel.derivation() is None
-
-
-def test_a_scene_is_seen_from_where_its_camera_has_come(panel: AnimatePanel) -> None:
-    panel.session.open_example("animate-drive")
-    settle()
-    assert panel.empty.isHidden()
-    panel.session.frames.show(22)
-    near = with_scene(frame_buffer(panel.session.shown), panel.session.shown)
-    panel.session.frames.show(0)
-    far = with_scene(frame_buffer(panel.session.shown), panel.session.shown)
-    paper = panel.session.sheet.palette[panel.session.sheet.background]
-    assert 0 < (far != paper).sum() < (near != paper).sum() / 2
-    assert "Camera, eye" in panel.timeline.shown.tracks[0].label
-
-
 def test_chosen_keys_are_scaled_in_time_with_ctrl(qtbot, panel: AnimatePanel) -> None:
     panel.timeline.choose([key.id for key in panel.timeline.shown.tracks[0].keys[:3]])
     grip, end = key_place(panel, 0, 2), frame_place(panel, 0, 14)
@@ -395,45 +338,6 @@ def test_a_key_of_the_path_is_dragged_in_its_own_frame(qtbot, panel: AnimatePane
     settle()
     assert frames_on(panel, 1) == [0, 58]
     assert session.shown.figures[-1].points_world[0].y == 26.0
-
-
-def test_asked_first_a_click_tells_where_it_is_in_the_next_frame(qtbot, panel: AnimatePanel) -> None:
-    session, run = panel.session, panel.session.run
-    session.frames.show(29)
-    qtbot.waitUntil(lambda: run.number == 2, timeout=5000)
-    run.set_ask_first(True)
-    settle()
-    assert run.waiting
-    assert len([mark for mark in panel.canvas.overlay.drawn if isinstance(mark, Spot)]) < 20
-    value = float(str(run.steps[3].answer))
-    other = min(float(str(option)) for option in run.options)
-    assert abs(other - value) > 2
-    qtbot.mouseClick(panel.canvas, LEFT, pos=panel.canvas.widget_position(140.0, other).toPoint())
-    settle()
-    assert run.refused
-    run.try_again()
-    qtbot.mouseClick(panel.canvas, LEFT, pos=panel.canvas.widget_position(140.0, value).toPoint())
-    settle()
-    assert run.right + run.wrong == 1
-    assert session.frames.number == 30
-    assert not session.dirty
-
-
-def test_falling_by_its_equation_lies_beside_the_easing(panel: AnimatePanel) -> None:
-    session = panel.session
-    ball, target = session.sheet.figures[-1], target_of(panel, 0)
-    falling = by_equation(alone(session.sheet, ball), target)
-    assert falling is not None
-    for frame in range(28, 41):
-        t = (frame - 28) / 12
-        assert at_frame(falling, frame).figures[0].points_world[0].y == pytest.approx(46 - 36 * t * t)
-    for frame in range(16, 29):
-        t = (28 - frame) / 12
-        assert at_frame(falling, frame).figures[0].points_world[0].y == pytest.approx(46 - 36 * t * t)
-    assert by_equation(alone(session.sheet, ball), target_of(panel, 1)) is None
-    session.frames.show(34)
-    settle()
-    assert "by t²: 46 + 0.25 · (10 − 46) = 37" in panel.between.sums.text()
 
 
 def test_a_late_word_of_a_run_of_other_keys_moves_nothing(qtbot, panel: AnimatePanel) -> None:

@@ -67,7 +67,9 @@ _BEAM_SEEN_FROM = 300.0
 
 
 class TubeView(QWidget):
-    """One tube. ``advanced`` comes with each step of its time, ``probed`` with a clicked pixel."""
+    """One tube. ``advanced`` comes with each step of its time, ``probed`` with a clicked pixel; ``sight``
+    tells whether it is seen: one behind other tabs is not.
+    """
 
     advanced = Signal()
     shown = Signal()
@@ -99,8 +101,8 @@ class TubeView(QWidget):
         self._resized.setSingleShot(True)
         self._resized.setInterval(80)
         self._resized.timeout.connect(self._rebuild)
-        self._in_sight = InSight(self)
-        self._in_sight.changed.connect(self._come_in_sight)
+        self.sight = InSight(self)
+        self.sight.changed.connect(self._come_in_sight)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(120, 110)
@@ -203,7 +205,7 @@ class TubeView(QWidget):
             self._refresh()
 
     def _wake(self) -> None:
-        if self.in_sight and not self._paused and self.driver is not None:
+        if self.sight.now and not self._paused and self.driver is not None:
             if not self._timer.isActive():
                 self._clock.start()
             self._timer.start(_FRAME_MS)
@@ -281,13 +283,8 @@ class TubeView(QWidget):
         self._cabinet = self._reflection = None
         if self.driver is not None:
             self._resized.start()
-        elif self.in_sight:
+        elif self.sight.now:
             self._rebuild()
-
-    @property
-    def in_sight(self) -> bool:
-        """Whether it is seen; one behind other tabs is not."""
-        return self._in_sight.now
 
     def _come_in_sight(self, seen: bool) -> None:
         """Run again, or rest: a tube that nobody sees costs nothing."""
