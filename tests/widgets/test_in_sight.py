@@ -63,3 +63,15 @@ def test_a_tube_behind_a_tab_rests(qtbot) -> None:
     front.raise_()
     settle()
     assert not tube.running
+
+
+def test_a_part_that_is_taken_apart_may_still_hide(qtbot) -> None:
+    part = QWidget()
+    qtbot.addWidget(part)
+    sight = InSight(part)
+    part.show()
+    settle()
+    assert sight.now
+    vars(sight).clear()  # as the collector of garbage does before the part is gone
+    part.hide()
+    assert not sight.now

@@ -9,12 +9,12 @@ class InSight(QObject):
     """``changed`` sends whether ``part`` has come in sight, or gone out of it; ``now`` tells."""
 
     changed = Signal(bool)
+    now = False  # of the class: a part that is being taken apart still hides, when this may have lost its own
 
     def __init__(self, part: QWidget) -> None:
         super().__init__(part)
         self._part = part
         self._dock: QDockWidget | None = None
-        self.now = False
         part.installEventFilter(self)
 
     def eventFilter(self, _part: QObject, event: QEvent) -> bool:
