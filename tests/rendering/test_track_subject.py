@@ -2,14 +2,17 @@
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
+from tests.algorithms.test_views import steps_of
 from tests.document.motion.moving import HOUSE, sheet_of, track
 from workbench.document.errors import DocumentError
 from workbench.document.motion.evaluation import at
+from workbench.document.motion.model import Track
 from workbench.document.subjects import Subject
 from workbench.rendering.raster import emitted
 from workbench.rendering.subjects.registry import calls_of, checked, kind_of
-from workbench.rendering.subjects.track import at_frame, keys_around
+from workbench.rendering.subjects.track import aimed, at_frame, keys_around
 
 RADIUS = "f1/radius_world"
 
@@ -55,3 +58,32 @@ def test_without_two_keys_there_is_nothing_to_step() -> None:
 def test_arguments_of_another_kind_are_refused(arguments: dict[str, object]) -> None:
     with pytest.raises(DocumentError):
         checked(Subject("track", arguments=arguments))  # type: ignore[arg-type]
+
+
+SHORT = track(RADIUS, (0, (4.0,)), (4, (8.0,)), (12, (0.0,)))
+SPLINE = track(RADIUS, (0, (4.0,)), (4, (8.0,)), (12, (0.0,)), easing="spline")
+
+
+@pytest.mark.parametrize("moving", [SHORT, SPLINE])
+def test_the_step_that_shows_a_frame_has_it_in_its_row(moving: Track) -> None:
+    sheet = sheet_of(moving)
+    for frame in range(13):
+        subject, number = aimed(sheet, Subject(), RADIUS, frame)
+        (call,) = calls_of(sheet, subject)
+        step = steps_of(call.entry, call.arguments)[number]
+        assert step.row[call.entry.columns.index("frame")] == frame
+    assert aimed(sheet, Subject(), RADIUS, 13)[1] == 0
+
+
+def test_an_entry_that_was_chosen_stays_while_its_track_is_the_same() -> None:
+    sheet = sheet_of(SHORT)
+    chosen = replace(at_frame(RADIUS, 2), entry="spline_tween")
+    subject, step = aimed(sheet, chosen, RADIUS, 9)
+    assert (subject.entry, step) == ("spline_tween", 10)
+    assert aimed(sheet, replace(chosen, arguments={"target": "f9/x"}), RADIUS, 9)[0].entry == ""
+
+
+def test_an_outline_is_stepped_from_its_start_in_every_frame() -> None:
+    house = tuple(number for corner in HOUSE for number in corner)
+    sheet = sheet_of(track("f2/points_world", (0, house), (10, (0.0, 0.0, 6.0, 0.0, 3.0, 6.0))))
+    assert aimed(sheet, Subject(), "f2/points_world", 5) == (at_frame("f2/points_world", 5), 0)

@@ -46,6 +46,7 @@ from workbench.document.building import (
 from workbench.document.curves.edits import moved_points
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Curve, Document, Polygon, WorldPoint
+from workbench.document.motion.tracks import with_copied_tracks
 from workbench.document.sheet_edits import (
     add_sheet,
     remove_sheet,
@@ -152,7 +153,8 @@ def remove_figures(figures: Iterable[str]) -> Edit:
 
 @checked
 def duplicate_figures(figures: Iterable[str], dx_world: float = 1.0, dy_world: float = -1.0) -> Edit:
-    """Put a copy of each figure right in front of it, moved by (dx, dy); the copies get ids of their own.
+    """Put a copy of each figure right in front of it, moved by (dx, dy) in every frame; the copies get ids of
+    their own, and tracks like its own.
 
     A figure that its transforms flatten is not moved.
     """
@@ -166,6 +168,7 @@ def duplicate_figures(figures: Iterable[str], dx_world: float = 1.0, dy_world: f
             copy = numbered(document, shifted)
             at = sheet.figures.index(figure) + 1
             document = with_figures(document, sheet, (*sheet.figures[:at], copy, *sheet.figures[at:]))
+            document = with_copied_tracks(document, sheet.id, dict(zip(figure.ids, copy.ids, strict=True)))
         return document
 
     return edit

@@ -356,8 +356,7 @@ class Recorder:
         self._begun.set()
         time.sleep(0.0002)
         interface.wait()
-        if not self._may_run.is_set():
-            self._may_run.wait()
+        self._may_run.wait()
         if self._stopped:
             raise _Ended(truncated=False)
 
@@ -388,7 +387,7 @@ class Recorder:
     def join(self, timeout: float | None = None) -> bool:
         """Wait for the end; False when it did not come within ``timeout`` seconds."""
         self._thread.join(timeout)
-        return self._thread.ended
+        return self.done
 
     @property
     def done(self) -> bool:

@@ -15,6 +15,7 @@ from workbench.exchange.writing import Progress, Put
 from workbench.geometry.conventions import top_row_first
 from workbench.language import _
 from workbench.rendering import frame_buffer
+from workbench.rendering.scene.backdrop import with_scene
 
 MOST_SIDE_PX = 4096
 _CONTACTS = 24
@@ -77,7 +78,8 @@ class MovingSheet:
 
     def image(self, number: int) -> Picture:
         """Picture ``number``, from 0, (h, w, 3), the top row first."""
-        return _sized(frame_buffer(at(self.sheet, self.frame(number))), self.size)
+        seen = at(self.sheet, self.frame(number))
+        return _sized(with_scene(frame_buffer(seen), seen), self.size)
 
 
 def _sized(image: NDArray[np.uint32], size: Size | None) -> Picture:

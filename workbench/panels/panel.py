@@ -12,6 +12,7 @@ from workbench.exchange.tables import Table
 if TYPE_CHECKING:
     from workbench.exchange.diagrams import Derivation
     from workbench.panels.stage.export import Exporter
+    from workbench.widgets.stepping.step_bar import Steps
 
 # The name by which a dock is remembered, its title, what it holds, and where it begins.
 DockPart = tuple[str, str, QWidget, str | Qt.DockWidgetArea]
@@ -42,8 +43,12 @@ class Panel(Protocol):
         """Its commands, for the window and for who looks for a command."""
 
     @property
-    def step_bar(self) -> QWidget | None:
+    def step_bar(self) -> "Steps | None":
         """What stands below every workspace with steps, if it has that."""
+
+    @property
+    def stepping(self) -> SignalInstance | None:
+        """Sends whether the buttons that step are wanted; None where they always are."""
 
     def said(self) -> Said:
         """What it says in the status bar."""
@@ -118,7 +123,12 @@ class PlainPanel:
         return []
 
     @property
-    def step_bar(self) -> QWidget | None:
+    def step_bar(self) -> "Steps | None":
+        """None."""
+        return None
+
+    @property
+    def stepping(self) -> SignalInstance | None:
         """None."""
         return None
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from workbench.document.building import Edit
-from workbench.document.model import Sheet
+from workbench.document.model import AnyFigure, Sheet
 from workbench.document.motion.auto_key import auto_key
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.model import Motion
@@ -22,12 +22,14 @@ _TICK_MS = 8
 
 
 class Frames(QObject):
-    """The frames of the current sheet. ``played``: the clock was started or stopped.
+    """The frames of the current sheet. ``played``: the clock was started or stopped. ``settled``: somebody
+    went to a frame, or it stopped in one.
 
     ``mode`` says what comes after the last frame, ``speed`` how many times as fast as the rate says it plays.
     """
 
     played = Signal(bool)
+    settled = Signal()
 
     def __init__(self, session: "Session", clock: Callable[[], float] = perf_counter) -> None:
         super().__init__(session)
@@ -62,10 +64,19 @@ class Frames(QObject):
         sheet = self._session.sheet
         return sheet if sheet.motion is None else at(sheet, self.number)
 
+    @property
+    def figure(self) -> AnyFigure | None:
+        """The active figure as it is in the frame."""
+        active = self._session.active_figure
+        if active is None or self._session.sheet.motion is None:
+            return active
+        return next(figure for figure in self.sheet.figures if figure.id == active.id)
+
     def show(self, number: int) -> None:
         """Show a frame, or the nearest that there is; playing goes on from there."""
         self._put(number)
         self._since = self._clock(), float(self.number)
+        self.settled.emit()
 
     def _put(self, number: int) -> None:
         session = self._session
@@ -104,6 +115,7 @@ class Frames(QObject):
         if self.playing:
             self._timer.stop()
             self.played.emit(False)
+            self.settled.emit()
 
     def toggle(self) -> None:
         """Play, or stop."""

@@ -21,6 +21,8 @@ def open_example(window: MainWindow, slug: str, step: int | None = None) -> None
 def open_question(window: MainWindow, question: Question) -> None:
     """Open workspace, example and step of a question."""
     window.files.example(question.example)
+    if question.frame:
+        window.session.frames.show(question.frame)
     _enter(window, question.workspace, example(question.example), question.step, question.dock)
 
 

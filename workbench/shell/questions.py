@@ -6,8 +6,8 @@ from workbench.language import _
 
 
 class Question(NamedTuple):
-    """One question: ``workspace`` and ``example`` say where it is worked on, ``dock`` names the dock that
-    comes forward there."""
+    """One question: ``workspace`` and ``example`` say where it is worked on, ``step`` and ``frame`` what is
+    seen there; ``dock`` names the dock that comes forward there."""
 
     number: int
     text: str
@@ -16,6 +16,7 @@ class Question(NamedTuple):
     example: str
     step: int = 0
     dock: str = ""
+    frame: int = 0
 
 
 def questions() -> tuple[Question, ...]:
@@ -92,7 +93,8 @@ def questions() -> tuple[Question, ...]:
             _("Animation"),
             "animate",
             "animate-ball",
-            9,
+            7,
+            frame=34,
         ),
         Question(
             10,

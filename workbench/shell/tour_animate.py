@@ -22,6 +22,7 @@ def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("animate-letter", partial(_open, slug="animate-letter", frame=18)),
         ("animate-clock", partial(_open, slug="animate-clock", frame=20)),
         ("animate-pendulum", partial(_open, slug="animate-pendulum", frame=8)),
+        ("animate-drive", partial(_open, slug="animate-drive", frame=22)),
         ("animate-stepped", _stepped),
         ("animate-empty", _empty),
     ]
@@ -42,8 +43,8 @@ def _open(window: MainWindow, slug: str, frame: int) -> AnimatePanel:
 
 def _stepped(window: MainWindow) -> None:
     """The falling of the ball, at the in-between in the middle."""
-    _open(window, "animate-ball", _TELLING)
-    window.session.update_state(step=7)
+    panel = _open(window, "animate-ball", _TELLING)
+    panel.between.step.click()
     window.arrangements.bring_forward("hand_table")
 
 

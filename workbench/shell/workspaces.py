@@ -72,8 +72,12 @@ def panel_class(panel: str) -> "Callable[[Session], Panel]":
 
 
 def join(panels: "Sequence[Panel]") -> None:
-    """Let the panel in the middle of a workspace point at the pixels that the others name."""
+    """Let the panel in the middle of a workspace point at the pixels that the others name, and say whether
+    their buttons step."""
+    stepping = panels[0].stepping
     for panel in panels:
+        if stepping is not None and panel.step_bar is not None:
+            stepping.connect(panel.step_bar.show_buttons)
         if panel.pointing is not None:
             panel.pointing.connect(panels[0].point_at)
 
@@ -175,7 +179,7 @@ def workspaces() -> tuple[Workspace, ...]:
             "film-strip",
             ("workbench.panels.animate.panel:AnimatePanel", inspector, tube),
             steps=True,
-            topics=("animation",),
+            topics=("animation", "visibility"),
             lower=("hand_table", "source", "variables", "about", "tube"),
         ),
         Workspace(

@@ -1,7 +1,5 @@
 """The Animate panel by hand and by keyboard: keys dragged, set, eased, deleted, played, stepped; auto-key."""
 
-from collections.abc import Iterator
-
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QApplication
@@ -10,27 +8,12 @@ from tests.panels.by_hand import LEFT, drag, settle
 from workbench.document.model import Circle
 from workbench.document.motion.tracks import track_on
 from workbench.panels.animate.panel import AnimatePanel
-from workbench.session.session import Session
+from workbench.panels.shared.inspector import InspectorPanel
+from workbench.shell.workspaces import join
 from workbench.widgets.timeline.scale import LABEL_PX, ROW_PX, RULER_PX
 
+CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
-
-
-@pytest.fixture
-def panel(qtbot) -> Iterator[AnimatePanel]:
-    session = Session()
-    session.open_example("animate-ball")
-    panel = AnimatePanel(session)
-    qtbot.addWidget(panel)
-    qtbot.addWidget(panel.between)
-    panel.resize(960, 620)
-    panel.between.show()
-    panel.show()
-    panel.activateWindow()
-    settle()
-    yield panel
-    session.frames.stop()
-    session.close()
 
 
 def target_of(panel: AnimatePanel, row: int) -> str:
@@ -298,3 +281,104 @@ def test_an_empty_sheet_says_what_to_do(panel: AnimatePanel) -> None:
     assert panel.between.title.text() == "Nothing moves yet"
     assert panel.timeline.shown.tracks == ()
     assert panel.empty.isVisible()
+
+
+def test_the_sentence_tells_of_the_frame_that_is_shown_also_after_undo(qtbot, panel: AnimatePanel) -> None:
+    session = panel.session
+    session.frames.show(34)
+    settle()
+    qtbot.waitUntil(lambda: session.run.number == 7, timeout=5000)
+    said = "".join(part.text for part in session.run.sentence)
+    assert said.startswith("Frame 34 is in-between 6 of 11")
+    pull(qtbot, panel, key_place(panel, 0, 2), frame_place(panel, 0, 31))
+    qtbot.waitUntil(lambda: session.run.number == 4, timeout=5000)
+    session.undo_stack.undo()
+    settle()
+    qtbot.waitUntil(lambda: session.run.number == 7, timeout=5000)
+    assert session.frames.number == 34
+    session.frames.show(3)
+    qtbot.waitUntil(lambda: session.run.number == 4, timeout=5000)
+    assert session.frames.number == 3
+
+
+def test_there_is_one_transport_at_a_time(qtbot, panel: AnimatePanel) -> None:
+    inspector = InspectorPanel(panel.session)
+    qtbot.addWidget(inspector.step_bar)
+    join([panel, inspector])
+    inspector.step_bar.show()
+    bar, transport = inspector.step_bar.bar, panel.transport
+    panel.hide()
+    panel.show()
+    assert not bar.isVisible()
+    assert transport.frame.isVisible()
+    panel.between.step.click()
+    assert bar.isVisible()
+    assert not transport.frame.isVisible()
+    transport.leave.trigger()
+    assert not bar.isVisible()
+    panel.session.run.set_ask_first(True)
+    assert bar.isVisible()
+    transport.leave.trigger()
+    assert not panel.session.run.ask_first
+    panel.hide()
+    assert bar.isVisible()
+
+
+def test_chosen_keys_are_scaled_in_time_with_ctrl(qtbot, panel: AnimatePanel) -> None:
+    panel.timeline.choose([key.id for key in panel.timeline.shown.tracks[0].keys[:3]])
+    grip, end = key_place(panel, 0, 2), frame_place(panel, 0, 14)
+    qtbot.mousePress(panel.timeline, LEFT, CTRL, grip)
+    qtbot.mouseMove(panel.timeline, (grip + end) / 2)
+    qtbot.mouseMove(panel.timeline, end)
+    qtbot.mouseRelease(panel.timeline, LEFT, CTRL, end)
+    settle()
+    assert frames_on(panel, 0) == [0, 8, 14, 40, 49, 58]
+    panel.session.undo_stack.undo()
+    settle()
+    assert frames_on(panel, 0) == [0, 16, 28, 40, 49, 58]
+
+
+def test_a_frame_is_put_in_and_taken_out(panel: AnimatePanel) -> None:
+    panel.session.frames.show(20)
+    actions = {action.objectName().partition(".")[2]: action for action in panel.actions()}
+    actions["insert_time"].trigger()
+    settle()
+    assert frames_on(panel, 0) == [0, 16, 29, 41, 50, 59]
+    assert panel.session.frames.count == 60
+    panel.session.frames.show(16)
+    actions["remove_time"].trigger()
+    settle()
+    assert frames_on(panel, 0) == [0, 28, 40, 49, 58]
+
+
+def test_a_key_of_the_path_is_dragged_in_its_own_frame(qtbot, panel: AnimatePanel) -> None:
+    session = panel.session
+    panel.choose_tool("select")
+    session.frames.show(34)
+    settle()
+    on_path = [handle for handle in panel.canvas.overlay.handles if handle.id.startswith("path/")]
+    assert [handle.id for handle in on_path] == [f"path/{frame}" for frame in (0, 16, 28, 40, 49, 58)]
+    drag(qtbot, panel, (212, 26), (208, 34), (204, 42))
+    assert session.frames.number == 49
+    ball = session.shown.figures[-1]
+    assert (ball.points_world[0].x, ball.points_world[0].y) == (204.0, 42.0)
+    assert frames_on(panel, 0) == [0, 16, 28, 40, 49, 58]
+    assert frames_on(panel, 1) == [0, 49, 58]
+    session.undo_stack.undo()
+    settle()
+    assert frames_on(panel, 1) == [0, 58]
+    assert session.shown.figures[-1].points_world[0].y == 26.0
+
+
+def test_a_late_word_of_a_run_of_other_keys_moves_nothing(qtbot, panel: AnimatePanel) -> None:
+    session = panel.session
+    session.frames.show(34)
+    qtbot.waitUntil(lambda: session.run.number == 7, timeout=5000)
+    panel.timeline.choose([panel.timeline.shown.tracks[0].keys[2].id])
+    panel.keys.drag(3)
+    session.frames.settled.emit()
+    session.run.moved.emit()  # the run still goes from frame 28 to 40
+    assert (session.frames.number, session.state.step) == (34, 4)
+    panel.keys.drop()
+    qtbot.waitUntil(lambda: session.run.number == 4, timeout=5000)
+    assert session.frames.number == 34

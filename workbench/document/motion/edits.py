@@ -3,7 +3,9 @@
 Keys are named by their ids. Where a key comes to a frame that has one already, it takes its place.
 """
 
+import math
 from collections.abc import Callable, Collection, Iterable, Sequence
+from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 from msgspec.structs import replace
@@ -14,7 +16,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import Document
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.groups import group_of, value_of
-from workbench.document.motion.model import EASINGS, LINEAR, Key, Motion, Track
+from workbench.document.motion.model import EASINGS, LINEAR, SPLINE, Key, Motion, Track
 from workbench.document.motion.tracks import motion_of, track_on, with_keys, with_motion, with_track
 from workbench.language import _
 
@@ -139,6 +141,39 @@ def set_easing(sheet: str, keys: Collection[str], easing: str, **shape: float) -
         raise DocumentError("easing", sentence.format(easing=easing, choices=", ".join(EASINGS)))
     numbers = {name: number(value) for name, value in shape.items()}
     return _changing(sheet, keys, lambda key: replace(key, easing=easing, **numbers))
+
+
+@checked
+def even_speed(sheet: str, target: str) -> Edit:
+    """Move the inner keys of a track in time so that each way between two keys takes frames as it is long.
+
+    What is not a spline becomes linear. Raises: DocumentError for a track without inner keys, or that stays
+    in one place.
+    """
+
+    def edit(document: Document) -> Document:
+        on = sheet_with(document, sheet)
+        track, group = track_on(on, target), group_of(on, target)
+        if track is None or group is None or group.kind != "numbers" or len(track.keys) < 3:
+            sentence = _("{target} has no keys between its first and its last one; set some.")
+            raise DocumentError(target, sentence.format(target=target))
+        first, last = track.keys[0].frame, track.keys[-1].frame
+        places = [value_of(at(on, frame), group) for frame in range(first, last + 1)]
+        gone = list(accumulate((math.dist(a, b) for a, b in pairwise(places)), initial=0.0))
+        if gone[-1] == 0.0:
+            raise DocumentError(target, _("{target} does not move.").format(target=target))
+        frames = [first + round((last - first) * gone[key.frame - first] / gone[-1]) for key in track.keys]
+        for place in range(1, len(frames) - 1):  # each key keeps a frame of its own
+            frames[place] = max(frames[place], frames[place - 1] + 1)
+        for place in range(len(frames) - 2, 0, -1):
+            frames[place] = min(frames[place], frames[place + 1] - 1)
+        keys = tuple(
+            replace(key, frame=frame, easing=key.easing if key.easing == SPLINE else LINEAR)
+            for key, frame in zip(track.keys, frames, strict=True)
+        )
+        return with_track(document, sheet, replace(track, keys=keys))
+
+    return edit
 
 
 @checked

@@ -1,15 +1,16 @@
 """Tracks of a document: found, put in place of others, and taken along with what they hang on."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import lru_cache
 from itertools import chain
 from typing import Any
 
 from msgspec.structs import replace
 
-from workbench.document.addresses import sheet_with
+from workbench.document.addresses import new_ids, sheet_with
 from workbench.document.differences import between
 from workbench.document.model import Document, Sheet
-from workbench.document.motion.groups import group_of
+from workbench.document.motion.groups import group_of, value_of
 from workbench.document.motion.model import Key, Motion, Track
 
 
@@ -20,7 +21,12 @@ def motion_of(sheet: Sheet) -> Motion:
 
 def track_on(sheet: Sheet, target: str) -> Track | None:
     """The track on this target, if there is one."""
-    return next((track for track in motion_of(sheet).tracks if track.target == target), None)
+    return None if sheet.motion is None else _by_target(sheet.motion).get(target)
+
+
+@lru_cache(maxsize=8)
+def _by_target(motion: Motion) -> Mapping[str, Track]:
+    return {track.target: track for track in reversed(motion.tracks)}
 
 
 def with_motion(document: Document, sheet: str, motion: Motion | None) -> Document:
@@ -50,6 +56,35 @@ def with_keys(document: Document, sheet: str, change: Callable[[tuple[Key, ...]]
         if ordered:
             tracks.append(track if ordered == track.keys else replace(track, keys=ordered))
     return with_motion(document, sheet, replace(motion, tracks=tuple(tracks)))
+
+
+def with_copied_tracks(document: Document, sheet: str, renamed: Mapping[str, str]) -> Document:
+    """``document`` with the tracks of one figure copied for another, to whose ids its own are ``renamed``.
+
+    Each key keeps its distance from what the figures are without motion.
+    """
+    on = sheet_with(document, sheet)
+    own = [track for track in motion_of(on).tracks if track.target.split("/")[0] in renamed]
+    for track in own:
+        target = "/".join(renamed.get(part, part) for part in track.target.split("/"))
+        before, after = group_of(on, track.target), group_of(on, target)
+        if before is None or after is None:
+            continue
+        shifts = [b - a for a, b in zip(value_of(on, before), value_of(on, after), strict=True)]
+        number, *names = new_ids(document, "", 1 + len(track.keys))
+        keys = tuple(
+            replace(key, id=f"{Key.letter}{name}", value=_shifted(key.value, shifts))
+            for key, name in zip(track.keys, names, strict=True)
+        )
+        document = with_track(document, sheet, Track(f"{Track.letter}{number}", target, keys))
+    return document
+
+
+def _shifted(value: tuple[float, ...], shifts: list[float]) -> tuple[float, ...]:
+    """The numbers of a key moved; an outline of another number of points moves as the first one does."""
+    if len(value) != len(shifts):
+        shifts = shifts[:2] * (len(value) // 2)
+    return tuple(number + shift for number, shift in zip(value, shifts, strict=True))
 
 
 def without_orphans(before: Document, after: Document) -> Document:

@@ -1,4 +1,5 @@
-"""The built-in pictures that move: a bouncing ball, a letter that becomes another, a clock, a pendulum."""
+"""The built-in pictures that move: a bouncing ball, a letter that becomes another, a clock,
+a pendulum, a drive through a house."""
 
 import math
 from collections.abc import Callable, Iterable, Sequence
@@ -10,6 +11,9 @@ from workbench.document.building import with_ids, without_ids
 from workbench.document.model import AnyFigure, Circle, Document, Ellipse, Rectangle, Sheet, View
 from workbench.document.motion.model import Key, Motion, Track
 from workbench.document.samples.figures import PALETTE, Example, Places, line, points_at, polygon
+from workbench.document.samples.space import scene_of
+from workbench.document.scene.model import Camera, Point3D
+from workbench.document.scene.solids import House
 from workbench.document.transforms.links import Rotate
 from workbench.language import _
 
@@ -49,6 +53,13 @@ def animate_examples() -> list[Example]:
             _("Three keys swing it; easing in and out makes it slow at the ends and fast in the middle."),
             "animate",
             _pendulum(),
+        ),
+        Example(
+            "animate-drive",
+            _("A drive through a house"),
+            _("Two splines through a few keys move the eye and what it looks at."),
+            "animate",
+            _drive(),
         ),
     ]
 
@@ -183,3 +194,26 @@ def _pendulum() -> Document:
 
     beam = line((30, 77), (90, 77), 7, name=_("Beam"))
     return _document(_("A pendulum"), (121, 84), [beam, turned(rod), turned(bob)], 49, tracks)
+
+
+def _drive() -> Document:
+    """Past the corner of a house, through it, and up to the next one."""
+    eyes = [(0, (3.4, 1.8, 9.0)), (28, (0.4, 0.9, 6.0)), (46, (0.0, 0.8, 3.5)), (60, (0.2, 0.8, 1.9))]
+    eyes.append((84, (2.6, 1.3, 2.2)))
+    aims = [(0, (0.0, 0.6, 3.2)), (28, (0.0, 0.7, 1.6)), (46, (0.0, 0.8, 0.0)), (60, (0.0, 0.7, -1.0))]
+    aims.append((84, (0.0, 0.6, -1.4)))
+    placed = [
+        (_("House {n}").format(n=n), House(2.4, 1.4, 1.8, 1.0), (0.0, 0.0, 3.2 - 3.2 * k), 0.0, colour)
+        for k, (n, colour) in enumerate(((1, 0x9CC8E6), (2, 0xF0A878), (3, 0x8CCDB0)))
+    ]
+    start, aim = Point3D(*eyes[0][1]), Point3D(*aims[0][1])
+    camera = Camera(eye=start, look_at=aim, near=0.1, far=40.0, distance=2.0)
+
+    def tracks(_figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
+        for name, places in (("eye", eyes), ("look_at", aims)):
+            yield f"scene.camera.{name}", [(frame, place, "spline") for frame, place in places]
+
+    document = _document(_("A drive through a house"), (320, 240), [], 85, tracks)
+    sheet = document.sheets[0]
+    view = replace(sheet.views[0], window_world=Rectangle(-2.0, -1.5, 2.0, 1.5))
+    return Document((replace(sheet, views=(view,), scene=scene_of(placed, camera)),))

@@ -138,6 +138,11 @@ def _note(key: Key, code: int) -> str:
     return _("The handles are those of the Bézier easing that fits best; drag one, and it becomes that.")
 
 
+def _squared(key: Key, t: float) -> float | None:
+    """What free fall gives in place of a sine easing, speeding up or slowing down."""
+    return {"ease_in": t * t, "ease_out": 1.0 - (1.0 - t) ** 2}.get(key.easing)
+
+
 def _sums(sheet: Sheet, shown: Sheet, track: Track, around: tuple[Key, Key], frame: int) -> list[str]:
     """The arithmetic of a frame, with its numbers."""
     first, second = around
@@ -157,6 +162,10 @@ def _sums(sheet: Sheet, shown: Sheet, track: Track, around: tuple[Key, Key], fra
         return [*lines, _("Each of {n} points goes that part of its way.").format(n=len(group.slots) // 2)]
     if group.kind == "turn":
         return [*lines, _("It has turned by that part of the angle, about one axis.")]
+    if len(first.value) == 1 and (square := _squared(first, j / (n + 1))) is not None:
+        a, b = first.value[0], second.value[0]
+        fallen = numeral(a + square * (b - a))
+        lines.append(_("by t²: {way} = {value}").format(way=way_text(a, b, square), value=fallen))
     values = value_of(shown, group)
     for value, a, b in list(zip(values, first.value, second.value, strict=True))[:3]:
         lines.append(f"{way_text(a, b, part)} = {numeral(value)}")

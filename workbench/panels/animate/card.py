@@ -7,3 +7,7 @@ class AnimateCard(ParameterCard):
     """As everywhere; what a figure is drawn by is no matter here."""
 
     offers_algorithms = False
+
+    def fold(self) -> None:
+        """Leave the room to the picture; motion goes over all of it."""
+        self._set_open(False)

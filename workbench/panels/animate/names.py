@@ -77,5 +77,6 @@ def value_text(sheet: Sheet, target: str) -> str:
         return "#" + "".join(f"{round(channel):02X}" for channel in value)
     if target.endswith(OUTLINE):
         return _("{n} points").format(n=len(value) // 2)
-    numbers = ", ".join(f"{number:.6g}" for number in value[:3]).replace("-", "−")
+    places = {1: 6, 2: 3}.get(len(value), 1)
+    numbers = ", ".join(f"{round(number, places):.6g}" for number in value[:3]).replace("-", "−")
     return f"({numbers})" if len(value) > 1 else numbers

@@ -2,39 +2,30 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent, QResizeEvent
+from PySide6.QtCore import Qt, Signal, SignalInstance
+from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from workbench.document.building import Edit
-from workbench.document.errors import DocumentError
-from workbench.document.model import Document
-from workbench.document.motion.edits import (
-    CopiedKey,
-    copied_keys,
-    move_keys,
-    paste_keys,
-    remove_keys,
-    set_easing,
-    set_key,
-    set_motion,
-)
 from workbench.document.motion.evaluation import in_frame
-from workbench.document.motion.model import BEZIER_NAME, Track
+from workbench.document.motion.model import Track
 from workbench.document.motion.tracks import motion_of, track_on
 from workbench.document.subjects import Subject
-from workbench.language import _, ngettext
+from workbench.exchange.diagrams import Derivation
+from workbench.language import _
+from workbench.panels.animate.asking import answer_at, asked_axis
 from workbench.panels.animate.between_dock import BetweenDock
 from workbench.panels.animate.card import AnimateCard
+from workbench.panels.animate.derivation import derivation
+from workbench.panels.animate.key_edits import KeyEdits
 from workbench.panels.animate.names import easing_titles, label_of, value_text
 from workbench.panels.animate.rows import rows_of
-from workbench.panels.animate.view import USUAL_REACH, AnimateView
+from workbench.panels.animate.view import ON_PATH, USUAL_REACH, AnimateView
 from workbench.panels.panel import DockPart
 from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.stepped import SteppedPanel
 from workbench.panels.stage.tools import CircleTool, LineTool, PolygonTool, PolylineTool, SelectTool
-from workbench.rendering.subjects.track import KIND, at_frame
+from workbench.rendering.subjects.track import KIND, aimed
 from workbench.session.session import Session
 from workbench.widgets.timeline.rows import TimelineShown
 from workbench.widgets.timeline.timeline import Timeline
@@ -43,8 +34,6 @@ from workbench.widgets.timeline.transport import Transport
 EXAMPLE = "animate-ball"
 _TIMELINE_PX, _LOW_TIMELINE_PX, _LOW_PX = 170, 100, 460
 _MANY = 24
-_DRAG = "drag keys"
-_EASE = "shape easing"
 
 
 class AnimatePanel(SteppedPanel):
@@ -54,6 +43,7 @@ class AnimatePanel(SteppedPanel):
     first_tool = "circle"
     usual = Subject(KIND)
     view: AnimateView
+    _stepping = Signal(bool)
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         kinds = (SelectTool, CircleTool, PolygonTool, LineTool, PolylineTool)
@@ -64,8 +54,10 @@ class AnimatePanel(SteppedPanel):
         self.transport, self.between = Transport(session), BetweenDock()
         self.timeline = Timeline(easing_titles().items())
         self.chosen = ""
-        self._copied: tuple[CopiedKey, ...] = ()
-        self._before: Document | None = None
+        self._steps = False
+        self.keys = KeyEdits(session, self.timeline, self)
+        self.keys.said.connect(self.hover_text)
+        self.keys.done.connect(self.refresh_soon)
         self._connect_timeline()
         self.start(
             _("Nothing moves yet. Draw a figure, turn auto-key on, and move it in another frame."),
@@ -74,36 +66,47 @@ class AnimatePanel(SteppedPanel):
                 ("set_key", _("Set a key here"), "key", "K", self._key_here),
                 ("auto_key", _("Auto-key on or off"), "record", "", self.transport.auto_key.toggle),
                 ("fit_frames", _("Show all frames"), "arrows-out-line-horizontal", "", self.timeline.fit),
-                ("copy_keys", _("Copy the chosen keys"), "copy", "", self._copy_keys),
-                ("paste_keys", _("Paste keys here"), "clipboard-text", "", self._paste_keys),
+                ("copy_keys", _("Copy the chosen keys"), "copy", "", self.keys.copy),
+                ("paste_keys", _("Paste keys here"), "clipboard-text", "", self.keys.paste),
+                ("even_speed", _("Even the speed along the path"), "path", "", self._even_speed),
+                ("insert_time", _("Insert a frame here"), "plus", "", self.keys.insert_time),
+                ("remove_time", _("Remove this frame"), "minus", "", self.keys.remove_time),
                 ("step_track", _("Step through the in-betweens"), "list-numbers", "", self._step_track),
             ],
         )
+        self.card.fold()
 
     def _connect_timeline(self) -> None:
         timeline, transport, between = self.timeline, self.transport, self.between
         frames = self.session.frames
         timeline.frame_wanted.connect(frames.show)
         timeline.track_chosen.connect(self._choose_track)
-        timeline.keys_dragged.connect(self._drag_keys)
-        timeline.keys_dropped.connect(self._drop_keys)
+        timeline.keys_dragged.connect(self.keys.drag)
+        timeline.keys_scaled.connect(self.keys.scale)
+        timeline.keys_dropped.connect(self.keys.drop)
         timeline.key_wanted.connect(self._set_key)
-        timeline.deletion_wanted.connect(self._delete_keys)
-        timeline.easing_wanted.connect(self._ease)
+        timeline.deletion_wanted.connect(self.keys.delete)
+        timeline.easing_wanted.connect(self.keys.ease)
         timeline.reach_wanted.connect(self._set_reach)
         timeline.play_wanted.connect(frames.toggle)
         timeline.scrolled.connect(self.refresh_soon)
         transport.said.connect(self.hover_text)
-        transport.length_wanted.connect(lambda count: self._set_motion(frames=count))
-        transport.rate_wanted.connect(lambda rate: self._set_motion(rate=rate))
+        transport.length_wanted.connect(lambda count: self.keys.set_motion(frames=count))
+        transport.rate_wanted.connect(lambda rate: self.keys.set_motion(rate=rate))
         transport.ghosts_toggled.connect(lambda on: self._set_reach(USUAL_REACH if on else 0))
         transport.zoom_wanted.connect(timeline.zoom)
-        between.easing_wanted.connect(self._ease_interval)
-        between.handles_dragged.connect(self._drag_handles)
-        between.handles_dropped.connect(self._drop_keys)
+        transport.leaving_wanted.connect(lambda: self._step(False))
+        between.easing_wanted.connect(lambda easing: self.keys.ease_interval(between.key, easing))
+        between.handles_dragged.connect(lambda *handles: self.keys.bend(between.key, handles))
+        between.handles_dropped.connect(self.keys.drop)
         between.stepping_wanted.connect(self._step_track)
         frames.played.connect(self.refresh_soon)
-        self.session.run.moved.connect(self._follow_run)
+        frames.settled.connect(self._aim_run)
+        self.session.changed.connect(self._aim_run)
+        run = self.session.run
+        run.moved.connect(self._follow_run)
+        for told in (run.asked, run.played):
+            told.connect(self._look_at_run)
 
     def begin(
         self, middle: QWidget, card: QWidget, invitation: str, commands: Sequence[PanelCommand]
@@ -123,6 +126,17 @@ class AnimatePanel(SteppedPanel):
         """The in-between of the frame that is shown."""
         return [("between", _("In-between"), self.between, Qt.DockWidgetArea.RightDockWidgetArea)]
 
+    def derivation(self) -> Derivation | None:
+        """The page of the chosen track: what keys and in-betweens are, drawn and with its numbers."""
+        session, track = self.session, self._track()
+        figure = session.active_figure
+        return None if track is None else derivation(session.sheet, track, figure, session.frames.number)
+
+    def _take_tool_when_empty(self) -> None:
+        """As everywhere; what moves in a scene is no reason to draw."""
+        if self.session.sheet.scene is None:
+            super()._take_tool_when_empty()
+
     def show_example(self) -> None:
         """Open the bouncing ball."""
         self.session.open_example(EXAMPLE)
@@ -133,6 +147,12 @@ class AnimatePanel(SteppedPanel):
         self.timeline.setFixedHeight(_TIMELINE_PX if self.height() >= _LOW_PX else _LOW_TIMELINE_PX)
 
     # What is shown
+
+    def refresh(self) -> None:
+        """As everywhere; a scene is something to see."""
+        super().refresh()
+        if self.session.sheet.scene is not None:
+            self.empty.hide()
 
     def show_now(self) -> None:
         """Canvas, timeline and in-between as the session is now."""
@@ -167,8 +187,9 @@ class AnimatePanel(SteppedPanel):
         if (track := track_on(sheet, self.chosen)) is not None:
             return track
         active = self.session.active_figure
-        own = [each for each in tracks if active is not None and each.target.startswith(f"{active.id}/")]
-        return next(iter((*own, *tracks)), None)
+        own = f"{active.id}/" if active is not None else ""
+        first = next((each for each in tracks if each.target.startswith(own)), None)
+        return first or next(iter(tracks), None)
 
     def _choose_track(self, target: str) -> None:
         self.chosen = target
@@ -187,108 +208,131 @@ class AnimatePanel(SteppedPanel):
 
     # What is done to keys
 
-    @property
-    def _sheet(self) -> str:
-        return self.session.sheet.id
-
-    def _edit(self, edit: Edit, name: str, merge: str = "", on: Document | None = None) -> None:
-        try:
-            self.session.apply(edit, name, merge, on)
-        except DocumentError as problem:
-            self.hover_text.emit(problem.short)
-        self.refresh_soon()
-
-    def _set_key(self, target: str, frame: int) -> None:
-        self.chosen = target
-        self._edit(set_key(self._sheet, target, frame), _("Set key"))
-
     def _key_here(self) -> None:
-        track = self._track()
+        track, frame = self._track(), self.session.frames.number
         if track is not None:
-            self._set_key(track.target, self.session.frames.number)
+            self._set_key(track.target, frame)
         elif (figure := self.session.active_figure) is not None:
             target = f"{figure.id}/points_world"
             if len(figure.points_world) == 1:
                 target = f"{figure.id}/{figure.points_world[0].id}/*"
-            self._set_key(target, self.session.frames.number)
+            self._set_key(target, frame)
 
-    def _drag_keys(self, by: int) -> None:
-        if self._before is None:
-            self._before = self.session.document
-        keys = self.timeline.selected
-        self._edit(move_keys(self._sheet, keys, by), _("Move keys"), _DRAG, self._before)
+    def _even_speed(self) -> None:
+        if (track := self._track()) is not None:
+            self.keys.even_speed(track.target)
 
-    def _drop_keys(self) -> None:
-        self._before = None
-        self.session.end_merge()
-
-    def _delete_keys(self) -> None:
-        if keys := self.timeline.selected:
-            self._edit(remove_keys(self._sheet, keys), _("Delete keys"))
-
-    def _ease(self, easing: str) -> None:
-        if keys := self.timeline.selected:
-            self._edit(set_easing(self._sheet, keys, easing), _("Change easing"))
-
-    def _ease_interval(self, easing: str) -> None:
-        if (key := self.between.key) is not None:
-            self._edit(set_easing(self._sheet, [key.id], easing), _("Change easing"))
-
-    def _drag_handles(self, x1: float, y1: float, x2: float, y2: float) -> None:
-        if (key := self.between.key) is None:
-            return
-        if key.easing != BEZIER_NAME:
-            self.hover_text.emit(_("The easing is a Bézier easing now."))
-        edit = set_easing(self._sheet, [key.id], BEZIER_NAME, x1=x1, y1=y1, x2=x2, y2=y2)
-        self._edit(edit, _("Shape easing"), _EASE)
-
-    def _set_motion(self, frames: int | None = None, rate: float | None = None) -> None:
-        self._edit(set_motion(self._sheet, frames, rate), _("Change length or rate"))
-
-    def _copy_keys(self) -> None:
-        self._copied = copied_keys(self.session.document, self._sheet, self.timeline.selected)
-        count = len(self._copied)
-        self.hover_text.emit(ngettext("{n} key is copied.", "{n} keys are copied.", count).format(n=count))
-
-    def _paste_keys(self) -> None:
-        if self._copied:
-            edit = paste_keys(self._sheet, self._copied, self.session.frames.number)
-            self._edit(edit, _("Paste keys"))
+    def _set_key(self, target: str, frame: int) -> None:
+        self.chosen = target
+        self.keys.set(target, frame)
 
     def copy(self) -> bool:
         """The chosen keys while the timeline has the focus, else as everywhere."""
         if self.timeline.hasFocus() and self.timeline.selected:
-            self._copy_keys()
+            self.keys.copy()
             return True
         return super().copy()
 
     def paste(self) -> bool:
         """Keys while the timeline has the focus, else as everywhere."""
-        if self.timeline.hasFocus() and self._copied:
-            self._paste_keys()
+        if self.timeline.hasFocus() and self.keys.copied:
+            self.keys.paste()
             return True
         return super().paste()
 
     # What is stepped
 
-    def _aim_run(self) -> None:
-        """Let the run be that of the chosen track, between the keys around the frame that is shown."""
-        if (track := self._track()) is not None:
-            subject = at_frame(track.target, self.session.frames.number)
-            self.session.update_state(subject=subject, step=0)
+    @property
+    def stepping(self) -> SignalInstance:
+        """Whether an in-between is stepped; else the sentence tells of the frame that is shown."""
+        return self._stepping
+
+    def _step(self, on: bool) -> None:
+        """Step the run by buttons of its own, or go from frame to frame."""
+        run = self.session.run
+        if not on:
+            run.pause()
+            run.set_ask_first(False)
+            run.set_detail(False)
+        self._steps = on
+        self.transport.set_stepping(on)
+        self._stepping.emit(on)
+
+    def _aim_run(self, *_changed: object) -> None:
+        """Let the run be that of the chosen track, at the step that shows the frame.
+
+        Whoever steps by line, or is asked, stays where that is.
+        """
+        session, track = self.session, self._track()
+        if track is None or not self.isVisible() or session.frames.playing:
+            return
+        now, run = session.state.subject, session.run
+        subject, step = aimed(session.sheet, now, track.target, session.frames.number)
+        if not run.detail and not run.ask_first:
+            session.update_state(subject=subject, step=step)
+        elif not subject.is_of(now):
+            session.update_state(subject=subject, step=0)
 
     def _step_track(self) -> None:
+        self.session.frames.stop()
         self._aim_run()
-        self.session.run.forward()
+        self._step(True)
+        if self.session.state.step == 0:
+            self.session.run.forward()
+
+    def _look_at_run(self, *_now: object) -> None:
+        """A run that asks, or plays by itself, is stepped."""
+        run = self.session.run
+        if self.isVisible() and not self._steps and (run.ask_first or run.playing):
+            self._step(True)
+        if self.isVisible() and asked_axis(self.session) is not None and run.answered is None:
+            self.hover_text.emit(_("Where is it in the next frame? Click there, or choose the value."))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """The run is that of the frame that is shown."""
+        super().showEvent(event)
+        self._step(self.session.run.ask_first or self.session.run.detail)
+        self._aim_run()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Elsewhere everything is stepped by its buttons."""
+        super().hideEvent(event)
+        self._stepping.emit(True)
+
+    @property
+    def _answering(self) -> bool:
+        """Also where a place in the next frame is asked for."""
+        return super()._answering or asked_axis(self.session) is not None
+
+    def clicked(self, x: int, y: int) -> None:
+        """With *Ask first* a click tells where the figure is in the next frame."""
+        if not answer_at(self.session, x, y):
+            super().clicked(x, y)
 
     def _follow_run(self) -> None:
-        """The frame that a step works out is shown."""
+        """The frame that a step works out is shown, once the run is where it is going."""
         run = self.view.stepped_run()
         if not self.isVisible() or run is None or run.step is None or run.number == 0 or run.entry is None:
             return
+        if run.target != run.number or self.session.frames.playing:
+            return
         headings = run.entry.columns
         if "frame" in headings and len(run.step.row) == len(headings):
-            self.session.frames.show(int(run.step.row[headings.index("frame")]))
+            frame = int(run.step.row[headings.index("frame")])
+            subject = self.session.state.subject
+            target = str(subject.arguments.get("target", ""))
+            if aimed(self.session.sheet, subject, target, frame) == (subject, run.step.number):
+                self.session.frames.show(frame)
+            else:  # a late word of a run whose keys have been moved meanwhile
+                self._aim_run()
+
+    def _press_handle(self, address: str, modifiers: Modifiers) -> None:
+        """A key of the path is taken hold of in its own frame."""
+        figure = self.session.active_figure
+        if address.startswith(ON_PATH) and figure is not None:
+            self.session.frames.show(int(address.removeprefix(ON_PATH)))
+            address = f"{self.session.sheet.id}/{figure.id}/{self.view.held_point}/x"
+        super()._press_handle(address, modifiers)
 
     def _arrow(self, dx: int, dy: int, modifiers: Modifiers) -> None:
         """Arrows move what is selected; with nothing selected they go from frame to frame."""

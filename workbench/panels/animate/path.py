@@ -7,10 +7,11 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from workbench.algorithms.marks import MOST_SPOTS, Ink, Mark, Pattern, Spot, Stroke
+from workbench.algorithms.marks import MOST_SPOTS, Ink, Mark, Pattern, Spot, Stroke, Word
 from workbench.document.model import AnyFigure, Sheet
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.tracks import motion_of
+from workbench.language import _
 from workbench.panels.stage.outline import outline
 from workbench.rendering import figure_map
 
@@ -18,6 +19,7 @@ _GHOST_STEP = 3
 _MOST_GHOSTS = 8
 
 
+@lru_cache(maxsize=16)
 def alone(sheet: Sheet, figure: AnyFigure) -> Sheet:
     """The sheet with one figure and what moves it, so that a frame of it costs little."""
     motion = motion_of(sheet)
@@ -44,23 +46,38 @@ def _middle(sheet: Sheet, point: str) -> tuple[float, float]:
     return float(place[0]), float(place[1])
 
 
+def keyed_places(moving: Sheet, point: str = "", of: str = "") -> dict[int, tuple[float, float]]:
+    """Where the path is in each frame that has a key, on the device; with ``of`` only those of that part."""
+    path, motion = path_of(moving, point), motion_of(moving)
+    step = -(-motion.frames // MOST_SPOTS)
+    tracks = [track for track in motion.tracks if not of or f"/{of}/" in track.target]
+    frames = sorted({key.frame for track in tracks for key in track.keys})
+    return {
+        frame: (path[frame // step, 0], path[frame // step, 1]) for frame in frames if frame < motion.frames
+    }
+
+
 def path_marks(moving: Sheet, frame: int, point: str = "") -> Iterator[Mark]:
     """A mark for each frame, so that speed is seen, larger ones at keys, and a ring where it is now."""
     path = path_of(moving, point)
     if len(path) < 2 or not np.ptp(path, axis=0).any():
         return
-    motion = motion_of(moving)
-    step = -(-motion.frames // MOST_SPOTS)
+    step = -(-motion_of(moving).frames // MOST_SPOTS)
     yield Stroke(path, "muted", "hair")
     for x, y in path.tolist():
         yield Spot(x, y, "text", "dot", "pixel")
-    keyed = sorted({key.frame // step for track in motion.tracks for key in track.keys})
-    for number in keyed:
-        if number < len(path):
-            x, y = path[number].tolist()
-            yield Spot(x, y, "accent", "square", "small")
+    for x, y in keyed_places(moving, point).values():
+        yield Spot(x, y, "accent", "square", "small")
     x, y = path[min(frame // step, len(path) - 1)].tolist()
     yield Spot(x, y, "accent", "ring", "large")
+
+
+def equation_marks(falling: Sheet, point: str = "") -> Iterator[Mark]:
+    """The path by an equation, and at its end what it is."""
+    path = path_of(falling, point)
+    yield Stroke(path, "data4", "thin", "dot")
+    x, y = path[-1].tolist()
+    yield Word(_("dotted: falling by its equation, t²"), x, y, "data4", -1, -1)
 
 
 def ghosts(moving: Sheet, frame: int, reach: int) -> Iterator[Mark]:

@@ -2,18 +2,25 @@
 
 from dataclasses import replace
 
-from workbench.algorithms.marks import Mark
-from workbench.document.model import AnyFigure
-from workbench.panels.animate.path import alone, ghosts, path_marks
+from workbench.algorithms.marks import Mark, Spot
+from workbench.algorithms.visibility import depth_buffer
+from workbench.document.model import AnyFigure, Sheet
+from workbench.engine.compiled import ready
+from workbench.panels.animate.falling import by_equation
+from workbench.panels.animate.path import alone, equation_marks, ghosts, keyed_places, path_marks
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.compose import Composition, Progress
 from workbench.panels.stage.view import FigureView
+from workbench.rendering.scene.backdrop import with_scene
 from workbench.rendering.subjects.track import is_of_a_track
 from workbench.session.run import Run
 from workbench.session.session import Session
+from workbench.widgets.canvas.overlay import Handle, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 
 USUAL_REACH = 9
+ON_PATH = "path/"
+_MOST_GRIPS = 60
 
 
 class AnimateView(FigureView):
@@ -47,15 +54,17 @@ class AnimateView(FigureView):
     def completed(
         self, made: Composition, progress: Progress | None, number: int | None = None
     ) -> Composition:
-        """With the path, the ghosts, and what the run draws of an outline."""
+        """With the scene, once its text is compiled, the path, the ghosts, and what the run draws."""
         overlay = made.overlay
         run = self.stepped_run()
         stepped: tuple[Mark, ...] = ()
         if run is not None and (number is not None or run.number > 0):
             stepped = self.step_marks(number)
-        return replace(
-            made, overlay=replace(overlay, ideal=(), drawn=(*overlay.drawn, *self._moving(), *stepped))
-        )
+        pixels = made.pixels
+        if self.sheet.scene is not None and ready(depth_buffer):
+            pixels = with_scene(pixels, self.sheet)
+        drawn = (*overlay.drawn, *self._moving(), *stepped)
+        return replace(made, pixels=pixels, overlay=replace(overlay, ideal=(), drawn=drawn))
 
     def _point(self, figure: AnyFigure) -> str:
         """The point whose path is drawn: the one that the chosen track moves, where it moves one."""
@@ -63,15 +72,51 @@ class AnimateView(FigureView):
         points = {point.id for point in figure.points_world}
         return rest[0] if name == figure.id and rest and rest[0] in points else ""
 
-    def _moving(self) -> tuple[Mark, ...]:
-        figure, frames = self.session.active_figure, self.session.frames
+    def put(self, overlay: Overlay) -> None:
+        """With handles at the keys of the path; the one of this frame is the figure's own."""
+        own, frames = self._own, self.session.frames
+        boxed = self.box is not None and self.box.box is not None
+        if own is not None and not (frames.playing or boxed) and (point := self.held_point):
+            places = keyed_places(own, self._point(own.figures[0]), point)
+            grips = [
+                Handle(f"{ON_PATH}{frame}", "", x, y, shape="square")
+                for frame, (x, y) in places.items()
+                if frame != frames.number
+            ]
+            if len(grips) <= _MOST_GRIPS:
+                overlay = replace(overlay, handles=(*grips, *overlay.handles))
+        super().put(overlay)
+
+    @property
+    def held_point(self) -> str:
+        """The point by which the path is dragged: the one that moves on it, or the only one of the figure."""
+        own = self._own
+        if own is None:
+            return ""
+        points = own.figures[0].points_world
+        return self._point(own.figures[0]) or (points[0].id if len(points) == 1 else "")
+
+    @property
+    def _own(self) -> Sheet | None:
+        """The figure whose path is shown and its tracks; None where it has none."""
+        figure = self.session.active_figure
         if figure is None or self.session.sheet.motion is None:
-            return ()
+            return None
         own = alone(self.session.sheet, figure)
-        if own.motion is None or not own.motion.tracks:
+        return own if own.motion is not None and own.motion.tracks else None
+
+    def _moving(self) -> tuple[Mark, ...]:
+        own, frames = self._own, self.session.frames
+        if own is None:
             return ()
+        if self.session.run.waiting:  # frames to come would tell
+            places = keyed_places(own, self._point(own.figures[0])).values()
+            return tuple(Spot(x, y, "accent", "square", "small") for x, y in places)
         reach = 0 if frames.playing else self.reach
+        falling = None if frames.playing else by_equation(own, self.target)
+        equation = [] if falling is None else equation_marks(falling, self._point(own.figures[0]))
         return (
+            *equation,
             *ghosts(own, frames.number, reach),
             *path_marks(own, frames.number, self._point(own.figures[0])),
         )

@@ -91,7 +91,7 @@ class ClipCard(ParameterCard):
                 field.field.isModified() for field in self.sides.values()
             ):
                 self.complaint.hide()
-        active = figures[0] if figures else self._session.active_figure
+        active = figures[0] if figures else self._session.frames.figure
         if there:
             self._fill_clippers(tool.kind if tool is not None and not figures else type(active))
         self._tell(active)
@@ -111,7 +111,8 @@ class ClipCard(ParameterCard):
 
     def _tell(self, active: AnyFigure | None) -> None:
         now = tokens()
-        counted = tally(self._session.sheet)
+        sheet = self._session.frames.sheet
+        counted = tally(sheet)
         marks: dict[Fate, tuple[str, str, str]] = {
             "accepted": ("data3", "━━", _("{n} inside, accepted")),
             "clipped": ("data1", "━ ╌", _("{n} clipped")),
@@ -122,7 +123,7 @@ class ClipCard(ParameterCard):
             for fate, (ink, mark, text) in marks.items()
             if counted[fate]
         ]
-        if edges := degenerate_count(self._session.sheet, active):
+        if edges := degenerate_count(sheet, active):
             said = ngettext(
                 "{n} degenerate edge: the polygon is concave, and its parts hang together along the window.",
                 "{n} degenerate edges: the polygon is concave, and its parts hang together along the window.",

@@ -78,8 +78,8 @@ class ClipView(FigureView):
     def on_paper(self, number: int | None = None) -> Composition:
         """The whole sheet, or one step of the run, in the light theme and without handles."""
         call = self._own_call(number) if number != 0 else None
-        session = self.session
-        return self._composed(session.sheet, session.active_figure, call, number, LIGHT)
+        frames = self.session.frames
+        return self._composed(frames.sheet, frames.figure, call, number, LIGHT)
 
     def describe(self, x: int, y: int) -> str:
         """A cell with its region code, and what painted it."""

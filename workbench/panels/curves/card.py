@@ -299,7 +299,7 @@ class CurveCard(ParameterCard):
 
     def _put(self, attribute: str, value: Value, merge: str = "") -> None:
         """Set an attribute of the selected curves, or of what is drawn next."""
-        sheet, chosen = self._session.sheet, set(self._session.state.selection)
+        sheet, chosen = self._session.frames.sheet, set(self._session.state.selection)
         curves = [f for f in sheet.figures if f.id in chosen and isinstance(f, Curve)]
         if not curves:
             if self._pen is not None:

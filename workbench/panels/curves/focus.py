@@ -39,8 +39,8 @@ class CurveFocus(QObject):
 
     @property
     def curve(self) -> Curve | None:
-        """The active figure, when it is a curve."""
-        active = self.session.active_figure
+        """The active figure in its frame, when it is a curve."""
+        active = self.session.frames.figure
         return active if isinstance(active, Curve) else None
 
     @property

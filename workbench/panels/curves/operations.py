@@ -200,7 +200,7 @@ class CurveOperations(CurveCommands):
         """Put the chords that the curve is drawn by in its place, and say how far they are off at most."""
 
         def replace_by_chords(curve: Curve) -> None:
-            sheet = self.session.sheet
+            sheet = self.session.frames.sheet
             corners = device_map(sheet).world(polyline_of(sheet, curve))
             if len(corners) < 2:
                 self.said.emit(fault_of(curve))

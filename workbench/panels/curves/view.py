@@ -82,7 +82,7 @@ class CurveView(FigureView):
             self.canvas.set_picture(shown(sheet, now), packed(now.canvas))
             self._pixels_ms = (time.perf_counter() - before) * 1e3
         chosen = set(session.state.selection)
-        selected = [figure for figure in session.sheet.figures if figure.id in chosen]
+        selected = [figure for figure in session.frames.sheet.figures if figure.id in chosen]
         overlay = Overlay(
             ideal=tuple(
                 line
@@ -267,7 +267,7 @@ class CurveView(FigureView):
 
     def on_paper(self, number: int | None = None) -> Composition:
         """What is shown, or one step of the run, in the light theme, with plain spots for the points."""
-        sheet, curve = self.session.sheet, self.focus.curve
+        sheet, curve = self.session.frames.sheet, self.focus.curve
         shown = picture if "pixels" in self.focus.shown else pale_picture
         drawn = self.drawn(number, sheet)
         if curve is not None and "polygon" in self.focus.shown and len(curve.points_world) < MANY:

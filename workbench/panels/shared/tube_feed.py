@@ -60,11 +60,11 @@ class TubeFeed(QObject):
 
     def _keep_time(self) -> None:
         """Put the time of the tube that is seen into the session's state."""
-        seen = next((view for view in self._views if view.isVisible()), None)
+        seen = next((view for view in self._views if view.sight.now), None)
         if seen is not None:
             time_s = min(float(seen.seconds()), LONGEST_TIME_S)
             for view in self._views:
-                if view.isVisible():
+                if view.sight.now:
                     self._times[view] = time_s
             self._session.update_state(tube=replace(self._session.state.tube, time_s=time_s))
 
@@ -79,7 +79,7 @@ class TubeFeed(QObject):
         sheet, settings, asked = self._session.shown, self._session.state.tube, self._asked
         setup = setup_of(settings)
         for view in self._views:
-            if not view.isVisible():
+            if not view.sight.now:
                 continue
             view.set_setup(setup)
             if settings.time_s != self._times[view]:

@@ -102,6 +102,9 @@ class CameraCard(QFrame):
         self.keep = QPushButton(_("Keep this view"))
         self.keep.setToolTip(_("The document keeps its own view; write where you look from into it"))
         self.keep.clicked.connect(lambda: self.said.emit(looking.keep()))
+        self.back = QPushButton(_("Back to the track"))
+        self.back.setToolTip(_("See the scene by its own camera again, which moves"))
+        self.back.clicked.connect(lambda: self.said.emit(looking.look(None)))
         column_ = QVBoxLayout(self)
         column_.setContentsMargins(8, 6, 6, 6)
         column_.setSpacing(4)
@@ -110,6 +113,7 @@ class CameraCard(QFrame):
         foot = QHBoxLayout()
         foot.setSpacing(8)
         foot.addWidget(self.note, 1)
+        foot.addWidget(self.back)
         foot.addWidget(self.keep)
         column_.addLayout(foot)
         self.set_open(False)
@@ -184,8 +188,10 @@ class CameraCard(QFrame):
             field.set_value(self._value(camera, name))
             if name in ("distance", "oblique_alpha", "oblique_phi", "angle_y", "angle_x"):
                 field.setVisible(name in shown)
+        back = around and self._looking.tracked
         self.note.setText(_("Looking around") if around else "")
-        self.note.setVisible(around)
+        self.note.setVisible(around and not back)
+        self.back.setVisible(back)
         self.keep.setVisible(around)
         self._fit()
 

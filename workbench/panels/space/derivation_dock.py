@@ -15,10 +15,10 @@ from workbench.exchange.diagrams import MARGIN_PT, Derivation, Drawing, lay_out_
 from workbench.exchange.formulas.terms import displayed
 from workbench.language import _, reason_of
 from workbench.panels.space.derivation import InView, in_view, limit_lines, similar_lines, similar_triangles
-from workbench.panels.space.in_sight import InSight
 from workbench.panels.space.stepped import Vertex
 from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.formulas.typesetting import paint_primitives, typesetter_of
+from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tokens import colour, theme, tokens
 
 _HEIGHT_PX = 110

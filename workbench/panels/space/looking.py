@@ -9,6 +9,8 @@ from msgspec.structs import replace
 
 from workbench.algorithms.projection import vanishing_points, with_vanishing_point, with_vanishing_points
 from workbench.document.errors import DocumentError
+from workbench.document.motion.groups import CAMERA
+from workbench.document.motion.tracks import motion_of
 from workbench.document.scene.edits import set_camera
 from workbench.document.scene.looking import centred_on, facing, kind_of, orbited, projecting, tumbled
 from workbench.document.scene.model import Camera, Point3D, Scene
@@ -32,8 +34,22 @@ class Looking:
 
     @property
     def scene(self) -> Scene | None:
-        """The scene, with the camera that it is seen by now."""
-        return seen_scene(self.session.state, self.session.sheet)
+        """The scene in its frame, with its own camera or that of whoever looks around."""
+        scene, looked = self.session.frames.sheet.scene, self._looked
+        return scene if scene is None or looked is None else replace(scene, camera=looked)
+
+    @property
+    def _looked(self) -> Camera | None:
+        """The camera of whoever looks around; it stays in other frames too."""
+        kept = self.session.sheet.scene
+        seen = seen_scene(self.session.state, self.session.sheet)
+        return None if seen is None or seen is kept else seen.camera
+
+    @property
+    def tracked(self) -> bool:
+        """Whether tracks move the camera of the scene."""
+        tracks = motion_of(self.session.sheet).tracks
+        return any(track.target.split(".")[:2] == CAMERA.split(".") for track in tracks)
 
     @property
     def camera(self) -> Camera:
@@ -44,7 +60,7 @@ class Looking:
     @property
     def around(self) -> bool:
         """Whether it is seen otherwise than the document says."""
-        scene = self.session.sheet.scene
+        scene = self.session.frames.sheet.scene
         return scene is not None and self.camera != scene.camera
 
     @property

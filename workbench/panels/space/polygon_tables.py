@@ -20,8 +20,8 @@ from workbench.document.scene.model import Object
 from workbench.exchange.tables import Table
 from workbench.geometry.meshes import Mesh
 from workbench.language import _
-from workbench.panels.space.in_sight import InSight
 from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.type_faces import code_font
 
 Index = QModelIndex | QPersistentModelIndex

@@ -355,11 +355,12 @@ class ProjectionPage(ViewCommands, QWidget):
         """The run goes through the matrices that the scene is seen by, and clips to what is seen."""
         session = self.session
         subject, scene = session.state.subject, session.sheet.scene
-        held = self.eye.dragging or self.outside.dragging
+        held = self.eye.dragging or self.outside.dragging or session.frames.playing
         if not self.isVisible() or held or not is_of_a_vertex(subject) or scene is None:
             return
         kept = {name: value for name, value in subject.arguments.items() if name == "vertex"}
-        wanted = {**kept, **(seen_from(self.looking.camera) if self.looking.around else {})}
+        camera = self.looking.camera
+        wanted = {**kept, **(seen_from(camera) if camera != scene.camera else {})}
         if clips(subject):
             seen = self.eye.window_world
             wanted["window"] = (seen.xmin, seen.ymin, seen.xmax, seen.ymax)

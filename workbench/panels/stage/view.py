@@ -144,8 +144,8 @@ class FigureView:
         """The whole sheet, or one step of the run, in the light theme and without handles."""
         run = self.stepped_run()
         progress = self.progress() if number is None or run is None else progress_at(run, number)
-        session = self.session
-        made = compose(session.frames.sheet, session.active_figure, progress, self.compared(), LIGHT)
+        frames = self.session.frames
+        made = compose(frames.sheet, frames.figure, progress, self.compared(), LIGHT)
         return self.completed(made, progress, number)
 
     def page(self, number: int | None, caption: str) -> Page:

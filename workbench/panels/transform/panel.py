@@ -155,14 +155,15 @@ class TransformPanel(SteppedPanel):
         if self.page == SPACE:
             thing = self.space.thing
             return None if thing is None else space_derivation(thing, self.session.subject)
-        figure = self.session.active_figure
+        frames = self.session.frames
+        figure = frames.figure
         if figure is None or not figure.points_world:
             return None
-        return derivation(self.session.sheet, figure, figure.name or kind_title(figure), self.view.vertex)
+        return derivation(frames.sheet, figure, figure.name or kind_title(figure), self.view.vertex)
 
     def tables(self) -> list[tuple[str, Table]]:
         """The figure's points at every stage."""
-        figure = self.session.active_figure
+        figure = self.session.frames.figure
         chain = () if figure is None else figure.transforms
         return [(_("Points at every stage"), points_table(figure))] if figure is not None and chain else []
 

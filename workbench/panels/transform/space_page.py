@@ -80,7 +80,7 @@ class SpacePage(QWidget):
         subject = session.subject
         if not is_of_a_chain_in_space(subject) or session.state.thing:
             subject = Subject(KIND, (session.state.thing,))
-        return object_of(session.sheet, subject)
+        return object_of(session.frames.sheet, subject)
 
     @property
     def step(self) -> int:
@@ -95,7 +95,7 @@ class SpacePage(QWidget):
     def refresh(self) -> None:
         """Show the session as it is now."""
         thing = self.thing
-        scene = self._session.sheet.scene
+        scene = self._session.frames.sheet.scene
         things = scene.objects if scene is not None else ()
         names = [each.name or each.id for each in things]
         if names != [self.objects.itemText(k) for k in range(self.objects.count())]:

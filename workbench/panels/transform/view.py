@@ -219,9 +219,10 @@ class TransformView(FigureView):
 
     def on_paper(self, number: int | None = None) -> Composition:
         """What is shown in the light theme and without handles; the steps are those of the matrices."""
-        sheet = self.session.sheet
+        frames = self.session.frames
+        sheet = frames.sheet
         area = -0.5, -0.5, sheet.width_px - 0.5, sheet.height_px - 0.5
-        drawn = self._drawn(sheet, self.session.active_figure, area, sheet.width_px / _PAPER_PX, lit=False)
+        drawn = self._drawn(sheet, frames.figure, area, sheet.width_px / _PAPER_PX, lit=False)
         return Composition(_blank(sheet), packed(LIGHT.canvas), Overlay(drawn=(*drawn,), plane=True))
 
     def describe(self, x: int, y: int) -> str:

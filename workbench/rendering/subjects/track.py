@@ -34,6 +34,37 @@ def at_frame(target: str, frame: int) -> Subject:
     return Subject(KIND, arguments={"target": target, "frame": frame})
 
 
+def aimed(sheet: Sheet, subject: Subject, target: str, frame: int) -> tuple[Subject, int]:
+    """The subject that steps the track on ``target`` where a frame is, and the step that shows this frame.
+
+    It keeps the entry of ``subject`` where that is of the same track, and its keys where the frame lies
+    between them. Step 0 where no step shows the frame: it lies before the first key or after the last one,
+    or an outline is stepped, vertex by vertex.
+    """
+    track, group = track_on(sheet, target), group_of(sheet, target)
+    same = subject.arguments.get("target") == target
+    own = subject.arguments.get("frame", frame) if same else frame
+    assert isinstance(own, int)
+    first, last = _ends(track, own)
+    if not first <= frame <= last:
+        first, last = _ends(track, frame)
+    outline = group is not None and group.kind == "outline"
+    entry = subject.entry if same else ""
+    aim = replace(at_frame(target, frame if outline else first), entry=entry)
+    choices = _choices(sheet, aim)
+    if entry not in choices:
+        aim = replace(aim, entry="")
+    if track is not None and choices and (aim.entry or choices[0]) == SPLINE_TWEEN:
+        first, last = track.keys[0].frame, track.keys[-1].frame
+    return aim, 0 if outline or not first <= frame <= last else frame - first + 1
+
+
+def _ends(track: Track | None, frame: int) -> tuple[int, int]:
+    """The frames of the keys around a frame; without two keys the frame itself."""
+    around = None if track is None else keys_around(track, frame)
+    return (around[0].frame, around[1].frame) if around else (frame, frame)
+
+
 def track_of(sheet: Sheet, subject: Subject) -> Track | None:
     """The track that a subject names, or else the first one; None where the sheet has none that moves."""
     target = str(subject.arguments.get("target", ""))
@@ -116,11 +147,6 @@ def _quaternion(key: Key) -> tuple[float, ...]:
 def _on_device(sheet: Sheet, subject: Subject, frame: Frame, marks: Any) -> tuple[Mark, ...]:
     """Outlines lie in the picture; what goes over time does not."""
     return mapped(sheet, subject, frame, marks) if frame == "world" else ()
-
-
-def at_other_frame(subject: Subject, frame: int) -> Subject:
-    """The same track around another frame."""
-    return replace(subject, arguments={**subject.arguments, "frame": frame})
 
 
 register(

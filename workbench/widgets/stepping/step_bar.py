@@ -240,3 +240,7 @@ class Steps(QWidget):
         column.setSpacing(0)
         column.addWidget(self.bar)
         column.addLayout(told)
+
+    def show_buttons(self, on: bool) -> None:
+        """Show the buttons over the sentence, or leave the room that they take to what stands above."""
+        self.bar.setVisible(on)

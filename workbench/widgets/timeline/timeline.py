@@ -39,15 +39,16 @@ class Timeline(QWidget):
     """One row for each track. The keys that are chosen belong to this view.
 
     ``frame_wanted`` sends a frame, ``track_chosen`` a target, ``keys_dragged`` by how many frames the chosen
-    keys are wanted from where they were pressed, ``keys_dropped`` that the hand let go, ``key_wanted`` a
-    target and a frame, ``deletion_wanted`` nothing more, ``easing_wanted`` the name of one, ``reach_wanted``
-    how far the ghosts reach, ``play_wanted`` that it is played or stopped; ``scrolled``: other tracks
-    are seen.
+    keys are wanted from where they were pressed, ``keys_scaled`` how many times as far from which frame,
+    ``keys_dropped`` that the hand let go, ``key_wanted`` a target and a frame, ``deletion_wanted`` nothing
+    more, ``easing_wanted`` the name of one, ``reach_wanted`` how far the ghosts reach, ``play_wanted`` that
+    it is played or stopped; ``scrolled``: other tracks are seen.
     """
 
     frame_wanted = Signal(int)
     track_chosen = Signal(str)
     keys_dragged = Signal(int)
+    keys_scaled = Signal(float, int)
     keys_dropped = Signal()
     key_wanted = Signal(str, int)
     deletion_wanted = Signal()
@@ -66,6 +67,7 @@ class Timeline(QWidget):
         self._top = 0
         self._selected: frozenset[str] = frozenset()
         self._doing = ""
+        self._still = 0
         self._pressed = QPointF()
         self._band = QRectF()
         self.setAccessibleName(_("Timeline"))
@@ -74,7 +76,8 @@ class Timeline(QWidget):
         self.setMouseTracking(True)
         self.setToolTip(
             _(
-                "Drag the ruler to a frame, a key in time, or a box around keys; double-click sets a key; "
+                "Drag the ruler to a frame, a key in time, or a box around keys; Ctrl+drag scales the chosen "
+                "keys in time; double-click sets a key; "
                 "arrows go from frame to frame and from track to track, Alt+arrows move keys, K sets one"
             )
         )
@@ -242,7 +245,14 @@ class Timeline(QWidget):
             self._choose_keys(self._selected ^ {key.id})
         else:
             self._choose_keys(self._selected if key.id in self._selected else frozenset({key.id}))
-            self._doing = "keys"
+            self._still = self._far_end(key.frame)
+            stretches = event.modifiers() & Qt.KeyboardModifier.ControlModifier and self._still != key.frame
+            self._doing = "scale" if stretches else "keys"
+
+    def _far_end(self, frame: int) -> int:
+        """The frame of the chosen key that is farthest from a frame."""
+        keys = (key for track in self._shown.tracks for key in track.keys if key.id in self._selected)
+        return max((key.frame for key in keys), key=lambda other: abs(other - frame), default=frame)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Go on with what was begun."""
@@ -251,6 +261,9 @@ class Timeline(QWidget):
             self._ask_frame(place.x())
         elif self._doing == "reach":
             self.reach_wanted.emit(max(abs(self._scale.frame(place.x()) - self._shown.frame), 0))
+        elif self._doing == "scale":
+            away = self._scale.frame(self._pressed.x()) - self._still
+            self.keys_scaled.emit((self._scale.frame(place.x()) - self._still) / away, self._still)
         elif self._doing == "keys":
             self.keys_dragged.emit(self._scale.frame(place.x()) - self._scale.frame(self._pressed.x()))
         elif self._doing == "band":
@@ -262,7 +275,7 @@ class Timeline(QWidget):
 
     def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
         """Let go."""
-        if self._doing == "keys":
+        if self._doing in ("keys", "scale"):
             self.keys_dropped.emit()
         self._doing, self._band = "", QRectF()
         self.update()

@@ -23,7 +23,7 @@ class Transport(QWidget):
     """Drives the frames of a session. ``said`` sends what was wrong with what was typed.
 
     ``length_wanted`` and ``rate_wanted`` send what was typed, ``ghosts_toggled`` and ``zoom_wanted`` are for
-    the timeline.
+    the timeline, ``leaving_wanted``: a run is to be stepped no longer.
     """
 
     said = Signal(str)
@@ -31,13 +31,16 @@ class Transport(QWidget):
     rate_wanted = Signal(float)
     ghosts_toggled = Signal(bool)
     zoom_wanted = Signal(float)
+    leaving_wanted = Signal()
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
+        self._stepping = False
         frames = session.frames
         self.setFixedHeight(HEIGHT)
         self.setAccessibleName(_("Frames"))
+        self.leave = self._action(_("Back to the frames"), "arrow-u-up-left", self.leaving_wanted.emit)
         self.first = self._action(_("First frame"), "skip-back", lambda: frames.show(0))
         self.back = self._action(_("Frame back"), "caret-left", lambda: frames.show(frames.number - 1))
         self.play = self._action(_("Play the frames"), "play", frames.toggle)
@@ -101,8 +104,11 @@ class Transport(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 0, 8, 0)
         row.setSpacing(2)
-        for action in (self.first, self.back, self.play, self.forward, self.last):
-            row.addWidget(self._button(action))
+        moves = (self.first, self.back, self.play, self.forward, self.last)
+        self._leaving = self._button(self.leave, words=True)
+        self._moving: list[QWidget] = [self._button(action) for action in moves]
+        for button in (self._leaving, *self._moving):
+            row.addWidget(button)
         row.addSpacing(8)
         self._of, self._a_second = QLabel(_("of")), QLabel(_("a second"))
         self._of.setProperty("role", "muted")
@@ -111,6 +117,7 @@ class Transport(QWidget):
         for widget in fields:
             row.addWidget(widget)
             row.addSpacing(12 if widget is self.length else 4)
+        self._moving += [self.frame, self._of, self.length]
         row.addStretch(1)
         self._worded = [self._button(action, words=True) for action in (self.auto_key, self.ghosts)]
         for button in self._worded:
@@ -183,10 +190,21 @@ class Transport(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """What has no room goes, first the rate, then what comes after the last frame and the words."""
         super().resizeEvent(event)
+        self._fit()
+
+    def set_stepping(self, on: bool) -> None:
+        """While a run is stepped elsewhere, nothing here moves the frame; one button leads back."""
+        self._stepping = on
+        self._fit()
+
+    def _fit(self) -> None:
+        plays, wide = not self._stepping, self.width() >= _NARROWER_PX
+        self._leaving.setVisible(self._stepping)
+        for widget in self._moving:
+            widget.setVisible(plays)
         for widget in (self._a_second, self.rate, self.speed):
-            widget.setVisible(self.width() >= _NARROW_PX)
-        wide = self.width() >= _NARROWER_PX
-        self.mode.setVisible(wide)
+            widget.setVisible(plays and self.width() >= _NARROW_PX)
+        self.mode.setVisible(plays and wide)
         style = Qt.ToolButtonStyle
         for button in self._worded:
             button.setToolButtonStyle(style.ToolButtonTextBesideIcon if wide else style.ToolButtonIconOnly)

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QElapsedTimer, QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
-    QHideEvent,
     QImage,
     QKeyEvent,
     QMouseEvent,
@@ -22,7 +21,6 @@ from PySide6.QtGui import (
     QPen,
     QPixmap,
     QResizeEvent,
-    QShowEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -45,6 +43,7 @@ from workbench.display.tube import PICOSECOND
 from workbench.language import _
 from workbench.widgets.canvas.pixel_canvas import ARROWS
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tokens import colour, theme, tokens
 from workbench.widgets.tube.glass import (
     CORNER,
@@ -68,7 +67,9 @@ _BEAM_SEEN_FROM = 300.0
 
 
 class TubeView(QWidget):
-    """One tube. ``advanced`` comes with each step of its time, ``probed`` with a clicked pixel."""
+    """One tube. ``advanced`` comes with each step of its time, ``probed`` with a clicked pixel; ``sight``
+    tells whether it is seen: one behind other tabs is not.
+    """
 
     advanced = Signal()
     shown = Signal()
@@ -100,6 +101,8 @@ class TubeView(QWidget):
         self._resized.setSingleShot(True)
         self._resized.setInterval(80)
         self._resized.timeout.connect(self._rebuild)
+        self.sight = InSight(self)
+        self.sight.changed.connect(self._come_in_sight)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(120, 110)
@@ -202,7 +205,7 @@ class TubeView(QWidget):
             self._refresh()
 
     def _wake(self) -> None:
-        if self.isVisible() and not self._paused and self.driver is not None:
+        if self.sight.now and not self._paused and self.driver is not None:
             if not self._timer.isActive():
                 self._clock.start()
             self._timer.start(_FRAME_MS)
@@ -280,21 +283,16 @@ class TubeView(QWidget):
         self._cabinet = self._reflection = None
         if self.driver is not None:
             self._resized.start()
-        elif self.isVisible():
+        elif self.sight.now:
             self._rebuild()
 
-    def showEvent(self, event: QShowEvent) -> None:
-        """Run again; the first time with what was given meanwhile."""
-        super().showEvent(event)
-        self.shown.emit()
-        if self.driver is None:
-            self._rebuild()
+    def _come_in_sight(self, seen: bool) -> None:
+        """Run again, or rest: a tube that nobody sees costs nothing."""
+        if seen:
+            self.shown.emit()
+            if self.driver is None:
+                self._rebuild()
         self._wake()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        """A tube that nobody sees costs nothing."""
-        super().hideEvent(event)
-        self._timer.stop()
 
     def _to_widget(self, x_mm: float, y_mm: float) -> QPointF:
         width, height = face_mm(self._picture)

@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from workbench.exchange.tables import Table
 from workbench.language import _
-from workbench.panels.space.in_sight import InSight
 from workbench.rendering.scene.growth import Growth
 from workbench.rendering.scene.spaces import title_of
+from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.plots.growth_plot import GrowthCurve, GrowthPlot
 
 PIXELS, POLYGONS = 0, 1

@@ -1,0 +1,26 @@
+"""A panel with the bouncing ball."""
+
+from collections.abc import Iterator
+
+import pytest
+
+from tests.panels.by_hand import settle
+from workbench.panels.animate.panel import AnimatePanel
+from workbench.session.session import Session
+
+
+@pytest.fixture
+def panel(qtbot) -> Iterator[AnimatePanel]:
+    session = Session()
+    session.open_example("animate-ball")
+    panel = AnimatePanel(session)
+    qtbot.addWidget(panel)
+    qtbot.addWidget(panel.between)
+    panel.resize(960, 620)
+    panel.between.show()
+    panel.show()
+    panel.activateWindow()
+    settle()
+    yield panel
+    session.frames.stop()
+    session.close()

@@ -1,0 +1,31 @@
+"""The scene of a sheet behind its figures, as its camera sees it."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.visibility import depth_buffer
+from workbench.document.model import Sheet
+from workbench.rendering import painter_of
+from workbench.rendering.scene.render import render_scene
+from workbench.rendering.subjects.visibility import window_of
+
+
+def with_scene(image: NDArray[np.uint32], sheet: Sheet) -> NDArray[np.uint32]:
+    """A picture (h, w) of the figures of ``sheet`` with its scene in the first viewport, where no figure is.
+
+    One that cannot be seen from where the camera stands is left out.
+    """
+    if sheet.scene is None or not sheet.scene.objects:
+        return image
+    device = sheet.first_view.viewport_device
+    left, low = round(device.xmin + 0.5), round(device.ymin + 0.5)
+    size = round(device.xmax - device.xmin), round(device.ymax - device.ymin)
+    try:
+        seen, _depth = render_scene(sheet.scene, depth_buffer.__name__, size, window=window_of(sheet))
+    except ValueError:
+        return image
+    whole = np.zeros_like(image)
+    right, high = min(left + size[0], image.shape[1]), min(low + size[1], image.shape[0])
+    x, y = max(left, 0), max(low, 0)
+    whole[y:high, x:right] = seen[y - low : high - low, x - left : right - left]
+    return np.where((painter_of(sheet) < 0) & (whole != 0), whole, image)

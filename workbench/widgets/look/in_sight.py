@@ -1,0 +1,52 @@
+"""Whether a part of the window is in sight: one in a dock behind other tabs is not, although Qt calls it
+visible."""
+
+from PySide6.QtCore import QEvent, QObject, Signal
+from PySide6.QtWidgets import QDockWidget, QWidget
+
+
+class InSight(QObject):
+    """``changed`` sends whether ``part`` has come in sight, or gone out of it; ``now`` tells."""
+
+    changed = Signal(bool)
+    now = False  # of the class: a part that is being taken apart still hides, when this may have lost its own
+
+    def __init__(self, part: QWidget) -> None:
+        super().__init__(part)
+        self._part = part
+        self._dock: QDockWidget | None = None
+        part.installEventFilter(self)
+
+    def eventFilter(self, _part: QObject, event: QEvent) -> bool:
+        """Follow the dock that it has come into."""
+        if event.type() == QEvent.Type.Show:
+            dock = _dock_around(self._part)
+            if dock is not self._dock:
+                if self._dock is not None:
+                    self._dock.visibilityChanged.disconnect(self._set)
+                if dock is not None:
+                    dock.visibilityChanged.connect(self._set)
+                self._dock = dock
+            self._set(dock is None or _in_front(dock))
+        elif event.type() == QEvent.Type.Hide:
+            self._set(False)
+        return False
+
+    def _set(self, seen: bool) -> None:
+        if seen != self.now:
+            self.now = seen
+            self.changed.emit(seen)
+
+
+def _dock_around(part: QWidget) -> QDockWidget | None:
+    """The dock in which it lies, however deep."""
+    around: QWidget | None = part
+    while around is not None and not isinstance(around, QDockWidget):
+        around = around.parentWidget()
+    return around
+
+
+def _in_front(dock: QDockWidget) -> bool:
+    """Whether a dock is none of those behind tabs, which Qt lays out beyond the corner of the window."""
+    place = dock.geometry()
+    return dock.isVisible() and place.right() >= 0 and place.bottom() >= 0
