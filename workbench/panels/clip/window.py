@@ -112,6 +112,11 @@ class ClipSelectTool(SelectTool):
         """Whether a figure or a side is being dragged."""
         return super().busy or self.side.busy
 
+    @property
+    def overtaken(self) -> bool:
+        """Whether something else was done while a figure or a side is dragged."""
+        return super().overtaken or self.side.overtaken
+
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """A figure, else a side of the window, else a band."""
         side = self._side_at(x, y, reach)

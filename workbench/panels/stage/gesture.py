@@ -50,7 +50,7 @@ class Gesture(QObject):
     @property
     def overtaken(self) -> bool:
         """Whether something else was done meanwhile, such as an undo: then it is over."""
-        return self.busy and self.session.document is not self._shown
+        return self._before is not None and self.session.document is not self._shown
 
     @property
     def busy(self) -> bool:
