@@ -91,7 +91,7 @@ def test_a_drawing_comes_into_curves(window: MainWindow, tmp_path: Path, place: 
     assert window.place == "curves"
     (curve,) = curves(window)
     assert curve.spline == "bezier_path"
-    assert "1 figure imported" in window.status.hover.text()
+    assert "wave.svg: 2 figures imported" in window.messages.text
     window.undo()
     assert window.session.sheet.figures == before
 
@@ -114,7 +114,7 @@ def test_what_is_wrong_with_a_dropped_file_is_said(window: MainWindow, tmp_path:
         if content is not None:
             (tmp_path / name).write_text(content)
         assert drop(window, tmp_path / name)
-        assert said in window.status.hover.text()
+        assert said in window.messages.text
     (tmp_path / "d.gwb").write_text("{")
     assert drop(window, tmp_path / "d.gwb")
     assert window.session.document is before

@@ -133,6 +133,8 @@ def test_export_is_found_by_its_name(window: MainWindow) -> None:
         "Export the derivation...",
         "Export the hand table...",
         "Export the points of the curve...",
+        "Export the animation...",
+        "Export a sheet of frames...",
         "Export the scene as PNG...",
         "Export the wireframe as SVG...",
         "Export the mesh...",

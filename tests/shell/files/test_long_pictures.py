@@ -126,7 +126,7 @@ def test_many_figures_are_pasted_beside_the_interface(
     session, said = window.session, []
     (figure,) = long_picture(chosen).sheets[0].figures
     beside = other_threads(monkeypatch, clipboard, "foreseen")
-    clipboard.copy_figures([figure])
+    clipboard.copy_figures(session.sheet, [figure])
     for _time in range(2):
         before = session.document
         clipboard.paste_figures(session, said.append)
