@@ -18,6 +18,7 @@ from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP
 from workbench.algorithms.clipping.window_marks import edge_mark
 from workbench.algorithms.entry import CALLS, Entry
 from workbench.algorithms.marks import INKS, Mark, Matrix, Ray, Region, Spot, Stroke, Word, no_marks
+from workbench.algorithms.numerals import numeral
 from workbench.engine.calls import own_call
 from workbench.engine.observation import Step, Steps
 from workbench.engine.recorder import record
@@ -365,7 +366,7 @@ def test_in_detail_what_is_drawn_of_a_block_is_that_of_the_sentence() -> None:
         told = "".join(part.text for part in steps.told(event))
         for mark in steps.marks_told(event):
             for x, y in places_of(mark).tolist():
-                assert f"({x:.6g}, {y:.6g})" in told
+                assert f"({numeral(x)}, {numeral(y)})" in told
             seen += 1
     assert seen > 10
 
