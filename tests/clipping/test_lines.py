@@ -311,4 +311,4 @@ def test_each_verdict_has_its_sentence() -> None:
         for step in list(Steps(entry, record(entry.function, *line, *COURSE)))[1:]:
             said.setdefault(step.answer, "".join(part.text for part in step.sentence))
     assert set(said) == {"u1 grows", "u2 shrinks", "nothing changes", "reject"}
-    assert said["u2 shrinks"].startswith("xₘₐₓ: p = 30 > 0, the line leaves, at r = 20/30 = 0.666667")
+    assert said["u2 shrinks"].startswith("xₘₐₓ: p = 30 > 0, the line leaves, at r = 20/30 = 0.6667")

@@ -20,7 +20,7 @@ def test_a_sheet_is_shown_where_something_of_it_is_seen(example: Example) -> Non
     sheet = example.document.sheets[0]
     place = place_for(sheet)
     assert (place == "animate") == (example.workspace == "animate")
-    assert (place == "space") == (sheet.scene is not None)
+    assert (place == "space") == (sheet.scene is not None and sheet.motion is None)
     assert sheet.figures or place != "draw"
 
 
