@@ -36,7 +36,9 @@ settings.register_profile(
 settings.register_profile("ci", settings.get_profile("workbench"), derandomize=True)
 settings.load_profile("ci" if os.environ.get("CI") else "workbench")
 
-MOST_WIDGETS_LEFT = 500
+MOST_WIDGETS_MORE = 500
+
+_left = 0  # widgets that the last whole collection could not drop
 
 _numbers = itertools.count()
 
@@ -89,30 +91,42 @@ def pytest_collection_finish() -> None:
 def _garbage() -> Iterator[None]:
     """Drop what an application drops from its event loop, which no longer turns after a test.
 
-    What has grown old, such as whole windows, is looked for once there is much of it: widgets that are left
-    cost memory, and time whenever events are handed out.
+    What has grown old, such as whole windows, is looked for once there is much more of it than the last time:
+    widgets that are left cost memory, and time whenever events are handed out.
     """
+    global _left
     yield
-    widgets = sys.modules.get("PySide6.QtWidgets")
-    application = widgets.QApplication.instance() if widgets is not None else None
-    left = 0
-    if application is not None:
-        from PySide6.QtCore import QEvent
-
-        application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-        left = len(application.allWidgets())
-    if left > MOST_WIDGETS_LEFT:
+    if _widgets() > _left + MOST_WIDGETS_MORE:
         gc.collect()
+        _left = _widgets()
     elif not gc.isenabled():
         gc.collect(1)
 
 
+def _widgets(ending: bool = False) -> int:
+    """How many widgets there are once those are gone that only wait for it; ``ending`` all windows, too."""
+    qt = sys.modules.get("PySide6.QtWidgets")
+    application = qt.QApplication.instance() if qt is not None else None
+    if application is None:
+        return 0
+    from PySide6.QtCore import QEvent
+
+    for window in application.topLevelWidgets() if ending else ():
+        if window.parentWidget() is None:
+            window.hide()
+            window.deleteLater()
+    application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    return len(application.allWidgets())
+
+
 @pytest.fixture(scope="module", autouse=True)
 def _old_garbage() -> Iterator[None]:
-    """The same for all that has grown old."""
+    """The same for all that has grown old, and for windows that something still keeps."""
+    global _left
     yield
     if not gc.isenabled():
         gc.collect()
+    _left = _widgets(ending=True)
 
 
 @pytest.fixture(scope="session", autouse=True)

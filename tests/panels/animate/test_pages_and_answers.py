@@ -24,7 +24,7 @@ def test_the_page_of_a_track_has_the_numbers_of_its_frame(panel: AnimatePanel) -
     assert page is not None
     sentences = [block.text for block in page.blocks if isinstance(block, Sentence)]
     assert "Frame 34 is in-between 6 of 11: t = 6 / 12 = 0.5." in sentences
-    assert "P = 46 + 0.292893 · (10 − 46) = 35.4558" in sentences
+    assert "P = 46 + 0.2929 · (10 − 46) = 35.4558" in sentences
     way, graph = (block for block in page.blocks if isinstance(block, Drawing))
     named = [item.text for item in way.items if isinstance(item, Word)]
     assert named == [f"k = {frame}" for frame in (0, 16, 28, 34, 40, 49, 58)]
