@@ -5,7 +5,6 @@ import math
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QLineEdit
 
 from tests.panels.by_hand import settle
@@ -20,8 +19,6 @@ from workbench.panels.transform.panel import TransformPanel
 from workbench.panels.transform.space_scene import scene_of
 from workbench.rendering.subjects.registry import calls_of
 from workbench.session.session import Session
-
-_BESIDE_MS = 60
 
 
 @pytest.fixture
@@ -59,7 +56,8 @@ def shown(panel, name):
 def go(panel, session, step):
     session.update_state(step=step)
     session.flush()
-    QTest.qWait(_BESIDE_MS)  # what stands beside a picture follows it so much later
+    settle()
+    panel.space.chain.stage_pointed.emit(None)  # the pointer may rest where a card is now
     settle()
 
 
