@@ -103,30 +103,26 @@ def _garbage() -> Iterator[None]:
         gc.collect(1)
 
 
-def _widgets(ending: bool = False) -> int:
-    """How many widgets there are once those are gone that only wait for it; ``ending`` all windows, too."""
+def _widgets() -> int:
+    """How many widgets there are once those are gone that only wait for it."""
     qt = sys.modules.get("PySide6.QtWidgets")
     application = qt.QApplication.instance() if qt is not None else None
     if application is None:
         return 0
     from PySide6.QtCore import QEvent
 
-    for window in application.topLevelWidgets() if ending else ():
-        if window.parentWidget() is None:
-            window.hide()
-            window.deleteLater()
     application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     return len(application.allWidgets())
 
 
 @pytest.fixture(scope="module", autouse=True)
 def _old_garbage() -> Iterator[None]:
-    """The same for all that has grown old, and for windows that something still keeps."""
+    """The same for all that has grown old."""
     global _left
     yield
     if not gc.isenabled():
         gc.collect()
-    _left = _widgets(ending=True)
+    _left = _widgets()
 
 
 @pytest.fixture(scope="session", autouse=True)
