@@ -135,6 +135,13 @@ def add_figures(sheet: str, figures: Iterable[AnyFigure]) -> Edit:
     return edit
 
 
+def add_drawing(sheet: str, figures: Iterable[AnyFigure], palette: Iterable[int] = ()) -> Edit:
+    """Put ``figures`` on ``sheet``, whose palette, if one is given, they need."""
+    colours = tuple(palette)
+    added = add_figures(sheet, figures)
+    return both(set_palette(sheet, colours), added) if colours else added
+
+
 @checked
 def remove_figures(figures: Iterable[str]) -> Edit:
     """Remove the figures with these ids."""

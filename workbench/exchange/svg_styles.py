@@ -124,8 +124,13 @@ def _style(element: Element, ruled: Said) -> dict[str, str]:
     own = declarations(element.attributes.get("style", ""))
     said = {name: (value, False) for name, value in element.attributes.items() if _is_sound(name, value)}
     for layer in (ruled, own):
-        said.update({name: pair for name, pair in layer.items() if pair[1] >= said.get(name, ("", False))[1]})
+        _lay_over(said, layer)
     return {name: value.strip() for name, (value, _important) in said.items()}
+
+
+def _lay_over(said: Said, layer: Said) -> None:
+    """Let ``layer`` say what follows; what is important gives way to what is important alone."""
+    said.update({name: pair for name, pair in layer.items() if pair[1] >= said.get(name, ("", False))[1]})
 
 
 def _rules_of(root: Element, sheet: StyleSheet) -> dict[Element, Said]:
@@ -138,7 +143,7 @@ def _rules_of(root: Element, sheet: StyleSheet) -> dict[Element, Said]:
         element, wrapper, depth = waiting.pop()
         said: Said = {}
         for layer in sheet.said_of(wrapper, depth):
-            said.update({n: pair for n, pair in layer.items() if pair[1] >= said.get(n, ("", False))[1]})
+            _lay_over(said, layer)
         if said:
             ruled[element] = said
         inside = zip(element.children, wrapper.iter_children(), strict=True)

@@ -1,4 +1,4 @@
-"""How far a sum of increments has drifted from the true line, reckoned exactly. For the views of the DDA.
+"""How far a sum of increments has drifted from the true line, computed exactly. For the views of the DDA.
 
 ``ends`` is (x0, y0, x1, y1), ``k`` the number of steps taken of the max(|dx|, |dy|) there are.
 """

@@ -36,7 +36,7 @@ class Edge(NamedTuple):
 def crossing_at(vertices: NDArray[Any], low: int, high: int, x: float, y: int) -> float:
     """Where an edge crosses row y: at x, put right where a rounding error could decide a pixel.
 
-    Near a pixel's centre its side is reckoned exactly: x becomes that centre, or is on its true side of it.
+    Near a pixel's centre its side is computed exactly: x becomes that centre, or is on its true side of it.
     """
     centre = float(math.floor(x + 0.5))
     if abs(x - centre) >= NEAR:

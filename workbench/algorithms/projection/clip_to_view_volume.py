@@ -52,7 +52,7 @@ def inside_by(plane: int, p: HomogeneousPoint, xmin: float, ymin: float, xmax: f
 
 
 def cut(inner: HomogeneousPoint, outer: HomogeneousPoint, d_inner: float, d_outer: float) -> HomogeneousPoint:
-    """Where a side meets the plane, always reckoned from its inner end, as its other polygon does."""
+    """Where a side meets the plane, always computed from its inner end, as its other polygon does."""
     u = d_inner / (d_inner - d_outer)
     x = inner.x + u * (outer.x - inner.x)
     y = inner.y + u * (outer.y - inner.y)

@@ -22,7 +22,7 @@ from workbench.algorithms.visibility.squares import (
 )
 from workbench.algorithms.visibility.subdivision_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
 from workbench.algorithms.visibility.surface_marks import square_marks
-from workbench.algorithms.visibility.surface_scene import SURFACES, surfaces_at_will
+from workbench.algorithms.visibility.surface_scene import ONE_PICTURE, SURFACES, surfaces_at_will
 from workbench.algorithms.visibility.surfaces import (
     NOTHING,
     Colours,
@@ -104,11 +104,7 @@ ENTRY = Entry(
     views=VIEWS,
     view_functions=VIEW_FUNCTIONS,
     laws=(
-        Law(
-            "The picture is that of the depth buffer, also where surfaces pierce one another, overlap in a "
-            "cycle or lie in one plane.",
-            "visibility/test_one_picture.py::test_they_give_the_picture_of_the_depth_buffer",
-        ),
+        ONE_PICTURE,
         Law(
             "No pixel is painted twice, and every pixel that a surface covers is painted.",
             "visibility/test_squares.py::test_each_pixel_is_painted_once",

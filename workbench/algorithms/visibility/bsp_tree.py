@@ -21,7 +21,7 @@ from workbench.algorithms.visibility.pieces import (
     whole,
 )
 from workbench.algorithms.visibility.surface_marks import marks
-from workbench.algorithms.visibility.surface_scene import SURFACES, surfaces_at_will
+from workbench.algorithms.visibility.surface_scene import ONE_PICTURE, SURFACES, surfaces_at_will
 from workbench.algorithms.visibility.surfaces import (
     Colours,
     Picture,
@@ -110,11 +110,7 @@ ENTRY = Entry(
     views=VIEWS,
     view_functions=VIEW_FUNCTIONS,
     laws=(
-        Law(
-            "The picture is that of the depth buffer, also where surfaces pierce one another, overlap in a "
-            "cycle or lie in one plane.",
-            "visibility/test_one_picture.py::test_they_give_the_picture_of_the_depth_buffer",
-        ),
+        ONE_PICTURE,
         Law(
             "Each surface paints each pixel that it covers once, and the farther one first.",
             "visibility/test_painters.py::test_each_surface_paints_its_pixels_once_and_the_farther_one_first",

@@ -31,7 +31,7 @@ from workbench.algorithms.visibility.pieces import (
     whole,
 )
 from workbench.algorithms.visibility.surface_marks import marks
-from workbench.algorithms.visibility.surface_scene import SURFACES, surfaces_at_will
+from workbench.algorithms.visibility.surface_scene import ONE_PICTURE, SURFACES, surfaces_at_will
 from workbench.algorithms.visibility.surfaces import Colours, Picture, Triangles, Vertices, surfaces_of
 
 
@@ -112,11 +112,7 @@ ENTRY = Entry(
     views=VIEWS,
     view_functions=VIEW_FUNCTIONS,
     laws=(
-        Law(
-            "The picture is that of the depth buffer, also where surfaces pierce one another, overlap in a "
-            "cycle or lie in one plane.",
-            "visibility/test_one_picture.py::test_they_give_the_picture_of_the_depth_buffer",
-        ),
+        ONE_PICTURE,
         Law(
             "It ends on every input: a piece is moved once, and no line cuts a piece twice.",
             "visibility/test_painters.py::test_the_depth_sort_ends_where_no_order_helps",

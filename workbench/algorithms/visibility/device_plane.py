@@ -55,7 +55,7 @@ def plane(a: Corner, b: Corner, c: Corner) -> Plane:
 def crossing(x0: float, y0: float, x1: float, y1: float, y: int) -> float:
     """Where the edge from (x0, y0) up to (x1, y1) crosses row y.
 
-    Always reckoned from the lower end, so that two triangles find the same place on the edge they share.
+    Always computed from the lower end, so that two triangles find the same place on the edge they share.
     """
     return x0 + (y - y0) * (x1 - x0) / (y1 - y0)
 

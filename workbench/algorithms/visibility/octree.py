@@ -24,7 +24,7 @@ from workbench.algorithms.visibility.octants import (
 from workbench.algorithms.visibility.octree_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
 from workbench.algorithms.visibility.squares import least_size
 from workbench.algorithms.visibility.surface_marks import square_marks
-from workbench.algorithms.visibility.surface_scene import SURFACES, surfaces_at_will
+from workbench.algorithms.visibility.surface_scene import ONE_PICTURE, SURFACES, surfaces_at_will
 from workbench.algorithms.visibility.surfaces import (
     NOTHING,
     Colours,
@@ -88,11 +88,7 @@ ENTRY = Entry(
     views=VIEWS,
     view_functions=VIEW_FUNCTIONS,
     laws=(
-        Law(
-            "The picture is that of the depth buffer, also where surfaces pierce one another, overlap in a "
-            "cycle or lie in one plane.",
-            "visibility/test_one_picture.py::test_the_octree_gives_it_too",
-        ),
+        ONE_PICTURE._replace(proof="visibility/test_one_picture.py::test_the_octree_gives_it_too"),
         Law(
             "From octant 5 an eye sees 5 first, then 4, 7 and 1, then 6, 0 and 3, and 2 last.",
             "visibility/test_octree.py::test_the_octants_from_front_to_back",

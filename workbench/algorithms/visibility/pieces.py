@@ -104,7 +104,7 @@ def side_of(plane: Plane, corners: list[Corner]) -> int:
 def part_of(plane: Plane, piece: Piece, side: int) -> Piece:
     """The part of a piece in front of a plane (1) or behind it (-1).
 
-    Where an edge is cut is always reckoned from its end behind the plane, so that both parts have one point.
+    Where an edge is cut is always computed from its end behind the plane, so that both parts have one point.
     """
     corners = piece.corners[:0]
     start = piece.corners[len(piece.corners) - 1]

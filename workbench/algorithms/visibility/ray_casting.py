@@ -10,10 +10,10 @@ nearest, seen   the nearest place so far, and whose it is, or NOTHING
 import math
 from collections.abc import Iterator
 
-from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.entry import Entry
 from workbench.algorithms.visibility.ray_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
 from workbench.algorithms.visibility.surface_marks import marks
-from workbench.algorithms.visibility.surface_scene import SURFACES, surfaces_at_will
+from workbench.algorithms.visibility.surface_scene import ONE_PICTURE, SURFACES, surfaces_at_will
 from workbench.algorithms.visibility.surfaces import (
     NOTHING,
     Colours,
@@ -71,13 +71,7 @@ ENTRY = Entry(
     columns=COLUMNS,
     views=VIEWS,
     view_functions=VIEW_FUNCTIONS,
-    laws=(
-        Law(
-            "The picture is that of the depth buffer, also where surfaces pierce one another, overlap in a "
-            "cycle or lie in one plane.",
-            "visibility/test_one_picture.py::test_they_give_the_picture_of_the_depth_buffer",
-        ),
-    ),
+    laws=(ONE_PICTURE,),
     not_laws=(
         "A ray must be tried on every surface: this first rung does so; boxes around many at once save most "
         "of the work.",

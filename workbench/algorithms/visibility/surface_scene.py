@@ -5,7 +5,14 @@ from typing import Any
 
 import numpy as np
 
+from workbench.algorithms.entry import Law
 from workbench.algorithms.visibility.scene import SCENE, scene
+
+ONE_PICTURE = Law(
+    "The picture is that of the depth buffer, also where surfaces pierce one another, overlap in a cycle or "
+    "lie in one plane.",
+    "visibility/test_one_picture.py::test_they_give_the_picture_of_the_depth_buffer",
+)
 
 SURFACES = tuple(parameter for parameter in SCENE if parameter.name != "depth")
 """image, vertices, faces, colours, with two triangles that pierce one another."""

@@ -11,10 +11,10 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
-from workbench.document.building import Edit, both, foreseen
+from workbench.document.building import Edit, foreseen
 from workbench.document.curves.edits import add_points
 from workbench.document.curves.pieces import goes_round
-from workbench.document.edits import add_figures, set_palette
+from workbench.document.edits import add_drawing, add_figures
 from workbench.document.errors import DocumentError
 from workbench.document.model import Curve, CurvePoint, Document, Sheet
 from workbench.exchange.point_lists import Array, write_points
@@ -189,9 +189,6 @@ def _with_edit(document: Document, sheet: str, result: Any) -> tuple[Imported, E
     Raises: ValueError with one sentence.
     """
     try:
-        edit = add_figures(sheet, result.figures)
-        if result.palette:
-            edit = both(set_palette(sheet, result.palette), edit)
-        return result, foreseen(edit, document)
+        return result, foreseen(add_drawing(sheet, result.figures, result.palette), document)
     except DocumentError as problem:
         raise ValueError(problem.short) from None

@@ -7,8 +7,8 @@ from msgspec.structs import replace
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
-from workbench.document.building import Edit, both, foreseen, moved_by, without_ids
-from workbench.document.edits import add_figures, set_palette
+from workbench.document.building import Edit, foreseen, moved_by, without_ids
+from workbench.document.edits import add_drawing
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.exchange.figures import MIME, write_figures
@@ -72,11 +72,8 @@ def _placed(document: Document, sheet: Sheet, pasted: Imported) -> Edit:
     figures = [without_ids(each) for each in pasted.figures]
     while taken.intersection(figures):
         figures = [moved_by(each, *_BESIDE) for each in figures]
-    edit = add_figures(sheet.id, figures)
-    if pasted.palette:
-        edit = both(set_palette(sheet.id, pasted.palette), edit)
     try:
-        return foreseen(edit, document)
+        return foreseen(add_drawing(sheet.id, figures, pasted.palette), document)
     except DocumentError as problem:
         raise ValueError(problem.short) from None
 

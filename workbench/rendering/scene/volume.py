@@ -1,6 +1,6 @@
 """Clipping in homogeneous coordinates (x, y, z, w), before the division by w: triangles and segments.
 
-A plane is (a, b, c, d); what has a x + b y + c z + d w >= 0 is kept. A cut is reckoned from the end that is
+A plane is (a, b, c, d); what has a x + b y + c z + d w >= 0 is kept. A cut is computed from the end that is
 kept, so that two triangles find the same point on the edge they share.
 """
 

@@ -6,15 +6,12 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QLabel
 
 from tests.panels.by_hand import recorded, settle
-from workbench.document.samples.examples import example
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Sentence
 from workbench.panels.space.visibility.depth_run import depth_run
-from workbench.panels.space.visibility.page import VisibilityPage
 from workbench.panels.stage.picture import packed
 from workbench.rendering import render_scene
 from workbench.rendering.subjects.visibility import window_of
-from workbench.session.session import Session
 from workbench.widgets.fields.option_buttons import OptionButtons
 from workbench.widgets.look.tokens import tokens
 from workbench.widgets.stepping.step_slider import StepSlider
@@ -22,25 +19,6 @@ from workbench.widgets.stepping.step_slider import StepSlider
 LEFT = Qt.MouseButton.LeftButton
 TELLING = 684
 """The step in which the second triangle comes in front of the first, at (23, 15)."""
-
-
-@pytest.fixture
-def session(qtbot):
-    made = Session(document=example("overlapping-triangles").document)
-    yield made
-    made.close()
-    made.deleteLater()
-
-
-@pytest.fixture
-def page(qtbot, session):
-    made = VisibilityPage(session)
-    qtbot.addWidget(made)
-    made.resize(900, 620)
-    made.show()
-    session.visit("visibility", made.usual)
-    recorded(qtbot, session)
-    return made
 
 
 def go(qtbot, session, step):

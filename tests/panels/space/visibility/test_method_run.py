@@ -1,31 +1,7 @@
 """A method that keeps no depths, stepped on the page Visibility: its pixels, its gains and costs."""
 
-import pytest
-
 from tests.panels.by_hand import recorded
-from workbench.document.samples.examples import example
 from workbench.document.subjects import Subject
-from workbench.panels.space.visibility.page import VisibilityPage
-from workbench.session.session import Session
-
-
-@pytest.fixture
-def session(qtbot):
-    made = Session(document=example("overlapping-triangles").document)
-    yield made
-    made.close()
-    made.deleteLater()
-
-
-@pytest.fixture
-def page(qtbot, session):
-    made = VisibilityPage(session)
-    qtbot.addWidget(made)
-    made.resize(900, 620)
-    made.show()
-    session.visit("visibility", made.usual)
-    recorded(qtbot, session)
-    return made
 
 
 def test_why_this_pixel_tells_what_the_painter_painted_there_and_over_what(qtbot, page, session):
