@@ -179,10 +179,10 @@ def commands() -> tuple[Command, ...]:
         Command(
             "play",
             _("Play or pause"),
-            lambda w: w.run_do("toggle_play"),
+            lambda w: w.session.frames.stop() if w.session.frames.playing else w.run_do("toggle_play"),
             (),
             "play",
-            _("Go on step by step, or stop"),
+            _("Go on step by step, or stop; frames that play stop, too"),
             "run",
             "run",
             focused_key="Space",
