@@ -11,6 +11,9 @@ from workbench.document.samples.examples import example_document
 def svg(body, before=""):
     text = f'{before}<svg xmlns="http://www.w3.org/2000/svg">{body}</svg>'
     return read_svg(text, example_document().sheets[0])
+def tiny(data):
+    text = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><path d="{data}"/></svg>'
+    return read_svg(text, example_document().sheets[0])
 def doubling(depth):
     twice = (f'<g id="g{k}"><use href="#g{k + 1}"/><use href="#g{k + 1}"/></g>' for k in range(depth))
     return "".join(twice) + f'<g id="g{depth}"><line x2="1"/></g>'
@@ -50,6 +53,34 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
             """ + '<g class="a0 a1 a2 a3 a4 a5 a6 a7 a8">' * 190 + '</g>' * 190)""",
             "too many rules",
         ),
+        (SVG, """svg('<rect width="1" height="1" style="fill:' + '(' * 5_000 + '"/>')""", "read"),
+        (SVG, "svg('<style>g' + ':not(' * 3_000 + '{fill:red}</style><line x2=\"1\"/>')", "read"),
+        (SVG, "svg('<style>' + 'g ' * 900 + '{fill:red}</style><line x2=\"1\"/>')", "read"),
+        (SVG, """svg('<line style="font-size:' + '9' * 5_000 + '"/>')""", "too many digits"),
+        (SVG, "svg('<style>a{font-size:' + '9' * 5_000 + '}</style>')", "too many digits"),
+        (
+            SVG,
+            "svg('<style>' + ''.join(f'g[id*=aab{k}]{{fill:red}}' for k in range(9_000)) + '</style>'"
+            """ + '<g id="' + 'a' * 500_000 + '"/>')""",
+            "too many rules",
+        ),
+        (SVG, """svg('<g style="fill:red;stroke:blue;opacity:.5"/>' * 90_000)""", "read"),
+        (
+            SVG,
+            "svg(''.join(f'<g style=\"fill:#{k:06x};stroke:#{7 * k:06x}\"/>' for k in range(90_000)))",
+            "more than 1,000,000 different characters",
+        ),
+        (
+            SVG,
+            "svg('<g transform=\"rotate(1)\">' * 190 + '<line x2=\"1\"/>' * 40_000 + '</g>' * 190)",
+            "more than 150,000 transforms",
+        ),
+        (SVG, "svg('<line transform=\"rotate(1e400) skewX(1e400)\"/>')", "cannot be read"),
+        (SVG, "svg('<line transform=\"scale(1e300) scale(1e300)\"/>')", "cannot be read"),
+        (SVG, "svg('<g transform=\"scale(1e10)\">' * 90 + '<line x2=\"1\"/>' + '</g>' * 90)", "finite"),
+        (SVG, "svg('<path d=\"M0 0A1e-320 9 0 0 1 9 9\"/>')", "cannot be understood"),
+        (SVG, "tiny('M0 0' + 'C1e12 0 0 1e12 1e12 1e12' * 4_000)", "more than 200,000 points"),
+        (SVG, "tiny('M0 0A1e12 1e12 0 0 1 1e12 1Z' * 40)", "more than 200,000 points"),
         (SVG, """svg('<path d="M 0 0' + 'l1 1' * 250_000 + '"/>')""", "more than 200,000 points"),
         (SVG, """svg('<path d="M 0 0' + 'l1 1' * 20_000 + '"/>')""", "read"),
         (SVG, """svg('<polyline points="' + '1 2 ' * 1_000_000 + '"/>')""", "more than 200,000 points"),

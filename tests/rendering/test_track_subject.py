@@ -9,6 +9,7 @@ from tests.document.motion.moving import HOUSE, sheet_of, track
 from workbench.document.errors import DocumentError
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.model import Track
+from workbench.document.motion.tracks import group_moved, motion_of
 from workbench.document.subjects import Subject
 from workbench.rendering.raster import emitted
 from workbench.rendering.subjects.registry import calls_of, checked, kind_of
@@ -52,6 +53,25 @@ def test_without_two_keys_there_is_nothing_to_step() -> None:
     assert calls_of(sheet_of(), Subject("track")) == []
     assert calls_of(sheet_of(track(RADIUS, (2, (1.0,)))), Subject("track")) == []
     assert calls_of(sheet_of(track("f9/x", (0, (1.0,)), (4, (2.0,)))), Subject("track")) == []
+
+
+@pytest.mark.parametrize(
+    ("target", "values"),
+    [
+        ("f2/points_world", ((1.0, 2.0, 3.0, 4.0, 5.0), (1.0, 2.0, 3.0, 4.0, 5.0))),
+        ("f2/points_world", ((), ())),
+        (RADIUS, ((), ())),
+        (RADIUS, ((1.0,), (1.0, 2.0))),
+        ("f1/colour", ((1.0, 2.0), (1.0, 2.0))),
+    ],
+)
+def test_keys_with_other_numbers_than_what_they_hang_on_give_nothing_to_step(
+    target: str, values: tuple[tuple[float, ...], tuple[float, ...]]
+) -> None:
+    sheet = sheet_of(track(target, (0, values[0]), (4, values[1])))
+    assert group_moved(sheet, motion_of(sheet).tracks[0]) is None
+    assert calls_of(sheet, at_frame(target, 2)) == []
+    assert calls_of(sheet, Subject("track")) == []
 
 
 @pytest.mark.parametrize("arguments", [{"frame": -1}, {"frame": 0.5}, {"target": 3}, {"other": 1}])

@@ -10,6 +10,8 @@ MOST_S = 5
 MOST_MB = 500
 
 _AROUND = """
+import warnings
+warnings.simplefilter("error")
 import resource
 def peak(): return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
 {imports}

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
-from workbench.algorithms.curves import Pieces, polyline
+from workbench.algorithms.curves import Pieces, chord_counts, polyline
 from workbench.document.curves.conversions import path_through
 from workbench.document.model import (
     AnyFigure,
@@ -20,7 +20,7 @@ from workbench.document.model import (
     Polyline,
     WorldPoint,
 )
-from workbench.exchange.path_data import Run, TooManyPointsError, runs
+from workbench.exchange.path_data import MOST_POINTS, Run, TooManyPointsError, runs
 from workbench.exchange.svg_arcs import Arc
 from workbench.exchange.svg_colours import BLACK, Colours, Paint, paint_of
 from workbench.exchange.svg_outlines import Outline, length_of, outline, pixels, points_of
@@ -54,8 +54,15 @@ class Geometry:
 
     def outlines(self, matrix: Array, tolerance: float) -> list[Outline]:
         """Under ``matrix`` (2, 3), arcs within ``tolerance``. Raises: SvgError with the place."""
+        drawn: list[Outline] = []
+        points = 0
         try:
-            return [outline(run, matrix, tolerance) for run in self.runs]
+            for run in self.runs:
+                drawn.append(outline(run, matrix, tolerance))
+                points += len(drawn[-1].points)
+                if points > MOST_POINTS:
+                    raise TooManyPointsError
+            return drawn
         except TooManyPointsError as error:
             raise self.element.refusal(str(error)) from error
         except (ValueError, ArithmeticError, IndexError) as error:
@@ -223,15 +230,23 @@ def _area(
         if plain is not None:
             return plain
         outlines = shape.geometry.outlines(matrix, tolerance)
+    if sum(_most_corners(each, tolerance) for each in outlines) > Polygon.most_points:
+        raise shape.element.refusal(str(TooManyPointsError()))
     rings = [ring for each in outlines if len(ring := _corners(each, tolerance)) >= Polygon.least_points]
     if not rings:
         return None
     ends = np.cumsum([len(ring) for ring in rings]).tolist()
-    if ends[-1] > Polygon.most_points:
-        raise shape.element.refusal(str(TooManyPointsError()))
     points = tuple(WorldPoint("", x, y) for ring in rings for x, y in ring.tolist())
     several = tuple(ends) if len(ends) > 1 else ()
     return Polygon("", points, Polygon.algorithms[0], colour, ring_ends=several, nonzero=shape.nonzero)
+
+
+def _most_corners(drawn: Outline, tolerance: float) -> int:
+    """How many corners a run comes to before those that are twice in a row are left out."""
+    if not any(degree != 1 for degree in drawn.degrees):
+        return len(drawn.points)
+    cubics = drawn.cubics()
+    return int(chord_counts(Pieces(np.arange(len(cubics) + 1.0), cubics), tolerance).sum())
 
 
 def _corners(drawn: Outline, tolerance: float) -> Array:

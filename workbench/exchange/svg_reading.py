@@ -60,6 +60,7 @@ class Imported(NamedTuple):
         return max((error for _name, error in self.approximated), default=0.0)
 
 
+@np.errstate(over="ignore", divide="ignore", invalid="ignore")  # what is not finite is refused by its number
 def read_svg(
     drawing: str | bytes | Element,
     sheet: Sheet,

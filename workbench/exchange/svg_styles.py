@@ -4,6 +4,7 @@ Rules are parsed by tinycss2 and selectors compiled by cssselect2. Those that lo
 left out, since they may take time without bound. Source: CSS 2.1, chapters 5 and 6; Selectors Level 3.
 """
 
+import re
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from itertools import count
@@ -19,6 +20,10 @@ if TYPE_CHECKING:
 MOST_CHARACTERS = 400_000
 MOST_SELECTORS = 10_000
 MOST_TRIALS = 1_000_000  # of a selector with an element
+MOST_DIFFERENT = 1_000_000  # characters of declarations in style attributes, each text counted once
+_PER_TRIAL = 100  # characters of an attribute that are searched in about the time that a trial takes
+# Only a semicolon parts declarations here: nothing is quoted, bracketed, escaped or a comment.
+_PLAIN = re.compile(r"""[^"'\\(){}\[\]*@]*""")
 _SHORT = ("opacity", "fill-opacity", "stroke-opacity")
 _PAINTS = ("fill", "stroke", "color")
 
@@ -42,22 +47,21 @@ class _Rule(NamedTuple):
 class StyleSheet:
     """The rules of all ``<style>`` elements. Raises StyleError where they are too much.
 
-    ``left_out`` are selectors that are not understood here.
+    ``left_out`` are selectors that are not understood here; ``attributes`` those that the others look at.
     """
 
     def __init__(self, text: str) -> None:
         self.left_out: list[str] = []
         self._rules: dict[tuple[str, str], list[_Rule]] = defaultdict(list)
+        self.attributes: set[str] = set()
         self._selectors = self._trials = 0
         if "{" not in text:
             return
         if len(text) > MOST_CHARACTERS:
             sentence = _("the style sheet has {size:,} characters; shorten it to {most:,}.")
             raise StyleError(sentence.format(size=len(text), most=MOST_CHARACTERS))
-        import tinycss2
-
         orders = count()
-        for rule in tinycss2.parse_stylesheet(text, skip_comments=True, skip_whitespace=True):
+        for rule in _parsed("parse_stylesheet", text, skip_comments=True, skip_whitespace=True):
             if rule.type == "qualified-rule" and (said := _declared(rule.content)):
                 self._add(rule.prelude, said, next(orders))
 
@@ -76,13 +80,14 @@ class StyleSheet:
         try:
             parsed = list(parser.parse(prelude))
             compiled = compile_selector_list(prelude)
-        except (SelectorError, NotImplementedError, RecursionError):
+        except (SelectorError, NotImplementedError, RecursionError, SyntaxError, MemoryError):
+            # The last three: it is too deep for Python, as which it is compiled.
             parsed, compiled = [], []
         descents = [_descents(selector.parsed_tree) for selector in parsed]
         if not compiled or None in descents:
-            import tinycss2
-
-            self.left_out.append(tinycss2.serialize(prelude).strip()[:40])
+            self.left_out.append(_text_of(prelude)[:40])
+        for tree in (selector.parsed_tree for selector in parsed):
+            self.attributes.update(_attributes(tree))
         for selector, around in zip(compiled, descents, strict=True):
             if around is None or selector.never_matches or selector.pseudo_element is not None:
                 continue
@@ -91,12 +96,17 @@ class StyleSheet:
             weight = (*selector.specificity, order)
             self._rules[key].append(_Rule(weight, selector.test, around, said))
 
-    def said_of(self, element: "ElementWrapper", depth: int) -> Iterator[Said]:
-        """What the rules say of an element ``depth`` elements deep, weakest first. Raises: StyleError."""
+    def said_of(self, element: "ElementWrapper", depth: int, longest: int) -> Iterator[Said]:
+        """What the rules say of an element ``depth`` elements deep, weakest first.
+
+        ``longest`` is how many characters the longest of ``attributes`` has, on it or around it.
+        Raises: StyleError.
+        """
         keys = [("#", element.id or ""), *((".", name) for name in element.classes)]
         keys += [("<", element.local_name), ("<", "")]
         tried = [rule for key in keys for rule in self._rules.get(key, ())]
-        self._trials += len(keys) + sum(1 + depth**rule.descents for rule in tried)
+        trials = sum(1 + depth**rule.descents for rule in tried)
+        self._trials += len(keys) + trials * (1 + longest // _PER_TRIAL)
         if self._trials > MOST_TRIALS:
             raise StyleError(_("the style sheet has too many rules for its elements; leave some out."))
         fitting = [rule for rule in tried if rule.matches(element)]
@@ -112,25 +122,52 @@ def cascade(root: Element, elements: Sequence[Element]) -> list[str]:
     try:
         sheet = StyleSheet("\n".join("".join(each.text) for each in elements if each.tag == "style"))
         rules = {} if sheet.empty else _rules_of(root, sheet)
+        parsed = _Declarations()
         for element in elements:
-            element.style = _style(element, rules.get(element, {}))
+            own = parsed.said(element.attributes.get("style", ""))
+            element.style = _style(element, rules.get(element, {}), own)
     except StyleError as error:
         raise element.refusal(str(error)) from error
     return sheet.left_out
 
 
-def _style(element: Element, ruled: Said) -> dict[str, str]:
-    """Attributes, rules and the ``style`` attribute; of equal importance the last one holds."""
-    own = declarations(element.attributes.get("style", ""))
+class _Declarations:
+    """What ``style`` attributes say; of texts that many elements have each is parsed once."""
+
+    def __init__(self) -> None:
+        self._parsed: dict[str, Said] = {}
+        self._characters = 0
+
+    def said(self, text: str) -> Said:
+        """What one attribute says. Raises: StyleError where all of them are too much."""
+        said: Said = {}
+        for part in text.split(";") if _PLAIN.fullmatch(text) else [text]:
+            if part not in self._parsed:
+                self._characters += len(part)
+                if self._characters > MOST_DIFFERENT:
+                    sentence = _(
+                        "the style attributes say more than {most:,} different characters; "
+                        "choose a smaller picture."
+                    )
+                    raise StyleError(sentence.format(most=MOST_DIFFERENT))
+                self._parsed[part] = declarations(part)
+            _lay(said, self._parsed[part])
+        return said
+
+
+def _lay(said: Said, later: Said) -> None:
+    """Put what is said later over what is ``said``; of equal importance the last one holds."""
+    for name, pair in later.items():
+        if pair[1] >= said.get(name, pair)[1]:
+            said[name] = pair
+
+
+def _style(element: Element, ruled: Said, own: Said) -> dict[str, str]:
+    """Attributes, rules and the ``style`` attribute, one over the other."""
     said = {name: (value, False) for name, value in element.attributes.items() if _is_sound(name, value)}
-    for layer in (ruled, own):
-        _lay_over(said, layer)
+    _lay(said, ruled)
+    _lay(said, own)
     return {name: value.strip() for name, (value, _important) in said.items()}
-
-
-def _lay_over(said: Said, layer: Said) -> None:
-    """Let ``layer`` say what follows; what is important gives way to what is important alone."""
-    said.update({name: pair for name, pair in layer.items() if pair[1] >= said.get(name, ("", False))[1]})
 
 
 def _rules_of(root: Element, sheet: StyleSheet) -> dict[Element, Said]:
@@ -138,16 +175,18 @@ def _rules_of(root: Element, sheet: StyleSheet) -> dict[Element, Said]:
     from cssselect2 import ElementWrapper
 
     ruled: dict[Element, Said] = {}
-    waiting = [(root, ElementWrapper.from_xml_root(_as_etree(root)), 0)]
+    waiting = [(root, ElementWrapper.from_xml_root(_as_etree(root)), 0, 0)]
     while waiting:
-        element, wrapper, depth = waiting.pop()
+        element, wrapper, depth, around = waiting.pop()
+        longest = max((len(element.attributes.get(name, "")) for name in sheet.attributes), default=0)
+        longest = max(longest, around)
         said: Said = {}
-        for layer in sheet.said_of(wrapper, depth):
-            _lay_over(said, layer)
+        for layer in sheet.said_of(wrapper, depth, longest):
+            _lay(said, layer)
         if said:
             ruled[element] = said
         inside = zip(element.children, wrapper.iter_children(), strict=True)
-        waiting += [(child, its, depth + 1) for child, its in inside]
+        waiting += [(child, its, depth + 1, longest) for child, its in inside]
     return ruled
 
 
@@ -189,13 +228,34 @@ def _descents(tree: Any) -> int | None:
     return 0
 
 
+def _attributes(tree: Any) -> Iterator[str]:
+    """The names of the attributes that a selector looks at."""
+    from cssselect2 import parser
+
+    while isinstance(tree, parser.CombinedSelector):
+        yield from _attributes(tree.right)
+        tree = tree.left
+    for part in tree.simple_selectors:
+        if isinstance(part, parser.AttributeSelector):
+            yield part.name
+
+
 def declarations(text: str) -> Said:
     """What a ``style`` attribute says, as in ``fill: none; stroke: red !important``."""
     if ":" not in text:
         return {}
+    return _declared(_parsed("parse_blocks_contents", text))
+
+
+def _parsed(read: str, text: str, **how: bool) -> list[Any]:
+    """A text as this function of tinycss2 reads it. Raises: StyleError."""
     import tinycss2
 
-    return _declared(tinycss2.parse_blocks_contents(text[:MOST_CHARACTERS]))
+    try:
+        parsed: list[Any] = getattr(tinycss2, read)(text, **how)
+    except ValueError as error:
+        raise StyleError(_("a number in its style has too many digits; shorten it.")) from error
+    return parsed
 
 
 def _declared(content: list[Any]) -> Said:
@@ -207,10 +267,20 @@ def _declared(content: list[Any]) -> Said:
     for item in content:
         if item.type != "declaration" or item.lower_name not in PROPERTIES:
             continue
-        value = tinycss2.serialize(item.value).strip()
-        if _is_sound(item.lower_name, value) and item.important >= said.get(item.lower_name, ("", False))[1]:
-            said[item.lower_name] = value, item.important
+        value = _text_of(item.value)
+        if _is_sound(item.lower_name, value):
+            _lay(said, {item.lower_name: (value, item.important)})
     return said
+
+
+def _text_of(tokens: list[Any]) -> str:
+    """What tokens stand for; a few dots where brackets are nested too deep to be said."""
+    import tinycss2
+
+    try:
+        return str(tinycss2.serialize(tokens)).strip()
+    except RecursionError:
+        return "..."
 
 
 def _is_sound(name: str, value: str) -> bool:

@@ -127,7 +127,10 @@ def _numbers_in(text: str, whole: tuple[float, float]) -> tuple[float, ...] | No
         if match is None or len(match[1]) > _LONGEST_NUMBER or len(numbers) == 6:
             return None
         unit = match[2] or "px"
-        numbers.append(float(match[1]) * (whole[len(numbers) % 2] / 100 if unit == "%" else _UNITS[unit]))
+        number = float(match[1]) * (whole[len(numbers) % 2] / 100 if unit == "%" else _UNITS[unit])
+        if not math.isfinite(number):
+            return None
+        numbers.append(number)
         at = match.end()
     return tuple(numbers)
 

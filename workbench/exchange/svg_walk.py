@@ -35,6 +35,7 @@ _GROUPS = ("svg", "g", "a", "switch")
 _SILENT = {"defs", "title", "desc", "metadata", "style", "script", "symbol", "clipPath", "mask", "marker", ""}
 _REFERENCE = re.compile(r"""\s*url\(\s*["']?#([^"')]++)["']?\s*\)""")
 _BETWEEN_REPORTS = 100
+_MOST_FUNCTIONS = 150_000  # of the transforms around all shapes
 
 
 class Drawing(NamedTuple):
@@ -78,7 +79,7 @@ class _Walk:
         self._named: dict[str, Element] = {}
         self._sayings: dict[Element, _Saying | None] = {}
         self._using: list[Element] = []
-        self._steps = self._depth = self._points = 0
+        self._steps = self._depth = self._points = self._functions = 0
         elements = all_elements(root)
         progress(0.1)
         self._left_out.update(f"style {selector}" for selector in cascade(root, elements))
@@ -109,6 +110,10 @@ class _Walk:
             style = {**style, **saying.inherited, "opacity": repr(opacity)}
         if saying.functions:
             placing = placing.within(matrix_in(saying.functions), saying.functions)
+        self._functions += len(placing.functions)
+        if self._functions > _MOST_FUNCTIONS:
+            sentence = _("there are more than {most:,} transforms around shapes; choose a smaller picture.")
+            raise element.refusal(sentence.format(most=_MOST_FUNCTIONS))
         if saying.geometry is not None:
             self._points += saying.geometry.size
             if self._points > MOST_POINTS:

@@ -42,3 +42,10 @@ def test_a_copy_of_what_does_not_move_has_no_tracks() -> None:
     document = with_tracks(still(), track("f1/radius_world", (2, (4.0,)), (6, (9.0,))))
     after = duplicate_figures(["f2"])(document)
     assert motion_of(after.sheets[0]) == motion_of(document.sheets[0])
+
+
+def test_a_track_that_moves_nothing_is_not_copied() -> None:
+    document = with_tracks(still(), track("f2/points_world", (0, HOUSE_NOW[:5]), (8, HOUSE_NOW[:5])))
+    sheet = duplicate_figures(["f2"], 5.0, -2.0)(document).sheets[0]
+    assert len(sheet.figures) == 3
+    assert [each.target for each in motion_of(sheet).tracks] == ["f2/points_world"]

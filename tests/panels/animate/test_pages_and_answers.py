@@ -2,8 +2,10 @@
 
 import pytest
 
+from tests.document.motion.moving import sheet_of, track
 from tests.panels.by_hand import LEFT, settle
 from workbench.algorithms.marks import Spot, Word
+from workbench.document.model import Document
 from workbench.document.motion.evaluation import at as at_frame
 from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Drawing, Sentence
@@ -84,3 +86,14 @@ def test_falling_by_its_equation_lies_beside_the_easing(panel: AnimatePanel) -> 
     session.frames.show(34)
     settle()
     assert "by t²: 46 + 0.25 · (10 − 46) = 37" in panel.between.sums.text()
+
+
+@pytest.mark.parametrize("numbers", [(), (1.0, 2.0, 3.0, 4.0, 5.0)])
+def test_a_track_that_moves_nothing_has_no_page(panel: AnimatePanel, numbers: tuple[float, ...]) -> None:
+    sheet = sheet_of(track("f2/points_world", (0, numbers), (8, numbers)))
+    panel.session.new(Document((sheet,)))
+    settle()
+    panel.session.frames.show(4)
+    settle()
+    assert [each.problem for each in panel.timeline.shown.tracks] == ["nothing there"]
+    assert panel.derivation() is None

@@ -14,9 +14,10 @@ from workbench.algorithms.animation.spline_tween import blends
 from workbench.document.model import Figure, Sheet
 from workbench.document.motion.between import with_between
 from workbench.document.motion.easing import eased_parts
-from workbench.document.motion.groups import Group, Path, group_of, read, written
+from workbench.document.motion.groups import Group, Path, read, written
 from workbench.document.motion.keys import Interval, Keys, interval, joined
 from workbench.document.motion.model import EASINGS, SPLINE, Track
+from workbench.document.motion.tracks import group_moved
 from workbench.document.scene.laws import LAWS as SCENE_LAWS
 from workbench.document.scene.model import Camera, Object
 from workbench.document.transforms.chains import LARGEST
@@ -99,11 +100,10 @@ def _plan(sheet: Sheet) -> _Plan:
     alone: list[tuple[Track, Group]] = []
     loose_targets: list[str] = []
     for track in sheet.motion.tracks:
-        group = group_of(sheet, track.target)
-        counts = {len(key.value) for key in track.keys}
-        if group is None or not _fits(group, counts):
+        group = group_moved(sheet, track)
+        if group is None:
             loose_targets.append(track.target)
-        elif group.kind == "numbers" or (group.kind == "outline" and counts == {len(group.slots)}):
+        elif group.kind == "numbers" or (group.kind == "outline" and _as_many(track, group)):
             together.append((track, group))
         else:
             alone.append((track, group))
@@ -126,11 +126,9 @@ def _timed(track: Track) -> Track:
     return replace(track, keys=tuple(replace(key, value=(0.0,)) for key in track.keys))
 
 
-def _fits(group: Group, counts: set[int]) -> bool:
-    """Whether keys with so many numbers fit; those of an outline need two points or more."""
-    if group.kind == "outline":
-        return all(count >= 4 and count % 2 == 0 for count in counts)
-    return counts == {len(group.slots)}
+def _as_many(track: Track, group: Group) -> bool:
+    """Whether an outline has as many points in every key as the figure."""
+    return all(len(key.value) == len(group.slots) for key in track.keys)
 
 
 def _writes(sheet: Sheet, paths: Iterable[Path]) -> tuple[NDArray[np.int64], tuple[_Write, ...]]:

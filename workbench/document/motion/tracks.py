@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from workbench.document.addresses import new_ids, sheet_with
 from workbench.document.differences import between
 from workbench.document.model import Document, Sheet
-from workbench.document.motion.groups import group_of, value_of
+from workbench.document.motion.groups import Group, group_of, value_of
 from workbench.document.motion.model import Key, Motion, Track
 
 
@@ -27,6 +27,15 @@ def track_on(sheet: Sheet, target: str) -> Track | None:
 @lru_cache(maxsize=8)
 def _by_target(motion: Motion) -> Mapping[str, Track]:
     return {track.target: track for track in reversed(motion.tracks)}
+
+
+def group_moved(sheet: Sheet, track: Track) -> Group | None:
+    """What a track moves; None where what it hangs on is not there, or its keys have other numbers."""
+    group = group_of(sheet, track.target)
+    counts = {len(key.value) for key in track.keys}
+    if group is not None and group.kind == "outline":
+        return group if all(count >= 4 and count % 2 == 0 for count in counts) else None
+    return group if group is not None and counts == {len(group.slots)} else None
 
 
 def with_motion(document: Document, sheet: str, motion: Motion | None) -> Document:
@@ -67,7 +76,7 @@ def with_copied_tracks(document: Document, sheet: str, renamed: Mapping[str, str
     own = [track for track in motion_of(on).tracks if track.target.split("/")[0] in renamed]
     for track in own:
         target = "/".join(renamed.get(part, part) for part in track.target.split("/"))
-        before, after = group_of(on, track.target), group_of(on, target)
+        before, after = group_moved(on, track), group_of(on, target)
         if before is None or after is None:
             continue
         shifts = [b - a for a, b in zip(value_of(on, before), value_of(on, after), strict=True)]

@@ -18,8 +18,9 @@ from workbench.algorithms.animation.easing_words import easing_formula, way_text
 from workbench.algorithms.animation.easings import BEZIER, LINEAR, NEAREST_HANDLES, eased
 from workbench.algorithms.numerals import numeral
 from workbench.document.model import Sheet
-from workbench.document.motion.groups import group_of, value_of
+from workbench.document.motion.groups import value_of
 from workbench.document.motion.model import EASINGS, SPLINE, Key, Track
+from workbench.document.motion.tracks import group_moved
 from workbench.language import _
 from workbench.panels.animate.names import easing_titles, label_of
 from workbench.rendering.subjects.track import keys_around
@@ -147,7 +148,7 @@ def _sums(sheet: Sheet, shown: Sheet, track: Track, around: tuple[Key, Key], fra
     """The arithmetic of a frame, with its numbers."""
     first, second = around
     n, j = second.frame - first.frame - 1, frame - first.frame
-    group = group_of(shown, track.target)
+    group = group_moved(shown, track)
     if frame in (first.frame, second.frame) or group is None:
         return [_("Frame {frame} is a key: its value is shown as it is.").format(frame=frame)]
     lines = [

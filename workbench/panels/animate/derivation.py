@@ -8,9 +8,9 @@ from workbench.algorithms.marks import Spot, Stroke, Word
 from workbench.algorithms.numerals import numeral
 from workbench.document.model import AnyFigure, Sheet
 from workbench.document.motion.evaluation import at
-from workbench.document.motion.groups import group_of, value_of
+from workbench.document.motion.groups import value_of
 from workbench.document.motion.model import EASINGS, SPLINE, Key, Track
-from workbench.document.motion.tracks import motion_of
+from workbench.document.motion.tracks import group_moved, motion_of
 from workbench.exchange.diagrams import Axes, Block, Derivation, Drawing, Heading, Item, Sentence
 from workbench.language import _
 from workbench.panels.animate.names import easing_titles, label_of
@@ -25,9 +25,10 @@ _MOST_NAMED = 12
 
 
 def derivation(sheet: Sheet, track: Track, figure: AnyFigure | None, frame: int) -> Derivation | None:
-    """The page of a track, with ``figure`` drawn on its way, around a frame; None for a track of one key."""
+    """The page of a track, with ``figure`` drawn on its way, around a frame; None for a track of one key or
+    that moves nothing."""
     around = keys_around(track, frame)
-    if around is None:
+    if around is None or group_moved(sheet, track) is None:
         return None
     title = _("Key frames and in-betweens")
     blocks: list[Block] = [
@@ -92,7 +93,7 @@ def _way(own: Sheet, keyed: set[int], frame: int) -> Drawing | None:
 
 def _graph(sheet: Sheet, track: Track, frame: int) -> Drawing:
     """The first number of the track over the frames, its keys named."""
-    group = group_of(sheet, track.target)
+    group = group_moved(sheet, track)
     frames = range(track.keys[0].frame, track.keys[-1].frame + 1)
     numbers = [0.0 if group is None else value_of(at(sheet, each), group)[0] for each in frames]
     curve = np.column_stack([np.array(frames, np.float64), numbers])
@@ -130,7 +131,7 @@ def _one_frame(sheet: Sheet, track: Track, around: tuple[Key, Key], frame: int) 
             )
         )
     ]
-    group = group_of(sheet, track.target)
+    group = group_moved(sheet, track)
     n, j = second.frame - first.frame - 1, frame - first.frame
     if group is None or group.kind != "numbers" or not 0 < j <= n or first.easing == SPLINE:
         return blocks

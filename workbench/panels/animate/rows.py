@@ -5,9 +5,8 @@ from itertools import pairwise
 
 from workbench.document.model import Sheet
 from workbench.document.motion.evaluation import loose
-from workbench.document.motion.groups import group_of
 from workbench.document.motion.model import Key, Track
-from workbench.document.motion.tracks import motion_of
+from workbench.document.motion.tracks import group_moved, motion_of
 from workbench.language import _
 from workbench.panels.animate.names import easing_titles, label_of
 from workbench.widgets.timeline.rows import KeyShown, Pace, TrackShown
@@ -33,7 +32,7 @@ def _row(sheet: Sheet, track: Track, astray: bool, titles: dict[str, str]) -> Tr
         arriving = "none" if before is None else arriving_pace(before)
         keys.append(KeyShown(key.id, key.frame, arriving, leaving, titles[key.easing]))
         before = key
-    group = group_of(sheet, track.target)
+    group = group_moved(sheet, track)
     colours: tuple[str, ...] = ()
     if group is not None and group.kind == "colour":
         colours = tuple("#" + "".join(f"{round(c):02X}" for c in key.value) for key in track.keys)

@@ -12,7 +12,7 @@ from workbench.document.fields import Number
 from workbench.document.model import Sheet
 from workbench.document.motion.groups import Group, group_of
 from workbench.document.motion.model import EASINGS, MAX_FRAMES, SPLINE, Key, Track
-from workbench.document.motion.tracks import motion_of, track_on
+from workbench.document.motion.tracks import group_moved, motion_of, track_on
 from workbench.document.subjects import Subject
 from workbench.geometry.quaternions import quaternion_about
 from workbench.language import _
@@ -70,7 +70,7 @@ def track_of(sheet: Sheet, subject: Subject) -> Track | None:
     target = str(subject.arguments.get("target", ""))
     if target and (track := track_on(sheet, target)) is not None:
         return track
-    return next((each for each in motion_of(sheet).tracks if group_of(sheet, each.target) is not None), None)
+    return next((each for each in motion_of(sheet).tracks if group_moved(sheet, each) is not None), None)
 
 
 def keys_around(track: Track, frame: int) -> tuple[Key, Key] | None:
@@ -83,7 +83,7 @@ def keys_around(track: Track, frame: int) -> tuple[Key, Key] | None:
 
 def _found(sheet: Sheet, subject: Subject) -> tuple[Track, Group, Key, Key] | None:
     track = track_of(sheet, subject)
-    group = None if track is None else group_of(sheet, track.target)
+    group = None if track is None else group_moved(sheet, track)
     frame = subject.arguments.get("frame", 0)
     assert isinstance(frame, int)
     around = None if track is None else keys_around(track, frame)
