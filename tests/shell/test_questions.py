@@ -86,3 +86,17 @@ def test_a_wide_home_has_the_questions_in_two_columns_above_the_examples(qtbot: 
         heights = [row.mapTo(home, QPoint()).y() for row in rows[: 12 // columns]]
         assert heights == sorted(set(heights))
     assert max(row.mapTo(home, QPoint()).y() for row in rows) < 400
+
+
+def test_every_question_is_chosen_by_a_click_and_by_space(qtbot: QtBot) -> None:
+    home = HomePage([])
+    qtbot.addWidget(home)
+    home.show_questions()
+    home.resize(1280, 560)
+    home.show()
+    chosen: list[object] = []
+    home.questions.chosen.connect(chosen.append)
+    for row in home.questions.rows:
+        qtbot.mouseClick(row, Qt.MouseButton.LeftButton)
+        qtbot.keyClick(row, Qt.Key.Key_Space)
+    assert chosen == [question for question in questions() for _way in ("mouse", "key")]

@@ -5,7 +5,8 @@ import re
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtWidgets import QApplication, QPushButton, QWidget
+from pytestqt.qtbot import QtBot
 
 from workbench.paths import resource
 from workbench.shell.style_sheet import style_sheet
@@ -67,6 +68,29 @@ def test_the_style_sheet_names_only_tokens_and_files_that_exist(chosen: Tokens) 
     assert pictures
     for picture in pictures:
         assert resource("controls", picture.rpartition("/")[2]).is_file()
+
+
+@THEMES
+@pytest.mark.parametrize("kind", ["", "card", "flat", "low"])
+def test_a_button_that_the_keys_came_to_is_ringed_in_the_accent_and_not_crossed(
+    qtbot: QtBot, chosen: Tokens, kind: str
+) -> None:
+    frame = QWidget()
+    qtbot.addWidget(frame)
+    frame.setStyleSheet(style_sheet(chosen))
+    first, second = QPushButton(frame), QPushButton(frame)
+    second.setProperty(kind or "plain", True)
+    for place, button in enumerate((first, second)):
+        button.setGeometry(20, 20 + 60 * place, 200, 40)
+    frame.resize(240, 140)
+    frame.show()
+    qtbot.waitUntil(frame.isActiveWindow)
+    first.setFocus()
+    qtbot.keyClick(first, Qt.Key.Key_Tab)
+    assert second.hasFocus()
+    seen = second.grab().toImage()
+    assert QColor(seen.pixel(100, 0)) == QColor(seen.pixel(100, 1)) == QColor(chosen.accent)
+    assert {seen.pixel(100, y) for y in range(2, 38)} == {seen.pixel(100, 2)}
 
 
 def test_following_the_system_and_choosing(window: MainWindow) -> None:

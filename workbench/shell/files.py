@@ -75,6 +75,7 @@ class Files(QObject):
         incoming.progressed.connect(progressed)
         incoming.ended.connect(messages.end_work)
         session.left_out.connect(self.warn)
+        session.opened.connect(messages.leave)
 
     def warn(self, sentence: str) -> None:
         """Say that unsaved work could not be kept safe, or what a file was opened without."""

@@ -53,7 +53,7 @@ class QuestionList(QFrame):
         self._columns = 0
         self._arrange()
 
-    def _choose(self, question: Question, _checked: bool) -> None:
+    def _choose(self, question: Question, _checked: bool = False) -> None:
         self.chosen.emit(question)
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -124,6 +124,11 @@ class MessageBar(QFrame):
         if text and self.text == text:
             self._end()
 
+    def leave(self) -> None:
+        """What was remarked of a picture goes with it; warnings, questions and work stay."""
+        if self._mark.kind == "info" and not (self._asking or self._working):
+            self._end()
+
     def dismiss(self) -> None:
         """Close the message; a question is then answered with no, and work is ended."""
         refuse = self._refuse

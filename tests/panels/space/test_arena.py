@@ -4,7 +4,7 @@ import time
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
 from tests.panels.by_hand import recorded
@@ -166,6 +166,48 @@ def test_the_pixel_under_the_pointer_is_ringed_in_all_and_told(qtbot, page):
     assert "Painter's algorithm: Bar " in said[-1]
     tile.pointed.emit(None)
     assert said[-1] == ""
+
+
+@pytest.mark.parametrize("way", ["click", "Y"])
+def test_a_wrong_pixel_that_is_asked_about_tells_what_was_painted_there(qtbot, session, way):
+    panel = SpacePanel(session)
+    qtbot.addWidget(panel)
+    panel.resize(820, 480)
+    panel.show()
+    session.visit("arena", Subject("visibility", entry="painter", arguments={"columns": 16}))
+    page, told = panel.page_of("arena"), panel.page_of("visibility").fragments
+    qtbot.waitUntil(page.isVisible)
+    told.show()
+    panel.activateWindow()
+    qtbot.waitUntil(panel.isActiveWindow)
+    until_run(qtbot, page)
+    recorded(qtbot, session)
+    assert told.caption.text().startswith("Click a pixel")
+    tile = page.grid.tiles["painter"]
+    y, x = np.argwhere(page.measures.runs["painter"].different)[0].tolist()
+    place = tile._cells(x, y, x, y).center().toPoint()
+    if way == "click":
+        qtbot.mouseClick(tile, LEFT, pos=place)
+    else:
+        qtbot.mouseMove(tile, place)
+        qtbot.waitUntil(lambda: page.grid.pointed_cell == (x, y))
+        tile.setFocus()
+        qtbot.keyClick(tile, Qt.Key.Key_Y)
+    qtbot.waitUntil(lambda: told.list.count() >= 2)
+    assert f"({x}, {y})" in told.caption.text()
+    last = told.list.item(told.list.count() - 1).text()
+    assert "painted, and stands" in last
+    assert "over what is nearer" in last
+    page.grid.point_at(None)
+    assert {tile.ring for tile in page.grid.tiles.values()} == {(x, y)}
+    qtbot.mouseClick(page.grid.tiles["depth_buffer"], LEFT, pos=QPoint(20, 10))
+    qtbot.waitUntil(lambda: "fragments came to it" in told.caption.text())
+
+
+def test_a_pixel_that_the_pictures_do_not_have_is_not_ringed(page, session):
+    session.update_state(pixel=(15, 100))
+    QApplication.processEvents()
+    assert {tile.ring for tile in page.grid.tiles.values()} == {None}
 
 
 def test_a_ready_scene_is_opened_here_and_run(qtbot, page, session):

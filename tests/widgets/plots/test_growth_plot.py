@@ -3,6 +3,8 @@
 import threading
 
 import numpy as np
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
@@ -39,6 +41,29 @@ def test_lines_are_laid_over_logarithms_and_the_one_spoken_of_is_told_first(qtbo
     numbers = plot.numbers()
     assert numbers is not None
     assert numbers.rows[0] == ("Painter's algorithm", 10, "0.1")
+
+
+def test_a_low_plot_is_numbered_by_powers_of_ten_and_no_number_covers_another(qtbot: QtBot) -> None:
+    plot = GrowthPlot()
+    qtbot.addWidget(plot)
+    plot.resize(440, 130)
+    plot.show()
+    points = [(n, n * 1e-7) for n in (1536, 6144, 38400, 153600)]
+    plot.show_curves([GrowthCurve("Depth buffer", points, 1.0)], "n pixels", "Depth buffer")
+    qtbot.waitUntil(lambda: plot._plot is not None, timeout=20_000)
+    numbers: list[tuple[QRectF, str]] = []
+
+    def are_laid() -> bool:
+        picture = QPixmap(440, 130)
+        painter = QPainter(picture)
+        specs = plot._plot.getAxis("bottom").generateDrawSpecs(painter)
+        painter.end()
+        numbers[:] = [(QRectF(rect), text) for rect, _flags, text in specs[2]] if specs else []
+        return [text for _rect, text in numbers] == ["10⁴", "10⁵"]
+
+    qtbot.waitUntil(are_laid)
+    assert not numbers[0][0].intersects(numbers[1][0])
+    assert "●</span>&nbsp;Depth&nbsp;buffer&nbsp;n<sup>" in plot.caption.text()
 
 
 def test_the_library_comes_though_it_was_first_imported_on_a_thread_that_is_over(qtbot: QtBot) -> None:

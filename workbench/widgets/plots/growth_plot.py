@@ -1,5 +1,6 @@
 """Time over how much there is to do, both logarithmic: a power of n is a line, its slope the power."""
 
+import math
 from collections.abc import Sequence
 from html import escape
 from typing import Any, NamedTuple
@@ -14,7 +15,7 @@ from workbench.widgets.look.tokens import tokens
 from workbench.widgets.plots.plot import Plot, pen_of
 
 _SYMBOLS = ("o", "s", "t", "d", "+", "x", "star", "h", "p")
-_NAMED, _PLAIN_PX, _STRONG_PX = 3, 1.2, 2.6
+_NAMED, _PLAIN_PX, _STRONG_PX, _NUMBER_PX = 3, 1.2, 2.6, 40
 
 
 class GrowthCurve(NamedTuple):
@@ -52,6 +53,17 @@ class GrowthPlot(Plot):
     def _begin(self) -> None:
         self._plot.setLogMode(x=True, y=True)
         self._plot.setMouseEnabled(x=True, y=True)
+        view = self._plot.getViewBox()
+        for moved in (view.sigRangeChanged, view.sigResized):
+            moved.connect(self._number_powers)
+
+    def _number_powers(self, *_view: object) -> None:
+        """Powers of ten alone have numbers, as many as there is room for."""
+        ranges, sizes = self._plot.viewRange(), (self._plot.width(), self._plot.height())
+        for side, (low, high), size in zip(("bottom", "left"), ranges, sizes, strict=True):
+            axis = self._plot.getAxis(side)
+            axis.setStyle(maxTextLevel=0)
+            axis.setTickSpacing(levels=[(max(1, math.ceil((high - low) * _NUMBER_PX / max(size, 1))), 0)])
 
     def _restyle(self) -> None:
         self._label_axes(_("ms"), self._unit)
@@ -90,7 +102,8 @@ class GrowthPlot(Plot):
             plain.append(f"{curve.name} n^{curve.power:.2f}".replace("-", "−"))
             ink = now.data[k % len(now.data)]
             power = f"{curve.power:.2f}".replace("-", "−")
-            said.append(f'<span style="color:{ink}">●</span> {escape(curve.name)} n<sup>{power}</sup>')
+            name = f"{escape(curve.name)} n".replace(" ", "&nbsp;")  # a line ends between two of them
+            said.append(f'<span style="color:{ink}">●</span>&nbsp;{name}<sup>{power}</sup>')
         self.say(
             " · ".join(said) or _("Measure the times to see how they grow."),
             "; ".join(plain) or _("Nothing is measured yet."),

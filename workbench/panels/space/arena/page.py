@@ -93,6 +93,7 @@ class ArenaPage(QWidget):
         rows = (
             ("measure", _("Measure times"), "Ctrl+M", self.measure_times),
             ("step", _("Step this method"), "Ctrl+Return", lambda: self.step_method(self.chosen)),
+            ("why", _("Why this pixel?"), "Y", self.ask_why),
         )
         made = []
         for name, text, key, do in rows:
@@ -120,6 +121,7 @@ class ArenaPage(QWidget):
         self.grid.chosen.connect(self.choose)
         self.grid.stepped.connect(self.step_method)
         self.grid.pointed.connect(self._point)
+        self.grid.asked.connect(lambda cell: session.update_state(pixel=cell))
         self.question.seen.connect(self._measure_if_not_yet)
         self.growth.seen.connect(self._measure_if_not_yet)
         self.worker.told.connect(self._take)
@@ -298,6 +300,7 @@ class ArenaPage(QWidget):
         """The sentence, how far the work is, and what the button does."""
         job, measures, busy = self._job, self.measures, self.worker.busy
         self.grid.choose(self.chosen)
+        self.grid.keep(self.session.state.pixel)
         self.growth.show_growth(measures.growth, self.chosen)
         self.bar.show_busy(busy)
         if job is None:
@@ -340,6 +343,13 @@ class ArenaPage(QWidget):
         """Speak of a method, and step it in the step bar."""
         if method and method != self.chosen:
             self.session.choose(method)
+
+    def ask_why(self) -> None:
+        """Ask why the pixel that is pointed at is as it is."""
+        if self.grid.pointed_cell is None:
+            self.hover_text.emit(_("Point at a pixel first, then ask why it is as it is."))
+        else:
+            self.session.update_state(pixel=self.grid.pointed_cell)
 
     def step_method(self, method: str) -> None:
         """Step a method on the page Visibility, the first wrong pixel pointed at."""

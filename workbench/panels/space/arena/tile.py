@@ -45,11 +45,13 @@ class TileState(NamedTuple):
 
 class MethodTile(QWidget):
     """``chosen``: it was clicked or came to by the keys; ``stepped``: it is to be stepped; ``pointed`` sends
-    the pixel under the pointer, None when none is; ``moved`` sends by how many tiles the keys go on."""
+    the pixel under the pointer, None when none is; ``asked`` the one that was clicked; ``moved`` sends by how
+    many tiles the keys go on."""
 
     chosen = Signal(str)
     stepped = Signal(str)
     pointed = Signal(object)
+    asked = Signal(object)
     moved = Signal(int, int)
 
     def __init__(self, method: str, parent: QWidget) -> None:
@@ -266,9 +268,11 @@ class MethodTile(QWidget):
         self.button.setGeometry(left, round(middle) - _BUTTON_PX // 2, _BUTTON_PX, _BUTTON_PX)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """It is chosen."""
+        """It is chosen, and asked about the pixel."""
         if event.button() == Qt.MouseButton.LeftButton:
             self.chosen.emit(self.method)
+            if (cell := self.cell_at(event.position())) is not None:
+                self.asked.emit(cell)
 
     def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
         """It is stepped."""

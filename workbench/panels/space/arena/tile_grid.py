@@ -13,11 +13,13 @@ _GAP_PX = 4
 
 
 class TileGrid(QScrollArea):
-    """``chosen`` and ``stepped`` send a slug, ``pointed`` the pixel under the pointer, None when none is."""
+    """``chosen`` and ``stepped`` send a slug, ``pointed`` the pixel under the pointer, None when none is;
+    ``asked`` the one that was clicked. ``pointed_cell`` is the one that ``pointed`` sent last."""
 
     chosen = Signal(str)
     stepped = Signal(str)
     pointed = Signal(object)
+    asked = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -30,6 +32,8 @@ class TileGrid(QScrollArea):
         self.setWidget(self._inner)
         self.tiles: dict[str, MethodTile] = {}
         self._size: Size = (3, 2)
+        self.pointed_cell: Cell | None = None
+        self._kept: Cell | None = None
 
     def show_methods(self, methods: tuple[str, ...], size: Size) -> None:
         """A tile for each method, whose pictures are of this size."""
@@ -46,6 +50,7 @@ class TileGrid(QScrollArea):
         tile.chosen.connect(self.chosen)
         tile.stepped.connect(self.stepped)
         tile.pointed.connect(self.point_at)
+        tile.asked.connect(self.asked)
         tile.moved.connect(self._move)
         tile.show()
         return tile
@@ -56,10 +61,20 @@ class TileGrid(QScrollArea):
             tile.choose(slug == method)
 
     def point_at(self, cell: Cell | None) -> None:
-        """Ring the same pixel in all, and tell of it."""
-        for tile in self.tiles.values():
-            tile.point_at(cell)
+        """Ring the same pixel in all, and tell of it; None rings the one that is kept."""
+        self.pointed_cell = cell
+        self._ring()
         self.pointed.emit(cell)
+
+    def keep(self, cell: Cell | None) -> None:
+        """Ring a pixel wherever none is pointed at, if the pictures have it."""
+        inside = cell is not None and cell[0] < self._size[0] and cell[1] < self._size[1]
+        self._kept = cell if inside else None
+        self._ring()
+
+    def _ring(self) -> None:
+        for tile in self.tiles.values():
+            tile.point_at(self.pointed_cell or self._kept)
 
     def tiles_grabbed(self) -> QPixmap:
         """A picture of all tiles, those out of sight too."""

@@ -1,7 +1,7 @@
 """Why this pixel? Every fragment that came to it, or all that was painted there; a click goes to the step."""
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
 from workbench.language import _, ngettext
@@ -9,12 +9,15 @@ from workbench.panels.space.visibility.depth_run import DepthRun
 from workbench.panels.space.visibility.pixel_steps import PixelStep, pixel_steps
 from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.fragments import NOTHING
+from workbench.rendering.subjects.visibility import KIND
 from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
 
 
 class FragmentList(QWidget):
-    """The fragments of ``session.state.pixel``; with *Ask first* those that came so far."""
+    """The fragments of ``session.state.pixel``; with *Ask first* those that came so far. ``seen``: it is."""
+
+    seen = Signal()
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -44,7 +47,11 @@ class FragmentList(QWidget):
         if run is None or pixel is None:
             self._shown = ()
             self.list.clear()
-            self.caption.setText(_("Click a pixel, or point at one and press Y: what came to it?"))
+            self.caption.setText(
+                _("Click a pixel, or point at one and press Y: what came to it?")
+                if self._session.subject.kind == KIND
+                else _("The pages Visibility and Hidden surfaces tell what came to a pixel.")
+            )
             return
         if keeps_depths:
             self._list_fragments(run, pixel)
@@ -109,6 +116,11 @@ class FragmentList(QWidget):
 
     def _go(self, item: QListWidgetItem) -> None:
         self._session.update_state(step=item.data(Qt.ItemDataRole.UserRole), detail=False)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """What happened meanwhile is to be listed."""
+        super().showEvent(event)
+        self.seen.emit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Enter goes to the step that is marked."""

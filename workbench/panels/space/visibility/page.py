@@ -136,6 +136,7 @@ class VisibilityPage(QWidget):
         canvas.view_changed.connect(self.refresh_soon)
         canvas.set_describer(self.describe)
         self.card.folded.connect(self._leave_room)
+        self.fragments.seen.connect(self.refresh_soon)
 
     @property
     def _card_left(self) -> int:
@@ -195,16 +196,22 @@ class VisibilityPage(QWidget):
     # What is shown
 
     def refresh_soon(self, *_arguments: object) -> None:
-        """Show the session as it is when all that happens now has happened; unseen, when it is seen."""
-        if not self._waiting and self.isVisible():
+        """Show the session as it is when all that happens now has happened; unseen, when it is seen.
+
+        Fragments are listed beside the page Hidden surfaces too, which steps the same run.
+        """
+        if not self._waiting and (self.isVisible() or self.fragments.isVisible()):
             self._waiting = True
             self._due.emit()
 
     def refresh(self) -> None:
         """Show the session as it is now."""
         self._waiting = False
-        if self.isVisible():
-            self.zoom_text.emit(f"{self.canvas.zoom_percent:.0f} %")
+        if not self.isVisible():
+            asked = self.session.subject.kind == KIND and self.session.state.pixel is not None
+            self.fragments.refresh(depth_run(self.session) if asked else None, self._keeps_depths)
+            return
+        self.zoom_text.emit(f"{self.canvas.zoom_percent:.0f} %")
         run = self._run = depth_run(self.session)
         covered = run is not None and len(run.fragments) > 0
         fault = fault_of(self.session.sheet)
@@ -219,7 +226,7 @@ class VisibilityPage(QWidget):
             self._show_empty()
         elif told is not None:
             self.canvas.set_picture(told.picture(tokens()))
-            self.canvas.set_overlay(Overlay(drawn=told.drawn()))
+            self.canvas.set_overlay(Overlay(drawn=told.drawn(), snap=self.session.state.pixel))
         else:
             now = tokens()
             self.canvas.set_picture(picture(run, self.card.shown, now))
