@@ -7,6 +7,12 @@ LEFT = Qt.MouseButton.LeftButton
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
+def keep_until_the_end(qtbot, panel):
+    """End the panel and its docks with the test: those that are in no window would outlive it."""
+    for widget in (panel, *(dock for _name, _title, dock, _area in panel.docks())):
+        qtbot.addWidget(widget)
+
+
 def settle():
     for _turn in range(4):
         QApplication.processEvents()

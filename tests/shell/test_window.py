@@ -326,19 +326,6 @@ def test_a_message_in_the_place_of_another_is_closed_without_answering_that(wind
     assert (window.messages.text, ended) == ("", [])
 
 
-@pytest.mark.parametrize(("kind", "stays"), [("info", False), ("warn", True), ("error", True)])
-def test_a_remark_goes_with_the_picture_it_was_made_of(window: MainWindow, kind: str, stays: bool) -> None:
-    window.messages.say("star.svg is written in /home.", kind)
-    window.open_example("line")
-    assert bool(window.messages.text) == stays
-
-
-def test_a_question_stays_though_another_picture_comes(window: MainWindow) -> None:
-    window.messages.ask("Save it?", [("Save", lambda: None)])
-    window.session.open_example("line")
-    assert window.messages.text == "Save it?"
-
-
 def test_home_lists_twelve_questions_each_with_a_workspace(window: MainWindow) -> None:
     assert [question.number for question in questions()] == list(range(1, 13))
     slugs = {each.slug for each in workspaces()}

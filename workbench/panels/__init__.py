@@ -1,1 +1,3 @@
 """One workspace per topic, thin."""
+
+from workbench.widgets import overrides as overrides

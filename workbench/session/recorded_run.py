@@ -83,17 +83,20 @@ class RecordedRun(QObject):
             self._deferred = partial(self.follow, subject, calls, image_size)
             return
         entry, depth_limit = calls[0].entry, calls[0].recursion_limit or DEPTH_LIMIT
-        arguments = tuple(call.arguments for call in calls if call.entry is entry)
         same = subject.is_of(self.subject) and self.entry is entry
         limits = self.image_size == image_size and self.depth_limit == depth_limit
-        if same and limits and _equal(arguments, self.calls):
+        if same and limits and self.runs(calls):
             self.subject = subject
             return
         self._leaving(same)
         self._forget()
-        self.entry, self.calls, self.subject, self.image_size = entry, arguments, subject, image_size
+        self.entry, self.calls, self.subject, self.image_size = entry, _first_run(calls), subject, image_size
         self.depth_limit = depth_limit
         self._record(entry, 0)
+
+    def runs(self, calls: Sequence[Call]) -> bool:
+        """Whether these are what it runs; while it is held, or not told of a change yet, it runs what was."""
+        return bool(calls) and calls[0].entry is self.entry and _equal(_first_run(calls), self.calls)
 
     def follow_unheld(
         self, subject: Subject, calls: Callable[[], Sequence[Call]], image_size: tuple[int, int]
@@ -298,6 +301,11 @@ def _counting_is_ready(entry: Entry) -> bool:
     except ValueError:
         return False
     return any(use.startswith("count") for use in kernel.known())
+
+
+def _first_run(calls: Sequence[Call]) -> tuple[tuple[Any, ...], ...]:
+    """The arguments of those calls that are of the first one's entry."""
+    return tuple(call.arguments for call in calls if call.entry is calls[0].entry)
 
 
 def _equal(a: Sequence[tuple[Any, ...]], b: Sequence[tuple[Any, ...]]) -> bool:

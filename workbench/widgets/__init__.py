@@ -1,1 +1,3 @@
 """Reusable parts of the interface."""
+
+from workbench.widgets import overrides as overrides

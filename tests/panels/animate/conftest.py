@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.panels.by_hand import settle
+from tests.panels.by_hand import keep_until_the_end, settle
 from workbench.panels.animate.panel import AnimatePanel
 from workbench.session.session import Session
 
@@ -14,7 +14,7 @@ def panel(qtbot) -> Iterator[AnimatePanel]:
     session = Session()
     session.open_example("animate-ball")
     panel = AnimatePanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     qtbot.addWidget(panel.between)
     panel.resize(960, 620)
     panel.between.show()

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QStyle, QStyleOptionButton
 from shapely import LineString
 from shapely import box as shapely_box
 
-from tests.panels.by_hand import at, drag, recorded, settle
+from tests.panels.by_hand import at, drag, keep_until_the_end, recorded, settle
 from workbench.algorithms import marks
 from workbench.algorithms.clipping.window_marks import edge_mark
 from workbench.document.edits import add_figure, set_clip, set_clipper
@@ -45,7 +45,7 @@ def session(qtbot):
 @pytest.fixture
 def panel(qtbot, session):
     made = ClipPanel(session)
-    qtbot.addWidget(made)
+    keep_until_the_end(qtbot, made)
     made.resize(900, 620)
     made.show()
     made.canvas.setFocus()

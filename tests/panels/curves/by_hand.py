@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
-from tests.panels.by_hand import settle
+from tests.panels.by_hand import keep_until_the_end, settle
 from workbench.document.edits import add_figure
 from workbench.document.model import Curve, CurvePoint
 from workbench.document.samples.examples import blank_sheet
@@ -24,9 +24,7 @@ def opened(qtbot, *curves):
     session.undo_stack.clear()
     panel = CurvesPanel(session)
     session.setParent(panel)  # goes with it, as with the window of the program
-    qtbot.addWidget(panel)
-    for _name, _title, dock, _area in panel.docks():  # in no window, they would outlive the panel
-        qtbot.addWidget(dock)
+    keep_until_the_end(qtbot, panel)
     panel.resize(1000, 640)
     panel.show()
     qtbot.waitExposed(panel)

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QSlider
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import keep_until_the_end
 from workbench.display import RasterBeam
 from workbench.document.edits import remove_figures
 from workbench.document.state import SessionState
@@ -32,7 +33,7 @@ def session() -> Iterator[Session]:
 @pytest.fixture
 def panel(qtbot: QtBot, session: Session) -> DisplayPanel:
     made = DisplayPanel(session)
-    qtbot.addWidget(made)
+    keep_until_the_end(qtbot, made)
     made.resize(1100, 560)
     with qtbot.waitExposed(made):
         made.show()
@@ -176,7 +177,7 @@ def test_the_time_of_the_tube_is_saved_and_restored_and_never_undone(
     assert load_state(tmp_path / "house.gwb").tube.time_s == stored
     other = Session()
     shown = DisplayPanel(other)
-    qtbot.addWidget(shown)
+    keep_until_the_end(qtbot, shown)
     with qtbot.waitExposed(shown):
         shown.show()
     other.open(tmp_path / "house.gwb")

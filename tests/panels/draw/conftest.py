@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.panels.by_hand import LEFT, at, settle
+from tests.panels.by_hand import LEFT, at, keep_until_the_end, settle
 from workbench.document.samples.examples import blank_sheet, example_document
 from workbench.panels.draw.panel import DrawPanel
 from workbench.session.session import Session
@@ -19,7 +19,7 @@ def session(qtbot):
 @pytest.fixture
 def panel(qtbot, session):
     made = DrawPanel(session)
-    qtbot.addWidget(made)
+    keep_until_the_end(qtbot, made)
     made.resize(850, 600)
     made.show()
     made.canvas.setFocus()

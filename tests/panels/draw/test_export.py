@@ -9,6 +9,7 @@ from PIL import Image
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
+from tests.panels.by_hand import keep_until_the_end
 from workbench.document.samples.examples import example_document
 from workbench.document.storage.saving import SavingError
 from workbench.exchange.tables import Table
@@ -23,7 +24,7 @@ from workbench.session.session import Session
 def panel(qtbot):
     session = Session(document=example_document())
     made = DrawPanel(session)
-    qtbot.addWidget(made)
+    keep_until_the_end(qtbot, made)
     made.resize(850, 600)
     made.show()
     session.update_state(active="f1")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from tests.panels.by_hand import at, settle
+from tests.panels.by_hand import at, keep_until_the_end, settle
 from workbench.algorithms.marks import Spot, Stroke, Word
 from workbench.document.model import Circle, Polygon, Polyline, SeedFill
 from workbench.document.samples.examples import blank_sheet, example
@@ -20,7 +20,7 @@ LEFT = Qt.MouseButton.LeftButton
 def opened(qtbot, document):
     session = Session(document=document)
     panel = FillPanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.resize(900, 620)
     panel.show()
     qtbot.waitExposed(panel)
@@ -228,7 +228,7 @@ def test_how_often_each_pixel_was_tested(qtbot):
 def test_an_overflow_is_said_with_its_depth_and_hurts_nothing(qtbot, side):
     session = Session(document=blank_sheet(side, side))
     panel = FillPanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.resize(700, 500)
     panel.show()
     panel.choose_tool("seed")
@@ -249,7 +249,7 @@ def test_an_overflow_is_said_with_its_depth_and_hurts_nothing(qtbot, side):
 def test_a_greater_limit_fills_what_a_small_one_could_not(qtbot):
     session = Session(document=blank_sheet(20, 20))
     panel = FillPanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.show()
     panel.choose_tool("seed")
     panel.tool.algorithm = "boundary_fill_recursive"
@@ -347,7 +347,7 @@ def test_every_tool_has_a_key_of_its_own(qtbot, blank):
 
 def test_a_panel_that_is_not_seen_takes_no_keys(qtbot, blank):
     unseen = FillPanel(blank.session)
-    qtbot.addWidget(unseen)
+    keep_until_the_end(qtbot, unseen)
     assert not any(action.isEnabled() for action in unseen.actions())
     assert any(action.isEnabled() for action in blank.actions())
     blank.hide()

@@ -8,6 +8,7 @@ from PySide6.QtGui import QGuiApplication, QTextCursor, QTextDocument
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import keep_until_the_end
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.document.edits import remove_figures
@@ -30,7 +31,7 @@ def session() -> Iterator[Session]:
 @pytest.fixture
 def about(session: Session, qtbot: QtBot) -> Iterator[AboutView]:
     panel = InspectorPanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     view = panel.about
     qtbot.addWidget(view)
     view.resize(440, 600)

@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
+from tests.panels.by_hand import keep_until_the_end
 from workbench.algorithms.marks import Word
 from workbench.document.edits import remove_figures
 from workbench.document.samples.examples import example
@@ -18,7 +19,7 @@ from workbench.session.session import Session
 def missed(qtbot):
     session = Session(document=example("missed").document)
     panel = FillPanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.resize(900, 620)
     panel.show()
     why = WhyPanel(session).why

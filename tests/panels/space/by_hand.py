@@ -7,6 +7,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import keep_until_the_end
 from workbench.document.scene.model import Camera, Scene
 from workbench.panels.space.panel import SpacePanel
 from workbench.panels.space.projection_page import ProjectionPage
@@ -22,7 +23,7 @@ def shown(qtbot: QtBot) -> Iterator[ProjectionPage]:
     session = Session()
     session.open_example("space-house")
     panel = SpacePanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.resize(900, 560)
     panel.show()
     qtbot.waitExposed(panel)

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
-from tests.panels.by_hand import recorded
+from tests.panels.by_hand import keep_until_the_end, recorded
 from workbench.document.samples.arena import READY
 from workbench.document.subjects import Subject
 from workbench.engine.stopping import Stopped
@@ -35,7 +35,7 @@ def session(qtbot):
 @pytest.fixture
 def page(qtbot, session):
     made = ArenaPage(session)
-    qtbot.addWidget(made)
+    keep_until_the_end(qtbot, made)
     made.resize(820, 480)
     made.show()
     session.visit("arena", Subject("visibility", entry="painter", arguments={"columns": 16}))
@@ -124,7 +124,7 @@ def test_a_method_is_stepped_on_the_page_visibility_with_the_same_scene(qtbot, p
 
 def test_the_panel_shows_the_page_that_is_stepped_and_measures_nothing_unseen(qtbot, session):
     panel = SpacePanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.resize(820, 480)
     panel.show()
     panel.show_page("arena")
@@ -171,7 +171,7 @@ def test_the_pixel_under_the_pointer_is_ringed_in_all_and_told(qtbot, page):
 @pytest.mark.parametrize("way", ["click", "Y"])
 def test_a_wrong_pixel_that_is_asked_about_tells_what_was_painted_there(qtbot, session, way):
     panel = SpacePanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.resize(820, 480)
     panel.show()
     session.visit("arena", Subject("visibility", entry="painter", arguments={"columns": 16}))

@@ -7,6 +7,7 @@ import pytest
 import trimesh
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import keep_until_the_end
 from tests.panels.space.by_hand import scene_of, shown
 from workbench.document.samples.examples import blank_sheet
 from workbench.document.scene.model import Scene
@@ -19,7 +20,7 @@ from workbench.shell import scene_exports
 
 def imported(qtbot: QtBot, session: Session, path: Path) -> list[str]:
     panel = SpacePanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     said: list[str] = []
     panel.meshes.take_file(path, said.append)
     qtbot.waitUntil(lambda: not session.incoming.busy, timeout=20_000)

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
-from tests.panels.by_hand import at, settle
+from tests.panels.by_hand import at, keep_until_the_end, settle
 from workbench.document.edits import add_sheet, set_attributes
 from workbench.document.samples.examples import blank_sheet, example
 from workbench.panels.curves.panel import CurvesPanel
@@ -72,7 +72,7 @@ def test_a_panel_that_is_left_in_the_middle_holds_no_run(qtbot: QtBot) -> None:
 def test_a_run_of_another_size_is_not_laid_over_the_picture(qtbot: QtBot) -> None:
     session = Session(document=example("missed").document)
     panel = FillPanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.show()
     session.update_state(active=session.sheet.figures[-1].id)
     qtbot.waitUntil(lambda: session.run.entry is not None and session.run.done, timeout=15_000)

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
-from tests.panels.by_hand import settle
+from tests.panels.by_hand import keep_until_the_end, settle
 from workbench.document.edits import add_figure, set_attribute, set_window
 from workbench.document.fields import Number, numbers_of, structs_in
 from workbench.document.model import (
@@ -41,7 +41,7 @@ FIGURES = (
 def panel(qtbot: QtBot) -> Iterator[DrawPanel]:
     session = Session(document=blank_sheet(64, 48))
     panel = DrawPanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.resize(850, 600)
     panel.show()
     yield panel
@@ -53,7 +53,7 @@ def test_an_algorithm_that_this_version_does_not_have_is_said(qtbot: QtBot) -> N
     blank = blank_sheet(64, 48)
     session = Session(document=replace(blank, sheets=(replace(blank.sheets[0], figures=(figure,)),)))
     panel = DrawPanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.resize(850, 600)
     panel.show()
     session.update_state(selection=("f1",), active="f1")

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from tests.document.motion.moving import track, with_tracks
-from tests.panels.by_hand import settle
+from tests.panels.by_hand import keep_until_the_end, settle
 from workbench.document.samples.examples import example
 from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.curves.panel import CurvesPanel
@@ -35,7 +35,7 @@ def test_a_curve_is_worked_on_where_it_is(qtbot, sessions: list[Session]) -> Non
     session = session_of("curve-interpolation", f"{figure.id}/{figure.points_world[0].id}/x", 1.0, 33.0)
     sessions.append(session)
     panel = CurvesPanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.show()
     settle()
     assert panel.focus.curve is not None
@@ -50,7 +50,7 @@ def test_the_tables_of_a_chain_are_those_of_the_frame(qtbot, sessions: list[Sess
     sessions.append(session)
     session.update_state(active=figure.id)
     panel = TransformPanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     ((_title, table),) = panel.tables()
     assert any(33.0 in row or "33" in map(str, row) for row in table.rows)
 
@@ -59,7 +59,7 @@ def test_what_is_clipped_is_counted_in_the_frame(qtbot, sessions: list[Session])
     session = session_of("clip-lab", "f4/p8/x", 26.0, 400.0)
     sessions.append(session)
     panel = ClipPanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.show()
     settle()
     assert "1 inside" in panel.card.outcome.text()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.panels.by_hand import settle
+from tests.panels.by_hand import keep_until_the_end, settle
 from workbench.document.samples.examples import example
 from workbench.panels.transform.panel import TransformPanel
 from workbench.session.session import Session
@@ -19,7 +19,7 @@ def session(qtbot):
 @pytest.fixture
 def panel(qtbot, session):
     made = TransformPanel(session)
-    qtbot.addWidget(made)
+    keep_until_the_end(qtbot, made)
     qtbot.addWidget(made.chain)
     qtbot.addWidget(made.whole)
     made.resize(900, 620)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.panels.by_hand import settle
+from tests.panels.by_hand import keep_until_the_end, settle
 from workbench.document.samples.examples import example
 from workbench.panels.viewing.panel import ViewingPanel
 from workbench.session.session import Session
@@ -19,7 +19,7 @@ def session(qtbot):
 @pytest.fixture
 def panel(qtbot, session):
     made = ViewingPanel(session)
-    qtbot.addWidget(made)
+    keep_until_the_end(qtbot, made)
     qtbot.addWidget(made.card)
     qtbot.addWidget(made.point)
     made.resize(1000, 640)

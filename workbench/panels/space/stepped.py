@@ -74,7 +74,7 @@ def clipped_so_far(session: Session) -> Clipped | None:
     if not is_of_a_vertex(session.subject) or not clips(session.subject):
         return None
     step, calls = session.run.step, calls_of(session.sheet, session.subject)
-    if step is None or not calls:
+    if step is None or not session.run.runs(calls):
         return Clipped()
     rows = np.array(emitted(calls[0])[: step.emitted_to], np.float64).reshape(-1, 5)
     rings = tuple(rows[rows[:, 0] == ring, 1:] for ring in np.unique(rows[:, 0]))

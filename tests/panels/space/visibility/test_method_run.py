@@ -1,7 +1,13 @@
 """A method that keeps no depths, stepped on the page Visibility: its pixels, its gains and costs."""
 
-from tests.panels.by_hand import recorded
+import pytest
+from msgspec.structs import replace
+
+from tests.panels.by_hand import recorded, settle
+from workbench.document.samples.examples import example
 from workbench.document.subjects import Subject
+from workbench.panels.space.visibility.depth_run import depth_run
+from workbench.rendering.subjects.visibility import SURFACE_METHODS
 
 
 def test_why_this_pixel_tells_what_the_painter_painted_there_and_over_what(qtbot, page, session):
@@ -54,3 +60,27 @@ def test_gains_and_costs_tell_of_the_method_that_is_stepped(qtbot, page, session
     session.update_state(subject=Subject("visibility"))
     recorded(qtbot, session)
     qtbot.waitUntil(lambda: "Drawn in the other order" in page.cost.words.text(), timeout=20_000)
+
+
+@pytest.mark.parametrize("method", SURFACE_METHODS)
+@pytest.mark.parametrize(
+    "before", [Subject("figure", ids=("f1",)), Subject("visibility", arguments={"columns": 96})]
+)
+def test_while_the_run_is_still_another_nothing_of_it_is_told(qtbot, page, session, before, method):
+    line = example("line").document.sheets[0]
+    scene = session.sheet
+    session.apply(lambda document: replace(document, sheets=(replace(scene, figures=line.figures),)), "Both")
+    session.update_state(subject=before, pixel=(23, 15))
+    recorded(qtbot, session)
+    session.run.go_to_number(session.run.total_steps)
+    session.run.hold()
+    session.update_state(subject=Subject("visibility", entry=method, arguments={"columns": 16}))
+    settle()
+    page.refresh()
+    assert page.fragments.list.count() == 0
+    told = page._told(depth_run(session))
+    assert told.legend.startswith("0 ")
+    session.run.go_on()
+    settle()
+    page.refresh()
+    assert session.run.entry.slug == method

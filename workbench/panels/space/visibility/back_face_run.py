@@ -60,12 +60,12 @@ class BackFaceRun(NamedTuple):
         return tuple(drawn)
 
 
-def back_face_run(depth: DepthRun, sheet: Sheet, run: Run) -> BackFaceRun:
-    """How far the stepped ``run`` has told the faces; all of them where nothing is recorded yet."""
-    count = 0
-    if run.recording is not None and run.moment is not None and run.step is not None:
+def back_face_run(depth: DepthRun, sheet: Sheet, run: Run | None) -> BackFaceRun:
+    """How far the stepped ``run`` has told the faces; none of them where nothing is recorded yet."""
+    rows = np.zeros((0, 3))
+    if run is not None and run.recording is not None and run.moment is not None and run.step is not None:
         count = len(run.moment.emitted) if run.detail else run.step.emitted_to
-    rows = np.zeros((0, 3)) if run.recording is None else run.recording.emitted.array(0, count)
+        rows = run.recording.emitted.array(0, count)
     order = faces_in_order(sheet)[: len(rows)]
     seen = {face: bool(row[2]) for face, row in zip(order, rows, strict=True)}
     owners = list(zip(depth.device.objects.tolist(), depth.device.faces.tolist(), strict=True))

@@ -9,6 +9,7 @@ from workbench.language import _
 from workbench.rendering.mapping import Call
 from workbench.rendering.scene.fragments import Fragments, fragments_of
 from workbench.rendering.scene.render import DeviceTriangles
+from workbench.rendering.subjects.registry import calls_of
 from workbench.rendering.subjects.visibility import (
     Size,
     depth_bits,
@@ -18,6 +19,7 @@ from workbench.rendering.subjects.visibility import (
     triangles_of,
     visible_objects,
 )
+from workbench.session.run import Run
 from workbench.session.session import Session
 
 
@@ -71,6 +73,12 @@ class DepthRun(NamedTuple):
         return f"{z:.0f}" if z == int(z) else f"{z:.2f}"
 
 
+def method_run(session: Session) -> Run | None:
+    """The session's run where it is that of the chosen method on the scene as it is, not of what was."""
+    run = session.run
+    return run if run.runs(calls_of(session.sheet, session.subject)) else None
+
+
 def depth_run(session: Session) -> DepthRun | None:
     """The depth buffer's run on the scene; None where there is no scene that can be stepped.
 
@@ -81,8 +89,7 @@ def depth_run(session: Session) -> DepthRun | None:
     if call is None or device is None:
         return None
     count = 0
-    here = run.entry is not None and run.entry is call.entry
-    if here and run.moment is not None:
+    if run.runs([call]) and run.moment is not None:
         count = run.passed + len(run.moment.emitted) if run.detail else run.number
     return DepthRun(
         sheet,

@@ -5,11 +5,11 @@ from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
 from workbench.language import _, ngettext
-from workbench.panels.space.visibility.depth_run import DepthRun
+from workbench.panels.space.visibility.depth_run import DepthRun, method_run
 from workbench.panels.space.visibility.pixel_steps import PixelStep, pixel_steps
 from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.fragments import NOTHING
-from workbench.rendering.subjects.visibility import KIND
+from workbench.rendering.subjects.visibility import KIND, method_of
 from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
 
@@ -71,13 +71,13 @@ class FragmentList(QWidget):
         self._list(pixel, said, [self._item(run, number, number == winners[-1]) for number in numbers])
 
     def _list_painted(self, run: DepthRun, pixel: tuple[int, int]) -> None:
-        stepped = self._session.run
-        if stepped.entry is not None and stepped.entry.slug == BACK_FACES:
+        stepped = method_run(self._session)
+        if method_of(self._session.sheet, self._session.subject) == BACK_FACES:
             self._shown = ()
             self._list(pixel, _("Back faces are told of faces, not of pixels: choose another method."), [])
             return
         steps = pixel_steps(run, stepped, *pixel)
-        if self._is_shown(run, pixel, (stepped.entry, *steps)):
+        if self._is_shown(run, pixel, (stepped and stepped.entry, *steps)):
             return
         text = ngettext("It was painted {n} time.", "It was painted {n} times.", len(steps))
         said = text.format(n=len(steps)) if steps else _("No surface was painted there.")

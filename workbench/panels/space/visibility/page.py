@@ -19,7 +19,7 @@ from workbench.panels.space.visibility.back_face_run import (
 )
 from workbench.panels.space.visibility.card import VisibilityCard
 from workbench.panels.space.visibility.cost_view import CostView
-from workbench.panels.space.visibility.depth_run import DepthRun, depth_run
+from workbench.panels.space.visibility.depth_run import DepthRun, depth_run, method_run
 from workbench.panels.space.visibility.derivation import derivation
 from workbench.panels.space.visibility.fragment_list import FragmentList
 from workbench.panels.space.visibility.picture import (
@@ -252,7 +252,7 @@ class VisibilityPage(QWidget):
 
     def _told(self, run: DepthRun) -> BackFaceRun | SurfaceRun:
         if self._tests_faces:
-            return back_face_run(run, self.session.sheet, self.session.run)
+            return back_face_run(run, self.session.sheet, method_run(self.session))
         return surface_run(run, self.session)
 
     def _show_empty(self) -> None:
@@ -268,10 +268,9 @@ class VisibilityPage(QWidget):
     def _overlay(self, run: DepthRun, wrong: list[Cell]) -> Overlay:
         session, number = self.session, run.now
         marks: tuple[Drawn, ...] = ()
-        if session.run.subject is not None and session.run.entry is not None:
-            marks = marks_on_device(
-                session.sheet, session.run.subject, session.run.entry.frame, session.run.marks()
-            )
+        stepped = method_run(session)
+        if stepped is not None and stepped.subject is not None and stepped.entry is not None:
+            marks = marks_on_device(session.sheet, stepped.subject, stepped.entry.frame, stepped.marks())
         crosses = tuple(Marker(float(x), float(y), "error", "cross", 7) for x, y in wrong[:_MOST_MARKED])
         if number is None:
             return Overlay(drawn=(*marks, *crosses))

@@ -27,9 +27,9 @@ class PixelStep(NamedTuple):
         return self.under != NOTHING and self.z > self.under_z
 
 
-def pixel_steps(depth: DepthRun, run: Run, x: int, y: int) -> list[PixelStep]:
+def pixel_steps(depth: DepthRun, run: Run | None, x: int, y: int) -> list[PixelStep]:
     """Those that are recorded by now; asked first, those that were seen."""
-    if run.entry is None or run.recording is None or run.steps is None:
+    if run is None or run.entry is None or run.recording is None or run.steps is None:
         return []
     rows = run.recording.emitted.array(0, len(run.recording.emitted))
     told: list[PixelStep] = []

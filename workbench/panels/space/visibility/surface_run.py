@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from workbench.language import _
-from workbench.panels.space.visibility.depth_run import DepthRun
+from workbench.panels.space.visibility.depth_run import DepthRun, method_run
 from workbench.panels.space.visibility.picture import paint_surfaces, surface_colours
 from workbench.panels.stage.picture import Pixels, packed
 from workbench.rendering.scene.fragments import NOTHING, Index
@@ -50,11 +50,12 @@ class SurfaceRun(NamedTuple):
 
 def surface_run(depth: DepthRun, session: Session) -> SurfaceRun:
     """How far the session's run has come."""
-    run, seen = session.run, np.full(depth.size[::-1], NOTHING)
+    run, seen = method_run(session), np.full(depth.size[::-1], NOTHING)
     marks: tuple[Drawn, ...] = ()
-    if run.entry is not None and run.recording is not None and run.moment is not None:
+    if run is None or run.entry is None or run.subject is None:
+        return SurfaceRun(depth, seen, marks)
+    if run.recording is not None and run.moment is not None:
         count = len(run.moment.emitted) if run.detail or run.step is None else run.step.emitted_to
         seen = seen_after(run.entry, run.recording.emitted.array(0, count), depth.size)
-    if run.entry is not None and run.subject is not None:
-        marks = tuple(marks_on_device(session.sheet, run.subject, run.entry.frame, run.marks()))
+    marks = tuple(marks_on_device(session.sheet, run.subject, run.entry.frame, run.marks()))
     return SurfaceRun(depth, seen, marks)
