@@ -6,6 +6,7 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import keep_until_the_end
 from workbench.document.samples.examples import example_document
 from workbench.panels.curves.panel import CurvesPanel
 from workbench.session.session import Session
@@ -31,7 +32,7 @@ def test_no_menu_is_left(qtbot: QtBot, which: str) -> None:
     session = Session(document=example_document())
     panel = CurvesPanel(session)
     shown: QWidget = panel.center if which == "canvas" else DepthPlot()
-    qtbot.addWidget(shown)
+    keep_until_the_end(qtbot, shown)
     shown.resize(800, 500)
     shown.show()
     asked = panel.canvas if which == "canvas" else shown

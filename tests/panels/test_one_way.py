@@ -8,6 +8,7 @@ import pytest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import keep_until_the_end
 from workbench.document.edits import move_figures, remove_figures, set_algorithm
 from workbench.document.samples.examples import example
 from workbench.document.state import SessionState
@@ -97,7 +98,7 @@ def test_nothing_is_written_while_it_is_told(
     watch(kind, session, monkeypatch)
     session.frame(1)
     panel = kind(session)  # type: ignore[call-overload]
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     session.frame(-1)
     panel.show()
     settle(session, qtbot)

@@ -49,5 +49,6 @@ def test_a_panel_answers_all_that_it_is_asked(qapp: object, name: str) -> None:
     assert panel_of([panel], type(panel)) is panel
     with pytest.raises(LookupError, match="no int here"):
         panel_of([panel], int)
-    panel.center.deleteLater()
+    for widget in (panel.center, *(dock for _name, _title, dock, _area in panel.docks())):
+        widget.deleteLater()
     session.close()

@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.panels.by_hand import keep_until_the_end
 from tests.panels.stage.boxed import settle
 from workbench.document.edits import add_figures
 from workbench.document.samples.examples import blank_sheet
@@ -17,7 +18,7 @@ def opened(qtbot):
         session = Session(document=add_figures("s1", figures)(blank_sheet(64, 48)))
         sessions.append(session)
         panel = kind(session)
-        qtbot.addWidget(panel)
+        keep_until_the_end(qtbot, panel)
         panel.resize(1000, 640)
         panel.show()
         qtbot.waitExposed(panel)

@@ -21,7 +21,7 @@ TOOLS = {DrawPanel: "polyline", FillPanel: "polygon", CurvesPanel: "pen"}
 def drawing(qtbot: QtBot, kind: type[QWidget]) -> QWidget:
     """A panel on which two corners were clicked."""
     panel = kind(Session(document=blank_sheet(30, 24)))  # type: ignore[call-arg]
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.resize(900, 620)
     panel.show()
     qtbot.waitExposed(panel)

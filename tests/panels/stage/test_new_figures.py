@@ -4,7 +4,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
-from tests.panels.by_hand import settle
+from tests.panels.by_hand import keep_until_the_end, settle
 from workbench.document.edits import add_figure
 from workbench.document.model import Line, WorldPoint
 from workbench.document.samples.examples import blank_sheet
@@ -44,7 +44,7 @@ def opened(qtbot):
         session = Session(document=document)
         sessions.append(session)
         panel = kind(session)
-        qtbot.addWidget(panel)
+        keep_until_the_end(qtbot, panel)
         panel.resize(1000, 640)
         panel.show()
         qtbot.waitExposed(panel)

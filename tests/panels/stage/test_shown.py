@@ -6,6 +6,7 @@ from msgspec.structs import replace
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import keep_until_the_end
 from workbench.document.samples.examples import example
 from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.curves.panel import CurvesPanel
@@ -34,7 +35,7 @@ def inked(pixels: np.ndarray, background: int) -> int:
 @pytest.mark.parametrize("kind", [DrawPanel, FillPanel, ClipPanel, CurvesPanel])
 def test_a_canvas_paints_what_is_shown(session: Session, qtbot: QtBot, kind: type[QWidget]) -> None:
     panel = kind(session)  # type: ignore[call-arg]
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.show()
     qtbot.waitUntil(lambda: session.run.done, timeout=10_000)
     session.run.go(5)

@@ -6,6 +6,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
+from tests.panels.by_hand import keep_until_the_end
 from workbench.document.edits import add_figure
 from workbench.document.model import Circle, Curve, CurvePoint, Line, WorldPoint
 from workbench.document.samples.examples import blank_sheet
@@ -34,7 +35,7 @@ def opened(qtbot):
         session = Session(document=add_figure("s1", figure)(blank_sheet(64, 48)))
         sessions.append(session)
         panel = kind(session)
-        qtbot.addWidget(panel)
+        keep_until_the_end(qtbot, panel)
         panel.resize(1000, 640)
         panel.show()
         qtbot.waitExposed(panel)

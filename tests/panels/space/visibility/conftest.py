@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.panels.by_hand import recorded
+from tests.panels.by_hand import keep_until_the_end, recorded
 from workbench.document.samples.examples import example
 from workbench.panels.space.visibility.page import VisibilityPage
 from workbench.session.session import Session
@@ -19,7 +19,7 @@ def session(qtbot):
 @pytest.fixture
 def page(qtbot, session):
     made = VisibilityPage(session)
-    qtbot.addWidget(made)
+    keep_until_the_end(qtbot, made)
     made.resize(900, 620)
     made.show()
     session.visit("visibility", made.usual)
