@@ -60,7 +60,7 @@ class _Marks:
     remainders: tuple[Floats, ...]
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=1024)  # of many terms and wide spots, some 20 kB each
 def _marks(
     size_px: tuple[int, int],
     size_mm: tuple[float, float],

@@ -50,7 +50,7 @@ class Piece(NamedTuple):
 Formula = tuple[Piece, ...]
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=512)
 def parse(text: str) -> Formula:
     """The pieces of ``text``, left to right."""
     pieces: list[Piece] = []
