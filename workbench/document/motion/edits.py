@@ -16,7 +16,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import Document
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.groups import group_of, value_of
-from workbench.document.motion.model import EASINGS, LINEAR, SPLINE, Key, Motion, Track
+from workbench.document.motion.model import EASINGS, LINEAR, SPLINE, TURNINGS, Key, Motion, Track
 from workbench.document.motion.tracks import motion_of, track_on, with_keys, with_motion, with_track
 from workbench.language import _
 
@@ -63,11 +63,14 @@ def with_key(
         first = Key(f"{Key.letter}{key}", frame, value, easing or LINEAR)
         return with_track(document, sheet, Track(f"{Track.letter}{own}", target, (first,)))
     there = next((key for key in track.keys if key.frame == frame), None)
+    is_new = there is None
     if there is None:
         like = next((key for key in reversed(track.keys) if key.frame < frame), track.keys[0])
         there = replace(like, id=new_ids(document, Key.letter, 1)[0], frame=frame)
     changed = replace(there, value=value, easing=easing or there.easing)
-    others = (key for key in track.keys if key.frame != frame)
+    # Between both keys vertex 0 is that of the key before; only from here on it goes to another one
+    divided = next((key.id for key in reversed(track.keys) if key.frame < frame), "") if is_new else ""
+    others = (replace(key, shift=0) if key.id == divided else key for key in track.keys if key.frame != frame)
     keys = tuple(sorted((*others, changed), key=lambda key: key.frame))
     return with_track(document, sheet, replace(track, keys=keys))
 
@@ -141,6 +144,21 @@ def set_easing(sheet: str, keys: Collection[str], easing: str, **shape: float) -
         raise DocumentError("easing", sentence.format(easing=easing, choices=", ".join(EASINGS)))
     numbers = {name: number(value) for name, value in shape.items()}
     return _changing(sheet, keys, lambda key: replace(key, easing=easing, **numbers))
+
+
+@checked
+def set_correspondence(sheet: str, key: str, shift: int) -> Edit:
+    """Let vertex 0 of a closed outline go to the vertex ``shift`` of the next key, counted round."""
+    return _changing(sheet, [key], lambda each: replace(each, shift=whole_number(shift)))
+
+
+@checked
+def set_turning(sheet: str, keys: Collection[str], turning: str) -> Edit:
+    """Let a turn in space go from these keys to the next ones by quaternion or by Euler's angles."""
+    if turning not in TURNINGS:
+        sentence = _("There is no turning {turning!r}; choose one of {choices}.")
+        raise DocumentError("turning", sentence.format(turning=turning, choices=", ".join(TURNINGS)))
+    return _changing(sheet, keys, lambda key: replace(key, turning=turning))
 
 
 @checked

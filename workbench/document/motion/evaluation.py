@@ -127,8 +127,8 @@ def _timed(track: Track) -> Track:
 
 
 def _as_many(track: Track, group: Group) -> bool:
-    """Whether an outline has as many points in every key as the figure."""
-    return all(len(key.value) == len(group.slots) for key in track.keys)
+    """Whether an outline has as many points in every key as the figure, each going to that of its number."""
+    return all(len(key.value) == len(group.slots) and key.shift == 0 for key in track.keys)
 
 
 def _writes(sheet: Sheet, paths: Iterable[Path]) -> tuple[NDArray[np.int64], tuple[_Write, ...]]:
