@@ -20,6 +20,7 @@ def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
     return [
         ("animate-ball", partial(_open, slug="animate-ball", frame=_TELLING)),
         ("animate-letter", partial(_open, slug="animate-letter", frame=18)),
+        ("animate-morph", partial(_open, slug="animate-letter", frame=18, dock="morph")),
         ("animate-clock", partial(_open, slug="animate-clock", frame=20)),
         ("animate-pendulum", partial(_open, slug="animate-pendulum", frame=8)),
         ("animate-drive", partial(_open, slug="animate-drive", frame=22)),
@@ -28,7 +29,7 @@ def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
     ]
 
 
-def _open(window: MainWindow, slug: str, frame: int) -> AnimatePanel:
+def _open(window: MainWindow, slug: str, frame: int, dock: str = "between") -> AnimatePanel:
     from workbench.panels.animate.panel import AnimatePanel
 
     window.open_example(slug)
@@ -37,7 +38,7 @@ def _open(window: MainWindow, slug: str, frame: int) -> AnimatePanel:
     panel = panel_of(window.panels("animate"), AnimatePanel)
     motion = session.frames.motion
     panel.timeline.track_chosen.emit(motion.tracks[0].target)
-    window.arrangements.bring_forward("between")
+    window.arrangements.bring_forward(dock)
     return panel
 
 

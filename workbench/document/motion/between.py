@@ -8,11 +8,12 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
+from workbench.algorithms.animation.easings import eased
 from workbench.algorithms.animation.morph import morph
 from workbench.algorithms.animation.slerp import NEARLY_EQUAL, shares
 from workbench.document.model import Sheet, WorldPoint
 from workbench.document.motion.groups import Group, Path, packed, read, written
-from workbench.document.motion.model import EULER, Key
+from workbench.document.motion.model import EASINGS, EULER, SPLINE, Key
 from workbench.geometry.euler import euler_angles, euler_between, euler_quaternion
 from workbench.geometry.quaternions import Quaternion, quaternion_about
 
@@ -53,6 +54,12 @@ def _morphed(sheet: Sheet, path: Path, first: Key, second: Key, part: float) -> 
     names += [f"{figure.id}-{number}-" for number in range(len(names), len(outline))]
     points = tuple(WorldPoint(name, x, y) for name, (x, y) in zip(names, outline, strict=False))
     return _with(sheet, path, replace(figure, points_world=points))
+
+
+def part_of_the_way(first: Key, second: Key, frame: int) -> float:
+    """How far it has come from one key to the next in a frame between them, eased; of a spline the time."""
+    t = (frame - first.frame) / (second.frame - first.frame)
+    return t if first.easing == SPLINE else eased(EASINGS.index(first.easing), *first.handles, t)
 
 
 def turned(first: Key, second: Key, part: float) -> tuple[float, ...]:

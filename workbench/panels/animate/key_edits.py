@@ -15,6 +15,7 @@ from workbench.document.motion.edits import (
     remove_keys,
     remove_time,
     scale_keys,
+    set_correspondence,
     set_easing,
     set_key,
     set_motion,
@@ -26,6 +27,7 @@ from workbench.widgets.timeline.timeline import Timeline
 
 _DRAG = "drag keys"
 _EASE = "shape easing"
+_MEET = "turn correspondence"
 
 
 class KeyEdits(QObject):
@@ -88,6 +90,11 @@ class KeyEdits(QObject):
             self.said.emit(_("The easing is a Bézier easing now."))
         shape = dict(zip(("x1", "y1", "x2", "y2"), handles, strict=True))
         self._edit(set_easing(self._sheet, [key.id], BEZIER_NAME, **shape), _("Shape easing"), _EASE)
+
+    def turn_outline(self, key: Key | None, shift: int) -> None:
+        """Let vertex 0 of an outline go to another vertex of the next key."""
+        if key is not None:
+            self._edit(set_correspondence(self._sheet, key.id, shift), _("Turn correspondence"), _MEET)
 
     # By a command
 

@@ -17,6 +17,7 @@ from workbench.panels.animate.between_dock import BetweenDock
 from workbench.panels.animate.card import AnimateCard
 from workbench.panels.animate.derivation import derivation
 from workbench.panels.animate.key_edits import KeyEdits
+from workbench.panels.animate.morph_dock import MorphDock
 from workbench.panels.animate.names import easing_titles, label_of, value_text
 from workbench.panels.animate.rows import rows_of
 from workbench.panels.animate.view import ON_PATH, USUAL_REACH, AnimateView
@@ -51,7 +52,7 @@ class AnimatePanel(SteppedPanel):
         self.title = _("Animate")
         self.card: AnimateCard = AnimateCard(session, self.canvas)
         self.view = AnimateView(session, self.canvas, self.second, self.card)
-        self.transport, self.between = Transport(session), BetweenDock()
+        self.transport, self.between, self.morph = Transport(session), BetweenDock(), MorphDock()
         self.timeline = Timeline(easing_titles().items())
         self.chosen = ""
         self._steps = False
@@ -100,6 +101,8 @@ class AnimatePanel(SteppedPanel):
         between.handles_dragged.connect(lambda *handles: self.keys.bend(between.key, handles))
         between.handles_dropped.connect(self.keys.drop)
         between.stepping_wanted.connect(self._step_track)
+        self.morph.shift_wanted.connect(lambda shift: self.keys.turn_outline(self.morph.key, shift))
+        self.morph.shift_dropped.connect(self.keys.drop)
         frames.played.connect(self.refresh_soon)
         frames.settled.connect(self._aim_run)
         self.session.changed.connect(self._aim_run)
@@ -123,8 +126,12 @@ class AnimatePanel(SteppedPanel):
         self.setFocusProxy(self.canvas)
 
     def docks(self) -> list[DockPart]:
-        """The in-between of the frame that is shown."""
-        return [("between", _("In-between"), self.between, Qt.DockWidgetArea.RightDockWidgetArea)]
+        """The in-between of the frame that is shown, and what a morph is made of."""
+        right = Qt.DockWidgetArea.RightDockWidgetArea
+        return [
+            ("between", _("In-between"), self.between, right),
+            ("morph", _("Morph"), self.morph, right),
+        ]
 
     def derivation(self) -> Derivation | None:
         """The page of the chosen track: what keys and in-betweens are, drawn and with its numbers."""
@@ -171,8 +178,9 @@ class AnimatePanel(SteppedPanel):
             TimelineShown(rows, frames.count, frames.number, self.view.reach, chosen, values)
         )
         self.transport.refresh()
-        if self.between.isVisible() and not frames.playing:
-            self.between.show_interval(sheet, shown, track, frames.number)
+        for dock in (self.between, self.morph):
+            if dock.isVisible() and not frames.playing:
+                dock.show_interval(sheet, shown, track, frames.number)
         if sheet.motion is not None and (held := in_frame(sheet, frames.number).held) and not frames.playing:
             what = ", ".join(label_of(sheet, target) for target in held if "/" in target)
             if what:
