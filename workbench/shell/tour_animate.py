@@ -23,13 +23,15 @@ def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("animate-morph", partial(_open, slug="animate-letter", frame=18, dock="morph")),
         ("animate-clock", partial(_open, slug="animate-clock", frame=20)),
         ("animate-pendulum", partial(_open, slug="animate-pendulum", frame=8)),
+        ("animate-turning", partial(_open, slug="animate-pendulum", frame=12, dock="turning", track=-1)),
+        ("animate-turn", partial(_open, slug="animate-turn", frame=32, dock="turning", track=-1)),
         ("animate-drive", partial(_open, slug="animate-drive", frame=22)),
         ("animate-stepped", _stepped),
         ("animate-empty", _empty),
     ]
 
 
-def _open(window: MainWindow, slug: str, frame: int, dock: str = "between") -> AnimatePanel:
+def _open(window: MainWindow, slug: str, frame: int, dock: str = "between", track: int = 0) -> AnimatePanel:
     from workbench.panels.animate.panel import AnimatePanel
 
     window.open_example(slug)
@@ -37,7 +39,7 @@ def _open(window: MainWindow, slug: str, frame: int, dock: str = "between") -> A
     session.frames.show(frame)
     panel = panel_of(window.panels("animate"), AnimatePanel)
     motion = session.frames.motion
-    panel.timeline.track_chosen.emit(motion.tracks[0].target)
+    panel.timeline.track_chosen.emit(motion.tracks[track].target)
     window.arrangements.bring_forward(dock)
     return panel
 

@@ -56,7 +56,7 @@ def _morphed(sheet: Sheet, path: Path, first: Key, second: Key, part: float) -> 
     return _with(sheet, path, replace(figure, points_world=points))
 
 
-def part_of_the_way(first: Key, second: Key, frame: int) -> float:
+def part_of_the_way(first: Key, second: Key, frame: float) -> float:
     """How far it has come from one key to the next in a frame between them, eased; of a spline the time."""
     t = (frame - first.frame) / (second.frame - first.frame)
     return t if first.easing == SPLINE else eased(EASINGS.index(first.easing), *first.handles, t)

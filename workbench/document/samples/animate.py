@@ -1,5 +1,5 @@
 """The built-in pictures that move: a bouncing ball, a letter that becomes another, a clock,
-a pendulum, a drive through a house."""
+a pendulum, a drive through a house, two ways to turn."""
 
 import math
 from collections.abc import Callable, Iterable, Sequence
@@ -9,9 +9,10 @@ from msgspec.structs import replace
 
 from workbench.document.building import with_ids, without_ids
 from workbench.document.model import AnyFigure, Circle, Document, Ellipse, Rectangle, Sheet, View
-from workbench.document.motion.model import Key, Motion, Track
+from workbench.document.motion.model import EULER, QUATERNION, Key, Motion, Track
 from workbench.document.samples.figures import PALETTE, Example, Places, line, points_at, polygon
 from workbench.document.samples.space import scene_of
+from workbench.document.scene.links import Rotate3D
 from workbench.document.scene.model import Camera, Point3D
 from workbench.document.scene.solids import House
 from workbench.document.transforms.links import Rotate
@@ -60,6 +61,13 @@ def animate_examples() -> list[Example]:
             _("Two splines through a few keys move the eye and what it looks at."),
             "animate",
             _drive(),
+        ),
+        Example(
+            "animate-turn",
+            _("Two ways to turn in space"),
+            _("Two equal houses with equal keys: one turns by quaternion, the other by Euler's angles."),
+            "animate",
+            _turn(),
         ),
     ]
 
@@ -218,3 +226,37 @@ def _drive() -> Document:
     sheet = document.sheets[0]
     view = replace(sheet.views[0], window_world=Rectangle(-2.0, -1.5, 2.0, 1.5))
     return Document((replace(sheet, views=(view,), scene=scene_of(placed, camera)),))
+
+
+def _turn() -> Document:
+    """A quarter turn about y, where Euler's rings lock, and on from there."""
+    turns = [(0, (0.0, 0.0, 1.0, 0.0)), (16, (90.0, 0.0, 1.0, 0.0)), (48, (120.0, 1.0, 1.0, 1.0))]
+    houses = (
+        (_("By quaternion"), -1.9, QUATERNION, 0x9CC8E6),
+        (_("By Euler's angles"), 1.9, EULER, 0xF0A878),
+    )
+    placed = [
+        (name, House(1.4, 1.0, 1.8, 0.8), (x, 0.0, 0.0), 0.0, colour) for name, x, _way, colour in houses
+    ]
+    camera = Camera(
+        eye=Point3D(0.0, 2.4, 8.0), look_at=Point3D(0.0, 0.0, 0.0), near=0.1, far=40.0, distance=3.0
+    )
+    scene = scene_of(placed, camera)
+    turning = [
+        replace(thing, transforms=(Rotate3D(f"r{number}"), *thing.transforms))
+        for number, thing in enumerate(scene.objects, 1)
+    ]
+
+    def tracks(_figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
+        for thing in turning:
+            yield f"{thing.id}/{thing.transforms[0].id}/*", [(frame, turn, "linear") for frame, turn in turns]
+
+    sheet = _document(_("Two ways to turn in space"), (320, 240), [], 49, tracks).sheets[0]
+    assert sheet.motion is not None
+    ways = tuple(
+        replace(track, keys=tuple(replace(key, turning=house[2]) for key in track.keys))
+        for track, house in zip(sheet.motion.tracks, houses, strict=True)
+    )
+    view = replace(sheet.views[0], window_world=Rectangle(-1.6, -1.2, 1.6, 1.2))
+    scene = replace(scene, objects=tuple(turning))
+    return Document((replace(sheet, views=(view,), scene=scene, motion=replace(sheet.motion, tracks=ways)),))

@@ -19,6 +19,7 @@ from workbench.document.motion.edits import (
     set_easing,
     set_key,
     set_motion,
+    set_turning,
 )
 from workbench.document.motion.model import BEZIER_NAME, Key
 from workbench.language import _, ngettext
@@ -97,6 +98,11 @@ class KeyEdits(QObject):
             self._edit(set_correspondence(self._sheet, key.id, shift), _("Turn correspondence"), _MEET)
 
     # By a command
+
+    def turn_by(self, key: Key | None, turning: str) -> None:
+        """Let a turn in space go on by quaternion or by Euler's angles."""
+        if key is not None:
+            self._edit(set_turning(self._sheet, [key.id], turning), _("Change turning"))
 
     def delete(self) -> None:
         """Remove the chosen keys."""

@@ -15,15 +15,27 @@ from workbench.widgets.canvas.plane import Box, Plane
 from workbench.widgets.canvas.plane_view import PlaneView
 from workbench.widgets.look.type_faces import code_font
 
+USUAL_PX = 118
 _MARGIN = 0.06
 
 
 class _Picture(PlaneView):
     """As large as the numbers below it leave room for."""
 
+    def __init__(self) -> None:
+        super().__init__()
+        self._height = 0
+
+    def set_height(self, height: int) -> None:
+        """Be no lower than this."""
+        if height != self._height:
+            self._height = height
+            self.setMinimumHeight(height)
+            self.updateGeometry()
+
     def sizeHint(self) -> QSize:
-        """Small."""
-        return QSize(220, 118)
+        """No higher than it must be."""
+        return QSize(220, self._height)
 
 
 class TrackDock(QScrollArea):
@@ -57,8 +69,8 @@ class TrackDock(QScrollArea):
         column.setContentsMargins(12, 8, 12, 8)
         column.setSpacing(6)
         column.addWidget(self.title)
-        column.addWidget(self.picture, 1)
         column.addLayout(self.fields)
+        column.addWidget(self.picture, 1)
         column.addWidget(self.sums)
         column.addWidget(self.note)
         column.addStretch(0)
@@ -80,16 +92,32 @@ class TrackDock(QScrollArea):
             widget.hide()
 
     def show_drawn(
-        self, title: str, drawn: Iterable[Drawn], box: Box, lines: Iterable[str], note: str,
+        self,
+        title: str,
+        drawn: Iterable[Drawn],
+        box: Box,
+        lines: Iterable[str] | str,
+        note: str,
         handles: Iterable[Handle] = (),
-    ) -> None:  # fmt: skip
-        """Show a picture with at least ``box`` in it, and its numbers line by line."""
+        height: int = USUAL_PX,
+    ) -> None:
+        """Show a picture, so high at least, with ``box`` in it, and numbers, line by line or as rich text."""
         self.title.setText(title)
+        self.picture.set_height(height)
         self.picture.set_plane(Plane(box, drawn=tuple(drawn), handles=tuple(handles), bare=True))
-        self.sums.setText("\n".join(lines))
+        self.sums.setText(lines if isinstance(lines, str) else "\n".join(lines))
         self.note.setText(note)
         for widget, full in ((self.picture, True), (self.sums, self.sums.text()), (self.note, note)):
             widget.setVisible(bool(full))
+
+
+def as_table(rows: Iterable[Iterable[str]]) -> str:
+    """Rows of words as rich text, numbers under numbers."""
+    lines = (
+        "".join(f"<td align='{'right' if place else 'left'}'>{cell}</td>" for place, cell in enumerate(row))
+        for row in rows
+    )
+    return "<table cellpadding='1'>" + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
 
 
 def box_of(*outlines: Points) -> Box:

@@ -60,7 +60,7 @@ def grid_step(cell: float, room: float) -> float:
 
 def scene_of(plane: Plane, area: Area, tokens: Tokens, unit: float, font: QFont, small: bool) -> Scene:
     """What is painted of a plane in an area of the screen; ``small`` is without handles."""
-    margin = (SMALL_MARGIN_PX if small else MARGIN_PX) * unit
+    margin = (SMALL_MARGIN_PX if small or plane.bare else MARGIN_PX) * unit
     view = fitted_view(plane.box, area, margin)
     overlay = Overlay(drawn=plane.drawn, handles=() if small else plane.handles)
     return Scene(area, view, (1, 1), DARK if plane.dark else tokens, unit, font, overlay)
