@@ -1,6 +1,7 @@
 """Which vertex of an outline meets which one of the next: shared out, drawn side by side, turned by hand."""
 
 from collections.abc import Iterator
+from itertools import accumulate
 from typing import NamedTuple
 
 import numpy as np
@@ -58,7 +59,7 @@ def _edges(outline: Points, closed: bool) -> int:
 
 def _own_places(edges: int, most: int, count: int) -> list[int]:
     pieces = [most // edges + (edge < most % edges) for edge in range(edges)]
-    return np.concatenate([[0], np.cumsum(pieces)])[:count].tolist()
+    return list(accumulate(pieces, initial=0))[:count]
 
 
 def drawn(pair: Correspondence, part: float | None) -> Iterator[Mark]:

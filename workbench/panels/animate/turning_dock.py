@@ -77,9 +77,9 @@ class TurningDock(TrackDock):
         p, q = quaternion_of(first.value), quaternion_of(second.value)
         angles = euler_between(euler_angles(p), euler_angles(q), part)
         ways = ways_in_space(p, q)
-        marks = (*drawn(ways.ways, around, frame, flat=False), *rings(angles, 3))
+        every = (*drawn(ways.ways, around, frame, flat=False), *rings(angles, 3))
         note = f"{_locks(angles)} {_shrinks(ways.theta, part)}"
-        self.show_drawn(title, marks, box_of(whole(4)), _numbers(ways, part), note, height=_FOUR_PX)
+        self.show_drawn(title, every, box_of(whole(4)), _numbers(ways, part), note, height=_FOUR_PX)
 
 
 def _is_angle(sheet: Sheet, group: Group) -> bool:
