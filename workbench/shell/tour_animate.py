@@ -19,11 +19,13 @@ def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
     """Name of each picture, and what brings the window there."""
     return [
         ("animate-ball", partial(_open, slug="animate-ball", frame=_TELLING)),
+        ("animate-spacing", partial(_open, slug="animate-ball", frame=_TELLING, dock="physics")),
         ("animate-letter", partial(_open, slug="animate-letter", frame=18)),
         ("animate-morph", partial(_open, slug="animate-letter", frame=18, dock="morph")),
         ("animate-clock", partial(_open, slug="animate-clock", frame=20)),
         ("animate-pendulum", partial(_open, slug="animate-pendulum", frame=8)),
         ("animate-turning", partial(_open, slug="animate-pendulum", frame=12, dock="turning", track=-1)),
+        ("animate-swing", partial(_open, slug="animate-pendulum", frame=8, dock="physics", track=-1)),
         ("animate-turn", partial(_open, slug="animate-turn", frame=32, dock="turning", track=-1)),
         ("animate-drive", partial(_open, slug="animate-drive", frame=22)),
         ("animate-stepped", _stepped),

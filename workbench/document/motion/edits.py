@@ -20,6 +20,8 @@ from workbench.document.motion.model import EASINGS, LINEAR, SPLINE, TURNINGS, K
 from workbench.document.motion.tracks import motion_of, track_on, with_keys, with_motion, with_track
 from workbench.language import _
 
+RADII = ("radius_x_world", "radius_y_world")
+
 
 class CopiedKey(NamedTuple):
     """A key as it is pasted: on which target, and how many frames after the first that was copied."""
@@ -190,6 +192,35 @@ def even_speed(sheet: str, target: str) -> Edit:
             for key, frame in zip(track.keys, frames, strict=True)
         )
         return with_track(document, sheet, replace(track, keys=keys))
+
+    return edit
+
+
+@checked
+def keep_area(sheet: str, figure: str) -> Edit:
+    """Give one radius of an ellipse a key wherever the other has one, so that its area stays that of frame 0.
+
+    Raises: DocumentError where both radii have keys, or none.
+    """
+
+    def edit(document: Document) -> Document:
+        on = sheet_with(document, sheet)
+        tracked = [f"{figure}/{name}" for name in RADII if track_on(on, f"{figure}/{name}") is not None]
+        free = [f"{figure}/{name}" for name in RADII if f"{figure}/{name}" not in tracked]
+        if len(tracked) != 1:
+            sentence = _(
+                "{figure} needs keys on one of its two radii; set some, or remove those of the other."
+            )
+            raise DocumentError(figure, sentence.format(figure=figure))
+        groups = [group_of(on, target) for target in (*tracked, *free)]
+        (moving,), (still,) = (value_of(at(on, 0), group) for group in groups if group is not None)
+        track = track_on(on, tracked[0])
+        assert track is not None
+        for key in track.keys:
+            if key.value[0] > 0.0:
+                wide = still * moving / key.value[0]
+                document = with_key(document, sheet, free[0], key.frame, (wide,), key.easing)
+        return document
 
     return edit
 

@@ -65,6 +65,12 @@ def at(sheet: Sheet, frame: int) -> Sheet:
     return in_frame(sheet, frame).sheet
 
 
+def wished(track: Track, frame: int) -> Floats:
+    """The numbers (n,) of a track of numbers in a frame, before they are held in their ranges."""
+    keys = joined((track,))
+    return _values(keys, interval(keys, frame))
+
+
 def loose(sheet: Sheet) -> tuple[str, ...]:
     """The targets of tracks that move nothing, since what they hang on is not there or has other numbers."""
     return _plan(sheet).loose if sheet.motion is not None else ()

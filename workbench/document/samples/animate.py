@@ -120,10 +120,12 @@ def _ball() -> Document:
             f"{body.id}/radius_y_world",
             [(frame, (7.0 * factor,), easing) for frame, (factor,), easing in squash],
         )
+        wider = [(frame, (7.0 / factor,), easing) for frame, (factor,), easing in squash]
         yield (
             f"{body.id}/colour",
             [(0, (0x56, 0xB4, 0xE9), "linear"), (58, (0xFF, 0x8A, 0x4C), "linear")],
         )
+        yield f"{body.id}/radius_x_world", wider
 
     ground = line((0, 1), (263, 1), 7, name=_("Ground"))
     return _document(_("A bouncing ball"), (264, 88), [ground, ball], 59, tracks)

@@ -10,6 +10,7 @@ from workbench.document.motion.edits import (
     copied_keys,
     even_speed,
     insert_time,
+    keep_area,
     move_keys,
     paste_keys,
     remove_keys,
@@ -122,6 +123,10 @@ class KeyEdits(QObject):
     def even_speed(self, target: str) -> None:
         """Let a track take its ways in times as they are long."""
         self._edit(even_speed(self._sheet, target), _("Even the speed"))
+
+    def keep_area(self, figure: str) -> None:
+        """Let a figure that is squashed become as much wider."""
+        self._edit(keep_area(self._sheet, figure), _("Keep the area"))
 
     def insert_time(self) -> None:
         """Put one frame before the one that is shown."""

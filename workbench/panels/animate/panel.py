@@ -19,6 +19,7 @@ from workbench.panels.animate.derivation import derivation
 from workbench.panels.animate.key_edits import KeyEdits
 from workbench.panels.animate.morph_dock import MorphDock
 from workbench.panels.animate.names import easing_titles, label_of, value_text
+from workbench.panels.animate.physics_dock import PhysicsDock
 from workbench.panels.animate.rows import rows_of
 from workbench.panels.animate.turning_dock import TurningDock
 from workbench.panels.animate.view import ON_PATH, USUAL_REACH, AnimateView
@@ -54,7 +55,7 @@ class AnimatePanel(SteppedPanel):
         self.card: AnimateCard = AnimateCard(session, self.canvas)
         self.view = AnimateView(session, self.canvas, self.second, self.card)
         self.transport, self.between = Transport(session), BetweenDock()
-        self.morph, self.turning = MorphDock(), TurningDock()
+        self.morph, self.turning, self.physics = MorphDock(), TurningDock(), PhysicsDock()
         self.timeline = Timeline(easing_titles().items())
         self.chosen = ""
         self._steps = False
@@ -106,6 +107,7 @@ class AnimatePanel(SteppedPanel):
         self.morph.shift_wanted.connect(lambda shift: self.keys.turn_outline(self.morph.key, shift))
         self.morph.shift_dropped.connect(self.keys.drop)
         self.turning.turning_wanted.connect(lambda way: self.keys.turn_by(self.turning.key, way))
+        self.physics.area_wanted.connect(self.keys.keep_area)
         frames.played.connect(self.refresh_soon)
         frames.settled.connect(self._aim_run)
         self.session.changed.connect(self._aim_run)
@@ -129,12 +131,13 @@ class AnimatePanel(SteppedPanel):
         self.setFocusProxy(self.canvas)
 
     def docks(self) -> list[DockPart]:
-        """The in-between of the frame that is shown, and what a morph and a turn are made of."""
+        """The in-between of the frame that is shown, what morphs and turns are made of, and physics."""
         right = Qt.DockWidgetArea.RightDockWidgetArea
         return [
             ("between", _("In-between"), self.between, right),
             ("morph", _("Morph"), self.morph, right),
-            ("turning", _("Turning"), self.turning, right),
+            ("turning", _("Turn"), self.turning, right),
+            ("physics", _("Physics"), self.physics, right),
         ]
 
     def derivation(self) -> Derivation | None:
@@ -182,7 +185,7 @@ class AnimatePanel(SteppedPanel):
             TimelineShown(rows, frames.count, frames.number, self.view.reach, chosen, values)
         )
         self.transport.refresh()
-        for dock in (self.between, self.morph, self.turning):
+        for dock in (self.between, self.morph, self.turning, self.physics):
             if dock.isVisible() and not frames.playing:
                 dock.show_interval(sheet, shown, track, frames.number)
         if sheet.motion is not None and (held := in_frame(sheet, frames.number).held) and not frames.playing:

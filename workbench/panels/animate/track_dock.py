@@ -51,6 +51,7 @@ class TrackDock(QScrollArea):
         self.picture.setAccessibleName(name)
         self.fields = QVBoxLayout()
         self.fields.setSpacing(6)
+        self.layout_below = QVBoxLayout()
         self.sums = QLabel()
         self.sums.setFont(code_font(12))
         self.sums.setWordWrap(True)
@@ -73,6 +74,7 @@ class TrackDock(QScrollArea):
         column.addWidget(self.picture, 1)
         column.addWidget(self.sums)
         column.addWidget(self.note)
+        column.addLayout(self.layout_below)
         column.addStretch(0)
 
     def sizeHint(self) -> QSize:

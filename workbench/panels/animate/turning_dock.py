@@ -9,13 +9,12 @@ from workbench.algorithms.animation.turns import entries_determinant
 from workbench.algorithms.numerals import numeral
 from workbench.document.model import Sheet
 from workbench.document.motion.between import part_of_the_way, quaternion_of
-from workbench.document.motion.groups import Group, read
 from workbench.document.motion.model import TURNINGS, Track
 from workbench.document.motion.tracks import group_moved
-from workbench.document.transforms.links import Rotate
 from workbench.geometry.euler import Triple, euler_angles, euler_between
 from workbench.language import _
 from workbench.panels.animate.names import label_of
+from workbench.panels.animate.physics import is_angle
 from workbench.panels.animate.track_dock import TrackDock, as_table, box_of
 from workbench.panels.animate.turning import (
     Ways,
@@ -56,7 +55,12 @@ class TurningDock(TrackDock):
         group = group_moved(sheet, track) if track is not None else None
         in_space = group is not None and group.kind == "turn"
         self.way.setVisible(in_space and around is not None)
-        if track is None or group is None or around is None or not (in_space or _is_angle(sheet, group)):
+        if (
+            track is None
+            or group is None
+            or around is None
+            or not (in_space or is_angle(sheet, track.target))
+        ):
             self.show_nothing(
                 _("Nothing turns here"),
                 _("Choose the track of an angle, or of a turn in space, with two keys."),
@@ -80,11 +84,6 @@ class TurningDock(TrackDock):
         every = (*drawn(ways.ways, around, frame, flat=False), *rings(angles, 3))
         note = f"{_locks(angles)} {_shrinks(ways.theta, part)}"
         self.show_drawn(title, every, box_of(whole(4)), _numbers(ways, part), note, height=_FOUR_PX)
-
-
-def _is_angle(sheet: Sheet, group: Group) -> bool:
-    *link, name = group.slots[0].path
-    return name == "angle" and isinstance(read(sheet, tuple(link)), Rotate)
 
 
 def _numbers(ways: Ways, part: float) -> str:
