@@ -18,7 +18,7 @@ from workbench.panels.animate.card import AnimateCard
 from workbench.panels.animate.derivation import derivation
 from workbench.panels.animate.key_edits import KeyEdits
 from workbench.panels.animate.morph_dock import MorphDock
-from workbench.panels.animate.names import easing_titles, label_of, value_text
+from workbench.panels.animate.names import easing_titles, held_text, value_text
 from workbench.panels.animate.physics_dock import PhysicsDock
 from workbench.panels.animate.rows import rows_of
 from workbench.panels.animate.turning_dock import TurningDock
@@ -188,12 +188,10 @@ class AnimatePanel(SteppedPanel):
         for dock in (self.between, self.morph, self.turning, self.physics):
             if dock.isVisible() and not frames.playing:
                 dock.show_interval(sheet, shown, track, frames.number)
-        if sheet.motion is not None and (held := in_frame(sheet, frames.number).held) and not frames.playing:
-            what = ", ".join(label_of(sheet, target) for target in held if "/" in target)
-            if what:
-                self.hover_text.emit(
-                    _("{what}: held at the end of its range in this frame.").format(what=what)
-                )
+        if sheet.motion is not None and not frames.playing:
+            told = held_text(sheet, in_frame(sheet, frames.number).held)
+            if told:
+                self.hover_text.emit(told)
 
     def _track(self) -> Track | None:
         """The chosen track, or else one of the active figure, or the first."""
