@@ -8,13 +8,13 @@ from itertools import count
 from msgspec.structs import replace
 
 from workbench.document.building import with_ids, without_ids
-from workbench.document.model import AnyFigure, Circle, Document, Ellipse, Rectangle, Sheet, View
+from workbench.document.model import AnyFigure, Document, Ellipse, Rectangle, Sheet, View
 from workbench.document.motion.model import EULER, QUATERNION, Key, Motion, Track
 from workbench.document.samples.figures import PALETTE, Example, Places, line, points_at, polygon
 from workbench.document.samples.space import scene_of
 from workbench.document.scene.links import Rotate3D
-from workbench.document.scene.model import Camera, Point3D
-from workbench.document.scene.solids import House
+from workbench.document.scene.model import Camera, Point3D, SpacePoint
+from workbench.document.scene.solids import Extrusion, House
 from workbench.document.transforms.links import Rotate
 from workbench.language import _
 
@@ -160,11 +160,11 @@ def _letter() -> Document:
 
 
 def _clock() -> Document:
-    middle = (32.0, 32.0)
+    middle = (64.0, 64.0)
 
     def hand(width: float, length: float, colour: int, name: str) -> AnyFigure:
         x, y = middle
-        corners = [(x - width, y - 4.0), (x + width, y - 4.0), (x, y + length)]
+        corners = [(x - width, y - 8.0), (x + width, y - 8.0), (x, y + length)]
         return replace(
             polygon([corners], colour, name), transforms=(Rotate("", angle=0.0, x_pivot=x, y_pivot=y),)
         )
@@ -172,7 +172,7 @@ def _clock() -> Document:
     marks: list[AnyFigure] = []
     for hour in range(12):
         way = math.radians(30.0 * hour)
-        ends = [(middle[0] + far * math.sin(way), middle[1] + far * math.cos(way)) for far in (25.0, 28.0)]
+        ends = [(middle[0] + far * math.sin(way), middle[1] + far * math.cos(way)) for far in (50.0, 57.0)]
         marks.append(line(ends[0], ends[1], 7, name=_("{hour} o'clock").format(hour=hour or 12)))
 
     def tracks(figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
@@ -182,8 +182,8 @@ def _clock() -> Document:
                 [(0, (0.0,), "linear"), (60, (-turn,), "linear")],
             )
 
-    figures = [*marks, hand(1.5, 22.0, 2, _("Minute hand")), hand(2.0, 14.0, 1, _("Hour hand"))]
-    return _document(_("A clock runs"), (64, 64), figures, 61, tracks)
+    figures = [*marks, hand(2.5, 46.0, 2, _("Minute hand")), hand(3.5, 30.0, 1, _("Hour hand"))]
+    return _document(_("A clock runs"), (128, 128), figures, 61, tracks)
 
 
 def _pendulum() -> Document:
@@ -193,7 +193,7 @@ def _pendulum() -> Document:
     def turned(figure: AnyFigure) -> AnyFigure:
         return replace(figure, transforms=(Rotate("", angle=35.0, x_pivot=pivot[0], y_pivot=pivot[1]),))
 
-    bob = Circle("", points_at(rest), "midpoint_circle", 1, _("Bob"), radius_world=6.0)
+    bob = Ellipse("", points_at(rest), "ellipse_fill", 1, _("Bob"), radius_x_world=6.0, radius_y_world=6.0)
     rod = line(pivot, rest, 7, name=_("Rod"))
 
     def tracks(figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
@@ -207,8 +207,15 @@ def _pendulum() -> Document:
     return _document(_("A pendulum"), (121, 84), [beam, turned(rod), turned(bob)], 49, tracks)
 
 
+# A gable with a doorway; carried along z it is a house that one can go through.
+_GATE: Places = [
+    *((-1.2, 0.0), (-0.55, 0.0), (-0.55, 1.25), (0.55, 1.25), (0.55, 0.0), (1.2, 0.0)),
+    *((1.2, 1.4), (0.0, 2.4), (-1.2, 1.4)),
+]
+
+
 def _drive() -> Document:
-    """Past the corner of a house, through it, and up to the next one."""
+    """Past the corner of a house, through it, and up to the next one, past which it turns away."""
     eyes = [(0, (3.4, 1.8, 9.0)), (28, (0.4, 0.9, 6.0)), (46, (0.0, 0.8, 3.5)), (60, (0.2, 0.8, 1.9))]
     eyes.append((84, (2.6, 1.3, 2.2)))
     aims = [(0, (0.0, 0.6, 3.2)), (28, (0.0, 0.7, 1.6)), (46, (0.0, 0.8, 0.0)), (60, (0.0, 0.7, -1.0))]
@@ -227,7 +234,18 @@ def _drive() -> Document:
     document = _document(_("A drive through a house"), (320, 240), [], 85, tracks)
     sheet = document.sheets[0]
     view = replace(sheet.views[0], window_world=Rectangle(-2.0, -1.5, 2.0, 1.5))
-    return Document((replace(sheet, views=(view,), scene=scene_of(placed, camera)),))
+    scene = scene_of(placed, camera)
+    *closed, last = scene.objects
+    number = count(1)
+    opened = [
+        replace(
+            house,
+            solid=Extrusion(depth=1.8),
+            points=tuple(SpacePoint(f"p{next(number)}", x, y) for x, y in _GATE),
+        )
+        for house in closed
+    ]
+    return Document((replace(sheet, views=(view,), scene=replace(scene, objects=(*opened, last))),))
 
 
 def _turn() -> Document:
