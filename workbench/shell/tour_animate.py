@@ -29,6 +29,7 @@ def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("animate-turn", partial(_open, slug="animate-turn", frame=32, dock="turning", track=-1)),
         ("animate-drive", partial(_open, slug="animate-drive", frame=22)),
         ("animate-stepped", _stepped),
+        ("animate-tube", _on_the_tube),
         ("animate-empty", _empty),
     ]
 
@@ -51,6 +52,16 @@ def _stepped(window: MainWindow) -> None:
     panel = _open(window, "animate-ball", _TELLING)
     panel.between.step.click()
     window.arrangements.bring_forward("hand_table")
+
+
+def _on_the_tube(window: MainWindow) -> None:
+    """The ball on a slow phosphor, in the place of the canvas."""
+    from msgspec.structs import replace
+
+    panel = _open(window, "animate-ball", _TELLING)
+    session = panel.session
+    session.update_state(tube=replace(session.state.tube, phosphor="P7"))
+    window.views.swap()
 
 
 def _empty(window: MainWindow) -> None:

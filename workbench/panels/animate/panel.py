@@ -23,7 +23,7 @@ from workbench.panels.animate.physics_dock import PhysicsDock
 from workbench.panels.animate.rows import rows_of
 from workbench.panels.animate.turning_dock import TurningDock
 from workbench.panels.animate.view import ON_PATH, USUAL_REACH, AnimateView
-from workbench.panels.panel import DockPart
+from workbench.panels.panel import DockPart, SwapPlace
 from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.stepped import SteppedPanel
@@ -119,12 +119,12 @@ class AnimatePanel(SteppedPanel):
     def begin(
         self, middle: QWidget, card: QWidget, invitation: str, commands: Sequence[PanelCommand]
     ) -> None:
-        """The timeline lies under the canvas."""
+        """The timeline lies under the canvas, and stays there when the tube takes its place."""
         both = QWidget()
         column = QVBoxLayout(both)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(middle, 1)
+        column.addWidget(SwapPlace(middle), 1)
         column.addWidget(self.transport)
         column.addWidget(self.timeline)
         super().begin(both, card, invitation, commands)

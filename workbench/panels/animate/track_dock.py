@@ -63,6 +63,8 @@ class TrackDock(QScrollArea):
         inner = QWidget()
         self.setWidget(inner)
         self.setWidgetResizable(True)
+        self.viewport().setAutoFillBackground(False)
+        inner.setAutoFillBackground(False)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setMinimumSize(220, 180)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
