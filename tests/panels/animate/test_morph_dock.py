@@ -75,6 +75,21 @@ def test_an_end_is_dragged_to_another_vertex_and_the_picture_follows(qtbot, lett
     assert not letter.session.undo_stack.canUndo()
 
 
+def test_escape_takes_a_drag_back(qtbot, letter: AnimatePanel) -> None:
+    picture = letter.morph.picture
+    qtbot.mousePress(picture, LEFT, pos=end_of(letter, 0))
+    qtbot.mouseMove(picture, end_of(letter, 4))
+    settle()
+    assert shifts(letter)[1] == 4
+    qtbot.keyClick(picture, Qt.Key.Key_Escape)
+    settle()
+    assert shifts(letter) == [0] * 5
+    assert not letter.session.undo_stack.canUndo()
+    qtbot.mouseMove(picture, end_of(letter, 6))
+    settle()
+    assert shifts(letter) == [0] * 5
+
+
 def test_any_end_turns_all_of_them(qtbot, letter: AnimatePanel) -> None:
     picture = letter.morph.picture
     qtbot.mousePress(picture, LEFT, pos=end_of(letter, 8))

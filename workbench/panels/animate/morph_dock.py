@@ -18,16 +18,18 @@ from workbench.widgets.fields.number_field import NumberField
 
 class MorphDock(TrackDock):
     """Both outlines side by side. ``shift_wanted`` sends to which vertex of the second one vertex 0 is to go,
-    as a hand, a key or a number says it, ``shift_dropped`` that the hand let go.
+    as a hand, a key or a number says it, ``shift_dropped`` that the hand let go, ``held`` whether it holds.
     """
 
     shift_wanted = Signal(int)
     shift_dropped = Signal()
+    held = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(_("Correspondence of both outlines"), parent)
         self._pair: Correspondence | None = None
         self._held = ""
+        self._before = 0
         self.shift = NumberField(
             _("Vertex 0 goes to vertex"),
             low=0,
@@ -44,6 +46,7 @@ class MorphDock(TrackDock):
         self.picture.pressed.connect(self._press)
         self.picture.moved.connect(self._move)
         self.picture.released.connect(self._release)
+        self.picture.cancelled.connect(self._cancel)
         self.picture.arrow.connect(self._turn)
 
     def show_interval(self, sheet: Sheet, shown: Sheet, track: Track | None, frame: int) -> None:
@@ -94,7 +97,9 @@ class MorphDock(TrackDock):
         self.shift_dropped.emit()
 
     def _press(self, _x: float, _y: float, grip: str) -> None:
-        self._held = grip
+        if grip and self._pair is not None:
+            self._held, self._before = grip, self._pair.shift
+            self.held.emit(True)
 
     def _move(self, x: float, y: float) -> None:
         if self._held and self._pair is not None:
@@ -104,6 +109,13 @@ class MorphDock(TrackDock):
         if self._held:
             self._held = ""
             self.shift_dropped.emit()
+            self.held.emit(False)
+
+    def _cancel(self) -> None:
+        """As it was when the hand took hold."""
+        if self._held:
+            self._want(self._before)
+            self._release(0.0, 0.0)
 
     def _turn(self, right: int, up: int, _modifiers: object) -> None:
         if self._pair is not None:

@@ -106,6 +106,7 @@ class AnimatePanel(SteppedPanel):
         between.stepping_wanted.connect(self._step_track)
         self.morph.shift_wanted.connect(lambda shift: self.keys.turn_outline(self.morph.key, shift))
         self.morph.shift_dropped.connect(self.keys.drop)
+        self.morph.held.connect(self.session.hold_runs)
         self.turning.turning_wanted.connect(lambda way: self.keys.turn_by(self.turning.key, way))
         self.physics.area_wanted.connect(self.keys.keep_area)
         frames.played.connect(self.refresh_soon)

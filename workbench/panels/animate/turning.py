@@ -3,6 +3,7 @@ of the matrices; and the rings of Euler's angles."""
 
 import math
 from collections.abc import Callable, Iterator
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -11,7 +12,7 @@ from workbench.algorithms.animation.turns import chord_angle
 from workbench.algorithms.marks import Ink, Mark, Points, Stroke, Word
 from workbench.algorithms.projection import isometric
 from workbench.algorithms.transforms import Matrix, rotation
-from workbench.document.motion.between import part_of_the_way, slerped
+from workbench.document.motion.between import part_of_the_way, quaternion_of, slerped
 from workbench.document.motion.model import Key
 from workbench.geometry.euler import Triple, euler_angles, euler_between, euler_quaternion, gimbal_axes
 from workbench.geometry.quaternions import Quaternion, quaternion_matrix
@@ -112,20 +113,38 @@ def numbers_of(way: Way, part: float) -> Numbers:
     return Numbers(float(np.linalg.det(matrix)), shortest, math.degrees(way.turned(part)))
 
 
-def drawn(ways: tuple[Way, ...], keys: tuple[Key, Key], frame: int, flat: bool) -> Iterator[Mark]:
+@lru_cache(maxsize=8)
+def ways_between(keys: tuple[Key, Key], flat: bool) -> Ways:
+    """Those between the angles of two keys, or in space between their turns."""
+    first, second = (key.value for key in keys)
+    if flat:
+        return ways_in_plane(first[0], second[0])
+    return ways_in_space(quaternion_of(first), quaternion_of(second))
+
+
+def drawn(keys: tuple[Key, Key], frame: int, flat: bool) -> Iterator[Mark]:
     """A figure for each way, two in a row, in the frame, and a tick for its tip in each frame."""
+    first, second = keys
+    part = part_of_the_way(first, second, min(max(frame, first.frame), second.frame))
+    yield from _ticks(keys, flat)
+    for place, (way, ink) in enumerate(zip(ways_between(keys, flat).ways, INKS, strict=False)):
+        for line in _FLAG if flat else _PLANE:
+            yield Stroke(_on_paper(line @ way.matrix(part).T, flat) + _middle(place), ink, "thin")
+
+
+@lru_cache(maxsize=8)
+def _ticks(keys: tuple[Key, Key], flat: bool) -> tuple[Mark, ...]:
+    """What is the same in every frame between two keys."""
     first, second = keys
     frames = np.linspace(first.frame, second.frame, min(second.frame - first.frame, _MOST_TICKS) + 1)
     parts = [part_of_the_way(first, second, each) for each in frames.tolist()]
-    now = part_of_the_way(first, second, min(max(frame, first.frame), second.frame))
-    for place, (way, ink) in enumerate(zip(ways, INKS, strict=False)):
+    marks: list[Mark] = []
+    for place, way in enumerate(ways_between(keys, flat).ways):
         middle = _middle(place)
-        yield from _ball(middle, way.title)
-        for part in parts:
-            tick = np.outer((_TICK, 1.0), way.matrix(part) @ _NOSE)
-            yield Stroke(_on_paper(tick, flat) + middle, "muted", "hair")
-        for line in _FLAG if flat else _PLANE:
-            yield Stroke(_on_paper(line @ way.matrix(now).T, flat) + middle, ink, "thin")
+        marks += _ball(middle, way.title)
+        ticks = (np.outer((_TICK, 1.0), way.matrix(part) @ _NOSE) for part in parts)
+        marks += (Stroke(_on_paper(tick, flat) + middle, "muted", "hair") for tick in ticks)
+    return tuple(marks)
 
 
 def rings(angles: Triple, place: int) -> Iterator[Mark]:

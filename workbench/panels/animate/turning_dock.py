@@ -22,8 +22,7 @@ from workbench.panels.animate.turning import (
     lined_up,
     numbers_of,
     rings,
-    ways_in_plane,
-    ways_in_space,
+    ways_between,
     whole,
 )
 from workbench.rendering.subjects.track import keys_around
@@ -72,18 +71,23 @@ class TurningDock(TrackDock):
             what=label_of(sheet, track.target), first=first.frame, second=second.frame
         )
         part = part_of_the_way(first, second, min(max(frame, first.frame), second.frame))
+        ways = ways_between(around, not in_space)
+        marks = drawn(around, frame, not in_space)
+        shrinks = _shrinks(ways.theta, part)
         if not in_space:
-            ways = ways_in_plane(first.value[0], second.value[0])
-            marks = drawn(ways.ways, around, frame, flat=True)
-            self.show_drawn(title, marks, box_of(whole(2)), _numbers(ways, part), _shrinks(ways.theta, part))
+            self.show_drawn(title, marks, box_of(whole(2)), _numbers(ways, part), shrinks)
             return
         self.way.setCurrentIndex(TURNINGS.index(first.turning))
-        p, q = quaternion_of(first.value), quaternion_of(second.value)
-        angles = euler_between(euler_angles(p), euler_angles(q), part)
-        ways = ways_in_space(p, q)
-        every = (*drawn(ways.ways, around, frame, flat=False), *rings(angles, 3))
-        note = f"{_locks(angles)} {_shrinks(ways.theta, part)}"
-        self.show_drawn(title, every, box_of(whole(4)), _numbers(ways, part), note, height=_FOUR_PX)
+        before, after = (euler_angles(quaternion_of(key.value)) for key in around)
+        angles = euler_between(before, after, part)
+        self.show_drawn(
+            title,
+            (*marks, *rings(angles, 3)),
+            box_of(whole(4)),
+            _numbers(ways, part),
+            f"{_locks(angles)} {shrinks}",
+            height=_FOUR_PX,
+        )
 
 
 def _numbers(ways: Ways, part: float) -> str:
