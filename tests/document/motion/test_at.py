@@ -181,6 +181,10 @@ def test_a_closed_outline_goes_to_the_vertex_that_its_key_names() -> None:
     assert numbers(sheet, "f2/points_world", 0) == square
     assert numbers(sheet, "f2/points_world", 5) == (2.0, 0.0, 4.0, 2.0, 2.0, 4.0, 0.0, 2.0)
     assert numbers(sheet, "f2/points_world", 10) == square
+    house = tuple(number for corner in HOUSE for number in corner)  # as many corners as the figure itself has
+    sheet = sheet_of(track("f2/points_world", (0, house), (10, house), shift=1))
+    halfway = np.reshape(numbers(sheet, "f2/points_world", 5), (-1, 2))
+    np.testing.assert_allclose(halfway, (np.array(HOUSE) + np.roll(HOUSE, -1, axis=0)) / 2)
 
 
 @pytest.mark.parametrize("axis", [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)])
@@ -210,3 +214,9 @@ def _vector(turn: tuple[float, ...]) -> np.ndarray:
 
 def _halfway(first: np.ndarray, second: np.ndarray) -> np.ndarray:
     return first + 0.5 * np.remainder(second - first + np.pi, 2.0 * np.pi) - 0.5 * np.pi
+
+
+def test_half_way_of_an_ease_in_and_out_is_exactly_the_middle() -> None:
+    moving = track("f1/p1/x", (0, (35.0,)), (24, (-35.0,)), easing="ease_in_out")
+    assert numbers(sheet_of(moving), moving.target, 12) == (0.0,)
+    assert expected(moving)[12] == 0.0
