@@ -246,18 +246,18 @@ def test_swapping_there_and_back_leaves_the_focus_and_every_dock(qtbot: QtBot, w
     assert in_front(area(window).docks) == before
 
 
-def test_in_animate_the_tube_takes_the_canvas_s_place_over_the_timeline(
-    qtbot: QtBot, window: MainWindow
-) -> None:
+def test_in_animate_the_tube_takes_the_place_of_the_canvas_alone(window: MainWindow) -> None:
     window.open_example("animate-ball")
     settle()
     panel = panel_of(window.panels("animate"), AnimatePanel)
+    assert panel.isAncestorOf(panel.canvas)
     place, timeline = panel.canvas.mapTo(window, QPoint()), panel.timeline.geometry()
     size = panel.canvas.size()
     window.views.swap()
     settle()
     tube = area(window).findChild(TubeDock)
     assert tube is not None
+    assert panel.isAncestorOf(tube)
     assert panel.timeline.isVisible()
     assert panel.timeline.geometry() == timeline
     assert tube.mapTo(window, QPoint()).y() <= place.y()

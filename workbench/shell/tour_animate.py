@@ -21,7 +21,7 @@ def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("animate-ball", partial(_open, slug="animate-ball", frame=_TELLING)),
         ("animate-spacing", partial(_open, slug="animate-ball", frame=_TELLING, dock="physics")),
         ("animate-letter", partial(_open, slug="animate-letter", frame=18)),
-        ("animate-morph", partial(_open, slug="animate-letter", frame=18, dock="morph")),
+        ("animate-morph", partial(_open, slug="animate-letter", frame=18, dock="morphing")),
         ("animate-clock", partial(_open, slug="animate-clock", frame=20)),
         ("animate-pendulum", partial(_open, slug="animate-pendulum", frame=8)),
         ("animate-turning", partial(_open, slug="animate-pendulum", frame=12, dock="turning", track=-1)),

@@ -136,7 +136,7 @@ class AnimatePanel(SteppedPanel):
         right = Qt.DockWidgetArea.RightDockWidgetArea
         return [
             ("between", _("In-between"), self.between, right),
-            ("morph", _("Morph"), self.morph, right),
+            ("morphing", _("Morph"), self.morph, right),
             ("turning", _("Turn"), self.turning, right),
             ("physics", _("Physics"), self.physics, right),
         ]
