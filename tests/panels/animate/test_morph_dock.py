@@ -6,11 +6,16 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
+from scipy.interpolate import BSpline
 from shapely.geometry import Polygon as Shape
 
+from tests.document.motion.moving import sheet_of, track
 from tests.panels.by_hand import LEFT, settle
 from workbench.algorithms.animation import morph
+from workbench.document.model import Curve, CurvePoint, Document
+from workbench.document.motion.evaluation import at
 from workbench.document.motion.tracks import motion_of
 from workbench.document.samples.examples import example
 from workbench.panels.animate.correspondence import corresponding, dragged, drawn, grips
@@ -159,3 +164,29 @@ def test_what_is_drawn_is_what_the_text_makes(first, second, shift, closed) -> N
         for vertex, (x, y) in enumerate(there.tolist()):
             turned = corresponding(here, there, closed, dragged(pair, handle.id, x + pair.aside[0], y))
             assert turned.end[int(handle.id)].tolist() == there[vertex].tolist()
+
+
+@pytest.mark.parametrize(("spline", "straight"), [("b_spline", True), ("catmull_rom", False)])
+def test_a_curve_between_two_is_the_mix_of_both_where_that_is_said(
+    letter: AnimatePanel, spline: str, straight: bool
+) -> None:
+    first, second = [(2.0, 2), (9, 20), (18, 4), (30, 9)], [(6.0, 9), (3, 25), (25, 20), (31, 2)]
+    curve = Curve("f1", (), "bresenham_line", spline=spline)
+    points = tuple(CurvePoint(f"p{number}", x, y) for number, (x, y) in enumerate(first, 2))
+    keys = [(frame, tuple(map(float, np.ravel(places)))) for frame, places in ((0, first), (10, second))]
+    sheet = replace(sheet_of(track("f1/points_world", *keys)), figures=(replace(curve, points_world=points),))
+    letter.session.new(Document((sheet,)))
+    letter.session.frames.show(3)
+    settle()
+    assert letter.morph.shift.isHidden()
+    assert letter.morph.note.text().startswith("Each point goes to the point of its number.")
+    assert ("straight line" in letter.morph.note.text()) == straight
+    ends = [at(sheet, frame).figures[0].points_world for frame in (0, 3, 10)]
+    if straight:
+        start, between, end = ([de_boor_point(each, u) for u in np.linspace(3.0, 4.0, 9)] for each in ends)
+        np.testing.assert_allclose(between, 0.7 * np.array(start) + 0.3 * np.array(end), atol=1e-9)
+
+
+def de_boor_point(points, u: float) -> np.ndarray:
+    """By SciPy, over even knots."""
+    return BSpline(np.arange(8.0), np.array([(p.x, p.y) for p in points]), 3)(u)

@@ -3,7 +3,7 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
-from workbench.document.model import Curve, Sheet
+from workbench.document.model import THROUGH, AnyFigure, Curve, Sheet
 from workbench.document.motion.between import corners, part_of_the_way
 from workbench.document.motion.groups import OUTLINE
 from workbench.document.motion.model import Track
@@ -73,12 +73,8 @@ class MorphDock(TrackDock):
         pair = corresponding(corners(first), corners(second), closed, first.shift)
         box = box_of(pair.start, pair.end + pair.aside)
         self.shift.setVisible(closed)
-        if isinstance(figure, Curve) or group.kind != "outline":
-            note = _(
-                "Each point goes to the point of its number. A curve is a sum of its control points with "
-                "weights that stay, so each point of the curve between two moves on a straight line too."
-            )
-            self.show_drawn(title, drawn(pair, part), box, [], note)
+        if group.kind != "outline":
+            self.show_drawn(title, drawn(pair, part), box, [], _of_points(figure))
             return
         self._pair = pair
         self.shift.set_value(pair.shift)
@@ -121,6 +117,18 @@ class MorphDock(TrackDock):
         if self._pair is not None:
             self._want(self._pair.shift + right + up)
             self.shift_dropped.emit()
+
+
+def _of_points(figure: AnyFigure) -> str:
+    """What becomes of what has as many points in each key."""
+    told = _("Each point goes to the point of its number.")
+    if not isinstance(figure, Curve) or figure.spline in THROUGH:
+        return told
+    more = _(
+        "The curve is a sum of its control points with weights that stay, so each of its own points moves on "
+        "a straight line too."
+    )
+    return f"{told} {more}"
 
 
 def _rule(pair: Correspondence) -> list[str]:
