@@ -49,8 +49,20 @@ def test_another_rate_shows_other_frames_in_the_same_time(rate: float, shown: li
 
 
 def test_pixels_stay_whole_at_another_size() -> None:
-    frames = MovingSheet(MOVING.sheets[0], Size(80, 90))
-    assert np.array_equal(frames.image(5), np.repeat(np.repeat(rgb(5), 3, axis=0), 2, axis=1))
+    frames = MovingSheet(MOVING.sheets[0], Size(80, 60))
+    assert np.array_equal(frames.image(5), np.repeat(np.repeat(rgb(5), 2, axis=0), 2, axis=1))
+
+
+@pytest.mark.parametrize(("size", "left", "top"), [(Size(80, 90), 0, 15), (Size(100, 60), 10, 0)])
+def test_in_another_shape_it_keeps_its_own_in_the_middle(size: Size, left: int, top: int) -> None:
+    sheet = MOVING.sheets[0]
+    image = MovingSheet(sheet, size).image(5)
+    inside = (slice(top, top + 60), slice(left, left + 80))
+    assert np.array_equal(image[inside], np.repeat(np.repeat(rgb(5), 2, axis=0), 2, axis=1))
+    ground = sheet.palette[sheet.background]
+    image[inside] = [ground >> 16, ground >> 8 & 255, ground & 255]
+    assert (image == image[0, 0]).all()
+    assert image.shape == (size.height, size.width, 3)
 
 
 @pytest.mark.parametrize(

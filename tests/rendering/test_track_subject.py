@@ -10,6 +10,8 @@ from workbench.document.errors import DocumentError
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.model import Track
 from workbench.document.motion.tracks import group_moved, motion_of
+from workbench.document.samples.examples import example
+from workbench.document.scene.links import Rotate3D
 from workbench.document.subjects import Subject
 from workbench.rendering.raster import emitted
 from workbench.rendering.subjects.registry import calls_of, checked, kind_of
@@ -40,9 +42,11 @@ def test_a_spline_is_stepped_as_one_and_a_point_number_by_number() -> None:
     assert [row[1] for row in emitted(y).tolist()][9] == 3.0
 
 
-def test_an_outline_is_morphed() -> None:
+@pytest.mark.parametrize("shift", [0, 2])
+def test_an_outline_is_morphed(shift: int) -> None:
     house = tuple(number for corner in HOUSE for number in corner)
-    sheet = sheet_of(track("f2/points_world", (0, house), (10, (0.0, 0.0, 6.0, 0.0, 3.0, 6.0))))
+    triangle = (0.0, 0.0, 6.0, 0.0, 3.0, 6.0)
+    sheet = sheet_of(track("f2/points_world", (0, house), (10, triangle), shift=shift))
     (call,) = calls_of(sheet, at_frame("f2/points_world", 5))
     assert call.entry.slug == "morph"
     points = at(sheet, 5).figures[1].points_world
@@ -107,3 +111,25 @@ def test_an_outline_is_stepped_from_its_start_in_every_frame() -> None:
     house = tuple(number for corner in HOUSE for number in corner)
     sheet = sheet_of(track("f2/points_world", (0, house), (10, (0.0, 0.0, 6.0, 0.0, 3.0, 6.0))))
     assert aimed(sheet, Subject(), "f2/points_world", 5) == (at_frame("f2/points_world", 5), 0)
+
+
+def test_a_turn_by_euler_s_angles_is_stepped_angle_by_angle_and_by_quaternion_at_once() -> None:
+    scene = example("space-house").document.sheets[0].scene
+    assert scene is not None
+    thing = replace(scene.objects[0], transforms=(Rotate3D("t99-", z_axis=1.0, y_axis=0.0),))
+    base = replace(sheet_of(), scene=replace(scene, objects=(thing, *scene.objects[1:])))
+    target = f"{thing.id}/t99-/*"
+    ends = ((0, (170.0, 0.0, 0.0, 1.0)), (4, (-170.0, 0.0, 0.0, 1.0)))
+    for turning, choices in (("euler", ("tween", "slerp")), ("quaternion", ("slerp",))):
+        moving = track(target, *ends, turning=turning)
+        sheet = replace(base, motion=sheet_of(moving).motion)
+        subject = at_frame(target, 2)
+        assert kind_of(subject).choices(sheet, subject) == choices
+        calls = calls_of(sheet, subject)
+        assert [call.entry.slug for call in calls] == [choices[0]] * len(calls)
+    about_x, about_y, about_z = calls_of(
+        replace(base, motion=sheet_of(track(target, *ends, turning="euler")).motion), at_frame(target, 2)
+    )
+    assert emitted(about_z)[:, 1] == pytest.approx([170.0, 175.0, 180.0, 185.0, 190.0])
+    assert emitted(about_x)[:, 1] == pytest.approx([0.0] * 5)
+    assert emitted(about_y)[:, 1] == pytest.approx([0.0] * 5)

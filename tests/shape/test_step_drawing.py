@@ -33,7 +33,7 @@ CHOSEN = {
         "sutherland_hodgman",
     },
     # What an example, and the tour through all of them, shows
-    "document/samples/animate.py": {"ellipse_fill", "midpoint_circle"},
+    "document/samples/animate.py": {"ellipse_fill"},
     "document/samples/clip.py": {"midpoint_circle"},
     "document/samples/curves.py": {"bresenham_line"},
     "document/samples/examples.py": {

@@ -11,12 +11,15 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QTabBar, QWi
 from pytestqt.qtbot import QtBot
 
 from workbench.document.samples.examples import example_document
+from workbench.panels.animate.panel import AnimatePanel
+from workbench.panels.shared.tube_dock import TubeDock
 from workbench.session.session import Session
 from workbench.shell.dock_area import DockArea
 from workbench.shell.hints import Hints
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
+from workbench.shell.workspaces import panel_of
 from workbench.widgets.plots.library import library
 
 
@@ -241,6 +244,29 @@ def test_swapping_there_and_back_leaves_the_focus_and_every_dock(qtbot: QtBot, w
     settle()
     assert window.focusWidget() is focused
     assert in_front(area(window).docks) == before
+
+
+def test_in_animate_the_tube_takes_the_place_of_the_canvas_alone(window: MainWindow) -> None:
+    window.open_example("animate-ball")
+    settle()
+    panel = panel_of(window.panels("animate"), AnimatePanel)
+    assert panel.isAncestorOf(panel.canvas)
+    place, timeline = panel.canvas.mapTo(window, QPoint()), panel.timeline.geometry()
+    size = panel.canvas.size()
+    window.views.swap()
+    settle()
+    tube = area(window).findChild(TubeDock)
+    assert tube is not None
+    assert panel.isAncestorOf(tube)
+    assert panel.timeline.isVisible()
+    assert panel.timeline.geometry() == timeline
+    assert tube.mapTo(window, QPoint()).y() <= place.y()
+    assert tube.width() >= size.width()
+    assert area(window).dock("tube").isAncestorOf(panel.canvas)
+    window.views.swap()
+    settle()
+    assert panel.canvas.mapTo(window, QPoint()) == place
+    assert panel.canvas.size() == size
 
 
 @pytest.mark.qt_log_ignore("does not support raise", extend=True)

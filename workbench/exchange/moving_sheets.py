@@ -32,7 +32,8 @@ class Size(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class MovingSheet:
-    """Frames for a GIF or for PNG files: ``rate`` a second, each as large as ``size`` or as the sheet.
+    """Frames for a GIF or for PNG files: ``rate`` a second, each as large as ``size`` or as the sheet, whose
+    shape is kept.
 
     Raises: ValueError, a sentence, for a size or a rate that cannot be.
     """
@@ -79,16 +80,21 @@ class MovingSheet:
     def image(self, number: int) -> Picture:
         """Picture ``number``, from 0, (h, w, 3), the top row first."""
         seen = at(self.sheet, self.frame(number))
-        return _sized(with_scene(frame_buffer(seen), seen), self.size)
+        ground = seen.palette[seen.background]
+        return _sized(with_scene(frame_buffer(seen), seen), self.size, ground)
 
 
-def _sized(image: NDArray[np.uint32], size: Size | None) -> Picture:
-    """A picture with every pixel as it is, only larger or smaller."""
+def _sized(image: NDArray[np.uint32], size: Size | None, ground: int) -> Picture:
+    """A picture with every pixel as it is, only larger or smaller, in the middle of its ground."""
     packed = top_row_first(image)
     if size is not None:
         height, width = packed.shape
-        rows = np.arange(size.height) * height // size.height
-        packed = packed[rows][:, np.arange(size.width) * width // size.width]
+        scale = min(size.width / width, size.height / height)
+        wide, high = max(round(width * scale), 1), max(round(height * scale), 1)
+        larger = packed[np.arange(high) * height // high][:, np.arange(wide) * width // wide]
+        packed = np.full((size.height, size.width), ground, np.uint32)
+        left, top = (size.width - wide) // 2, (size.height - high) // 2
+        packed[top : top + high, left : left + wide] = larger
     return np.stack([packed >> 16 & 255, packed >> 8 & 255, packed & 255], axis=-1).astype(np.uint8)
 
 

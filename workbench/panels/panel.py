@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from PySide6.QtCore import QEvent, QObject, Qt, SignalInstance
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 
 from workbench.exchange.tables import Table
 
@@ -87,6 +87,17 @@ class Panel(Protocol):
 
     def paste(self) -> bool:
         """Take what is on the clipboard; whether anything can be pasted into it."""
+
+
+class SwapPlace(QWidget):
+    """The part of a panel's middle that the tube takes when both are exchanged; without one it takes all."""
+
+    def __init__(self, content: QWidget) -> None:
+        super().__init__()
+        self.content = content
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(content)
 
 
 class KeysWhileSeen(QObject):

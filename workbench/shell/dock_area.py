@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 
 from workbench.language import _
-from workbench.panels.panel import DockPart
+from workbench.panels.panel import DockPart, SwapPlace
 from workbench.shell.dock_tabs import DockTabs
 
 VERSION = 3
@@ -55,7 +55,8 @@ class DockArea(QMainWindow):
         self.setDockOptions(QMainWindow.DockOption.AllowTabbedDocks | QMainWindow.DockOption.AllowNestedDocks)
         self.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
         self.swapped = False
-        self._middle = middle
+        inner = middle.findChild(SwapPlace)
+        self._middle = middle if inner is None else inner.content
         self._lower = tuple(lower)
         self._afloat: list[QDockWidget] = []
         self._rooms: dict[QDockWidget, QSize] = {}
@@ -64,6 +65,9 @@ class DockArea(QMainWindow):
         column = QVBoxLayout(self.host)
         column.setContentsMargins(0, 0, 0, 0)
         self.setCentralWidget(self.host)
+        self._place = self.host if inner is None else inner
+        if inner is not None:
+            column.addWidget(middle)
         self.docks: list[QDockWidget] = []
         self.tabs = DockTabs(self, lambda: self.docks)
         self._widgets: dict[str, QWidget] = {}
@@ -78,7 +82,7 @@ class DockArea(QMainWindow):
                 _let_be_low(widget)
             if widget.parentWidget() is None:
                 self.dock(name).setWidget(widget)
-        self._fill_middle(middle)
+        self._fill_middle(self._middle)
 
     def _add(self, name: str, title: str) -> None:
         dock = QDockWidget(title, self)
@@ -133,7 +137,7 @@ class DockArea(QMainWindow):
             widget.show()
 
     def _fill_middle(self, widget: QWidget) -> None:
-        layout = self.host.layout()
+        layout = self._place.layout()
         if layout is not None and layout.indexOf(widget) < 0:
             layout.addWidget(widget)
             widget.show()
@@ -194,8 +198,12 @@ class DockArea(QMainWindow):
 
     def in_front(self) -> dict[QDockWidget, QSize]:
         """The docks that are seen, with the room each has, its tabs included."""
-        seen = [dock for dock in self.docks if not dock.isFloating() and not dock.visibleRegion().isEmpty()]
+        seen = [dock for dock in self.docks if not dock.isFloating() and self._is_seen(dock)]
         return {dock: dock.size() + QSize(0, self.tabs.height(dock)) for dock in seen}
+
+    def _is_seen(self, dock: QDockWidget) -> bool:
+        """Whether it lies in the area; one behind another tab is put outside."""
+        return dock.isVisible() and self.rect().intersects(dock.geometry())
 
     def bring_to_front(self, rooms: Mapping[QDockWidget, QSize]) -> None:
         """Let these docks be seen again, in the room that they had."""

@@ -26,7 +26,9 @@ def sheet_of(*tracks: Track) -> Sheet:
     return with_tracks(still(), *tracks).sheets[0]
 
 
-def track(target: str, *keys: tuple[int, tuple[float, ...]], easing: str = "linear", **shape: float) -> Track:
+def track(
+    target: str, *keys: tuple[int, tuple[float, ...]], easing: str = "linear", **shape: float | str
+) -> Track:
     """A track with keys (frame, value)."""
     made = (Key(f"k{target.translate(_PUNCTUATION)}-{f}-", f, value, easing, **shape) for f, value in keys)  # type: ignore[arg-type]
     return Track(f"a{target.translate(_PUNCTUATION)}-", target, tuple(made))

@@ -6,14 +6,16 @@ from typing import Any
 import numpy as np
 import pytest
 from hypothesis import given, settings
+from scipy.spatial.transform import Rotation
 
 from tests.document.motion.moving import HOUSE, keyed_numbers, sheet_of, still, track
 from workbench.algorithms.animation import morph, spline_tween, tween
 from workbench.document.check import check
 from workbench.document.model import Document, Polygon, Sheet
+from workbench.document.motion.between import quaternion_of, turned
 from workbench.document.motion.evaluation import at, in_frame, loose
 from workbench.document.motion.groups import group_of, value_of
-from workbench.document.motion.model import EASINGS, SPLINE, Track
+from workbench.document.motion.model import EASINGS, SPLINE, Key, Track
 from workbench.document.samples.examples import example
 
 
@@ -170,3 +172,51 @@ def test_knots_that_cross_between_keys_stay_in_order() -> None:
     sheet = replace(sheet_of(moving), figures=(curve,))
     check(Document((at(sheet, 4),)))
     assert [knot.u for knot in at(sheet, 4).figures[0].knots] == [0, 0, 0, 2.5, 2.5, 3, 3, 3]  # type: ignore[union-attr]
+
+
+def test_a_closed_outline_goes_to_the_vertex_that_its_key_names() -> None:
+    square = (0.0, 0.0, 4.0, 0.0, 4.0, 4.0, 0.0, 4.0)
+    moving = track("f2/points_world", (0, square), (10, square), shift=1)
+    sheet = sheet_of(moving)
+    assert numbers(sheet, "f2/points_world", 0) == square
+    assert numbers(sheet, "f2/points_world", 5) == (2.0, 0.0, 4.0, 2.0, 2.0, 4.0, 0.0, 2.0)
+    assert numbers(sheet, "f2/points_world", 10) == square
+    house = tuple(number for corner in HOUSE for number in corner)  # as many corners as the figure itself has
+    sheet = sheet_of(track("f2/points_world", (0, house), (10, house), shift=1))
+    halfway = np.reshape(numbers(sheet, "f2/points_world", 5), (-1, 2))
+    np.testing.assert_allclose(halfway, (np.array(HOUSE) + np.roll(HOUSE, -1, axis=0)) / 2)
+
+
+@pytest.mark.parametrize("axis", [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)])
+def test_about_one_axis_euler_s_angles_turn_as_the_quaternion_does(axis: tuple[float, ...]) -> None:
+    first, second = Key("k1-", 0, (10.0, *axis)), Key("k2-", 8, (80.0, *axis))
+    by_angles = Key("k3-", 0, (10.0, *axis), turning="euler")
+    for part in (0.25, 0.5, 1.0):
+        assert turned(by_angles, second, part) == pytest.approx(turned(first, second, part))
+
+
+def test_euler_s_angles_begin_and_end_in_the_keys_and_swing_out_between() -> None:
+    first = Key("k1-", 0, (120.0, 1.0, 1.0, 1.0), turning="euler")
+    second = Key("k2-", 8, (170.0, -1.0, 2.0, 0.5))
+    ends = Rotation.from_quat([np.roll(quaternion_of(key.value), -1) for key in (first, second)])
+    ways = [Rotation.from_rotvec(_vector(turned(first, second, part))) for part in (0.0, 0.5, 1.0)]
+    assert (ways[0].inv() * ends[0]).magnitude() == pytest.approx(0.0, abs=1e-9)
+    assert (ways[2].inv() * ends[1]).magnitude() == pytest.approx(0.0, abs=1e-9)
+    middle = Rotation.from_euler("xyz", _halfway(*ends.as_euler("xyz")))
+    assert (ways[1].inv() * middle).magnitude() == pytest.approx(0.0, abs=1e-9)
+    straight = (ends[0].inv() * ends[1]).magnitude()
+    assert (ends[0].inv() * ways[1]).magnitude() + (ways[1].inv() * ends[1]).magnitude() > straight + 0.05
+
+
+def _vector(turn: tuple[float, ...]) -> np.ndarray:
+    return np.radians(turn[0]) * np.array(turn[1:]) / np.linalg.norm(turn[1:])
+
+
+def _halfway(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    return first + 0.5 * np.remainder(second - first + np.pi, 2.0 * np.pi) - 0.5 * np.pi
+
+
+def test_half_way_of_an_ease_in_and_out_is_exactly_the_middle() -> None:
+    moving = track("f1/p1/x", (0, (35.0,)), (24, (-35.0,)), easing="ease_in_out")
+    assert numbers(sheet_of(moving), moving.target, 12) == (0.0,)
+    assert expected(moving)[12] == 0.0

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 
@@ -29,9 +30,11 @@ from workbench.document.motion.edits import (
     remove_keys,
     remove_time,
     scale_keys,
+    set_correspondence,
     set_easing,
     set_key,
     set_motion,
+    set_turning,
 )
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.model import Key, Motion
@@ -276,3 +279,36 @@ def test_auto_key_keeps_what_cannot_be_keyed_and_what_is_gone() -> None:
     assert [each.target for each in done.sheets[0].motion.tracks] == ["f2/colour"]  # type: ignore[union-attr]
     assert done.sheets[0].palette == document.sheets[0].palette
     assert done.sheets[0].figures[0] == document.sheets[0].figures[1]
+
+
+OUTLINE = "f2/points_world"
+SQUARE = (0.0, 0.0, 4.0, 0.0, 4.0, 4.0, 0.0, 4.0)
+
+
+def _seen(document: Document, frame: int) -> list[tuple[float, float]]:
+    return sorted((p.x, p.y) for p in at(document.sheets[0], frame).figures[1].points_world)
+
+
+def test_a_correspondence_is_an_edit_that_a_new_key_between_does_not_disturb() -> None:
+    document = with_tracks(still(), track(OUTLINE, (0, SQUARE), (12, SQUARE)))
+    (first,) = ids_in(document, 0, target=OUTLINE)
+    turned = set_correspondence("s1", first, 1)(document)
+    assert _seen(document, 6) == [(0.0, 0.0), (0.0, 4.0), (4.0, 0.0), (4.0, 4.0)]
+    assert _seen(turned, 6) == [(0.0, 2.0), (2.0, 0.0), (2.0, 4.0), (4.0, 2.0)]
+    assert decode(encode(Stored(turned))).document == turned
+    divided = set_key("s1", OUTLINE, 6)(turned)
+    for frame in range(13):
+        np.testing.assert_allclose(_seen(divided, frame), _seen(turned, frame))
+    with pytest.raises(DocumentError, match="shift"):
+        set_correspondence("s1", first, -1)(document)
+
+
+def test_how_a_turn_goes_on_is_chosen_by_key() -> None:
+    document = with_tracks(still(), track(OUTLINE, (0, SQUARE), (12, SQUARE)))
+    keys = ids_in(document, 0, target=OUTLINE)
+    after = set_turning("s1", keys, "euler")(document)
+    motion = after.sheets[0].motion
+    assert motion is not None
+    assert [key.turning for key in motion.tracks[0].keys] == ["euler", "quaternion"]
+    with pytest.raises(DocumentError, match="no turning"):
+        set_turning("s1", keys, "entries")(document)

@@ -70,6 +70,7 @@ STEPPED = {
     4: ("clipper", 7),
     5: ("curve", 3),
     6: ("curve", 3),
+    7: ("curve", 3),
 }
 
 

@@ -9,9 +9,9 @@ from workbench.document.model import Document
 from workbench.document.motion.evaluation import at as at_frame
 from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Drawing, Sentence
-from workbench.panels.animate.falling import by_equation
 from workbench.panels.animate.panel import AnimatePanel
 from workbench.panels.animate.path import alone
+from workbench.panels.animate.physics import by_equation, equation_of
 from workbench.rendering import frame_buffer
 from workbench.rendering.scene.backdrop import with_scene
 
@@ -74,15 +74,17 @@ def test_asked_first_a_click_tells_where_it_is_in_the_next_frame(qtbot, panel: A
 def test_falling_by_its_equation_lies_beside_the_easing(panel: AnimatePanel) -> None:
     session = panel.session
     ball, target = session.sheet.figures[-1], target_of(panel, 0)
-    falling = by_equation(alone(session.sheet, ball), target)
-    assert falling is not None
+    own = alone(session.sheet, ball)
+    equation = equation_of(own, target)
+    assert equation is not None
+    falling = by_equation(own, equation)
     for frame in range(28, 41):
         t = (frame - 28) / 12
         assert at_frame(falling, frame).figures[0].points_world[0].y == pytest.approx(46 - 36 * t * t)
     for frame in range(16, 29):
         t = (28 - frame) / 12
         assert at_frame(falling, frame).figures[0].points_world[0].y == pytest.approx(46 - 36 * t * t)
-    assert by_equation(alone(session.sheet, ball), target_of(panel, 1)) is None
+    assert equation_of(own, target_of(panel, 1)) is None
     session.frames.show(34)
     settle()
     assert "by t²: 46 + 0.25 · (10 − 46) = 37" in panel.between.sums.text()

@@ -6,6 +6,7 @@ import pytest
 
 from tests.document.motion.moving import track, with_tracks
 from tests.panels.by_hand import keep_until_the_end, settle
+from workbench.document.motion.tracks import track_on
 from workbench.document.samples.examples import example
 from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.curves.panel import CurvesPanel
@@ -91,3 +92,54 @@ def test_space_is_seen_by_the_camera_of_the_frame(qtbot, sessions: list[Session]
     assert not page.looking.around
     assert not page.card.back.isVisibleTo(page.card)
     assert page.eye.scene.camera.eye.xyz == (0.2, 0.8, 1.9)
+
+
+def test_playing_goes_by_the_moving_camera_until_one_looks_around(qtbot, sessions: list[Session]) -> None:
+    session = Session(document=example("animate-drive").document)
+    sessions.append(session)
+    page = ProjectionPage(session)
+    qtbot.addWidget(page)
+    page.show()
+    now = [0.0]
+    session.frames._clock = lambda: now[0]
+    session.frames.play()
+    for frame in (10, 28, 46):
+        now[0] = (frame + 0.5) / 24.0
+        session.frames.tick()
+        settle()
+        assert page.eye.scene.camera == session.shown.scene.camera
+    looked = page.eye.scene.camera
+    assert looked.eye.xyz == (0.0, 0.8, 3.5)
+    page.looking.orbit(0.4, 0.2)
+    around = page.looking.camera
+    for frame in (52, 60):
+        now[0] = (frame + 0.5) / 24.0
+        session.frames.tick()
+        settle()
+        assert session.frames.number == frame
+        assert page.eye.scene.camera == around
+    session.frames.stop()
+
+
+def test_a_kept_view_of_a_moving_camera_is_a_key_there(qtbot, sessions: list[Session]) -> None:
+    session = Session(document=example("animate-drive").document)
+    sessions.append(session)
+    page = ProjectionPage(session)
+    qtbot.addWidget(page)
+    page.show()
+    session.frames.show(40)
+    settle()
+    before = session.document
+    page.looking.orbit(0.4, 0.2)
+    kept = page.looking.camera
+    settle()
+    page.card.keep.click()
+    settle()
+    assert not page.looking.around
+    assert session.shown.scene.camera.eye.xyz == pytest.approx(kept.eye.xyz)
+    eye = track_on(session.sheet, "scene.camera.eye")
+    assert eye is not None
+    assert [key.frame for key in eye.keys] == [0, 28, 40, 46, 60, 84]
+    assert session.sheet.scene == before.sheets[0].scene
+    session.undo_stack.undo()
+    assert session.document == before

@@ -63,7 +63,7 @@ def ease_out(t: float) -> float:
 
 def ease_in_out(t: float) -> float:
     """Starts and ends slowly: (1 - cos(pi t)) / 2."""
-    return (1.0 - math.cos(math.pi * t)) / 2.0
+    return (1.0 - math.cos(math.pi * t)) / 2.0 if t != 0.5 else 0.5  # in floats cos(pi / 2) is not quite 0
 
 
 def ease_in_cubic(t: float) -> float:

@@ -62,7 +62,7 @@ _AT_ONCE = {
     easings.CONSTANT: lambda t: np.where(t >= 1.0, 1.0, 0.0),
     easings.EASE_IN: lambda t: 1.0 - np.cos(np.pi * t / 2.0),
     easings.EASE_OUT: lambda t: np.sin(np.pi * t / 2.0),
-    easings.EASE_IN_OUT: lambda t: (1.0 - np.cos(np.pi * t)) / 2.0,
+    easings.EASE_IN_OUT: lambda t: np.where(t == 0.5, 0.5, (1.0 - np.cos(np.pi * t)) / 2.0),
     easings.EASE_IN_CUBIC: lambda t: t * t * t,
     easings.EASE_OUT_CUBIC: lambda t: 1.0 - (1.0 - t) * (1.0 - t) * (1.0 - t),
     easings.EASE_IN_OUT_CUBIC: _joined_cubic,

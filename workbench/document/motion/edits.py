@@ -16,9 +16,11 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import Document
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.groups import group_of, value_of
-from workbench.document.motion.model import EASINGS, LINEAR, SPLINE, Key, Motion, Track
+from workbench.document.motion.model import EASINGS, LINEAR, SPLINE, TURNINGS, Key, Motion, Track
 from workbench.document.motion.tracks import motion_of, track_on, with_keys, with_motion, with_track
 from workbench.language import _
+
+RADII = ("radius_x_world", "radius_y_world")
 
 
 class CopiedKey(NamedTuple):
@@ -63,11 +65,14 @@ def with_key(
         first = Key(f"{Key.letter}{key}", frame, value, easing or LINEAR)
         return with_track(document, sheet, Track(f"{Track.letter}{own}", target, (first,)))
     there = next((key for key in track.keys if key.frame == frame), None)
+    is_new = there is None
     if there is None:
         like = next((key for key in reversed(track.keys) if key.frame < frame), track.keys[0])
         there = replace(like, id=new_ids(document, Key.letter, 1)[0], frame=frame)
     changed = replace(there, value=value, easing=easing or there.easing)
-    others = (key for key in track.keys if key.frame != frame)
+    # Between both keys vertex 0 is that of the key before; only from here on it goes to another one
+    divided = next((key.id for key in reversed(track.keys) if key.frame < frame), "") if is_new else ""
+    others = (replace(key, shift=0) if key.id == divided else key for key in track.keys if key.frame != frame)
     keys = tuple(sorted((*others, changed), key=lambda key: key.frame))
     return with_track(document, sheet, replace(track, keys=keys))
 
@@ -144,6 +149,21 @@ def set_easing(sheet: str, keys: Collection[str], easing: str, **shape: float) -
 
 
 @checked
+def set_correspondence(sheet: str, key: str, shift: int) -> Edit:
+    """Let vertex 0 of a closed outline go to the vertex ``shift`` of the next key, counted round."""
+    return _changing(sheet, [key], lambda each: replace(each, shift=whole_number(shift)))
+
+
+@checked
+def set_turning(sheet: str, keys: Collection[str], turning: str) -> Edit:
+    """Let a turn in space go from these keys to the next ones by quaternion or by Euler's angles."""
+    if turning not in TURNINGS:
+        sentence = _("There is no turning {turning!r}; choose one of {choices}.")
+        raise DocumentError("turning", sentence.format(turning=turning, choices=", ".join(TURNINGS)))
+    return _changing(sheet, keys, lambda key: replace(key, turning=turning))
+
+
+@checked
 def even_speed(sheet: str, target: str) -> Edit:
     """Move the inner keys of a track in time so that each way between two keys takes frames as it is long.
 
@@ -172,6 +192,35 @@ def even_speed(sheet: str, target: str) -> Edit:
             for key, frame in zip(track.keys, frames, strict=True)
         )
         return with_track(document, sheet, replace(track, keys=keys))
+
+    return edit
+
+
+@checked
+def keep_area(sheet: str, figure: str) -> Edit:
+    """Give one radius of an ellipse a key wherever the other has one, so that its area stays that of frame 0.
+
+    Raises: DocumentError where both radii have keys, or none.
+    """
+
+    def edit(document: Document) -> Document:
+        on = sheet_with(document, sheet)
+        tracked = [f"{figure}/{name}" for name in RADII if track_on(on, f"{figure}/{name}") is not None]
+        free = [f"{figure}/{name}" for name in RADII if f"{figure}/{name}" not in tracked]
+        if len(tracked) != 1:
+            sentence = _(
+                "{figure} needs keys on one of its two radii; set some, or remove those of the other."
+            )
+            raise DocumentError(figure, sentence.format(figure=figure))
+        groups = [group_of(on, target) for target in (*tracked, *free)]
+        (moving,), (still,) = (value_of(at(on, 0), group) for group in groups if group is not None)
+        track = track_on(on, tracked[0])
+        assert track is not None
+        for key in track.keys:
+            if key.value[0] > 0.0:
+                wide = still * moving / key.value[0]
+                document = with_key(document, sheet, free[0], key.frame, (wide,), key.easing)
+        return document
 
     return edit
 

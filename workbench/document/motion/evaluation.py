@@ -65,6 +65,12 @@ def at(sheet: Sheet, frame: int) -> Sheet:
     return in_frame(sheet, frame).sheet
 
 
+def wished(track: Track, frame: int) -> Floats:
+    """The numbers (n,) of a track of numbers in a frame, before they are held in their ranges."""
+    keys = joined((track,))
+    return _values(keys, interval(keys, frame))
+
+
 def loose(sheet: Sheet) -> tuple[str, ...]:
     """The targets of tracks that move nothing, since what they hang on is not there or has other numbers."""
     return _plan(sheet).loose if sheet.motion is not None else ()
@@ -127,8 +133,8 @@ def _timed(track: Track) -> Track:
 
 
 def _as_many(track: Track, group: Group) -> bool:
-    """Whether an outline has as many points in every key as the figure."""
-    return all(len(key.value) == len(group.slots) for key in track.keys)
+    """Whether an outline has as many points in every key as the figure, each going to that of its number."""
+    return all(len(key.value) == len(group.slots) and key.shift == 0 for key in track.keys)
 
 
 def _writes(sheet: Sheet, paths: Iterable[Path]) -> tuple[NDArray[np.int64], tuple[_Write, ...]]:

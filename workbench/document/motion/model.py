@@ -14,6 +14,8 @@ LARGEST_VALUE = 1e9
 SPLINE = "spline"
 EASINGS = (*NAMES, SPLINE)
 LINEAR, BEZIER_NAME = "linear", NAMES[BEZIER]
+TURNINGS = QUATERNION, EULER = ("quaternion", "euler")
+_MOST_CORNERS = 1_000_000
 
 
 def _time(label: str, symbol: str) -> Number:
@@ -29,6 +31,8 @@ class Key(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults
 
     ``easing`` leads from here to the next key; (x1, y1) and (x2, y2) are the handles of "bezier".
     ``tension``, ``continuity`` and ``bias`` shape the slope of a "spline" at this key, on both sides.
+    Of a closed outline ``shift`` is the vertex of the next key to which vertex 0 goes; ``turning`` is how a
+    turn in space goes to the next one.
     """
 
     letter: ClassVar[str] = "k"
@@ -46,6 +50,11 @@ class Key(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults
     tension: Annotated[float, _height(_("tension"), "t")] = 0.0
     continuity: Annotated[float, _height(_("continuity"), "c")] = 0.0
     bias: Annotated[float, _height(_("bias"), "b")] = 0.0
+    shift: Annotated[
+        int,
+        Number(label=_("vertex that vertex 0 goes to"), low=0, high=_MOST_CORNERS, whole=True, keyed=False),
+    ] = 0
+    turning: Annotated[str, Choice(TURNINGS)] = QUATERNION
 
     @property
     def handles(self) -> tuple[float, float, float, float]:

@@ -1,5 +1,5 @@
 """The built-in pictures that move: a bouncing ball, a letter that becomes another, a clock,
-a pendulum, a drive through a house."""
+a pendulum, a drive through a house, two ways to turn."""
 
 import math
 from collections.abc import Callable, Iterable, Sequence
@@ -8,12 +8,13 @@ from itertools import count
 from msgspec.structs import replace
 
 from workbench.document.building import with_ids, without_ids
-from workbench.document.model import AnyFigure, Circle, Document, Ellipse, Rectangle, Sheet, View
-from workbench.document.motion.model import Key, Motion, Track
+from workbench.document.model import AnyFigure, Document, Ellipse, Rectangle, Sheet, View
+from workbench.document.motion.model import EULER, QUATERNION, Key, Motion, Track
 from workbench.document.samples.figures import PALETTE, Example, Places, line, points_at, polygon
 from workbench.document.samples.space import scene_of
-from workbench.document.scene.model import Camera, Point3D
-from workbench.document.scene.solids import House
+from workbench.document.scene.links import Rotate3D
+from workbench.document.scene.model import Camera, Point3D, SpacePoint
+from workbench.document.scene.solids import Extrusion, House
 from workbench.document.transforms.links import Rotate
 from workbench.language import _
 
@@ -60,6 +61,13 @@ def animate_examples() -> list[Example]:
             _("Two splines through a few keys move the eye and what it looks at."),
             "animate",
             _drive(),
+        ),
+        Example(
+            "animate-turn",
+            _("Two ways to turn in space"),
+            _("Two equal houses with equal keys: one turns by quaternion, the other by Euler's angles."),
+            "animate",
+            _turn(),
         ),
     ]
 
@@ -112,19 +120,22 @@ def _ball() -> Document:
             f"{body.id}/radius_y_world",
             [(frame, (7.0 * factor,), easing) for frame, (factor,), easing in squash],
         )
+        wider = [(frame, (7.0 / factor,), easing) for frame, (factor,), easing in squash]
         yield (
             f"{body.id}/colour",
             [(0, (0x56, 0xB4, 0xE9), "linear"), (58, (0xFF, 0x8A, 0x4C), "linear")],
         )
+        yield f"{body.id}/radius_x_world", wider
 
     ground = line((0, 1), (263, 1), 7, name=_("Ground"))
     return _document(_("A bouncing ball"), (264, 88), [ground, ball], 59, tracks)
 
 
 _L: Places = [(8.0, 6.0), (38.0, 6.0), (38.0, 14.0), (18.0, 14.0), (18.0, 58.0), (8.0, 58.0)]
+# It begins at the right, so that the letter never crosses itself on the way.
 _E: Places = [
-    *((8.0, 6.0), (38.0, 6.0), (38.0, 14.0), (18.0, 14.0), (18.0, 28.0), (34.0, 28.0), (34.0, 36.0)),
-    *((18.0, 36.0), (18.0, 50.0), (38.0, 50.0), (38.0, 58.0), (8.0, 58.0)),
+    *((38.0, 6.0), (38.0, 14.0), (18.0, 14.0), (18.0, 28.0), (34.0, 28.0), (34.0, 36.0)),
+    *((18.0, 36.0), (18.0, 50.0), (38.0, 50.0), (38.0, 58.0), (8.0, 58.0), (8.0, 6.0)),
 ]
 
 
@@ -149,11 +160,11 @@ def _letter() -> Document:
 
 
 def _clock() -> Document:
-    middle = (32.0, 32.0)
+    middle = (64.0, 64.0)
 
     def hand(width: float, length: float, colour: int, name: str) -> AnyFigure:
         x, y = middle
-        corners = [(x - width, y - 4.0), (x + width, y - 4.0), (x, y + length)]
+        corners = [(x - width, y - 8.0), (x + width, y - 8.0), (x, y + length)]
         return replace(
             polygon([corners], colour, name), transforms=(Rotate("", angle=0.0, x_pivot=x, y_pivot=y),)
         )
@@ -161,7 +172,7 @@ def _clock() -> Document:
     marks: list[AnyFigure] = []
     for hour in range(12):
         way = math.radians(30.0 * hour)
-        ends = [(middle[0] + far * math.sin(way), middle[1] + far * math.cos(way)) for far in (25.0, 28.0)]
+        ends = [(middle[0] + far * math.sin(way), middle[1] + far * math.cos(way)) for far in (50.0, 57.0)]
         marks.append(line(ends[0], ends[1], 7, name=_("{hour} o'clock").format(hour=hour or 12)))
 
     def tracks(figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
@@ -171,8 +182,8 @@ def _clock() -> Document:
                 [(0, (0.0,), "linear"), (60, (-turn,), "linear")],
             )
 
-    figures = [*marks, hand(1.5, 22.0, 2, _("Minute hand")), hand(2.0, 14.0, 1, _("Hour hand"))]
-    return _document(_("A clock runs"), (64, 64), figures, 61, tracks)
+    figures = [*marks, hand(2.5, 46.0, 2, _("Minute hand")), hand(3.5, 30.0, 1, _("Hour hand"))]
+    return _document(_("A clock runs"), (128, 128), figures, 61, tracks)
 
 
 def _pendulum() -> Document:
@@ -182,7 +193,7 @@ def _pendulum() -> Document:
     def turned(figure: AnyFigure) -> AnyFigure:
         return replace(figure, transforms=(Rotate("", angle=35.0, x_pivot=pivot[0], y_pivot=pivot[1]),))
 
-    bob = Circle("", points_at(rest), "midpoint_circle", 1, _("Bob"), radius_world=6.0)
+    bob = Ellipse("", points_at(rest), "ellipse_fill", 1, _("Bob"), radius_x_world=6.0, radius_y_world=6.0)
     rod = line(pivot, rest, 7, name=_("Rod"))
 
     def tracks(figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
@@ -196,8 +207,15 @@ def _pendulum() -> Document:
     return _document(_("A pendulum"), (121, 84), [beam, turned(rod), turned(bob)], 49, tracks)
 
 
+# A gable with a doorway; carried along z it is a house that one can go through.
+_GATE: Places = [
+    *((-1.2, 0.0), (-0.55, 0.0), (-0.55, 1.25), (0.55, 1.25), (0.55, 0.0), (1.2, 0.0)),
+    *((1.2, 1.4), (0.0, 2.4), (-1.2, 1.4)),
+]
+
+
 def _drive() -> Document:
-    """Past the corner of a house, through it, and up to the next one."""
+    """Past the corner of a house, through it, and up to the next one, past which it turns away."""
     eyes = [(0, (3.4, 1.8, 9.0)), (28, (0.4, 0.9, 6.0)), (46, (0.0, 0.8, 3.5)), (60, (0.2, 0.8, 1.9))]
     eyes.append((84, (2.6, 1.3, 2.2)))
     aims = [(0, (0.0, 0.6, 3.2)), (28, (0.0, 0.7, 1.6)), (46, (0.0, 0.8, 0.0)), (60, (0.0, 0.7, -1.0))]
@@ -216,4 +234,49 @@ def _drive() -> Document:
     document = _document(_("A drive through a house"), (320, 240), [], 85, tracks)
     sheet = document.sheets[0]
     view = replace(sheet.views[0], window_world=Rectangle(-2.0, -1.5, 2.0, 1.5))
-    return Document((replace(sheet, views=(view,), scene=scene_of(placed, camera)),))
+    scene = scene_of(placed, camera)
+    *closed, last = scene.objects
+    number = count(1)
+    opened = [
+        replace(
+            house,
+            solid=Extrusion(depth=1.8),
+            points=tuple(SpacePoint(f"p{next(number)}", x, y) for x, y in _GATE),
+        )
+        for house in closed
+    ]
+    return Document((replace(sheet, views=(view,), scene=replace(scene, objects=(*opened, last))),))
+
+
+def _turn() -> Document:
+    """A quarter turn about y, where Euler's rings lock, and on from there."""
+    turns = [(0, (0.0, 0.0, 1.0, 0.0)), (16, (90.0, 0.0, 1.0, 0.0)), (48, (120.0, 1.0, 1.0, 1.0))]
+    houses = (
+        (_("By quaternion"), -1.9, QUATERNION, 0x9CC8E6),
+        (_("By Euler's angles"), 1.9, EULER, 0xF0A878),
+    )
+    placed = [
+        (name, House(1.4, 1.0, 1.8, 0.8), (x, 0.0, 0.0), 0.0, colour) for name, x, _way, colour in houses
+    ]
+    camera = Camera(
+        eye=Point3D(0.0, 2.4, 8.0), look_at=Point3D(0.0, 0.0, 0.0), near=0.1, far=40.0, distance=3.0
+    )
+    scene = scene_of(placed, camera)
+    turning = [
+        replace(thing, transforms=(Rotate3D(f"r{number}"), *thing.transforms))
+        for number, thing in enumerate(scene.objects, 1)
+    ]
+
+    def tracks(_figures: Sequence[AnyFigure]) -> Iterable[tuple[str, Sequence[Keyed]]]:
+        for thing in turning:
+            yield f"{thing.id}/{thing.transforms[0].id}/*", [(frame, turn, "linear") for frame, turn in turns]
+
+    sheet = _document(_("Two ways to turn in space"), (320, 240), [], 49, tracks).sheets[0]
+    assert sheet.motion is not None
+    ways = tuple(
+        replace(track, keys=tuple(replace(key, turning=house[2]) for key in track.keys))
+        for track, house in zip(sheet.motion.tracks, houses, strict=True)
+    )
+    view = replace(sheet.views[0], window_world=Rectangle(-1.6, -1.2, 1.6, 1.2))
+    scene = replace(scene, objects=tuple(turning))
+    return Document((replace(sheet, views=(view,), scene=scene, motion=replace(sheet.motion, tracks=ways)),))

@@ -72,6 +72,8 @@ class BetweenDock(QScrollArea):
         inner = QWidget()
         self.setWidget(inner)
         self.setWidgetResizable(True)
+        self.viewport().setAutoFillBackground(False)
+        inner.setAutoFillBackground(False)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setMinimumSize(220, 180)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

@@ -10,14 +10,17 @@ from workbench.document.motion.edits import (
     copied_keys,
     even_speed,
     insert_time,
+    keep_area,
     move_keys,
     paste_keys,
     remove_keys,
     remove_time,
     scale_keys,
+    set_correspondence,
     set_easing,
     set_key,
     set_motion,
+    set_turning,
 )
 from workbench.document.motion.model import BEZIER_NAME, Key
 from workbench.language import _, ngettext
@@ -26,6 +29,7 @@ from workbench.widgets.timeline.timeline import Timeline
 
 _DRAG = "drag keys"
 _EASE = "shape easing"
+_MEET = "turn correspondence"
 
 
 class KeyEdits(QObject):
@@ -89,7 +93,17 @@ class KeyEdits(QObject):
         shape = dict(zip(("x1", "y1", "x2", "y2"), handles, strict=True))
         self._edit(set_easing(self._sheet, [key.id], BEZIER_NAME, **shape), _("Shape easing"), _EASE)
 
+    def turn_outline(self, key: Key | None, shift: int) -> None:
+        """Let vertex 0 of an outline go to another vertex of the next key."""
+        if key is not None:
+            self._edit(set_correspondence(self._sheet, key.id, shift), _("Turn correspondence"), _MEET)
+
     # By a command
+
+    def turn_by(self, key: Key | None, turning: str) -> None:
+        """Let a turn in space go on by quaternion or by Euler's angles."""
+        if key is not None:
+            self._edit(set_turning(self._sheet, [key.id], turning), _("Change turning"))
 
     def delete(self) -> None:
         """Remove the chosen keys."""
@@ -109,6 +123,10 @@ class KeyEdits(QObject):
     def even_speed(self, target: str) -> None:
         """Let a track take its ways in times as they are long."""
         self._edit(even_speed(self._sheet, target), _("Even the speed"))
+
+    def keep_area(self, figure: str) -> None:
+        """Let a figure that is squashed become as much wider."""
+        self._edit(keep_area(self._sheet, figure), _("Keep the area"))
 
     def insert_time(self) -> None:
         """Put one frame before the one that is shown."""

@@ -1,7 +1,9 @@
 """What a person calls what a track moves, and the easings."""
 
+from collections.abc import Iterable
+
 from workbench.document.model import Sheet
-from workbench.document.motion.groups import OUTLINE, WHOLE, Group, group_of, read, value_of
+from workbench.document.motion.groups import CAMERA, OUTLINE, WHOLE, Group, group_of, read, value_of
 from workbench.document.motion.model import EASINGS
 from workbench.document.transforms.names import title
 from workbench.language import _
@@ -28,13 +30,34 @@ def easing_titles() -> dict[str, str]:
 def label_of(sheet: Sheet, target: str) -> str:
     """What a target is called: of which figure, and what of it."""
     name, *_between, attribute = target.split("/") if "/" in target else ("", target)
-    group = group_of(sheet, target)
+    return f"{_owner(sheet, name)}, {_what(sheet, group_of(sheet, target), attribute)}"
+
+
+def _owner(sheet: Sheet, name: str) -> str:
+    """What the figure or thing of this id is called; the camera has none."""
     figure = next((each for each in sheet.figures if each.id == name), None)
     thing = next((each for each in sheet.things if each.id == name), None)
-    owner = (getattr(thing, "name", "") or (kind_title(figure) if figure is not None else name)) or _(
-        "Camera"
-    )
-    return f"{owner}, {_what(sheet, group, attribute)}"
+    own = getattr(thing, "name", "") or (kind_title(figure) if figure is not None else name)
+    return own or _("Camera")
+
+
+def held_text(sheet: Sheet, held: Iterable[str]) -> str:
+    """What is not as its track would have it in a frame: numbers at the end of their range, and figures,
+    things or the camera that could not be drawn so; empty where all is."""
+    numbers = [target for target in held if "/" in target or target.startswith(f"{CAMERA}.")]
+    things = [_owner(sheet, "" if each == CAMERA else each) for each in held if each not in numbers]
+    told = []
+    if numbers:
+        what = ", ".join(label_of(sheet, target) for target in numbers)
+        told.append(_("{what}: held at the end of its range in this frame.").format(what=what))
+    if things:
+        what = ", ".join(dict.fromkeys(things))
+        told.append(
+            _("{what}: cannot be drawn as its keys have it here, and stays as the sheet has it.").format(
+                what=what
+            )
+        )
+    return " ".join(told)
 
 
 def _what(sheet: Sheet, group: Group | None, attribute: str) -> str:

@@ -17,10 +17,13 @@ from workbench.panels.animate.between_dock import BetweenDock
 from workbench.panels.animate.card import AnimateCard
 from workbench.panels.animate.derivation import derivation
 from workbench.panels.animate.key_edits import KeyEdits
-from workbench.panels.animate.names import easing_titles, label_of, value_text
+from workbench.panels.animate.morph_dock import MorphDock
+from workbench.panels.animate.names import easing_titles, held_text, value_text
+from workbench.panels.animate.physics_dock import PhysicsDock
 from workbench.panels.animate.rows import rows_of
+from workbench.panels.animate.turning_dock import TurningDock
 from workbench.panels.animate.view import ON_PATH, USUAL_REACH, AnimateView
-from workbench.panels.panel import DockPart
+from workbench.panels.panel import DockPart, SwapPlace
 from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.stepped import SteppedPanel
@@ -52,6 +55,7 @@ class AnimatePanel(SteppedPanel):
         self.card: AnimateCard = AnimateCard(session, self.canvas)
         self.view = AnimateView(session, self.canvas, self.second, self.card)
         self.transport, self.between = Transport(session), BetweenDock()
+        self.morph, self.turning, self.physics = MorphDock(), TurningDock(), PhysicsDock()
         self.timeline = Timeline(easing_titles().items())
         self.chosen = ""
         self._steps = False
@@ -100,6 +104,11 @@ class AnimatePanel(SteppedPanel):
         between.handles_dragged.connect(lambda *handles: self.keys.bend(between.key, handles))
         between.handles_dropped.connect(self.keys.drop)
         between.stepping_wanted.connect(self._step_track)
+        self.morph.shift_wanted.connect(lambda shift: self.keys.turn_outline(self.morph.key, shift))
+        self.morph.shift_dropped.connect(self.keys.drop)
+        self.morph.held.connect(self.session.hold_runs)
+        self.turning.turning_wanted.connect(lambda way: self.keys.turn_by(self.turning.key, way))
+        self.physics.area_wanted.connect(self.keys.keep_area)
         frames.played.connect(self.refresh_soon)
         frames.settled.connect(self._aim_run)
         self.session.changed.connect(self._aim_run)
@@ -111,20 +120,26 @@ class AnimatePanel(SteppedPanel):
     def begin(
         self, middle: QWidget, card: QWidget, invitation: str, commands: Sequence[PanelCommand]
     ) -> None:
-        """The timeline lies under the canvas."""
+        """The timeline lies under the canvas, and stays there when the tube takes its place."""
         both = QWidget()
         column = QVBoxLayout(both)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(middle, 1)
+        column.addWidget(SwapPlace(middle), 1)
         column.addWidget(self.transport)
         column.addWidget(self.timeline)
         super().begin(both, card, invitation, commands)
         self.setFocusProxy(self.canvas)
 
     def docks(self) -> list[DockPart]:
-        """The in-between of the frame that is shown."""
-        return [("between", _("In-between"), self.between, Qt.DockWidgetArea.RightDockWidgetArea)]
+        """The in-between of the frame that is shown, what morphs and turns are made of, and physics."""
+        right = Qt.DockWidgetArea.RightDockWidgetArea
+        return [
+            ("between", _("In-between"), self.between, right),
+            ("morphing", _("Morph"), self.morph, right),
+            ("turning", _("Turn"), self.turning, right),
+            ("physics", _("Physics"), self.physics, right),
+        ]
 
     def derivation(self) -> Derivation | None:
         """The page of the chosen track: what keys and in-betweens are, drawn and with its numbers."""
@@ -171,14 +186,13 @@ class AnimatePanel(SteppedPanel):
             TimelineShown(rows, frames.count, frames.number, self.view.reach, chosen, values)
         )
         self.transport.refresh()
-        if self.between.isVisible() and not frames.playing:
-            self.between.show_interval(sheet, shown, track, frames.number)
-        if sheet.motion is not None and (held := in_frame(sheet, frames.number).held) and not frames.playing:
-            what = ", ".join(label_of(sheet, target) for target in held if "/" in target)
-            if what:
-                self.hover_text.emit(
-                    _("{what}: held at the end of its range in this frame.").format(what=what)
-                )
+        for dock in (self.between, self.morph, self.turning, self.physics):
+            if dock.isVisible() and not frames.playing:
+                dock.show_interval(sheet, shown, track, frames.number)
+        if sheet.motion is not None and not frames.playing:
+            told = held_text(sheet, in_frame(sheet, frames.number).held)
+            if told:
+                self.hover_text.emit(told)
 
     def _track(self) -> Track | None:
         """The chosen track, or else one of the active figure, or the first."""

@@ -12,6 +12,7 @@ from workbench.document.model import AnyFigure, Sheet
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.tracks import motion_of
 from workbench.language import _
+from workbench.panels.animate.physics import Equation, by_equation
 from workbench.panels.stage.outline import outline
 from workbench.rendering import figure_map
 
@@ -72,12 +73,19 @@ def path_marks(moving: Sheet, frame: int, point: str = "") -> Iterator[Mark]:
     yield Spot(x, y, "accent", "ring", "large")
 
 
-def equation_marks(falling: Sheet, point: str = "") -> Iterator[Mark]:
-    """The path by an equation, and at its end what it is."""
-    path = path_of(falling, point)
+def equation_marks(moving: Sheet, equation: Equation, frame: int, point: str = "") -> Iterator[Mark]:
+    """The path by an equation, where it is on it in a frame, and under it what it is."""
+    path = path_of(by_equation(moving, equation), point)
     yield Stroke(path, "data4", "thin", "dot")
-    x, y = path[-1].tolist()
-    yield Word(_("dotted: falling by its equation, t²"), x, y, "data4", -1, -1)
+    step = -(-motion_of(moving).frames // MOST_SPOTS)
+    x, y = path[min(frame // step, len(path) - 1)].tolist()
+    yield Spot(x, y, "data4", "ring", "large")
+    x, y = float(path[:, 0].mean()), float(path[:, 1].min())
+    words = {
+        "fall": _("dotted: falling by its equation, t²"),
+        "swing": _("dotted: a pendulum by its equation"),
+    }
+    yield Word(words[equation.law], x, y, "data4", 0, -1)
 
 
 def ghosts(moving: Sheet, frame: int, reach: int) -> Iterator[Mark]:

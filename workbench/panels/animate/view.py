@@ -6,8 +6,8 @@ from workbench.algorithms.marks import Mark, Spot
 from workbench.algorithms.visibility import depth_buffer
 from workbench.document.model import AnyFigure, Sheet
 from workbench.engine.compiled import ready
-from workbench.panels.animate.falling import by_equation
 from workbench.panels.animate.path import alone, equation_marks, ghosts, keyed_places, path_marks
+from workbench.panels.animate.physics import equation_of
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.compose import Composition, Progress
 from workbench.panels.stage.view import FigureView
@@ -113,10 +113,14 @@ class AnimateView(FigureView):
             places = keyed_places(own, self._point(own.figures[0])).values()
             return tuple(Spot(x, y, "accent", "square", "small") for x, y in places)
         reach = 0 if frames.playing else self.reach
-        falling = None if frames.playing else by_equation(own, self.target)
-        equation = [] if falling is None else equation_marks(falling, self._point(own.figures[0]))
+        equation = None if frames.playing else equation_of(own, self.target)
+        beside = (
+            []
+            if equation is None
+            else equation_marks(own, equation, frames.number, self._point(own.figures[0]))
+        )
         return (
-            *equation,
+            *beside,
             *ghosts(own, frames.number, reach),
             *path_marks(own, frames.number, self._point(own.figures[0])),
         )

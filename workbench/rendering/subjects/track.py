@@ -10,11 +10,12 @@ from workbench.algorithms.animation import morph, slerp, spline_tween, tween
 from workbench.algorithms.marks import Frame, Mark
 from workbench.document.fields import Number
 from workbench.document.model import Sheet
+from workbench.document.motion.between import corners, quaternion_of
 from workbench.document.motion.groups import Group, group_of
-from workbench.document.motion.model import EASINGS, MAX_FRAMES, SPLINE, Key, Track
+from workbench.document.motion.model import EASINGS, EULER, MAX_FRAMES, SPLINE, Key, Track
 from workbench.document.motion.tracks import group_moved, motion_of, track_on
 from workbench.document.subjects import Subject
-from workbench.geometry.quaternions import quaternion_about
+from workbench.geometry.euler import euler_angles, euler_between
 from workbench.language import _
 from workbench.rendering.mapping import Call
 from workbench.rendering.subjects.registry import Given, SubjectKind, mapped, register
@@ -100,7 +101,7 @@ def _choices(sheet: Sheet, subject: Subject) -> tuple[str, ...]:
     if group.kind == "outline":
         return (MORPH,)
     if group.kind == "turn":
-        return (SLERP,)
+        return (TWEEN, SLERP) if key.turning == EULER else (SLERP,)
     return (SPLINE_TWEEN, TWEEN) if key.easing == SPLINE else (TWEEN, SPLINE_TWEEN)
 
 
@@ -114,7 +115,7 @@ def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
     if slug == MORPH:
         return [Call(entry, _morph_arguments(sheet, group, subject, first, second))]
     if slug == SLERP:
-        ends = (np.array(_quaternion(key), np.float64) for key in (first, second))
+        ends = (np.array(quaternion_of(key.value), np.float64) for key in (first, second))
         return [Call(entry, (*ends, second.frame - first.frame - 1))]
     if slug == SPLINE_TWEEN:
         frames = np.array([key.frame for key in track.keys], np.int64)
@@ -122,7 +123,9 @@ def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
         values = np.array([key.value for key in track.keys], np.float64)
         return [Call(entry, (frames, column.copy(), *shapes)) for column in values.T]
     code = EASINGS.index(first.easing) if first.easing != SPLINE else EASINGS.index("linear")
-    pairs = zip(first.value, second.value, strict=True)
+    pairs = zip(
+        *(_euler_degrees(first, second) if group.kind == "turn" else (first.value, second.value)), strict=True
+    )
     return [Call(entry, (first.frame, second.frame, a, b, code, *first.handles)) for a, b in pairs]
 
 
@@ -130,18 +133,18 @@ def _morph_arguments(
     sheet: Sheet, group: Group, subject: Subject, first: Key, second: Key
 ) -> tuple[Any, ...]:
     figure = sheet.figures[int(group.slots[0].path[1])]
-    outlines = [np.array(key.value, np.float64).reshape(-1, 2) for key in (first, second)]
+    outlines = [corners(key) for key in (first, second)]
     frame = subject.arguments.get("frame", 0)
     assert isinstance(frame, int)
     t = min(max((frame - first.frame) / (second.frame - first.frame), 0.0), 1.0)
-    return *outlines, bool(getattr(figure, "closed", True)), 0, t
+    return *outlines, bool(getattr(figure, "closed", True)), first.shift, t
 
 
-def _quaternion(key: Key) -> tuple[float, ...]:
-    angle, *axis = key.value
-    length = float(np.linalg.norm(axis)) or 1.0
-    x, y, z = (part / length for part in axis)
-    return quaternion_about(float(np.radians(angle)), (x, y, z))
+def _euler_degrees(first: Key, second: Key) -> tuple[list[float], list[float]]:
+    """Euler's angles of both keys, degrees about x, y and z, as each goes by itself."""
+    before, after = (euler_angles(quaternion_of(key.value)) for key in (first, second))
+    start, end = (np.degrees(euler_between(before, after, part)).tolist() for part in (0.0, 1.0))
+    return start, end
 
 
 def _on_device(sheet: Sheet, subject: Subject, frame: Frame, marks: Any) -> tuple[Mark, ...]:

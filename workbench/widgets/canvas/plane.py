@@ -27,7 +27,8 @@ class Plane:
     """What is shown of a plane: at least ``box`` (xmin, ymin, xmax, ymax) of it, y upwards.
 
     ``axes`` are the names of its axes, such as ("x_w", "y_w"). ``pixels`` (h, w), 0xRRGGBB, row 0 at the
-    bottom, lie under what is drawn, each about its centre. ``dark`` is for what looks the same in all themes.
+    bottom, lie under what is drawn, each about its centre. ``dark`` is for what looks the same in all themes;
+    ``bare`` has neither grid nor axes.
     """
 
     box: Box = (0.0, 0.0, 1.0, 1.0)
@@ -36,6 +37,7 @@ class Plane:
     handles: tuple[Handle, ...] = ()
     pixels: NDArray[np.uint32] | None = None
     dark: bool = False
+    bare: bool = False
 
 
 def fitted_view(box: Box, area: Area, margin: float) -> CanvasView:
@@ -58,7 +60,7 @@ def grid_step(cell: float, room: float) -> float:
 
 def scene_of(plane: Plane, area: Area, tokens: Tokens, unit: float, font: QFont, small: bool) -> Scene:
     """What is painted of a plane in an area of the screen; ``small`` is without handles."""
-    margin = (SMALL_MARGIN_PX if small else MARGIN_PX) * unit
+    margin = (SMALL_MARGIN_PX if small or plane.bare else MARGIN_PX) * unit
     view = fitted_view(plane.box, area, margin)
     overlay = Overlay(drawn=plane.drawn, handles=() if small else plane.handles)
     return Scene(area, view, (1, 1), DARK if plane.dark else tokens, unit, font, overlay)
@@ -71,11 +73,12 @@ def paint_plane(painter: QPainter, plane: Plane, scene: Scene, small: bool) -> N
     painter.setClipRect(QRect(area.left, area.top, area.width, area.height))
     painter.fillRect(area.left, area.top, area.width, area.height, QColor(scene.tokens.canvas))
     step = grid_step(scene.view.cell, GRID_PX * scene.unit)
-    if not small:
+    ruled = not (small or plane.bare)
+    if ruled:
         _paint_grid(painter, scene, step)
     if plane.pixels is not None:
         _paint_pixels(painter, plane.pixels, scene)
-    if not small:
+    if ruled:
         _paint_axes(painter, plane.axes, scene, step)
     painter.restore()
     paint_over(painter, scene)

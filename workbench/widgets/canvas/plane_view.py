@@ -1,6 +1,7 @@
 """A plane to look at and to take hold of: its grips, its ground, the wheel and the arrow keys."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -71,7 +72,7 @@ class PlaneView(QWidget):
     def set_plane(self, plane: Plane) -> None:
         """Show something else; while it is held the same part of it stays in sight."""
         if self._held:
-            plane = Plane(self._plane.box, plane.axes, plane.drawn, plane.handles, plane.pixels, plane.dark)
+            plane = replace(plane, box=self._plane.box)
         self._plane = plane
         self.update()
 
