@@ -23,6 +23,7 @@ def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("animate-clock", partial(_open, slug="animate-clock", frame=20)),
         ("animate-pendulum", partial(_open, slug="animate-pendulum", frame=8)),
         ("animate-drive", partial(_open, slug="animate-drive", frame=22)),
+        ("animate-curves", partial(_curves, slug="animate-ball", frame=_TELLING)),
         ("animate-stepped", _stepped),
         ("animate-empty", _empty),
     ]
@@ -39,6 +40,11 @@ def _open(window: MainWindow, slug: str, frame: int) -> AnimatePanel:
     panel.timeline.track_chosen.emit(motion.tracks[0].target)
     window.arrangements.bring_forward("between")
     return panel
+
+
+def _curves(window: MainWindow, slug: str, frame: int) -> None:
+    """The curve of a track with the handles of the easing around the frame."""
+    _open(window, slug, frame).pages.show_curves(True)
 
 
 def _stepped(window: MainWindow) -> None:

@@ -4,7 +4,7 @@ Keys are named by their ids. Where a key comes to a frame that has one already, 
 """
 
 import math
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from itertools import accumulate, pairwise
 from typing import NamedTuple
 
@@ -16,9 +16,11 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import Document
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.groups import group_of, value_of
-from workbench.document.motion.model import EASINGS, LINEAR, SPLINE, Key, Motion, Track
+from workbench.document.motion.model import BEZIER_NAME, EASINGS, LINEAR, SPLINE, Key, Motion, Track
 from workbench.document.motion.tracks import motion_of, track_on, with_keys, with_motion, with_track
 from workbench.language import _
+
+_HANDLES = ("x1", "y1", "x2", "y2")
 
 
 class CopiedKey(NamedTuple):
@@ -106,6 +108,29 @@ def move_keys(sheet: str, keys: Collection[str], by: int) -> Edit:
 
 
 @checked
+def raise_keys(sheet: str, target: str, keys: Collection[str], place: int, by: float) -> Edit:
+    """Add ``by`` to the number at ``place`` of these keys of a track, held in the range of the number."""
+    chosen = frozenset(keys)
+
+    def edit(document: Document) -> Document:
+        on = sheet_with(document, sheet)
+        track, group = track_on(on, target), group_of(on, target)
+        if track is None or group is None or not 0 <= place < len(group.slots):
+            sentence = _("{target} has no number {place}; choose another.")
+            raise DocumentError(target, sentence.format(target=target, place=place))
+        limits = group.slots[place].number
+
+        def raised(key: Key) -> Key:
+            value = min(max(key.value[place] + by, limits.low), limits.high)
+            return replace(key, value=(*key.value[:place], value, *key.value[place + 1 :]))
+
+        own = {key.id for key in track.keys}
+        return _changing(sheet, chosen & own, raised)(document)
+
+    return edit
+
+
+@checked
 def scale_keys(sheet: str, keys: Collection[str], factor: float, about: int) -> Edit:
     """Take keys ``factor`` times as far from the frame ``about``, to whole frames, none before frame 0.
 
@@ -141,6 +166,13 @@ def set_easing(sheet: str, keys: Collection[str], easing: str, **shape: float) -
         raise DocumentError("easing", sentence.format(easing=easing, choices=", ".join(EASINGS)))
     numbers = {name: number(value) for name, value in shape.items()}
     return _changing(sheet, keys, lambda key: replace(key, easing=easing, **numbers))
+
+
+@checked
+def bend_keys(sheet: str, handles: Mapping[str, Sequence[float]]) -> Edit:
+    """Let keys lead to the next ones by Bézier easings with these handles, x1, y1, x2, y2, by their ids."""
+    shapes = {name: dict(zip(_HANDLES, map(number, shape), strict=True)) for name, shape in handles.items()}
+    return _changing(sheet, shapes, lambda key: replace(key, easing=BEZIER_NAME, **shapes[key.id]))
 
 
 @checked

@@ -15,7 +15,7 @@ from workbench.document.model import Figure, Sheet
 from workbench.document.motion.between import with_between
 from workbench.document.motion.easing import eased_parts
 from workbench.document.motion.groups import Group, Path, read, written
-from workbench.document.motion.keys import Interval, Keys, interval, joined
+from workbench.document.motion.keys import Interval, Keys, along, interval, joined
 from workbench.document.motion.model import EASINGS, SPLINE, Track
 from workbench.document.motion.tracks import group_moved
 from workbench.document.scene.laws import LAWS as SCENE_LAWS
@@ -177,6 +177,14 @@ def _values(keys: Keys, where: Interval) -> Floats:
         along = span * (h2 * keys.leaving[first] + h3 * keys.arriving[second])
         values[splined] = h0 * keys.values[first] + h1 * keys.values[second] + along
     return values
+
+
+def values_along(track: Track, frames: Floats) -> Floats:
+    """The numbers (n, numbers) of a track at frames (n,), whole or between, before they are held in a range.
+
+    Each number goes by itself, as those of no colour, turn or outline do.
+    """
+    return _values(*along(track, frames)).reshape(len(frames), -1)
 
 
 def _written_all(sheet: Sheet, writes: Sequence[_Write], values: list[float], held: list[str]) -> Sheet:

@@ -72,6 +72,9 @@ class Transport(QWidget):
         self.auto_key.setCheckable(True)
         self.auto_key.setToolTip(_("Whatever is changed gets a key in the frame that is shown"))
         self.auto_key.toggled.connect(lambda on: session.update_state(auto_key=on))
+        self.curves = self._action(_("Curves"), "chart-line", None)
+        self.curves.setCheckable(True)
+        self.curves.setToolTip(_("The values of the chosen track as a curve, or all tracks"))
         self.ghosts = self._action(_("Ghosts"), "stack", None)
         self.ghosts.setCheckable(True)
         self.ghosts.setChecked(True)
@@ -119,7 +122,8 @@ class Transport(QWidget):
             row.addSpacing(12 if widget is self.length else 4)
         self._moving += [self.frame, self._of, self.length]
         row.addStretch(1)
-        self._worded = [self._button(action, words=True) for action in (self.auto_key, self.ghosts)]
+        worded = (self.curves, self.auto_key, self.ghosts)
+        self._worded = [self._button(action, words=True) for action in worded]
         for button in self._worded:
             row.addWidget(button)
             row.addSpacing(4)
