@@ -26,13 +26,10 @@ from workbench.document.motion.edits import (
 from workbench.document.motion.model import BEZIER_NAME, Key
 from workbench.document.motion.tracks import motion_of
 from workbench.language import _, ngettext
+from workbench.panels.stage.gesture import Gesture
 from workbench.session.session import Session
 from workbench.widgets.timeline.frame_axis import FrameAxis
 from workbench.widgets.timeline.rows import Handles
-
-_DRAG = "drag keys"
-_EASE = "shape easing"
-_BEZIER_NOW = _("The easing is a Bézier easing now.")
 
 
 class KeyEdits(QObject):
@@ -46,16 +43,18 @@ class KeyEdits(QObject):
     def __init__(self, session: Session, axis: FrameAxis, parent: QObject) -> None:
         super().__init__(parent)
         self._session, self._axis = session, axis
-        self._before: Document | None = None
+        self._gesture = Gesture(session)
+        self._gesture.failed.connect(self.said)
+        self._begun: Document | None = None
         self.copied: tuple[CopiedKey, ...] = ()
 
     @property
     def _sheet(self) -> str:
         return self._session.sheet.id
 
-    def _edit(self, edit: Edit, name: str, merge: str = "", on: Document | None = None) -> None:
+    def _edit(self, edit: Edit, name: str) -> None:
         try:
-            self._session.apply(edit, name, merge, on)
+            self._session.apply(edit, name)
         except DocumentError as problem:
             self.said.emit(problem.short)
         self.done.emit()
@@ -66,34 +65,51 @@ class KeyEdits(QObject):
 
     # By hand, as one step of undo until it lets go
 
+    def _show(self, edit: Edit, name: str) -> None:
+        """Do an edit to the document with which the hand began, unless something else was done meanwhile."""
+        if self._begun is None:
+            self._begun = self._session.document
+            self._gesture.begin()
+        self._gesture.show(edit, name)
+        self.done.emit()
+
     def drag(self, by: int) -> None:
         """Move the chosen keys by so many frames from where they were."""
-        self._edit(move_keys(self._sheet, self._axis.selected, by), _("Move keys"), _DRAG, self._begun)
+        self._show(move_keys(self._sheet, self._axis.selected, by), _("Move keys"))
 
     def move(self, target: str, by: int, place: int, amount: float) -> None:
         """Move the chosen keys of a track by so many frames, and one of their numbers by an amount."""
         moved = move_keys(self._sheet, self._axis.selected, by)
         raised = raise_keys(self._sheet, target, self._axis.selected, place, amount)
-        self._edit(both(raised, moved) if amount else moved, _("Move keys"), _DRAG, self._begun)
+        self._show(both(raised, moved) if amount else moved, _("Move keys"))
 
     def scale(self, factor: float, about: int) -> None:
         """Take the chosen keys so many times as far from a frame as they were."""
-        edit = scale_keys(self._sheet, self._axis.selected, factor, about)
-        self._edit(edit, _("Scale keys"), _DRAG, self._begun)
+        self._show(scale_keys(self._sheet, self._axis.selected, factor, about), _("Scale keys"))
 
-    @property
-    def _begun(self) -> Document:
-        """The document with which the hand began."""
-        if self._before is None:
-            self._before = self._session.document
-        return self._before
+    def bend(self, key: Key | None, handles: Handles) -> None:
+        """Give the easing of a key handles, x1, y1, x2, y2; one of another kind becomes a Bézier easing."""
+        if key is not None:
+            self.bend_all({key.id: handles})
+
+    def bend_all(self, handles: Mapping[str, Handles]) -> None:
+        """Give the easings of keys handles, by their ids."""
+        keys = (key for track in motion_of(self._session.sheet).tracks for key in track.keys)
+        if any(key.id in handles and key.easing != BEZIER_NAME for key in keys):
+            self.said.emit(_("The easing is a Bézier easing now."))
+        self._show(bend_keys(self._sheet, handles), _("Shape easing"))
 
     def drop(self) -> None:
         """The hand lets go; keys whose places were taken are told of."""
-        if self._before is not None:
-            self._tell_of_taken(self._before)
-        self._before = None
-        self._session.end_merge()
+        if self._begun is not None and self._gesture.busy and not self._gesture.overtaken:
+            self._tell_of_taken(self._begun)
+        self._gesture.commit()
+        self._begun = None
+
+    def take_back(self) -> None:
+        """Escape: all is as when the hand began."""
+        self._gesture.cancel()
+        self.done.emit()
 
     def _tell_of_taken(self, before: Document) -> None:
         count = len(_keys(before, self._sheet) - _keys(self._session.document, self._sheet))
@@ -104,22 +120,6 @@ class KeyEdits(QObject):
                 count,
             )
             self.said.emit(sentence.format(n=count))
-
-    def bend_all(self, handles: Mapping[str, Handles]) -> None:
-        """Give the easings of keys handles, x1, y1, x2, y2, by their ids."""
-        track_keys = (key for track in motion_of(self._session.sheet).tracks for key in track.keys)
-        if any(key.id in handles and key.easing != BEZIER_NAME for key in track_keys):
-            self.said.emit(_BEZIER_NOW)
-        self._edit(bend_keys(self._sheet, handles), _("Shape easing"), _EASE, self._begun)
-
-    def bend(self, key: Key | None, handles: tuple[float, float, float, float]) -> None:
-        """Give the easing of a key handles, x1, y1, x2, y2; one of another kind becomes a Bézier easing."""
-        if key is None:
-            return
-        if key.easing != BEZIER_NAME:
-            self.said.emit(_BEZIER_NOW)
-        shape = dict(zip(("x1", "y1", "x2", "y2"), handles, strict=True))
-        self._edit(set_easing(self._sheet, [key.id], BEZIER_NAME, **shape), _("Shape easing"), _EASE)
 
     # By a command
 

@@ -315,7 +315,7 @@ class AnimatePanel(SteppedPanel):
                 self._aim_run()
 
     def _press_handle(self, address: str, modifiers: Modifiers) -> None:
-        """A key of the path is taken hold of in its own frame."""
+        """A mark of the path is taken hold of in its own frame; dragged, it gets a key there."""
         figure = self.session.active_figure
         if address.startswith(ON_PATH) and figure is not None:
             self.session.frames.show(int(address.removeprefix(ON_PATH)))

@@ -57,6 +57,15 @@ def keyed_places(moving: Sheet, point: str = "", of: str = "") -> dict[int, tupl
     }
 
 
+def marked_places(moving: Sheet, point: str = "") -> dict[int, tuple[float, float]]:
+    """Where the path is in each frame that has a mark, on the device; nowhere where nothing moves."""
+    path = path_of(moving, point)
+    step = -(-motion_of(moving).frames // MOST_SPOTS)
+    if not np.ptp(path, axis=0).any():
+        return {}
+    return {number * step: (x, y) for number, (x, y) in enumerate(path.tolist())}
+
+
 def path_marks(moving: Sheet, frame: int, point: str = "") -> Iterator[Mark]:
     """A mark for each frame, so that speed is seen, larger ones at keys, and a ring where it is now."""
     path = path_of(moving, point)

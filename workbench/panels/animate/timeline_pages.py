@@ -44,6 +44,7 @@ class TimelinePages(QStackedWidget):
         page.keys_dragged.connect(keys.drag)
         page.keys_scaled.connect(keys.scale)
         page.keys_dropped.connect(keys.drop)
+        page.keys_put_back.connect(keys.take_back)
         page.deletion_wanted.connect(keys.delete)
         page.copy_wanted.connect(keys.copy)
         page.paste_wanted.connect(keys.paste)

@@ -373,7 +373,7 @@ class CurveEditor(KeyEditor):
                 self.choose_number(self._number + (1 if down else -1))
         elif key == Qt.Key.Key_H:
             self._hold_next()
-        elif key == Qt.Key.Key_Escape and self._held is not None:
+        elif key == Qt.Key.Key_Escape and self._held is not None and not self._doing:
             self._hold(None)
         else:
             super().keyPressEvent(event)

@@ -16,6 +16,7 @@ _CTRL = Qt.KeyboardModifier.ControlModifier
 _SHIFT = Qt.KeyboardModifier.ShiftModifier
 _ALT = Qt.KeyboardModifier.AltModifier
 _ALONG = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+_DRAGS = ("keys", "scale", "handle")
 _OF_KEYS = frozenset(
     (
         *(Qt.Key.Key_K, Qt.Key.Key_Delete, Qt.Key.Key_Backspace),
@@ -29,13 +30,14 @@ class KeyEditor(FramesView):
 
     ``keys_dragged`` sends by how many frames the chosen keys are wanted from where they were pressed,
     ``keys_scaled`` how many times as far from which frame, ``keys_dropped`` that the hand let go,
-    ``key_wanted`` a target and a frame, ``easing_wanted`` the name of one, ``deletion_wanted``,
-    ``copy_wanted`` and ``paste_wanted`` nothing more.
+    ``keys_put_back`` that all is wanted as before, ``key_wanted`` a target and a frame, ``easing_wanted`` the
+    name of one, ``deletion_wanted``, ``copy_wanted`` and ``paste_wanted`` nothing more.
     """
 
     keys_dragged = Signal(int)
     keys_scaled = Signal(float, int)
     keys_dropped = Signal()
+    keys_put_back = Signal()
     key_wanted = Signal(str, int)
     easing_wanted = Signal(str)
     deletion_wanted = Signal()
@@ -108,7 +110,7 @@ class KeyEditor(FramesView):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Let go."""
-        if self._doing in ("keys", "scale", "handle"):
+        if self._doing in _DRAGS:
             self.keys_dropped.emit()
         super().mouseReleaseEvent(event)
 
@@ -197,6 +199,8 @@ class KeyEditor(FramesView):
             self.deletion_wanted.emit()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._choose_here()
+        elif key == Qt.Key.Key_Escape and self._doing in _DRAGS:
+            self.keys_put_back.emit()
         elif key == Qt.Key.Key_Escape and self.selected:
             self.axis.choose(())
         else:

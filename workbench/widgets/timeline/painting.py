@@ -6,7 +6,7 @@ from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QLinearGradient, QPaint
 from workbench.language import _
 from workbench.widgets.look.tokens import colour, tokens
 from workbench.widgets.timeline.rows import KeyShown, Pace, TimelineShown, TrackShown
-from workbench.widgets.timeline.scale import LABEL_PX, ROW_PX, RULER_PX, Scale
+from workbench.widgets.timeline.scale import LABEL_PX, RIGHT_PX, ROW_PX, RULER_PX, Scale
 
 KEY_PX = 6.0
 _HATCHED = Qt.BrushStyle.BDiagPattern
@@ -126,7 +126,7 @@ def _paint_key(painter: QPainter, scale: Scale, key: KeyShown, y: float, selecte
 def paint_end(painter: QPainter, scale: Scale, shown: TimelineShown, width: float, height: float) -> None:
     """What comes after the last frame is hatched: keys there are kept, and not played."""
     x = max(scale.x(shown.frames - 1) + KEY_PX + 2, LABEL_PX)
-    if x < width:
+    if x < width - RIGHT_PX:
         painter.fillRect(QRectF(x, RULER_PX, width - x, height), QBrush(colour(tokens().line), _HATCHED))
 
 
