@@ -179,12 +179,17 @@ def _values(keys: Keys, where: Interval) -> Floats:
     return values
 
 
-def values_along(track: Track, frames: Floats) -> Floats:
-    """The numbers (n, numbers) of a track at frames (n,), whole or between, before they are held in a range.
+def values_along(track: Track, frames: Floats, group: Group | None = None) -> Floats:
+    """The numbers (n, numbers) of a track at frames (n,), whole or between.
 
-    Each number goes by itself, as those of no colour, turn or outline do.
+    Each number goes by itself, as those of no colour, turn or morphed outline do; given the ``group`` that
+    the track moves, it is held in its range.
     """
-    return _values(*along(track, frames)).reshape(len(frames), -1)
+    values = _values(*along(track, frames)).reshape(len(frames), -1)
+    if group is None:
+        return values
+    low, high = np.array([(slot.number.low, slot.number.high) for slot in group.slots]).T
+    return np.clip(values, low, high)
 
 
 def _written_all(sheet: Sheet, writes: Sequence[_Write], values: list[float], held: list[str]) -> Sheet:

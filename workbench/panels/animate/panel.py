@@ -94,6 +94,7 @@ class AnimatePanel(SteppedPanel):
         between.easing_wanted.connect(lambda easing: self.keys.ease_interval(between.key, easing))
         between.handles_dragged.connect(lambda *handles: self.keys.bend(between.key, handles))
         between.handles_dropped.connect(self.keys.drop)
+        between.curve.said.connect(self.hover_text)
         between.stepping_wanted.connect(self._step_track)
         frames.played.connect(self.refresh_soon)
         frames.settled.connect(self._aim_run)

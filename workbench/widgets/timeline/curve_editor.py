@@ -18,6 +18,7 @@ from workbench.widgets.timeline.curve_painting import (
     paint_title,
     paint_values,
 )
+from workbench.widgets.timeline.easing_curve import stays_between
 from workbench.widgets.timeline.frame_axis import FrameAxis
 from workbench.widgets.timeline.frames_view import ZOOM
 from workbench.widgets.timeline.key_editor import KeyEditor
@@ -325,9 +326,7 @@ class CurveEditor(KeyEditor):
             handles = list(begun)
             x, y = begun[side] + dx, begun[side + 1] + dy
             if name == self._held[0] and not 0.0 <= x <= 1.0:
-                self.said.emit(
-                    _("The handle stays between its two keys: beyond them the easing would run back in time.")
-                )
+                self.said.emit(stays_between())
             handles[side] = round(min(max(x, 0.0), 1.0), 3)
             handles[side + 1] = round(min(max(y, -_STEEPEST), _STEEPEST), 3)
             wanted[name] = (handles[0], handles[1], handles[2], handles[3])

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QWidget
 
+from workbench.document.motion.model import MAX_FRAMES
 from workbench.language import _
 from workbench.session.frames import Frames, Mode
 from workbench.session.session import Session
@@ -171,10 +172,11 @@ class Transport(QWidget):
         else:
             if field is self.rate:
                 self.rate_wanted.emit(value)
-            elif value.is_integer():
+            elif value.is_integer() and 0 <= value < MAX_FRAMES:
                 self.length_wanted.emit(int(value) + 1)
             else:
-                self.said.emit(_("The last frame is {value:g}; give a whole number.").format(value=value))
+                sentence = _("The last frame cannot be {value:.15g}; give a whole number from 0 to {most}.")
+                self.said.emit(sentence.format(value=value, most=MAX_FRAMES - 1))
         self.refresh()
 
     def refresh(self) -> None:
