@@ -300,6 +300,10 @@ class AnimatePanel(SteppedPanel):
 
     def _follow_run(self) -> None:
         """The frame that a step works out is shown, once the run is where it is going."""
+        lead = self.session.run
+        if self.isVisible() and lead.subject is not None and lead.subject != self.session.subject:
+            self._aim_run()  # a late word of a run whose keys have been moved meanwhile
+            return
         run = self.view.stepped_run()
         if not self.isVisible() or run is None or run.step is None or run.number == 0 or run.entry is None:
             return
