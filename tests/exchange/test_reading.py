@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from tests.document.views import seen_through
 from workbench.document.errors import DocumentError
 from workbench.document.model import Polyline, WorldPoint
-from workbench.document.samples.examples import example_document, examples
+from workbench.document.samples.examples import example, example_document, examples
 from workbench.document.state import SessionState
 from workbench.document.storage.content import Stopped, read_text
 from workbench.document.storage.files import Stored, encode
@@ -34,6 +34,7 @@ from workbench.exchange.reading import (
 ROOT = Path(__file__).parents[2]
 posix = pytest.mark.skipif(os.name != "posix", reason="limits and scripts of POSIX")
 SHEET = example_document().sheets[0]
+MOVING = example("animate-ball").document.sheets[0]
 WAVE = "".join(f"{k / 9:.3f};{np.sin(k / 40):.6f}\n" for k in range(3000)).encode()
 PATHS = "".join(f'<path id="p{k}" d="M {k} 0 C {k} 2 9 4 3 0A1 2 3 0 1 {k} 9"/>' for k in range(1500))
 DRAWING = f'<svg xmlns="http://www.w3.org/2000/svg">{PATHS}<text/></svg>'.encode()
@@ -68,7 +69,8 @@ def test_a_picture_comes_whole(tmp_path: Path) -> None:
     [
         Job("drawing", content=DRAWING, sheet=SHEET),
         Job("points", content=WAVE),
-        Job("figures", content=write_figures(list(SHEET.figures) * 300)),
+        Job("figures", content=write_figures(SHEET, SHEET.figures * 300)),
+        Job("figures", content=write_figures(MOVING, MOVING.figures)),
     ],
 )
 def test_the_child_reads_what_is_read_here(job: Job) -> None:

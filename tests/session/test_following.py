@@ -142,3 +142,15 @@ def test_under_a_drag_the_calls_of_a_run_are_worked_out_once_at_its_end(
     session.hold_runs(False)
     assert asked == [session.sheet]
     assert session.run.arguments == (25, 10, 35, 18)
+
+
+def test_who_asks_for_another_step_while_the_run_moves_is_heard(session: Session, qtbot: QtBot) -> None:
+    def ask_for_another() -> None:
+        if session.run.number == 5:
+            session.update_state(step=3)
+
+    session.run.moved.connect(ask_for_another)
+    session.update_state(step=5)
+    recorded(session, qtbot)
+    recorded(session, qtbot)
+    assert (session.state.step, session.run.number) == (3, 3)

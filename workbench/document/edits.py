@@ -46,7 +46,9 @@ from workbench.document.building import (
 from workbench.document.curves.edits import moved_points
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Curve, Document, Polygon, WorldPoint
-from workbench.document.motion.tracks import with_copied_tracks
+from workbench.document.motion.model import Motion
+from workbench.document.motion.tracks import tracks_of, with_copied_tracks, with_motion
+from workbench.document.parts import ids_of_copy
 from workbench.document.sheet_edits import (
     add_sheet,
     remove_sheet,
@@ -135,6 +137,30 @@ def add_figures(sheet: str, figures: Iterable[AnyFigure]) -> Edit:
     return edit
 
 
+@checked
+def add_moving_figures(
+    sheet: str, figures: Iterable[AnyFigure], originals: Iterable[AnyFigure], motion: Motion
+) -> Edit:
+    """As ``add_figures``; each moves as the one in its place among ``originals`` does in ``motion``.
+
+    A sheet that has no motion yet gets the length and the rate of this one.
+    """
+    wanted, before = tuple(figures), tuple(originals)
+
+    def edit(document: Document) -> Document:
+        on = sheet_with(document, sheet)
+        added = all_numbered(document, wanted)
+        document = with_figures(document, on, (*on.figures, *added))
+        if on.motion is None:
+            document = with_motion(document, sheet, replace(motion, tracks=()))
+        pairs = map(ids_of_copy, before, added)
+        renamed = {old: new for each in pairs for old, new in each.items()}
+        there = replace(on, figures=before)
+        return with_copied_tracks(document, sheet, motion.tracks, there, renamed)
+
+    return edit
+
+
 def add_drawing(sheet: str, figures: Iterable[AnyFigure], palette: Iterable[int] = ()) -> Edit:
     """Put ``figures`` on ``sheet``, whose palette, if one is given, they need."""
     colours = tuple(palette)
@@ -175,7 +201,8 @@ def duplicate_figures(figures: Iterable[str], dx_world: float = 1.0, dy_world: f
             copy = numbered(document, shifted)
             at = sheet.figures.index(figure) + 1
             document = with_figures(document, sheet, (*sheet.figures[:at], copy, *sheet.figures[at:]))
-            document = with_copied_tracks(document, sheet.id, dict(zip(figure.ids, copy.ids, strict=True)))
+            tracks = tracks_of(sheet, (figure.id,))
+            document = with_copied_tracks(document, sheet.id, tracks, sheet, ids_of_copy(figure, copy))
         return document
 
     return edit

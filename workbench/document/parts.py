@@ -16,6 +16,12 @@ def number_of(identity: str) -> int:
     return int(number.group()) if number else 0
 
 
+def ids_of_copy(was: Any, copy: Any) -> dict[str, str]:
+    """The ids of a copy and its parts by those in their places in what was copied."""
+    lists = (zip(getattr(was, name), getattr(copy, name), strict=False) for name in parts_of(type(was)))
+    return {was.id: copy.id} | {old.id: new.id for old, new in chain.from_iterable(lists)}
+
+
 class WithParts:
     """The ids of a struct and of its parts, found once; it keeps what is cached, as ``dict=True`` lets it."""
 

@@ -1,22 +1,39 @@
-"""Figures on the clipboard: the list of them as the file writes figures, in JSON."""
+"""Figures on the clipboard, and how they move: as the file writes them, in JSON."""
+
+from collections.abc import Iterable
 
 import msgspec
 
-from workbench.document.model import AnyFigure
+from workbench.document.model import AnyFigure, Sheet
+from workbench.document.motion.model import Motion
+from workbench.document.motion.tracks import motion_copied
 from workbench.language import _
 
-# Made here, by the thread that imports: as in ``document.storage.files``.
-_decoder = msgspec.json.Decoder(list[AnyFigure])
 MIME = "application/x-graphics-workbench-figures"
 
 
-def write_figures(figures: list[AnyFigure]) -> bytes:
-    """Figures as text."""
-    return msgspec.json.encode(figures)
+class CopiedFigures(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """Figures with the ids that they have where they were copied; ``motion`` has the tracks that hang on
+    them, None where none do.
+    """
+
+    figures: tuple[AnyFigure, ...]
+    motion: Motion | None = None
 
 
-def read_figures(data: bytes | bytearray | memoryview) -> list[AnyFigure]:
-    """The figures in such a text, their numbers unchecked. Raises: ValueError with one sentence."""
+# Made here, by the thread that imports: as in ``document.storage.files``.
+_decoder = msgspec.json.Decoder(CopiedFigures)
+
+
+def write_figures(sheet: Sheet, figures: Iterable[AnyFigure]) -> bytes:
+    """Figures of a sheet, and how they move on it, as text."""
+    copied = tuple(figures)
+    motion = motion_copied(sheet, {figure.id for figure in copied})
+    return msgspec.json.encode(CopiedFigures(copied, motion))
+
+
+def read_figures(data: bytes | bytearray | memoryview) -> CopiedFigures:
+    """What such a text holds, their numbers unchecked. Raises: ValueError with one sentence."""
     try:
         return _decoder.decode(data)
     except (ValueError, RecursionError):

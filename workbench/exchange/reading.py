@@ -19,6 +19,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from workbench.document.model import AnyFigure, Curve, Document, Sheet
+from workbench.document.motion.model import Motion
 from workbench.document.state import SessionState
 from workbench.document.storage.content import Progress, Stopped, part, read_content, silent
 from workbench.document.storage.embedding import as_text, blobs_of, from_text, with_contents
@@ -103,7 +104,8 @@ def read_now(job: Job, progress: Progress = silent) -> Result:
     if job.kind == "picture":
         return decode(content)
     if job.kind == "figures":
-        return Imported(tuple(read_figures(content)), (), ())
+        copied = read_figures(content)
+        return Imported(copied.figures, (), (), motion=copied.motion)
     if job.kind == "drawing":
         assert job.sheet is not None
         return read_svg(content if job.path else content.decode("utf-8", "replace"), job.sheet, progress=rest)
@@ -180,6 +182,7 @@ class _Drawn(msgspec.Struct, tag=True):
     approximated: list[tuple[str, float]]
     notes: list[str]
     palette: list[int]
+    motion: Motion | None
 
 
 class _Points(msgspec.Struct, tag=True):
@@ -217,7 +220,7 @@ def _parts(result: Result) -> Iterator[_Part]:
                     yield _Blob(name, content[at : at + _BLOB_IN_A_PART])
         case Imported(figures=figures, approximated=approximated, notes=notes, palette=palette):
             yield from _batches(0, figures)
-            yield _Drawn(list(approximated), list(notes), list(palette))
+            yield _Drawn(list(approximated), list(notes), list(palette), result.motion)
         case Fitted(curve=curve, points=points, error=error):
             yield from _batches(0, [curve])
             yield _Fit(points, error)
@@ -259,8 +262,9 @@ def _joined(parts: list[_Part]) -> Result:
                 for digest in blobs_of(document):
                     del contents[digest]
                 return Stored(document, session, contents, each.origin, each.origin_stamp, each.blobs_beside)
-            case _Drawn(approximated=approximated, notes=notes, palette=palette):
-                return Imported(tuple(figures[0]), tuple(approximated), tuple(notes), tuple(palette))
+            case _Drawn(approximated=approximated, notes=notes, palette=palette, motion=motion):
+                drawn = tuple(figures[0])
+                return Imported(drawn, tuple(approximated), tuple(notes), tuple(palette), motion)
             case _Fit(points=points, error=error):
                 (curve,) = figures[0]
                 assert isinstance(curve, Curve)

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from workbench.document.building import without_ids
 from workbench.document.model import AnyFigure, Rectangle, Sheet
+from workbench.document.motion.model import Motion
 from workbench.document.storage.content import Progress, part, silent
 from workbench.document.transforms.chains import matrix_of
 from workbench.exchange.path_data import MOST_POINTS, TooManyPointsError
@@ -42,17 +43,19 @@ _ROUNDING = 1e-12
 
 
 class Imported(NamedTuple):
-    """What an SVG holds.
+    """What an SVG holds, or the clipboard.
 
-    ``figures`` without ids, from back to front; ``approximated``: what is not exact, with its error in world
-    units; ``notes``: a sentence for each thing that did not come along; ``palette``: that of the sheet with
-    the colours that it needs at its end, empty where it needs none.
+    ``figures`` from back to front, those of an SVG without ids; ``approximated``: what is not exact, with its
+    error in world units; ``notes``: a sentence for each thing that did not come along; ``palette``: that of
+    the sheet with the colours that it needs at its end, empty where it needs none; ``motion``: how those of
+    the clipboard move, None where they do not.
     """
 
     figures: tuple[AnyFigure, ...]
     approximated: tuple[tuple[str, float], ...]
     notes: tuple[str, ...]
     palette: tuple[int, ...] = ()
+    motion: Motion | None = None
 
     @property
     def error(self) -> float:

@@ -57,12 +57,13 @@ class Following(QObject):
             self._follow(lead, subject)
             lead.landmarks = kind_of(subject).landmarks(session.sheet, subject)
             self.switch(stays=False)
-            if subject.is_of(before[0]) and self._here == self._reached:
-                if lead.entry is not before[1]:  # another text on the same figure begins at its start
-                    session.update_state(step=0)
-            else:
+            here = self._here
+            if not subject.is_of(before[0]) or here != self._reached:
                 lead.go_to_number(session.state.step)
-            self._reached = self._here
+            elif lead.entry is not before[1]:  # another text on the same figure begins at its start
+                session.update_state(step=0)
+                here = self._here
+            self._reached = here  # and not where somebody who was told of it goes next
         finally:
             self._telling = False
         for follower, other in zip_longest(self._followers, self._compared(subject)):

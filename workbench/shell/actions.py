@@ -12,6 +12,7 @@ from PySide6.QtGui import QKeySequence
 
 from workbench.language import _
 from workbench.shell.theme import choose_theme
+from workbench.shell.timeline_keys import timeline_keys
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -387,4 +388,5 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (curves, "Shift+C, Shift+S, Shift+Y", _("Make the joint a corner, smooth, symmetric")),
         (curves, "Shift+O, Shift+R", _("Close or open; reverse the direction")),
         (curves, "U, K, N", _("Construction at u; curvature comb; snap to pixels")),
+        *timeline_keys(),
     )

@@ -28,6 +28,7 @@ def animate_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("animate-swing", partial(_open, slug="animate-pendulum", frame=8, dock="physics", track=-1)),
         ("animate-turn", partial(_open, slug="animate-turn", frame=32, dock="turning", track=-1)),
         ("animate-drive", partial(_open, slug="animate-drive", frame=22)),
+        ("animate-curves", partial(_curves, slug="animate-ball", frame=_TELLING)),
         ("animate-stepped", _stepped),
         ("animate-tube", _on_the_tube),
         ("animate-empty", _empty),
@@ -45,6 +46,11 @@ def _open(window: MainWindow, slug: str, frame: int, dock: str = "between", trac
     panel.timeline.track_chosen.emit(motion.tracks[track].target)
     window.arrangements.bring_forward(dock)
     return panel
+
+
+def _curves(window: MainWindow, slug: str, frame: int) -> None:
+    """The curve of a track with the handles of the easing around the frame."""
+    _open(window, slug, frame).pages.show_curves(True)
 
 
 def _stepped(window: MainWindow) -> None:

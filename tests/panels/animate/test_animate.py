@@ -242,9 +242,9 @@ def test_keys_are_copied_and_pasted_at_the_frame_that_is_shown(qtbot, panel: Ani
     qtbot.mouseClick(panel.timeline, LEFT, pos=key_place(panel, 1, 0))
     panel.timeline.setFocus()
     settle()
-    assert panel.copy()
+    assert panel.timeline.copy()
     panel.session.frames.show(30)
-    assert panel.paste()
+    panel.timeline.paste()
     settle()
     assert frames_on(panel, 1) == [0, 30, 58]
 
@@ -265,10 +265,10 @@ def test_a_zoomed_timeline_keeps_its_frame_and_fits_again(panel: AnimatePanel) -
     panel.session.frames.show(40)
     settle()
     before = panel.timeline.scale.x(40)
-    panel.timeline.zoom(2.0)
+    panel.pages.axis.zoom(2.0, 40)
     assert panel.timeline.scale.x(40) == pytest.approx(before, abs=panel.timeline.scale.pixels)
     assert panel.timeline.scale.x(41) - panel.timeline.scale.x(40) > 20
-    panel.timeline.fit()
+    panel.pages.fit()
     assert panel.timeline.scale.first == 0
     assert panel.timeline.scale.x(58) <= panel.timeline.width()
     assert panel.timeline.scale.x(0) > LABEL_PX
@@ -325,7 +325,7 @@ def test_there_is_one_transport_at_a_time(qtbot, panel: AnimatePanel) -> None:
 
 
 def test_chosen_keys_are_scaled_in_time_with_ctrl(qtbot, panel: AnimatePanel) -> None:
-    panel.timeline.choose([key.id for key in panel.timeline.shown.tracks[0].keys[:3]])
+    panel.pages.axis.choose([key.id for key in panel.timeline.shown.tracks[0].keys[:3]])
     grip, end = key_place(panel, 0, 2), frame_place(panel, 0, 14)
     qtbot.mousePress(panel.timeline, LEFT, CTRL, grip)
     qtbot.mouseMove(panel.timeline, (grip + end) / 2)
@@ -356,7 +356,8 @@ def test_a_key_of_the_path_is_dragged_in_its_own_frame(qtbot, panel: AnimatePane
     panel.choose_tool("select")
     session.frames.show(34)
     settle()
-    on_path = [handle for handle in panel.canvas.overlay.handles if handle.id.startswith("path/")]
+    grips = (handle for handle in panel.canvas.overlay.handles if handle.shape == "square")
+    on_path = [handle for handle in grips if handle.id.startswith("path/")]
     assert [handle.id for handle in on_path] == [f"path/{frame}" for frame in (0, 16, 28, 40, 49, 58)]
     drag(qtbot, panel, (212, 26), (208, 34), (204, 42))
     assert session.frames.number == 49
@@ -374,7 +375,7 @@ def test_a_late_word_of_a_run_of_other_keys_moves_nothing(qtbot, panel: AnimateP
     session = panel.session
     session.frames.show(34)
     qtbot.waitUntil(lambda: session.run.number == 7, timeout=5000)
-    panel.timeline.choose([panel.timeline.shown.tracks[0].keys[2].id])
+    panel.pages.axis.choose([panel.timeline.shown.tracks[0].keys[2].id])
     panel.keys.drag(3)
     session.frames.settled.emit()
     session.run.moved.emit()  # the run still goes from frame 28 to 40

@@ -27,8 +27,7 @@ def with_between(sheet: Sheet, group: Group, first: Key, second: Key, part: floa
         names = [str(slot.path[-1]) for slot in group.slots]
         turn = dict(zip(names, turned(first, second, part), strict=True))
         return _with(sheet, path[:-1], replace(read(sheet, path[:-1]), **turn))
-    pairs = zip(first.value, second.value, strict=True)
-    red, green, blue = (min(max(a + part * (b - a), 0.0), 255.0) for a, b in pairs)
+    red, green, blue = (a + part * (b - a) for a, b in zip(first.value, second.value, strict=True))
     return _coloured(sheet, path, packed(red, green, blue))
 
 

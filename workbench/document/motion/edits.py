@@ -3,24 +3,34 @@
 Keys are named by their ids. Where a key comes to a frame that has one already, it takes its place.
 """
 
-import math
-from collections.abc import Callable, Collection, Iterable, Sequence
-from itertools import accumulate, pairwise
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+import numpy as np
 from msgspec.structs import replace
 
 from workbench.document.addresses import highest, new_ids, sheet_with
 from workbench.document.building import Edit, checked, number, remembering, whole_number
 from workbench.document.errors import DocumentError
 from workbench.document.model import Document
-from workbench.document.motion.evaluation import at
+from workbench.document.motion.evaluation import at, values_along
 from workbench.document.motion.groups import group_of, value_of
-from workbench.document.motion.model import EASINGS, LINEAR, SPLINE, TURNINGS, Key, Motion, Track
+from workbench.document.motion.model import (
+    BEZIER_NAME,
+    EASINGS,
+    LINEAR,
+    SPLINE,
+    TURNINGS,
+    Key,
+    Motion,
+    Track,
+)
 from workbench.document.motion.tracks import motion_of, track_on, with_keys, with_motion, with_track
 from workbench.language import _
 
 RADII = ("radius_x_world", "radius_y_world")
+_MOST_STRETCHES = 20_000
+_HANDLES = ("x1", "y1", "x2", "y2")
 
 
 class CopiedKey(NamedTuple):
@@ -111,6 +121,29 @@ def move_keys(sheet: str, keys: Collection[str], by: int) -> Edit:
 
 
 @checked
+def raise_keys(sheet: str, target: str, keys: Collection[str], place: int, by: float) -> Edit:
+    """Add ``by`` to the number at ``place`` of these keys of a track, held in the range of the number."""
+    chosen = frozenset(keys)
+
+    def edit(document: Document) -> Document:
+        on = sheet_with(document, sheet)
+        track, group = track_on(on, target), group_of(on, target)
+        if track is None or group is None or not 0 <= place < len(group.slots):
+            sentence = _("{target} has no number {place}; choose another.")
+            raise DocumentError(target, sentence.format(target=target, place=place))
+        limits = group.slots[place].number
+
+        def raised(key: Key) -> Key:
+            value = min(max(key.value[place] + by, limits.low), limits.high)
+            return replace(key, value=(*key.value[:place], value, *key.value[place + 1 :]))
+
+        own = {key.id for key in track.keys}
+        return _changing(sheet, chosen & own, raised)(document)
+
+    return edit
+
+
+@checked
 def scale_keys(sheet: str, keys: Collection[str], factor: float, about: int) -> Edit:
     """Take keys ``factor`` times as far from the frame ``about``, to whole frames, none before frame 0.
 
@@ -164,11 +197,18 @@ def set_turning(sheet: str, keys: Collection[str], turning: str) -> Edit:
 
 
 @checked
+def bend_keys(sheet: str, handles: Mapping[str, Sequence[float]]) -> Edit:
+    """Let keys lead to the next ones by Bézier easings with these handles, x1, y1, x2, y2, by their ids."""
+    shapes = {name: dict(zip(_HANDLES, map(number, shape), strict=True)) for name, shape in handles.items()}
+    return _changing(sheet, shapes, lambda key: replace(key, easing=BEZIER_NAME, **shapes[key.id]))
+
+
+@checked
 def even_speed(sheet: str, target: str) -> Edit:
     """Move the inner keys of a track in time so that each way between two keys takes frames as it is long.
 
-    What is not a spline becomes linear. Raises: DocumentError for a track without inner keys, or that stays
-    in one place.
+    What is not a spline becomes linear. Of very many frames not every one is looked at. Raises: DocumentError
+    for a track without inner keys, or that stays in one place.
     """
 
     def edit(document: Document) -> Document:
@@ -178,11 +218,15 @@ def even_speed(sheet: str, target: str) -> Edit:
             sentence = _("{target} has no keys between its first and its last one; set some.")
             raise DocumentError(target, sentence.format(target=target))
         first, last = track.keys[0].frame, track.keys[-1].frame
-        places = [value_of(at(on, frame), group) for frame in range(first, last + 1)]
-        gone = list(accumulate((math.dist(a, b) for a, b in pairwise(places)), initial=0.0))
+        keyed = np.array([key.frame for key in track.keys], np.float64)
+        step = -(-(last - first) // _MOST_STRETCHES)
+        seen = np.union1d(np.arange(first, last, step, dtype=np.float64), keyed)
+        ways = np.diff(values_along(track, seen, group), axis=0)
+        gone = np.append(0.0, np.cumsum(np.linalg.norm(ways, axis=1)))
         if gone[-1] == 0.0:
             raise DocumentError(target, _("{target} does not move.").format(target=target))
-        frames = [first + round((last - first) * gone[key.frame - first] / gone[-1]) for key in track.keys]
+        parts = (gone[np.searchsorted(seen, keyed)] / gone[-1]).tolist()
+        frames = [first + round((last - first) * part) for part in parts]
         for place in range(1, len(frames) - 1):  # each key keeps a frame of its own
             frames[place] = max(frames[place], frames[place - 1] + 1)
         for place in range(len(frames) - 2, 0, -1):

@@ -15,7 +15,7 @@ from workbench.document.model import Figure, Sheet
 from workbench.document.motion.between import with_between
 from workbench.document.motion.easing import eased_parts
 from workbench.document.motion.groups import Group, Path, read, written
-from workbench.document.motion.keys import Interval, Keys, interval, joined
+from workbench.document.motion.keys import Interval, Keys, along, interval, joined
 from workbench.document.motion.model import EASINGS, SPLINE, Track
 from workbench.document.motion.tracks import group_moved
 from workbench.document.scene.laws import LAWS as SCENE_LAWS
@@ -183,6 +183,19 @@ def _values(keys: Keys, where: Interval) -> Floats:
         along = span * (h2 * keys.leaving[first] + h3 * keys.arriving[second])
         values[splined] = h0 * keys.values[first] + h1 * keys.values[second] + along
     return values
+
+
+def values_along(track: Track, frames: Floats, group: Group | None = None) -> Floats:
+    """The numbers (n, numbers) of a track at frames (n,), whole or between.
+
+    Each number goes by itself, as those of no colour, turn or morphed outline do; given the ``group`` that
+    the track moves, it is held in its range.
+    """
+    values = _values(*along(track, frames)).reshape(len(frames), -1)
+    if group is None:
+        return values
+    low, high = np.array([(slot.number.low, slot.number.high) for slot in group.slots]).T
+    return np.clip(values, low, high)
 
 
 def _written_all(sheet: Sheet, writes: Sequence[_Write], values: list[float], held: list[str]) -> Sheet:

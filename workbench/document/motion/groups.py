@@ -166,5 +166,6 @@ def channels(colour: int) -> tuple[float, float, float]:
 
 
 def packed(red: float, green: float, blue: float) -> int:
-    """0xRRGGBB of red, green and blue, 0 to 255."""
-    return int(red + 0.5) << 16 | int(green + 0.5) << 8 | int(blue + 0.5)
+    """0xRRGGBB of red, green and blue, held in 0 to 255."""
+    r, g, b = (int(min(max(channel, 0.0), 255.0) + 0.5) for channel in (red, green, blue))
+    return r << 16 | g << 8 | b

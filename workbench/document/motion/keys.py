@@ -110,6 +110,24 @@ class Interval(NamedTuple):
 def interval(keys: Keys, frame: int) -> Interval:
     """That of a frame; before a track's first key and from its last one on both keys are the same."""
     place = np.searchsorted(keys.ordered, frame + _SPAN * np.arange(len(keys.first)), side="right") - 1
+    return _around(keys, place, frame)
+
+
+def along(track: Track, frames: Floats) -> tuple[Keys, Interval]:
+    """One track at many frames (n,), whole or between: as n tracks with the same keys, each at a frame."""
+    keys = joined([track])
+    n, width = len(frames), len(keys.start)
+    many = keys._replace(
+        first=np.zeros(n, np.int64),
+        last=np.full(n, len(keys.frames) - 1),
+        track=np.repeat(np.arange(n), width),
+        start=np.tile(keys.start, n),
+        stride=np.tile(keys.stride, n),
+    )
+    return many, _around(many, np.searchsorted(keys.frames, frames, side="right") - 1, frames)
+
+
+def _around(keys: Keys, place: Whole, frame: int | Floats) -> Interval:
     before = np.maximum(place, keys.first)
     after = np.where(place < keys.first, before, np.minimum(before + 1, keys.last))
     span = keys.frames[after] - keys.frames[before]

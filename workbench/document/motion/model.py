@@ -91,7 +91,5 @@ class Motion(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defau
     frames: Annotated[
         int, Number(label=_("number of frames"), low=1, high=MAX_FRAMES, whole=True, keyed=False)
     ] = 49
-    rate: Annotated[
-        float, Number(label=_("frames a second"), low=0.1, high=240.0, unit="1/s", keyed=False)
-    ] = 24.0
+    rate: Annotated[float, Number(label=_("rate"), low=0.1, high=240.0, unit="1/s", keyed=False)] = 24.0
     tracks: tuple[Track, ...] = ()

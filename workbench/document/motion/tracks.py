@@ -1,6 +1,6 @@
 """Tracks of a document: found, put in place of others, and taken along with what they hang on."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import lru_cache
 from itertools import chain
 from typing import Any
@@ -67,19 +67,32 @@ def with_keys(document: Document, sheet: str, change: Callable[[tuple[Key, ...]]
     return with_motion(document, sheet, replace(motion, tracks=tuple(tracks)))
 
 
-def with_copied_tracks(document: Document, sheet: str, renamed: Mapping[str, str]) -> Document:
-    """``document`` with the tracks of one figure copied for another, to whose ids its own are ``renamed``.
+def tracks_of(sheet: Sheet, owners: Collection[str]) -> tuple[Track, ...]:
+    """The tracks that hang on these figures or things, by their ids."""
+    return tuple(track for track in motion_of(sheet).tracks if track.target.split("/")[0] in owners)
 
-    Each key keeps its distance from what the figures are without motion.
+
+def motion_copied(sheet: Sheet, owners: Collection[str]) -> Motion | None:
+    """The motion of a sheet with only the tracks of these; None where they have none."""
+    tracks = tracks_of(sheet, owners)
+    return replace(sheet.motion, tracks=tracks) if sheet.motion is not None and tracks else None
+
+
+def with_copied_tracks(
+    document: Document, sheet: str, tracks: Iterable[Track], original: Sheet, renamed: Mapping[str, str]
+) -> Document:
+    """``document`` with ``tracks``, which hang on what is on ``original``, copied for what is on ``sheet``.
+
+    ``renamed`` has the ids of the copies by those of the originals. Each key keeps its distance from what the
+    figures are without motion.
     """
     on = sheet_with(document, sheet)
-    own = [track for track in motion_of(on).tracks if track.target.split("/")[0] in renamed]
-    for track in own:
+    for track in tracks:
         target = "/".join(renamed.get(part, part) for part in track.target.split("/"))
-        before, after = group_moved(on, track), group_of(on, target)
+        before, after = group_moved(original, track), group_of(on, target)
         if before is None or after is None:
             continue
-        shifts = [b - a for a, b in zip(value_of(on, before), value_of(on, after), strict=True)]
+        shifts = [b - a for a, b in zip(value_of(original, before), value_of(on, after), strict=True)]
         number, *names = new_ids(document, "", 1 + len(track.keys))
         keys = tuple(
             replace(key, id=f"{Key.letter}{name}", value=_shifted(key.value, shifts))

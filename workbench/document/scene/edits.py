@@ -22,6 +22,9 @@ from workbench.document.building import (
 from workbench.document.errors import DocumentError
 from workbench.document.fields import fields_of
 from workbench.document.model import Document, Sheet
+from workbench.document.motion.model import Motion
+from workbench.document.motion.tracks import tracks_of, with_copied_tracks, with_motion
+from workbench.document.parts import ids_of_copy
 from workbench.document.scene.links import AnyLink3D, Translate3D
 from workbench.document.scene.model import Camera, Light, Material, Object, Scene
 from workbench.document.scene.solids import AnySolid
@@ -130,7 +133,7 @@ def set_visible(thing: str, visible: bool) -> Edit:
 
 @checked
 def duplicate_object(thing: str, dx_world: float = 0.0, dy_world: float = 0.0, dz_world: float = 0.0) -> Edit:
-    """Put a copy of an object after it, moved by (dx, dy, dz); the copy gets ids of its own."""
+    """Put a copy of an object after it, moved by (dx, dy, dz); it gets ids and tracks of its own."""
 
     def edit(document: Document) -> Document:
         sheet, scene, old = object_with(document, thing)
@@ -139,8 +142,29 @@ def duplicate_object(thing: str, dx_world: float = 0.0, dy_world: float = 0.0, d
             moved = plain(Translate3D("", tx=dx_world, ty=dy_world, tz=dz_world))
             bare = replace(bare, transforms=(*bare.transforms, moved))
         at = scene.objects.index(old) + 1
-        objects = (*scene.objects[:at], numbered(document, bare), *scene.objects[at:])
-        return _with_scene(document, sheet, replace(scene, objects=objects))
+        copy = numbered(document, bare)
+        objects = (*scene.objects[:at], copy, *scene.objects[at:])
+        document = _with_scene(document, sheet, replace(scene, objects=objects))
+        tracks = tracks_of(sheet, (thing,))
+        return with_copied_tracks(document, sheet.id, tracks, sheet, ids_of_copy(old, copy))
+
+    return edit
+
+
+@checked
+def move_last_object_as(sheet: str, original: Object, motion: Motion) -> Edit:
+    """Let the last object of a scene, a copy, move as ``original`` does in ``motion``.
+
+    A sheet that has no motion yet gets the length and the rate of this one.
+    """
+
+    def edit(document: Document) -> Document:
+        on = sheet_with(document, sheet)
+        assert on.scene is not None
+        document = with_motion(document, sheet, on.motion or replace(motion, tracks=()))
+        there = replace(on, scene=replace(on.scene, objects=(original,)))
+        renamed = ids_of_copy(original, on.scene.objects[-1])
+        return with_copied_tracks(document, sheet, motion.tracks, there, renamed)
 
     return edit
 

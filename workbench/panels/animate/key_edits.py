@@ -1,18 +1,22 @@
 """What is done to the keys of a session: set, dragged, scaled in time, eased, removed, copied and pasted."""
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import QObject, Signal
 
-from workbench.document.building import Edit
+from workbench.document.building import Edit, both
 from workbench.document.errors import DocumentError
 from workbench.document.model import Document
 from workbench.document.motion.edits import (
     CopiedKey,
+    bend_keys,
     copied_keys,
     even_speed,
     insert_time,
     keep_area,
     move_keys,
     paste_keys,
+    raise_keys,
     remove_keys,
     remove_time,
     scale_keys,
@@ -23,13 +27,12 @@ from workbench.document.motion.edits import (
     set_turning,
 )
 from workbench.document.motion.model import BEZIER_NAME, Key
+from workbench.document.motion.tracks import motion_of
 from workbench.language import _, ngettext
+from workbench.panels.stage.gesture import Gesture
 from workbench.session.session import Session
-from workbench.widgets.timeline.timeline import Timeline
-
-_DRAG = "drag keys"
-_EASE = "shape easing"
-_MEET = "turn correspondence"
+from workbench.widgets.timeline.frame_axis import FrameAxis
+from workbench.widgets.timeline.rows import Handles
 
 
 class KeyEdits(QObject):
@@ -40,19 +43,21 @@ class KeyEdits(QObject):
     said = Signal(str)
     done = Signal()
 
-    def __init__(self, session: Session, timeline: Timeline, parent: QObject) -> None:
+    def __init__(self, session: Session, axis: FrameAxis, parent: QObject) -> None:
         super().__init__(parent)
-        self._session, self._timeline = session, timeline
-        self._before: Document | None = None
+        self._session, self._axis = session, axis
+        self._gesture = Gesture(session)
+        self._gesture.failed.connect(self.said)
+        self._begun: Document | None = None
         self.copied: tuple[CopiedKey, ...] = ()
 
     @property
     def _sheet(self) -> str:
         return self._session.sheet.id
 
-    def _edit(self, edit: Edit, name: str, merge: str = "", on: Document | None = None) -> None:
+    def _edit(self, edit: Edit, name: str) -> None:
         try:
-            self._session.apply(edit, name, merge, on)
+            self._session.apply(edit, name)
         except DocumentError as problem:
             self.said.emit(problem.short)
         self.done.emit()
@@ -63,40 +68,66 @@ class KeyEdits(QObject):
 
     # By hand, as one step of undo until it lets go
 
+    def _show(self, edit: Edit, name: str) -> None:
+        """Do an edit to the document with which the hand began, unless something else was done meanwhile."""
+        if self._begun is None:
+            self._begun = self._session.document
+            self._gesture.begin()
+        self._gesture.show(edit, name)
+        self.done.emit()
+
     def drag(self, by: int) -> None:
         """Move the chosen keys by so many frames from where they were."""
-        self._edit(move_keys(self._sheet, self._timeline.selected, by), _("Move keys"), _DRAG, self._begun)
+        self._show(move_keys(self._sheet, self._axis.selected, by), _("Move keys"))
+
+    def move(self, target: str, by: int, place: int, amount: float) -> None:
+        """Move the chosen keys of a track by so many frames, and one of their numbers by an amount."""
+        moved = move_keys(self._sheet, self._axis.selected, by)
+        raised = raise_keys(self._sheet, target, self._axis.selected, place, amount)
+        self._show(both(raised, moved) if amount else moved, _("Move keys"))
 
     def scale(self, factor: float, about: int) -> None:
         """Take the chosen keys so many times as far from a frame as they were."""
-        edit = scale_keys(self._sheet, self._timeline.selected, factor, about)
-        self._edit(edit, _("Scale keys"), _DRAG, self._begun)
+        self._show(scale_keys(self._sheet, self._axis.selected, factor, about), _("Scale keys"))
 
-    @property
-    def _begun(self) -> Document:
-        """The document with which the hand began."""
-        if self._before is None:
-            self._before = self._session.document
-        return self._before
+    def bend(self, key: Key | None, handles: Handles) -> None:
+        """Give the easing of a key handles, x1, y1, x2, y2; one of another kind becomes a Bézier easing."""
+        if key is not None:
+            self.bend_all({key.id: handles})
+
+    def bend_all(self, handles: Mapping[str, Handles]) -> None:
+        """Give the easings of keys handles, by their ids."""
+        keys = (key for track in motion_of(self._session.sheet).tracks for key in track.keys)
+        if any(key.id in handles and key.easing != BEZIER_NAME for key in keys):
+            self.said.emit(_("The easing is a Bézier easing now."))
+        self._show(bend_keys(self._sheet, handles), _("Shape easing"))
 
     def drop(self) -> None:
-        """The hand lets go."""
-        self._before = None
-        self._session.end_merge()
+        """The hand lets go; keys whose places were taken are told of."""
+        if self._begun is not None and self._gesture.busy and not self._gesture.overtaken:
+            self._tell_of_taken(self._begun)
+        self._gesture.commit()
+        self._begun = None
 
-    def bend(self, key: Key | None, handles: tuple[float, float, float, float]) -> None:
-        """Give the easing of a key handles, x1, y1, x2, y2; one of another kind becomes a Bézier easing."""
-        if key is None:
-            return
-        if key.easing != BEZIER_NAME:
-            self.said.emit(_("The easing is a Bézier easing now."))
-        shape = dict(zip(("x1", "y1", "x2", "y2"), handles, strict=True))
-        self._edit(set_easing(self._sheet, [key.id], BEZIER_NAME, **shape), _("Shape easing"), _EASE)
+    def take_back(self) -> None:
+        """Escape: all is as when the hand began."""
+        self._gesture.cancel()
+        self.done.emit()
+
+    def _tell_of_taken(self, before: Document) -> None:
+        count = len(_keys(before, self._sheet) - _keys(self._session.document, self._sheet))
+        if count:
+            sentence = ngettext(
+                "{n} key was in the way and is replaced; undo brings it back.",
+                "{n} keys were in the way and are replaced; undo brings them back.",
+                count,
+            )
+            self.said.emit(sentence.format(n=count))
 
     def turn_outline(self, key: Key | None, shift: int) -> None:
         """Let vertex 0 of an outline go to another vertex of the next key."""
         if key is not None:
-            self._edit(set_correspondence(self._sheet, key.id, shift), _("Turn correspondence"), _MEET)
+            self._show(set_correspondence(self._sheet, key.id, shift), _("Turn correspondence"))
 
     # By a command
 
@@ -107,12 +138,12 @@ class KeyEdits(QObject):
 
     def delete(self) -> None:
         """Remove the chosen keys."""
-        if keys := self._timeline.selected:
+        if keys := self._axis.selected:
             self._edit(remove_keys(self._sheet, keys), _("Delete keys"))
 
     def ease(self, easing: str) -> None:
         """Give the chosen keys an easing."""
-        if keys := self._timeline.selected:
+        if keys := self._axis.selected:
             self._edit(set_easing(self._sheet, keys, easing), _("Change easing"))
 
     def ease_interval(self, key: Key | None, easing: str) -> None:
@@ -142,12 +173,21 @@ class KeyEdits(QObject):
 
     def copy(self) -> None:
         """Keep the chosen keys for pasting."""
-        self.copied = copied_keys(self._session.document, self._sheet, self._timeline.selected)
+        self.copied = copied_keys(self._session.document, self._sheet, self._axis.selected)
         count = len(self.copied)
         self.said.emit(ngettext("{n} key is copied.", "{n} keys are copied.", count).format(n=count))
 
     def paste(self) -> None:
         """Put the keys that were copied on their tracks, the first of them in the frame that is shown."""
-        if self.copied:
-            edit = paste_keys(self._sheet, self.copied, self._session.frames.number)
-            self._edit(edit, _("Paste keys"))
+        if not self.copied:
+            self.said.emit(_("No keys are copied; choose some and copy them."))
+            return
+        before = self._session.document
+        self._edit(paste_keys(self._sheet, self.copied, self._session.frames.number), _("Paste keys"))
+        self._tell_of_taken(before)
+
+
+def _keys(document: Document, sheet: str) -> set[str]:
+    """The ids of all keys on a sheet."""
+    on = next((each for each in document.sheets if each.id == sheet), None)
+    return {key.id for track in motion_of(on).tracks for key in track.keys} if on is not None else set()

@@ -16,11 +16,11 @@ from workbench.panels.animate.asking import answer_at, asked_axis
 from workbench.panels.animate.between_dock import BetweenDock
 from workbench.panels.animate.card import AnimateCard
 from workbench.panels.animate.derivation import derivation
-from workbench.panels.animate.key_edits import KeyEdits
 from workbench.panels.animate.morph_dock import MorphDock
-from workbench.panels.animate.names import easing_titles, held_text, value_text
+from workbench.panels.animate.names import held_text, value_text
 from workbench.panels.animate.physics_dock import PhysicsDock
 from workbench.panels.animate.rows import rows_of
+from workbench.panels.animate.timeline_pages import TimelinePages
 from workbench.panels.animate.turning_dock import TurningDock
 from workbench.panels.animate.view import ON_PATH, USUAL_REACH, AnimateView
 from workbench.panels.panel import DockPart, SwapPlace
@@ -31,11 +31,9 @@ from workbench.panels.stage.tools import CircleTool, LineTool, PolygonTool, Poly
 from workbench.rendering.subjects.track import KIND, aimed
 from workbench.session.session import Session
 from workbench.widgets.timeline.rows import TimelineShown
-from workbench.widgets.timeline.timeline import Timeline
 from workbench.widgets.timeline.transport import Transport
 
 EXAMPLE = "animate-ball"
-_TIMELINE_PX, _LOW_TIMELINE_PX, _LOW_PX = 170, 100, 460
 _MANY = 24
 
 
@@ -56,10 +54,10 @@ class AnimatePanel(SteppedPanel):
         self.view = AnimateView(session, self.canvas, self.second, self.card)
         self.transport, self.between = Transport(session), BetweenDock()
         self.morph, self.turning, self.physics = MorphDock(), TurningDock(), PhysicsDock()
-        self.timeline = Timeline(easing_titles().items())
+        self.pages = TimelinePages(session)
+        self.timeline, self.curves, self.keys = self.pages.tracks, self.pages.curves, self.pages.keys
         self.chosen = ""
         self._steps = False
-        self.keys = KeyEdits(session, self.timeline, self)
         self.keys.said.connect(self.hover_text)
         self.keys.done.connect(self.refresh_soon)
         self._connect_timeline()
@@ -69,7 +67,8 @@ class AnimatePanel(SteppedPanel):
                 ("frame_play", _("Play the frames"), "play", "", session.frames.toggle),
                 ("set_key", _("Set a key here"), "key", "K", self._key_here),
                 ("auto_key", _("Auto-key on or off"), "record", "", self.transport.auto_key.toggle),
-                ("fit_frames", _("Show all frames"), "arrows-out-line-horizontal", "", self.timeline.fit),
+                ("fit_frames", _("Show all frames"), "arrows-out-line-horizontal", "", self.pages.fit),
+                ("curves", _("Curve of the track, or the tracks"), "chart-line", "", self._turn_page),
                 ("copy_keys", _("Copy the chosen keys"), "copy", "", self.keys.copy),
                 ("paste_keys", _("Paste keys here"), "clipboard-text", "", self.keys.paste),
                 ("even_speed", _("Even the speed along the path"), "path", "", self._even_speed),
@@ -81,28 +80,25 @@ class AnimatePanel(SteppedPanel):
         self.card.fold()
 
     def _connect_timeline(self) -> None:
-        timeline, transport, between = self.timeline, self.transport, self.between
+        transport, between = self.transport, self.between
         frames = self.session.frames
-        timeline.frame_wanted.connect(frames.show)
-        timeline.track_chosen.connect(self._choose_track)
-        timeline.keys_dragged.connect(self.keys.drag)
-        timeline.keys_scaled.connect(self.keys.scale)
-        timeline.keys_dropped.connect(self.keys.drop)
-        timeline.key_wanted.connect(self._set_key)
-        timeline.deletion_wanted.connect(self.keys.delete)
-        timeline.easing_wanted.connect(self.keys.ease)
-        timeline.reach_wanted.connect(self._set_reach)
-        timeline.play_wanted.connect(frames.toggle)
-        timeline.scrolled.connect(self.refresh_soon)
+        for page in (self.timeline, self.curves):
+            page.track_chosen.connect(self._choose_track)
+            page.key_wanted.connect(self._set_key)
+            page.reach_wanted.connect(self._set_reach)
+        self.timeline.scrolled.connect(self.refresh_soon)
+        self.pages.turned.connect(self._page_turned)
+        transport.curves.toggled.connect(self.pages.show_curves)
         transport.said.connect(self.hover_text)
         transport.length_wanted.connect(lambda count: self.keys.set_motion(frames=count))
         transport.rate_wanted.connect(lambda rate: self.keys.set_motion(rate=rate))
         transport.ghosts_toggled.connect(lambda on: self._set_reach(USUAL_REACH if on else 0))
-        transport.zoom_wanted.connect(timeline.zoom)
+        transport.zoom_wanted.connect(lambda factor: self.pages.axis.zoom(factor, frames.number))
         transport.leaving_wanted.connect(lambda: self._step(False))
         between.easing_wanted.connect(lambda easing: self.keys.ease_interval(between.key, easing))
         between.handles_dragged.connect(lambda *handles: self.keys.bend(between.key, handles))
         between.handles_dropped.connect(self.keys.drop)
+        between.curve.said.connect(self.hover_text)
         between.stepping_wanted.connect(self._step_track)
         self.morph.shift_wanted.connect(lambda shift: self.keys.turn_outline(self.morph.key, shift))
         self.morph.shift_dropped.connect(self.keys.drop)
@@ -127,7 +123,7 @@ class AnimatePanel(SteppedPanel):
         column.setSpacing(0)
         column.addWidget(SwapPlace(middle), 1)
         column.addWidget(self.transport)
-        column.addWidget(self.timeline)
+        column.addWidget(self.pages)
         super().begin(both, card, invitation, commands)
         self.setFocusProxy(self.canvas)
 
@@ -159,7 +155,15 @@ class AnimatePanel(SteppedPanel):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """The canvas keeps most of the height."""
         super().resizeEvent(event)
-        self.timeline.setFixedHeight(_TIMELINE_PX if self.height() >= _LOW_PX else _LOW_TIMELINE_PX)
+        self.pages.fit_height(self.height())
+
+    def _turn_page(self) -> None:
+        self.transport.curves.toggle()
+
+    def _page_turned(self, curves: bool) -> None:
+        self.transport.curves.setChecked(curves)
+        self.pages.fit_height(self.height())
+        self.refresh_soon()
 
     # What is shown
 
@@ -178,12 +182,11 @@ class AnimatePanel(SteppedPanel):
         shown = frames.sheet
         chosen = track.target if track is not None else ""
         rows = rows_of(sheet)
-        seen = (
-            self.timeline.seen if self.timeline.shown.tracks is rows else [row.target for row in rows[:_MANY]]
-        )
+        known = self.timeline.shown.tracks is rows
+        seen = self.timeline.seen if known else [row.target for row in rows[:_MANY]]
         values = {target: value_text(shown, target) for target in {*seen, chosen} if target}
-        self.timeline.show_tracks(
-            TimelineShown(rows, frames.count, frames.number, self.view.reach, chosen, values)
+        self.pages.show_frame(
+            sheet, TimelineShown(rows, frames.count, frames.number, self.view.reach, chosen, values)
         )
         self.transport.refresh()
         for dock in (self.between, self.morph, self.turning, self.physics):
@@ -239,20 +242,6 @@ class AnimatePanel(SteppedPanel):
     def _set_key(self, target: str, frame: int) -> None:
         self.chosen = target
         self.keys.set(target, frame)
-
-    def copy(self) -> bool:
-        """The chosen keys while the timeline has the focus, else as everywhere."""
-        if self.timeline.hasFocus() and self.timeline.selected:
-            self.keys.copy()
-            return True
-        return super().copy()
-
-    def paste(self) -> bool:
-        """Keys while the timeline has the focus, else as everywhere."""
-        if self.timeline.hasFocus() and self.keys.copied:
-            self.keys.paste()
-            return True
-        return super().paste()
 
     # What is stepped
 
@@ -325,6 +314,10 @@ class AnimatePanel(SteppedPanel):
 
     def _follow_run(self) -> None:
         """The frame that a step works out is shown, once the run is where it is going."""
+        lead = self.session.run
+        if self.isVisible() and lead.subject is not None and lead.subject != self.session.subject:
+            self._aim_run()  # a late word of a run whose keys have been moved meanwhile
+            return
         run = self.view.stepped_run()
         if not self.isVisible() or run is None or run.step is None or run.number == 0 or run.entry is None:
             return
@@ -341,7 +334,7 @@ class AnimatePanel(SteppedPanel):
                 self._aim_run()
 
     def _press_handle(self, address: str, modifiers: Modifiers) -> None:
-        """A key of the path is taken hold of in its own frame."""
+        """A mark of the path is taken hold of in its own frame; dragged, it gets a key there."""
         figure = self.session.active_figure
         if address.startswith(ON_PATH) and figure is not None:
             self.session.frames.show(int(address.removeprefix(ON_PATH)))

@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.marks import MOST_SPOTS, Ink, Mark, Pattern, Spot, Stroke, Word
 from workbench.document.model import AnyFigure, Sheet
-from workbench.document.motion.evaluation import at
-from workbench.document.motion.tracks import motion_of
+from workbench.document.motion.evaluation import at, values_along
+from workbench.document.motion.groups import OUTLINE
+from workbench.document.motion.tracks import group_moved, motion_of
 from workbench.language import _
 from workbench.panels.animate.physics import Equation, by_equation
 from workbench.panels.stage.outline import outline
@@ -34,9 +35,32 @@ def path_of(moving: Sheet, point: str = "") -> NDArray[np.float64]:
 
     Of more than 600 frames every second, third and so on.
     """
-    frames = motion_of(moving).frames
-    step = -(-frames // MOST_SPOTS)
-    return np.array([_middle(at(moving, frame), point) for frame in range(0, frames, step)], np.float64)
+    motion, figure = motion_of(moving), moving.figures[0]
+    frames = np.arange(0, motion.frames, -(-motion.frames // MOST_SPOTS), dtype=np.float64)
+    places = _points_over(moving, frames)
+    if places is None:
+        return np.array([_middle(at(moving, int(frame)), point) for frame in frames], np.float64)
+    drawn = [number for number, each in enumerate(figure.points_world) if not point or each.id == point]
+    return figure_map(moving, figure).points(places[:, drawn].mean(axis=1))
+
+
+def _points_over(moving: Sheet, frames: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """The points (n, points, 2) of the only figure in many frames at once; None where it is morphed, or its
+    transforms move.
+    """
+    own = np.array([(each.x, each.y) for each in moving.figures[0].points_world], np.float64)
+    places = np.repeat(own[None], len(frames), axis=0)
+    for track in motion_of(moving).tracks:
+        group = group_moved(moving, track)
+        part = "" if group is None else group.slots[0].path[2]
+        if group is None or part not in (OUTLINE, "transforms"):
+            continue
+        if part != OUTLINE or any(len(key.value) != len(group.slots) for key in track.keys):
+            return None
+        for slot, values in zip(group.slots, values_along(track, frames, group).T, strict=True):
+            number, name = slot.path[3:]
+            places[:, int(number), ("x", "y").index(str(name))] = values
+    return places
 
 
 def _middle(sheet: Sheet, point: str) -> tuple[float, float]:
@@ -56,6 +80,15 @@ def keyed_places(moving: Sheet, point: str = "", of: str = "") -> dict[int, tupl
     return {
         frame: (path[frame // step, 0], path[frame // step, 1]) for frame in frames if frame < motion.frames
     }
+
+
+def marked_places(moving: Sheet, point: str = "") -> dict[int, tuple[float, float]]:
+    """Where the path is in each frame that has a mark, on the device; nowhere where nothing moves."""
+    path = path_of(moving, point)
+    step = -(-motion_of(moving).frames // MOST_SPOTS)
+    if not np.ptp(path, axis=0).any():
+        return {}
+    return {number * step: (x, y) for number, (x, y) in enumerate(path.tolist())}
 
 
 def path_marks(moving: Sheet, frame: int, point: str = "") -> Iterator[Mark]:

@@ -5,6 +5,7 @@ from itertools import pairwise
 
 from workbench.document.model import Sheet
 from workbench.document.motion.evaluation import loose
+from workbench.document.motion.groups import packed
 from workbench.document.motion.model import Key, Track
 from workbench.document.motion.tracks import group_moved, motion_of
 from workbench.language import _
@@ -30,12 +31,12 @@ def _row(sheet: Sheet, track: Track, astray: bool, titles: dict[str, str]) -> Tr
         assert key is not None
         leaving = "none" if following is None else leaving_pace(key)
         arriving = "none" if before is None else arriving_pace(before)
-        keys.append(KeyShown(key.id, key.frame, arriving, leaving, titles[key.easing]))
+        keys.append(KeyShown(key.id, key.frame, arriving, leaving, key.easing, titles[key.easing]))
         before = key
     group = group_moved(sheet, track)
     colours: tuple[str, ...] = ()
     if group is not None and group.kind == "colour":
-        colours = tuple("#" + "".join(f"{round(c):02X}" for c in key.value) for key in track.keys)
+        colours = tuple(f"#{packed(*key.value):06X}" for key in track.keys)
     problem = _("nothing there") if astray else ""
     return TrackShown(track.target, label_of(sheet, track.target), tuple(keys), colours, problem)
 

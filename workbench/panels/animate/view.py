@@ -6,7 +6,14 @@ from workbench.algorithms.marks import Mark, Spot
 from workbench.algorithms.visibility import depth_buffer
 from workbench.document.model import AnyFigure, Sheet
 from workbench.engine.compiled import ready
-from workbench.panels.animate.path import alone, equation_marks, ghosts, keyed_places, path_marks
+from workbench.panels.animate.path import (
+    alone,
+    equation_marks,
+    ghosts,
+    keyed_places,
+    marked_places,
+    path_marks,
+)
 from workbench.panels.animate.physics import equation_of
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.compose import Composition, Progress
@@ -15,7 +22,7 @@ from workbench.rendering.scene.backdrop import with_scene
 from workbench.rendering.subjects.track import is_of_a_track
 from workbench.session.run import Run
 from workbench.session.session import Session
-from workbench.widgets.canvas.overlay import Handle, Overlay
+from workbench.widgets.canvas.overlay import GripShape, Handle, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 
 USUAL_REACH = 9
@@ -73,18 +80,20 @@ class AnimateView(FigureView):
         return rest[0] if name == figure.id and rest and rest[0] in points else ""
 
     def put(self, overlay: Overlay) -> None:
-        """With handles at the keys of the path; the one of this frame is the figure's own."""
+        """With every mark of the path to drag, those of keys as handles; that of this frame is the figure."""
         own, frames = self._own, self.session.frames
         boxed = self.box is not None and self.box.box is not None
         if own is not None and not (frames.playing or boxed) and (point := self.held_point):
-            places = keyed_places(own, self._point(own.figures[0]), point)
+            drawn = self._point(own.figures[0])
+            keyed = keyed_places(own, drawn, point)
+            keyed = keyed if len(keyed) <= _MOST_GRIPS else {}
+            shapes: dict[int, GripShape] = dict.fromkeys(keyed, "square")
             grips = [
-                Handle(f"{ON_PATH}{frame}", "", x, y, shape="square")
-                for frame, (x, y) in places.items()
+                Handle(f"{ON_PATH}{frame}", "", x, y, shape=shapes.get(frame, "mark"))
+                for frame, (x, y) in (marked_places(own, drawn) | keyed).items()
                 if frame != frames.number
             ]
-            if len(grips) <= _MOST_GRIPS:
-                overlay = replace(overlay, handles=(*grips, *overlay.handles))
+            overlay = replace(overlay, handles=(*grips, *overlay.handles))
         super().put(overlay)
 
     @property

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 from workbench.document.building import Edit, both, without_ids
 from workbench.document.errors import DocumentError
 from workbench.document.model import Document
-from workbench.document.scene.edits import add_material, add_object
+from workbench.document.scene.edits import add_material, add_object, move_last_object_as
 from workbench.document.scene.links import Translate3D
 from workbench.exchange.objects import MIME, CopiedObject, read_object, write_object
 from workbench.language import _
@@ -25,7 +25,7 @@ def copy_object(session: Session) -> bool:
         return False
     material = next(each for each in scene.materials if each.id == thing.material)
     data = QMimeData()
-    data.setData(MIME, write_object(thing, material))
+    data.setData(MIME, write_object(session.sheet, thing, material))
     QGuiApplication.clipboard().setMimeData(data)
     return True
 
@@ -82,4 +82,7 @@ def _pasted(session: Session, held: CopiedObject) -> Edit:
         assert on.scene is not None
         return add_object(sheet, replace(thing, material=on.scene.materials[-1].id))(document)
 
-    return both(add_material(sheet, replace(held.material, id="")), add)
+    edit = both(add_material(sheet, replace(held.material, id="")), add)
+    if held.motion is None:
+        return edit
+    return both(edit, move_last_object_as(sheet, held.thing, held.motion))

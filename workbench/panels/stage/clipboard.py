@@ -8,7 +8,7 @@ from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
 from workbench.document.building import Edit, foreseen, moved_by, without_ids
-from workbench.document.edits import add_drawing
+from workbench.document.edits import add_drawing, add_moving_figures
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.exchange.figures import MIME, write_figures
@@ -23,9 +23,11 @@ _BESIDE = 1.0, -1.0
 
 
 def copy_figures(sheet: Sheet, figures: list[AnyFigure]) -> str:
-    """Put figures of a sheet on the clipboard, for other programs as SVG; the sentence that says so."""
+    """Put figures of a sheet on the clipboard, with their tracks, and for other programs as SVG; the sentence
+    that says so.
+    """
     data = QMimeData()
-    data.setData(MIME, write_figures(figures))
+    data.setData(MIME, write_figures(sheet, figures))
     data.setData(_SVG, write_svg(replace(sheet, figures=tuple(figures), scene=None)).text.encode())
     QGuiApplication.clipboard().setMimeData(data)
     return ngettext("{n} figure copied.", "{n} figures copied.", len(figures)).format(n=len(figures))
@@ -69,11 +71,14 @@ def _job_held(sheet: Sheet) -> Job | None:
 def _placed(document: Document, sheet: Sheet, pasted: Imported) -> Edit:
     """The edit that puts figures on the sheet. Raises: ValueError with one sentence."""
     taken = {without_ids(figure) for figure in sheet.figures}
-    figures = [without_ids(each) for each in pasted.figures]
-    while taken.intersection(figures):
+    figures = list(pasted.figures)
+    while not taken.isdisjoint(map(without_ids, figures)):
         figures = [moved_by(each, *_BESIDE) for each in figures]
+    edit = add_drawing(sheet.id, figures, pasted.palette)
+    if pasted.motion is not None:
+        edit = add_moving_figures(sheet.id, figures, pasted.figures, pasted.motion)
     try:
-        return foreseen(add_drawing(sheet.id, figures, pasted.palette), document)
+        return foreseen(edit, document)
     except DocumentError as problem:
         raise ValueError(problem.short) from None
 

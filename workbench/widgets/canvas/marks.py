@@ -188,6 +188,8 @@ def _grip(scene: Scene, kind: GripKind, side: int) -> QImage:
 
 def _paint_grip(painter: QPainter, scene: Scene, kind: tuple[GripShape, str, bool], place: QPointF) -> None:
     shape, name, selected = kind
+    if shape == "mark":
+        return
     unit, surface, ink = scene.unit, QColor(scene.tokens.surface), QColor(ink_of(scene.tokens, name))
     painter.setPen(QPen(surface if selected else ink, 1.5 * unit))
     painter.setBrush(ink if selected else surface)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from workbench.widgets.canvas.drawing import Drawn
 
 Cell = tuple[int, int]
-GripShape = Literal["round", "square", "diamond"]
+GripShape = Literal["round", "square", "diamond", "mark"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,7 +17,8 @@ class Handle:
     """A point that can be grabbed. ``id`` comes back with the signals, ``name`` is written beside it.
 
     It may lie outside the picture. ``shape`` tells kinds of grips apart, such as those of a frame from those
-    of a figure, or an inner control point from a point of the curve; ``ink`` names a colour of the theme.
+    of a figure, or an inner control point from a point of the curve; a "mark" is drawn by something
+    else, and can be grabbed. ``ink`` names a colour of the theme.
     """
 
     id: str

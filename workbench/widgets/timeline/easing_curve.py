@@ -19,13 +19,20 @@ _ROOM = 0.35
 _NUDGE = 0.02
 
 
+def stays_between() -> str:
+    """Why a handle goes no farther in time."""
+    return _("The handle stays between its two keys: beyond them the easing would run back in time.")
+
+
 class EasingCurve(QWidget):
     """The part of the way over the part of the time. ``handles_dragged`` sends x1, y1, x2, y2 as a hand wants
-    them, ``handles_dropped`` that it let go; what is shown changes only by ``show_easing``.
+    them, ``handles_dropped`` that it let go, ``said`` why one goes no farther; what is shown changes only by
+    ``show_easing``.
     """
 
     handles_dragged = Signal(float, float, float, float)
     handles_dropped = Signal()
+    said = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -145,6 +152,8 @@ class EasingCurve(QWidget):
     def _ask(self, number: int, x: float, y: float) -> None:
         if self._handles is None:
             return
+        if not 0.0 <= x <= 1.0:
+            self.said.emit(stays_between())
         handles = list(self._handles)
         handles[2 * number : 2 * number + 2] = min(max(x, 0.0), 1.0), min(max(y, -1.0), 2.0)
         self.handles_dragged.emit(*(round(value, 3) for value in handles))

@@ -1,15 +1,22 @@
 """How a timeline is painted: the ruler, the tracks, their keys and the frame that is shown."""
 
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QLinearGradient, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QLinearGradient, QPainter, QPainterPath, QPen
 
+from workbench.language import _
 from workbench.widgets.look.tokens import colour, tokens
 from workbench.widgets.timeline.rows import KeyShown, Pace, TimelineShown, TrackShown
-from workbench.widgets.timeline.scale import LABEL_PX, ROW_PX, RULER_PX, Scale
+from workbench.widgets.timeline.scale import LABEL_PX, RIGHT_PX, ROW_PX, RULER_PX, Scale
 
 KEY_PX = 6.0
+_HATCHED = Qt.BrushStyle.BDiagPattern
 _TICKS = (1, 2, 4, 8, 12, 24, 48, 120, 240, 480, 1200, 2400, 12_000, 120_000)
 _LEAST_TICK_PX = 36
+
+
+def nothing_moves() -> str:
+    """What a page without tracks says."""
+    return _("Nothing moves yet. Turn auto-key on, go to another frame, and move a figure.")
 
 
 def tick_step(pixels_per_frame: float) -> int:
@@ -114,6 +121,13 @@ def _paint_key(painter: QPainter, scale: Scale, key: KeyShown, y: float, selecte
     painter.setPen(QPen(colour(now.canvas), 1.5))
     painter.setBrush(colour(now.accent if selected else now.text))
     painter.drawPath(path)
+
+
+def paint_end(painter: QPainter, scale: Scale, shown: TimelineShown, width: float, height: float) -> None:
+    """What comes after the last frame is hatched: keys there are kept, and not played."""
+    x = max(scale.x(shown.frames - 1) + KEY_PX + 2, LABEL_PX)
+    if x < width - RIGHT_PX:
+        painter.fillRect(QRectF(x, RULER_PX, width - x, height), QBrush(colour(tokens().line), _HATCHED))
 
 
 def paint_frame(painter: QPainter, scale: Scale, shown: TimelineShown, height: float) -> None:

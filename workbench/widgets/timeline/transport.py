@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QWidget
 
+from workbench.document.motion.model import MAX_FRAMES
 from workbench.language import _
 from workbench.session.frames import Frames, Mode
 from workbench.session.session import Session
@@ -72,6 +73,9 @@ class Transport(QWidget):
         self.auto_key.setCheckable(True)
         self.auto_key.setToolTip(_("Whatever is changed gets a key in the frame that is shown"))
         self.auto_key.toggled.connect(lambda on: session.update_state(auto_key=on))
+        self.curves = self._action(_("Curves"), "chart-line", None)
+        self.curves.setCheckable(True)
+        self.curves.setToolTip(_("The values of the chosen track as a curve, or all tracks"))
         self.ghosts = self._action(_("Ghosts"), "stack", None)
         self.ghosts.setCheckable(True)
         self.ghosts.setChecked(True)
@@ -119,7 +123,8 @@ class Transport(QWidget):
             row.addSpacing(12 if widget is self.length else 4)
         self._moving += [self.frame, self._of, self.length]
         row.addStretch(1)
-        self._worded = [self._button(action, words=True) for action in (self.auto_key, self.ghosts)]
+        worded = (self.curves, self.auto_key, self.ghosts)
+        self._worded = [self._button(action, words=True) for action in worded]
         for button in self._worded:
             row.addWidget(button)
             row.addSpacing(4)
@@ -167,10 +172,11 @@ class Transport(QWidget):
         else:
             if field is self.rate:
                 self.rate_wanted.emit(value)
-            elif value.is_integer():
+            elif value.is_integer() and 0 <= value < MAX_FRAMES:
                 self.length_wanted.emit(int(value) + 1)
             else:
-                self.said.emit(_("The last frame is {value:g}; give a whole number.").format(value=value))
+                sentence = _("The last frame cannot be {value:.15g}; give a whole number from 0 to {most}.")
+                self.said.emit(sentence.format(value=value, most=MAX_FRAMES - 1))
         self.refresh()
 
     def refresh(self) -> None:
