@@ -1,7 +1,7 @@
 """The list of the tabs of a bar that has no room for all of them, in place of Qt's arrows."""
 
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QAction, QKeyEvent
+from PySide6.QtGui import QAction, QActionGroup, QKeyEvent
 from PySide6.QtWidgets import QMenu, QTabBar, QToolButton
 
 from workbench.language import _
@@ -46,8 +46,9 @@ class TabList(QToolButton):
         """The tabs in their order, the one in front marked."""
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        one = QActionGroup(menu)
         for number in range(self._bar.count()):
-            action = QAction(self._bar.tabText(number), menu, checkable=True)
+            action = QAction(self._bar.tabText(number), one, checkable=True)
             action.setChecked(number == self._bar.currentIndex())
             action.triggered.connect(lambda _on, number=number: self._bar.setCurrentIndex(number))
             menu.addAction(action)
