@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 
 from tests.panels.by_hand import settle
-from tests.panels.curves.by_hand import curve_through, opened
+from tests.panels.curves.by_hand import curve_through
 from tests.panels.curves.docked import with_docks
+from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces
 from workbench.algorithms.marks import Word
 from workbench.document.curves.pieces import pieces_of
-from workbench.panels.curves.crossings import crossing_marks, crossing_words
+from workbench.panels.curves.crossings import MOST_PIECES, crossing_marks, crossing_words
 from workbench.widgets.canvas.drawing import Marker, PenStroke
 
 
@@ -79,8 +80,10 @@ def test_what_is_marked_is_said_beside_the_measures(qtbot):
     assert "<td>1 place</td>" in panel.beside.insight.words.text()
 
 
-def test_of_very_many_pieces_it_is_said_that_nothing_is_searched(qtbot):
-    panel = opened(qtbot, curve_through(*((float(k % 40), float(k % 7)) for k in range(310))))
-    (curve,) = panel.session.sheet.figures
-    assert crossing_marks(pieces_of(curve)) == []
-    assert "300" in crossing_words(pieces_of(curve))
+def test_in_very_many_pieces_nothing_is_searched_and_that_is_said(monkeypatch):
+    zigzag = [(10.0 + 7 * k % 41, 8.0 + 11 * k % 29) for k in range(MOST_PIECES + 2)]
+    few, many = (pieces_of(curve_through(*zigzag[:n], spline="catmull_rom")) for n in (40, len(zigzag)))
+    assert len(crossing_marks(few)) > 10
+    monkeypatch.setattr(curves, "self_meetings", lambda *_given: pytest.fail("takes seconds"))
+    assert crossing_marks(many) == []
+    assert crossing_words(many) == "not searched in more than 300 pieces"
