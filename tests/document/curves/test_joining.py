@@ -75,9 +75,9 @@ def test_a_joined_curve_is_no_farther_off_than_is_said(one: Document, other: Doc
     paths = [curve for curve in (first, second) if curve.spline == "bezier_path"]
     assume(all(len(curve.points_world) % 3 == 1 for curve in paths))
     made, error = joined(first, second)
+    size = max(float(np.abs(pieces_of(each).controls).max()) for each in (made, first, second)) or 1.0
     for part in (first, second):
-        size = max(float(np.abs(pieces_of(each).controls).max()) for each in (made, part)) or 1.0
-        assert off(made, dense(part)[::8]) <= error / size + 1e-6
+        assert curves.distances(pieces_of(made), dense(part)[::8]).max() <= error + 1e-9 * size
     assert error < 300  # of curves that are as large
 
 
