@@ -4,6 +4,7 @@
 """
 
 import gettext as _gettext
+import math
 
 from workbench.paths import resource
 
@@ -24,3 +25,11 @@ def legible(name: str, most: int = LONGEST_NAME) -> str:
 def reason_of(error: Exception) -> str:
     """What an error says, as a person reads it: one of the system's without its number."""
     return (error.strerror if isinstance(error, OSError) else "") or str(error)
+
+
+def at_most(value: float) -> str:
+    """A bound of two figures, rounded up, so that what is said to be at most so much is."""
+    if not 0.0 < value < math.inf:
+        return f"{value:.2g}"
+    step = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return f"{math.ceil(value / step - 1e-9) * step:.2g}"

@@ -15,6 +15,7 @@ from workbench.algorithms.curves import (
     Pieces,
     b_spline_to_bezier,
     cardinal,
+    closest_place,
     closest_point,
     distances,
     in_rows,
@@ -44,6 +45,20 @@ def test_distances_are_those_that_the_stepped_text_finds(pieces: Pieces, points:
     assert np.abs(found - stepped).max() <= 1e-9 * size
     for place, distance in zip(points, found, strict=True):
         assert np.hypot(*(dense_points(pieces) - place).T).min() >= distance - 1e-9 * size
+
+
+@given(pieces_of_any_kind(), point_lists(1, 1))
+def test_the_closest_place_is_on_the_curve_and_as_far_as_the_distance(
+    pieces: Pieces, points: np.ndarray
+) -> None:
+    u, away = closest_place(pieces, points[0])
+    size = max(exact.size_of(pieces.controls), exact.size_of(points), 1e-300)
+    assert away == pytest.approx(distances(pieces, points)[0], abs=1e-9 * size)
+    assert pieces.knots[0] <= u <= pieces.knots[-1]
+    # Where pieces meet without joining it may be the end of the one before.
+    both = piece_points(pieces, [u, np.nextafter(u, -np.inf)]) - points[0]
+    if pieces.weights is None and (np.diff(pieces.knots) > 0).all():
+        assert np.abs(np.hypot(*both.T) - away).min() <= 1e-9 * size
 
 
 @settings(max_examples=25)

@@ -135,18 +135,23 @@ def test_only_the_stretch_that_is_shared_is_told() -> None:
         assert crossings == []
 
 
-def test_part_of_a_curve_cut_out_of_it_is_told() -> None:
-    """From u = 0.2 to 0.7 of a cubic, by its blossom, joined to it by lines."""
-    whole = np.array([[0, 0], [1, 3], [4, 4], [6, 9]], float)
+def blossoms(cubic: Array, a: float, b: float) -> Array:
+    """The control points of a cubic from u = a to b."""
 
     def blossom(*at: float) -> Array:
-        level = whole
+        level = cubic
         for u in at:
             level = (1 - u) * level[:-1] + u * level[1:]
         return level[0]
 
+    return np.array([blossom(a, a, a), blossom(a, a, b), blossom(a, b, b), blossom(b, b, b)])
+
+
+def test_part_of_a_curve_cut_out_of_it_is_told() -> None:
+    """From u = 0.2 to 0.7 of a cubic, by its blossom, joined to it by lines."""
+    whole = np.array([[0, 0], [1, 3], [4, 4], [6, 9]], float)
     a, b = 0.2, 0.7
-    part = np.array([blossom(a, a, a), blossom(a, a, b), blossom(a, b, b), blossom(b, b, b)])
+    part = blossoms(whole, a, b)
     steps = np.linspace(0, 1, 4)[:, None]
     away = (1 - steps) * whole[-1] + steps * [9, 0]
     back = (1 - steps) * [9, 0] + steps * part[0]
@@ -173,6 +178,44 @@ def test_each_crossing_of_a_way_there_and_back_is_told_once() -> None:
     crossings, overlaps = self_meetings(loop, 1e-9)
     assert [point.tolist() for _u, _v, point in crossings] == [pytest.approx([0.5, 0.375])]
     assert len(overlaps) == 1
+
+
+def turned(points: Array, chance: np.random.Generator) -> Array:
+    """Points (..., 2) turned and put elsewhere."""
+    angle = chance.uniform(0, 7)
+    rows = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    return np.asarray(points @ rows.T + chance.uniform(0, 200, 2))
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_touch_is_one_wherever_it_is_and_however_it_lies(seed: int) -> None:
+    """A line along the bottom of a curve of degree 2 or 4 that reaches it in one place alone."""
+    chance = np.random.default_rng(seed)
+    shape = [[1, -1, 1], [1, -1, 1, -1, 1]][seed % 2]
+    heights, x = np.array(shape) * chance.uniform(5, 40), np.linspace(0, chance.uniform(10, 60), len(shape))
+    bowl, line = np.column_stack([x, heights]), np.column_stack([x[::-1], 0 * x])
+    round_the_end = np.array([bowl[-1], *[[x[-1] * 1.5, heights[0] / 2]] * (len(x) - 2), line[0]])
+    pieces = Pieces(np.arange(4.0), turned(np.array([bowl, round_the_end, line]), chance))
+    crossings, overlaps = self_meetings(pieces, 1e-6)
+    assert overlaps == []
+    assert [crossing[:2] for crossing in crossings] == [pytest.approx((0.5, 2.5), abs=0.05)]
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_part_of_any_cubic_is_told_as_what_was_cut_out(seed: int) -> None:
+    """By its blossom, forwards or backwards; the oracle is what it was cut at."""
+    chance = np.random.default_rng(seed)
+    whole = chance.uniform(0, 60, (4, 2))
+    a = chance.uniform(0, 0.6)
+    b = a + chance.uniform(0.1, 0.4)
+    part = blossoms(whole, a, b)[:: 1 if seed % 2 else -1]
+    steps, far = np.linspace(0, 1, 4)[:, None], np.array([200.0, 300.0])
+    away, back = (1 - steps) * whole[-1] + steps * far, (1 - steps) * far + steps * part[0]
+    overlaps = self_overlaps(Pieces(np.arange(5.0), np.array([whole, away, back, part])), 6e-6)
+    on_the_part = [each for each in overlaps if min(each.v) > 2.999]
+    assert sum(end - begin for (begin, end), _v in on_the_part) == pytest.approx(b - a, abs=1e-3)
+    assert min(each.u[0] for each in on_the_part) == pytest.approx(a, abs=1e-3)
+    assert len(on_the_part) <= 5  # parts that go one way each
 
 
 def pairs_examined(pieces: Pieces, monkeypatch: pytest.MonkeyPatch) -> int:

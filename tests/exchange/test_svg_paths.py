@@ -4,6 +4,7 @@ import math
 import re
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -81,6 +82,34 @@ def test_runs_close_and_begin_anew_where_they_began() -> None:
     assert cubics(third)[:, 0].tolist() == [[4, 4], [7, 4], [7, 7], [4, 7]]
     assert path("M 1 1 L 5 1 5 5 1 1 Z")[0].closed
     assert len(cubics(path("M 1 1 L 5 1 5 5 1 1 Z")[0])) == 3
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("away", [0.0, 3e4])
+def test_a_path_that_comes_back_within_rounding_is_closed_there(seed: int, away: float) -> None:
+    """Steps from point to point, each cut off after three decimals, add up to nearly nothing."""
+    chance = np.random.default_rng(seed)
+    count = int(chance.integers(1, 9))
+    places = chance.uniform(-30, 30, (3 * count, 2))
+    steps = np.round(np.diff(np.vstack([places, places[:1]]), axis=0), 3)
+    rows = (f"c {' '.join(f'{x:.3f},{y:.3f}' for x, y in ways)}" for ways in _from_begins(steps, count))
+    (figure,) = path(f"m {away},{away} {' '.join(rows)} z")
+    assert figure.closed
+    assert len(cubics(figure)) == count
+    begin, end = cubics(figure)[0, 0], cubics(figure)[-1, -1]
+    assert begin.tolist() == end.tolist()
+
+
+def _from_begins(steps: Array, count: int) -> Array:
+    """For each of so many cubics its three points from its begin."""
+    return np.cumsum(steps.reshape(count, 3, 2), axis=1)
+
+
+@pytest.mark.parametrize("gap", [0.1, 0.01])
+def test_a_gap_that_is_no_rounding_is_closed_by_a_line(gap: float) -> None:
+    (figure,) = path(f"M 0 0 L 30 0 30 30 {gap} 0 Z")
+    assert figure.closed
+    assert len(cubics(figure)) == 4
 
 
 @settings(max_examples=100)

@@ -31,6 +31,8 @@ _UNITS = {
     "rem": 16.0,
 }
 _LONGEST_LENGTH = 100
+# Of the size: so short a closing line is what was cut off on the way round, not one that was drawn.
+_ROUNDED = 1e-4
 # What makes the control points of a cubic of those of a segment of this degree.
 _RAISED = {degree: raised_to_cubic(np.eye(degree + 1)[None])[0] for degree in (1, 2, 3)}
 _OF_PAIRS = set("0123456789.,+-eE \t\r\n")
@@ -96,7 +98,7 @@ def _close(placed: Outline) -> None:
     """Close a run with a line, or, where only rounding parts the ends, with the last segment."""
     placed.closed = True
     gap = float(np.abs(placed.points[-1] - placed.points[0]).max())
-    if placed.degrees and gap <= 1e-12 * float(np.abs(placed.points).max()):
+    if placed.degrees and gap <= _ROUNDED * float(np.ptp(placed.points, axis=0).max()):
         placed.points[-1] = placed.points[0]
     elif gap > 0:
         placed.points = np.vstack([placed.points, placed.points[:1]])

@@ -7,6 +7,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QMenu, QTabBar, QWidget
 
 from workbench.language import _
+from workbench.shell.tab_list import TabList
 
 _UNTIL_RELEASED_MS = 50
 _AWAY_PX = 24
@@ -57,6 +58,7 @@ class DockTabs(QObject):
                 bar.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
                 bar.customContextMenuRequested.connect(lambda at, bar=bar: self._show_menu(bar, at))
                 bar.installEventFilter(self)
+                TabList(bar)
 
     def _bars(self) -> list[QTabBar]:
         return self._area.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from PySide6.QtCore import QObject
 
-from workbench.language import _, ngettext
+from workbench.language import _, at_most, ngettext
 from workbench.shell.writing import Writing
 
 if TYPE_CHECKING:
@@ -57,8 +57,8 @@ class Exports(QObject):
         from workbench.exchange.svg_writing import Exported, write_svg
 
         def notes(exported: Exported) -> list[str]:
-            inexact = _("What SVG cannot say exactly is at most {error:.2g} off.")
-            error = [inexact.format(error=exported.error)] if exported.error > 0 else []
+            inexact = _("What SVG cannot say exactly is at most {error} off.")
+            error = [inexact.format(error=at_most(exported.error))] if exported.error > 0 else []
             return [*error, *exported.notes]
 
         self.writing.ask("drawing", "", partial(write_svg, self._window.session.sheet), notes)

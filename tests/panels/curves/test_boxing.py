@@ -145,3 +145,24 @@ def test_a_curve_with_a_chain_is_flipped_as_it_is_seen(qtbot):
     np.testing.assert_allclose(after[:, 1], before[:, 1], atol=1e-6)
     sums = after[:, 0] + before[:, 0]
     np.testing.assert_allclose(sums, sums[0], atol=1e-6)
+
+
+@pytest.mark.parametrize("axis", ["x", "y"])
+@pytest.mark.parametrize("nodes", [(0, 3), (3, 6), (0, 3, 6)])
+def test_mirrored_nodes_take_their_handles_along(qtbot, axis, nodes):
+    """Each handle becomes its mirror image about the middle of the nodes; twice is as before."""
+    panel = opened(qtbot, curve_through(*PATH, spline="bezier_path"))
+    points = panel.session.sheet.figures[0].points_world
+    panel.focus.choose(points[k].id for k in nodes)
+    before = seen(panel)
+    panel.boxing.flip(axis)
+    settle()
+    after = seen(panel)
+    gone = sorted({k for node in nodes for k in (node - 1, node, node + 1) if 0 <= k < len(PATH)})
+    moved = 0 if np.abs(after - before)[gone, 0].max() > 0 else 1
+    low, high = before[list(nodes), moved].min(), before[list(nodes), moved].max()
+    expected = before.copy()
+    expected[gone, moved] = low + high - before[gone, moved]
+    np.testing.assert_allclose(after, expected, atol=1e-9)
+    panel.boxing.flip(axis)
+    np.testing.assert_allclose(seen(panel), before, atol=1e-9)

@@ -5,6 +5,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
@@ -20,6 +21,8 @@ from tests.panels.curves.by_hand import (
     the_curve,
 )
 from workbench.algorithms import marks
+from workbench.document.building import moved_by, without_ids
+from workbench.document.model import Curve, CurvePoint
 from workbench.exchange.svg_paths import write_svg
 from workbench.exchange.writing import format_for, write
 from workbench.panels.stage.pages import formats_of
@@ -218,3 +221,30 @@ def test_every_page_of_a_run_has_the_points_made_so_far(qtbot, zigzag):
     assert dots[0] == 0
     assert dots == sorted(dots)
     assert dots[-1] >= 5
+
+
+@pytest.mark.parametrize("chosen", ["nothing", "all points"])
+@pytest.mark.parametrize("spline", ["bezier_path", "nurbs", "hermite", "b_spline", "catmull_rom"])
+def test_a_curve_that_is_copied_and_pasted_is_the_same_curve(qtbot, spline, chosen):
+    """With its weights, tangents, joints and knots; also when the keys chose all of its points before."""
+    chance = np.random.default_rng(5)
+    points = tuple(
+        CurvePoint("", *place, weight=1.0 + k % 3, tangent_x=6.0 - k, tangent_y=float(k), joint="smooth")
+        for k, place in enumerate(chance.uniform(5, 40, (7, 2)).round(2).tolist())
+    )
+    panel = opened(qtbot, Curve("", points, "bresenham_line", 1, spline=spline))
+    before = the_curve(panel)
+    if chosen == "all points":
+        panel.select_all()
+        assert len(panel.focus.points) == 7
+    panel.copy()
+    panel.paste()
+    settle()
+    old, new = panel.session.sheet.figures
+    assert old == before
+    back = without_ids(moved_by(new, -1.0, 1.0))
+    for one, other in zip(back.points_world, without_ids(old).points_world, strict=True):
+        assert (one.x, one.y) == pytest.approx((other.x, other.y))
+        assert replace(one, x=0.0, y=0.0) == replace(other, x=0.0, y=0.0)
+    assert replace(back, points_world=()) == replace(without_ids(old), points_world=())
+    assert panel.session.state.selection == (new.id,)

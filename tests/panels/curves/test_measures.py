@@ -1,4 +1,4 @@
-"""What is measured of a curve: joints, the comb, crossings."""
+"""What is measured of a curve: joints, the comb."""
 
 import pytest
 from PySide6.QtWidgets import QLabel
@@ -9,10 +9,8 @@ from tests.panels.curves.by_hand import (
     the_curve,
 )
 from tests.panels.curves.docked import PLACES, with_docks
-from workbench.algorithms import curves
 from workbench.document.curves.pieces import pieces_of
 from workbench.panels.curves.compare import MEASURED_DEGREE
-from workbench.panels.curves.marks import ALONG, MOST_CROSSED, crossings
 from workbench.panels.curves.scene import point_at
 from workbench.widgets.canvas.drawing import PenStroke
 
@@ -52,20 +50,3 @@ def test_a_curve_of_a_high_degree_is_not_measured(qtbot):
         assert None not in other.values[:3]
         said = [label.text() for label in panel.beside.insight.findChildren(QLabel)]
         assert any("not measured" in text for text in said) != measured
-
-
-def test_crossings_of_very_many_pieces_are_not_looked_for(qtbot, monkeypatch):
-    zigzag = [(10.0 + 7 * k % 41, 8.0 + 11 * k % 29) for k in range(MOST_CROSSED + 2)]
-    few, many = (pieces_of(curve_through(*zigzag[:n], spline="catmull_rom")) for n in (40, len(zigzag)))
-    assert len(crossings(few)) > 10
-    monkeypatch.setattr(curves, "self_meetings", lambda *_given: pytest.fail("takes seconds"))
-    assert crossings(many) == []
-
-
-def test_a_path_that_runs_back_over_itself_is_said_once(qtbot):
-    there = [(10.0, 8.0), (31.0, 29.0), (52.0, 11.0)]
-    drawn = crossings(pieces_of(curve_through(*there, *there[-2::-1], spline="catmull_rom")))
-    assert [type(each).__name__ for each in drawn].count("Marker") == 0
-    assert [each.text for each in drawn if type(each).__name__ == "Word"] == ["runs along itself"]
-    (line,) = (each for each in drawn if type(each).__name__ == "PenStroke")
-    assert len(line.points) == ALONG

@@ -1,5 +1,7 @@
 """Commands on curves by hand: bend, insert, split, join, degrees, mirror, align, convert, smooth; undo."""
 
+import re
+
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -18,7 +20,7 @@ from tests.panels.curves.by_hand import (
     send,
     the_curve,
 )
-from workbench.algorithms.curves import joints, piece_points
+from workbench.algorithms.curves import distances, joints, piece_points
 from workbench.document.curves.pieces import pieces_of
 from workbench.document.model import SPLINES, Polyline
 from workbench.panels.curves.menu import canvas_menu
@@ -147,6 +149,44 @@ def test_a_conversion_looks_the_same_and_says_so(qtbot, spline):
     assert the_curve(panel).spline == "bezier_path"
     assert farthest(the_curve(panel), before) < 0.05
     assert any("exactly" in text for text in said)
+
+
+@pytest.mark.parametrize("spline", ["bezier_path", "catmull_rom", "natural_cubic", "nurbs"])
+def test_what_a_hermite_spline_cannot_follow_is_said_and_never_less(qtbot, spline):
+    """A Hermite spline has one tangent at each point, whatever tolerance is asked for."""
+    panel = opened(qtbot, curve_through(*SEVEN, spline=spline))
+    before = on_curve(the_curve(panel))
+    said = sentences(panel)
+    panel.commands.convert("hermite")
+    away = distances(pieces_of(the_curve(panel)), before).max()
+    if away > 1e-6:
+        (told,) = re.findall(r"at most ([\d.]+) off", said[-1])
+        assert away <= float(told)
+    else:
+        assert "exactly" in said[-1]
+    assert (away > 0.2) == (spline in ("bezier_path", "catmull_rom"))
+
+
+@pytest.mark.parametrize("spline", ["natural_cubic", "hermite", "bezier", "b_spline"])
+def test_curves_that_are_joined_are_no_farther_off_than_is_said(qtbot, spline):
+    """By their rule, or, of degree 4, as a path; a B-spline is joined exactly."""
+    shape = np.array(((4, 8), (8, 30), (14, 12), (20, 34), (26, 8)), float)
+    curves = [curve_through(*(shape + np.array([far, 0])).tolist(), spline=spline) for far in (0.0, 22.0)]
+    curves[1] = replace(
+        curves[1], points_world=tuple(replace(p, tangent_y=9) for p in curves[1].points_world)
+    )
+    panel = opened(qtbot, *curves)
+    before = np.concatenate([on_curve(curve) for curve in panel.session.sheet.figures])
+    panel.session.update_state(selection=tuple(curve.id for curve in panel.session.sheet.figures))
+    said = sentences(panel)
+    panel.commands.join()
+    away = distances(pieces_of(the_curve(panel)), before).max()
+    if spline == "b_spline":
+        assert said[-1] == "The curves are one now, and look as before."
+        assert away < 1e-9
+        return
+    (told,) = re.findall(r"at most ([\d.]+) off", said[-1])
+    assert 1e-4 < away <= float(told)
 
 
 @pytest.mark.parametrize("kind", ["G1", "C1", "C2"])

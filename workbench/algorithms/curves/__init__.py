@@ -31,7 +31,7 @@ from workbench.geometry.curves.cubic_spline import clamped_cubic, natural_cubic,
 from workbench.geometry.curves.curvature import curvature, curvature_comb, osculating_circle
 from workbench.geometry.curves.degree_lowering import lower_b_spline, lower_degree
 from workbench.geometry.curves.derivatives import derivatives, piece_derivative
-from workbench.geometry.curves.distances import distances
+from workbench.geometry.curves.distances import closest_place, distances
 from workbench.geometry.curves.extrema import bounding_box, extrema
 from workbench.geometry.curves.fitting import fit_pieces
 from workbench.geometry.curves.hermite import hermite
@@ -78,6 +78,7 @@ __all__ = [
     "circle",
     "clamped_cubic",
     "closed_b_spline",
+    "closest_place",
     "closest_point",
     "continuity",
     "convex_hull",

@@ -11,6 +11,7 @@ from workbench.document.curves.changes import changing
 from workbench.document.curves.paths import Joint, natural_joint, points_from, refuse_waiting
 from workbench.document.curves.pieces import goes_round, pieces_of, points_of, weights_of
 from workbench.document.model import B_SPLINES, KNOT_RULES, Curve, CurvePoint, Knot
+from workbench.geometry.curves.rounding import nothing_beside
 from workbench.language import _
 
 Array = NDArray[np.float64]
@@ -49,12 +50,12 @@ def converted(curve: Curve, spline: str, tolerance_world: float = TOLERANCE_WORL
 def path_through(curve: Curve, pieces: Pieces) -> Curve:
     """The path over cubic ``pieces``: points where ``curve`` has one keep its id, in their order."""
     controls = pieces.controls
-    size = float(np.abs(controls).max()) or 1.0
+    nothing = nothing_beside(controls)
     ends = np.vstack([controls[:, 0], controls[-1:, -1]])
-    is_closed = goes_round(curve) and float(np.abs(ends[0] - ends[-1]).max()) <= 1e-9 * size
+    is_closed = goes_round(curve) and float(np.abs(ends[0] - ends[-1]).max()) <= nothing
     if is_closed:
         ends = ends[:-1]
-    known = iter(_ids_at(curve, ends, 1e-9 * size))
+    known = iter(_ids_at(curve, ends, nothing))
     joints = []
     for number_, end in enumerate(ends):
         before = controls[number_ - 1, 2] if number_ or is_closed else None

@@ -22,15 +22,15 @@ from workbench.document.curves.paths import (
     refuse_waiting,
     sound,
 )
-from workbench.document.curves.pieces import ends_steer, goes_round, knots_of, pieces_of
+from workbench.document.curves.pieces import ends_steer, goes_round, knots_of, pieces_of, points_of
 from workbench.document.errors import DocumentError
 from workbench.document.model import B_SPLINES, THROUGH, Curve, CurvePoint, Document, Knot
 from workbench.document.transforms.chains import inverse_of
 from workbench.document.transforms.expressing import expressed
+from workbench.geometry.curves.rounding import nothing_beside
 from workbench.language import _
 
 Array = NDArray[np.float64]
-_TOGETHER = 1e-9
 
 
 @checked
@@ -39,7 +39,7 @@ def join(first: str, second: str) -> Edit:
 
     The chain is that of the first, under which the second looks as before. Two B-splines of one degree and
     two paths stay what they are, two curves of one kind through all of their points go on by its rule; all
-    others become one path. Ends apart are bridged by a straight piece.
+    others become one path. Ends apart are bridged by a straight piece; ``joined`` tells how far it is off.
     """
 
     def edit(document: Document) -> Document:
@@ -47,7 +47,7 @@ def join(first: str, second: str) -> Edit:
         if first == second:
             raise DocumentError(first, _("These are one curve; close it instead, or choose another one."))
         try:
-            made = joined(one, _in_frame_of(one, other))
+            made, _error = joined(one, other)
         except ValueError as problem:
             raise DocumentError(first, str(problem)) from problem
         sheet = figure_with(document, second)[0]
@@ -58,37 +58,59 @@ def join(first: str, second: str) -> Edit:
     return edit
 
 
-def _in_frame_of(one: Curve, other: Curve) -> Curve:
-    """``other`` with points that the chain of ``one`` takes where its own took them. Raises: ValueError."""
-    if one.matrix is None and other.matrix is None:
-        return other
-    own, back = (np.eye(3) if curve.matrix is None else curve.matrix for curve in (other, one))
-    matrix = inverse_of(back) @ own
-    for curve in (other, converted(other, "bezier_path")[0]):
-        placed = expressed(curve, matrix)
-        if isinstance(placed, Curve):
-            return placed
-    raise AssertionError("a path goes with its points")
+def joined(one: Curve, other: Curve) -> tuple[Curve, float]:
+    """The curve along both, from ``one`` to ``other``, reversed as needed, and how far at most it is off.
 
-
-def joined(one: Curve, other: Curve) -> Curve:
-    """The curve along both, from ``one`` to ``other``, reversed as needed. Raises: ValueError."""
+    It has the chain of ``one``, and the error is in world units before that. Raises: ValueError.
+    """
     if goes_round(one) or goes_round(other):
         raise ValueError(_("A closed curve has no end to join; open it before."))
     for curve in (one, other):
         refuse_waiting(curve)
+    other, error = _in_frame_of(one, other)
     turned = [(a, b) for a in (one, reversed_curve(one)) for b in (other, reversed_curve(other))]
     one, other = min(turned, key=lambda pair: math.dist(_ends(pair[0])[1], _ends(pair[1])[0]))
     goes_on = one.spline == other.spline and one.spline in THROUGH
     if goes_on and not (ends_steer(one) or ends_steer(other)):
-        points = one.points_world
-        gap = math.dist(place(points[-1]), place(other.points_world[0]))
-        rest = other.points_world[1:] if gap <= _TOGETHER else other.points_world
-        return replace(one, points_world=(*points, *rest), knot_rule="open_uniform", knots=())
+        rest = other.points_world[1:] if _meet(one, other) else other.points_world
+        points = (*one.points_world, *rest)
+        made = replace(one, points_world=points, knot_rule="open_uniform", knots=())
+        return made, error + _off(made, one, other)
     plain = one.spline in B_SPLINES and one.degree == other.degree
     if plain and one.spline == other.spline and _clamped(one) and _clamped(other):
-        return _joined_b_splines(one, other)
-    return _joined_paths(converted(one, "bezier_path")[0], converted(other, "bezier_path")[0])
+        return _joined_b_splines(one, other), error
+    (first, first_off), (second, second_off) = (converted(curve, "bezier_path") for curve in (one, other))
+    return _joined_paths(first, second), max(first_off, error + second_off)
+
+
+def _in_frame_of(one: Curve, other: Curve) -> tuple[Curve, float]:
+    """``other`` with points that the chain of ``one`` takes where its own took them, and how far it is off.
+    Raises: ValueError.
+    """
+    if one.matrix is None and other.matrix is None:
+        return other, 0.0
+    own, back = (np.eye(3) if curve.matrix is None else curve.matrix for curve in (other, one))
+    matrix = inverse_of(back) @ own
+    placed = expressed(other, matrix)
+    if isinstance(placed, Curve):
+        return placed, 0.0
+    path, error = converted(other, "bezier_path")
+    placed = expressed(path, matrix)
+    assert isinstance(placed, Curve)  # a path goes with its points
+    return placed, error * float(np.linalg.norm(matrix[:2, :2], 2))
+
+
+def _off(made: Curve, one: Curve, other: Curve) -> float:
+    """How far at most the pieces of a curve are off that begins as ``one`` and ends as ``other``."""
+    controls, before, after = (pieces_of(curve).controls for curve in (made, one, other))
+    ways = np.concatenate([controls[: len(before)] - before, controls[-len(after) :] - after])
+    return float(np.hypot(ways[..., 0], ways[..., 1]).max())
+
+
+def _meet(one: Curve, other: Curve) -> bool:
+    """Whether the last point of the one is the first of the other, beside the size of both."""
+    both = np.concatenate([points_of(one), points_of(other)])
+    return math.dist(place(one.points_world[-1]), place(other.points_world[0])) <= nothing_beside(both)
 
 
 def _ends(curve: Curve) -> tuple[Place, Place]:
@@ -110,7 +132,7 @@ def _joined_b_splines(one: Curve, other: Curve) -> Curve:
     end, begin = first.points_world[-1], second.points_world[0]
     pull = end.weight / begin.weight if one.spline == "nurbs" else 1.0
     after = [replace(p, weight=p.weight * pull) for p in second.points_world]
-    apart = math.dist(place(end), place(begin)) > _TOGETHER
+    apart = not _meet(one, other)
     bridge = [
         CurvePoint(
             "",
@@ -133,7 +155,7 @@ def _joined_b_splines(one: Curve, other: Curve) -> Curve:
 def _joined_paths(one: Curve, other: Curve) -> Curve:
     first, second = joints_of(one)[0], joints_of(other)[0]
     end, begin = first[-1], second[0]
-    if math.dist(place(end.at), place(begin.at)) <= _TOGETHER:
+    if _meet(one, other):
         joints = [*first[:-1], sound(end._replace(after=begin.after)), *second[1:]]
         return refitted(replace(one, points_world=points_from(joints, False)))
     thirds = [

@@ -8,9 +8,11 @@ import math
 from collections.abc import Collection, Iterable, Mapping
 from typing import NamedTuple
 
+import numpy as np
 from msgspec.structs import replace
 
 from workbench.document.model import Curve, CurvePoint
+from workbench.geometry.curves.rounding import nothing_beside
 from workbench.language import _
 
 Place = tuple[float, float]
@@ -336,8 +338,8 @@ def closed_path(curve: Curve) -> Curve:
     """
     joints, waiting = joints_of(curve)
     first, last = joints[0], joints[-1]
-    size = max(abs(c) for joint in joints for c in place(joint.at))
-    if len(joints) > 1 and math.dist(place(first.at), place(last.at)) <= 1e-9 * max(size, 1.0):
+    nothing = nothing_beside(np.array([place(point) for point in curve.points_world]))
+    if len(joints) > 1 and math.dist(place(first.at), place(last.at)) <= nothing:
         joints = [sound(first._replace(before=last.before)), *joints[1:-1]]
     else:
         there = place(first.at)

@@ -1,4 +1,4 @@
-"""How far points are from a curve in pieces, many points at a time."""
+"""How far points are from a curve in pieces, many points at a time, and where it is closest to one."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,27 +27,52 @@ def distances(pieces: Pieces, points: ArrayLike) -> Array:
     return np.concatenate([_some(kept, asked[k : k + step]) for k in range(0, len(asked), step)])
 
 
+def closest_place(pieces: Pieces, point: ArrayLike) -> tuple[float, float]:
+    """The parameter u at which the curve is closest to one point (k,), and the distance, as ``distances``."""
+    asked = np.asarray(point, float)[None]
+    refuse(faults(asked, least=1))
+    kept = with_length(pieces)
+    begin, end = (lengths(kept.controls[:, side] - asked) for side in (0, -1))
+    places = [(kept.knots[:-1], begin), (kept.knots[1:], end)]
+    _row, piece, v, away = _valleys(kept, asked, np.minimum(begin, end).min(keepdims=True))
+    places.append((kept.u_at(piece, v), away))
+    us, gaps = (np.concatenate(column) for column in zip(*places, strict=True))
+    nearest = int(gaps.argmin())
+    return float(us[nearest]), float(gaps[nearest])
+
+
 def _some(pieces: Pieces, points: Array) -> Array:
     """The distances (n,) of so few points that each can be compared with the box of every piece."""
-    _knots, controls, weights = pieces
-    ends = np.concatenate([controls[:, 0], controls[:, -1]])
+    ends = np.concatenate([pieces.controls[:, 0], pieces.controls[:, -1]])
     best: Array = np.sqrt(_squares(points, ends, ends).min(axis=1))
+    row, _piece, _v, away = _valleys(pieces, points, best)
+    np.minimum.at(best, row, away)
+    return best
+
+
+def _valleys(
+    pieces: Pieces, points: Array, best: Array
+) -> tuple[NDArray[np.intp], NDArray[np.intp], Array, Array]:
+    """Where the curve runs across the line to a point, unless that is surely farther than its ``best`` (n,),
+    which is lowered: rows of points, pieces, v within these, and how far (r,)."""
+    _knots, controls, weights = pieces
     beside = _squares(points, controls.min(axis=1), controls.max(axis=1))
     row, piece = np.nonzero(beside < (best * best)[:, None])
     # Three points of each of these pieces leave few of them, and the least coefficient of the distance fewer
     for part in (0.5, 0.25, 0.75):
-        middle = local_derivatives(controls, weights, np.full(len(controls), part), 0)[0]
-        np.minimum.at(best, row, lengths(middle[piece] - points[row]))
+        some, at = np.unique(piece, return_inverse=True)
+        own = None if weights is None else weights[some]
+        middle = local_derivatives(controls[some], own, np.full(len(some), part), 0)[0]
+        np.minimum.at(best, row, lengths(middle[at] - points[row]))
         near = beside[row, piece] < best[row] ** 2
         row, piece = row[near], piece[near]
     pulls = None if weights is None else weights[piece]
     near = _least_squares(controls[piece] - points[row, None], pulls) < best[row] ** 2
     row, piece, pulls = row[near], piece[near], None if pulls is None else pulls[near]
-    found_rows, v = _across(controls[piece] - points[row, None], pulls)
-    own = None if pulls is None else pulls[found_rows]
-    places = local_derivatives(controls[piece[found_rows]], own, v, 0)[0]
-    np.minimum.at(best, row[found_rows], lengths(places - points[row[found_rows]]))
-    return best
+    crossed, v = _across(controls[piece] - points[row, None], pulls)
+    own = None if pulls is None else pulls[crossed]
+    places = local_derivatives(controls[piece[crossed]], own, v, 0)[0]
+    return row[crossed], piece[crossed], v, lengths(places - points[row[crossed]])
 
 
 def _least_squares(controls: Array, weights: Array | None) -> Array:

@@ -14,6 +14,7 @@ from workbench.document.model import B_SPLINES, Curve
 from workbench.language import _
 from workbench.panels.curves.basis import MOST, NOTHING, Basis, basis_of
 from workbench.panels.curves.compare import MEASURED_DEGREE, compared, measures, rows, why_none
+from workbench.panels.curves.crossings import crossing_words
 from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.curves.insight import CurveInsight
 from workbench.panels.curves.joints import joint_point, joints
@@ -212,7 +213,10 @@ class CurveDocks(QObject):
         self.continuity.say(text)
 
     def _show_measures(self) -> None:
-        self.insight.say(_measures(self._pieces, self._u))
+        lines = _measures(self._pieces, self._u)
+        if self._pieces is not None and "crossings" in self.focus.shown:
+            lines.append((_("crosses itself"), crossing_words(self._pieces)))
+        self.insight.say(lines)
 
     def _go_to_joint(self, number: int) -> None:
         self._go_to(self.continuity.model.joints[number].u)

@@ -21,7 +21,7 @@ from workbench.exchange.point_lists import Array, write_points
 from workbench.exchange.readable import kind_of
 from workbench.exchange.reading import LIMITS, Fitted, Job
 from workbench.exchange.svg_paths import Imported
-from workbench.language import _, legible, ngettext
+from workbench.language import _, at_most, legible, ngettext
 from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.curves.freehand import FIT_PX, fit_words
 from workbench.panels.stage.actions import PanelCommand
@@ -154,8 +154,8 @@ class CurveExchange(QObject):
             count = len(drawing.figures)
             said = [ngettext("{n} figure imported.", "{n} figures imported.", count).format(n=count)]
             if drawing.error > 0:
-                text = _("Arcs and curved insides are at most {error:.2g} off.")
-                said.append(text.format(error=drawing.error))
+                text = _("Arcs and curved insides are at most {error} off.")
+                said.append(text.format(error=at_most(drawing.error)))
             say(" ".join([*said, *drawing.notes]))
 
     def _is_still(self, sheet: Sheet, say: Say) -> bool:

@@ -9,7 +9,7 @@ from workbench.document.curves.pieces import share_at
 from workbench.document.edits import add_figure
 from workbench.document.model import Curve
 from workbench.exchange.fitted_curve import fitted
-from workbench.language import _, ngettext
+from workbench.language import _, at_most, ngettext
 from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.curves.shape import device_pieces
 from workbench.panels.stage.gesture import Modifiers, Tool
@@ -72,11 +72,11 @@ def fit_words(curve: Curve, count: int, error: float) -> str:
     """What became of drawn or pasted points."""
     pieces = len(curve.points_world) // 3
     text = ngettext(
-        "{pieces} piece passes the {count} points, none of which is more than {error:.2g} px off.",
-        "{pieces} pieces pass the {count} points, none of which is more than {error:.2g} px off.",
+        "{pieces} piece passes the {count} points, none of which is more than {error} px off.",
+        "{pieces} pieces pass the {count} points, none of which is more than {error} px off.",
         pieces,
     )
-    return text.format(pieces=pieces, count=count, error=error)
+    return text.format(pieces=pieces, count=count, error=at_most(error))
 
 
 class ProbeTool(Tool):

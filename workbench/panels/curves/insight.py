@@ -6,8 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from workbench.language import _
+from workbench.panels.curves.crossings import MOST_PIECES
 from workbench.panels.curves.focus import CurveFocus
-from workbench.panels.curves.marks import MOST_CROSSED
 
 _WIDE_PX = 300
 
@@ -27,7 +27,7 @@ def switches() -> list[tuple[str, str, str]]:
         (
             "crossings",
             _("Self-intersections"),
-            _("Where a curve of up to {most} pieces crosses itself").format(most=MOST_CROSSED),
+            _("Where a curve of up to {most} pieces crosses itself").format(most=MOST_PIECES),
         ),
         ("steps_u", _("Equal steps of u"), _("Points at equal steps of the parameter")),
         ("steps_length", _("Equal steps of length"), _("As many points at equal steps along the curve")),

@@ -10,7 +10,7 @@ from workbench.algorithms.curves import Pieces, piece_points
 from workbench.algorithms.marks import Word
 from workbench.document.curves.pieces import parameter_at
 from workbench.document.model import Curve, Sheet
-from workbench.language import _
+from workbench.panels.curves.crossings import crossing_marks
 from workbench.panels.curves.shape import device_pieces, device_points
 from workbench.widgets.canvas.drawing import Drawn, Marker, PenStroke, Tint
 
@@ -20,9 +20,6 @@ COMB_TEETH = 24
 COMB_CELLS = 0.1
 MOST_TEETH = 1600
 MOST_MARKS = 400
-MOST_CROSSED = 300
-MOST_CROSSINGS = 100
-ALONG = 33
 STEPS = 16
 _FAR = 40.0
 
@@ -49,7 +46,7 @@ def marks(sheet: Sheet, curve: Curve, shown: frozenset[str], share: float) -> li
     if "inflections" in shown:
         drawn += inflections(pieces)
     if "crossings" in shown:
-        drawn += crossings(pieces)
+        drawn += crossing_marks(pieces)
     if "steps_u" in shown:
         drawn += steps_of_u(pieces)
     if "steps_length" in shown:
@@ -148,24 +145,6 @@ def inflections(pieces: Pieces) -> list[Drawn]:
     """Where the curve changes the side it bends to."""
     at = piece_points(pieces, curves.inflections(pieces)[:MOST_MARKS]).reshape(-1, 2)
     return [Marker(x, y, "data4", "ring", 11) for x, y in at.tolist()]
-
-
-def crossings(pieces: Pieces) -> list[Drawn]:
-    """Where the curve crosses itself, and the stretches on which it runs along itself.
-
-    Of very many pieces nothing, since each may cross each.
-    """
-    if len(pieces.controls) > MOST_CROSSED:
-        return []
-    size = float(np.ptp(pieces.controls.reshape(-1, 2), axis=0).max())
-    places, stretches = curves.self_meetings(pieces, max(1e-9, 1e-7 * size), MOST_CROSSINGS)
-    drawn: list[Drawn] = []
-    for begin, end in sorted({stretch.u for stretch in stretches}):
-        line = piece_points(pieces, np.linspace(begin, end, ALONG))
-        x, y = line[ALONG // 2].tolist()
-        drawn.append(PenStroke(line, "data2", 3.0, "dash"))
-        drawn.append(Word(_("runs along itself"), x, y, "text", 1, 1, carded=True))
-    return [*drawn, *(Marker(x, y, "data2", "cross", 11) for x, y in (at.tolist() for _u, _v, at in places))]
 
 
 def steps_of_u(pieces: Pieces) -> list[Drawn]:

@@ -8,19 +8,21 @@ import numpy as np
 from workbench.document.curves.conversions import CONVERSIONS, TOLERANCE_WORLD, convert, converted
 from workbench.document.curves.cutting import insert_on_curve, insertion_note, split
 from workbench.document.curves.degrees import lower_degree, lowered, raise_degree
-from workbench.document.curves.joining import ALIGNMENTS, align, join, reverse
+from workbench.document.curves.joining import ALIGNMENTS, align, join, joined, reverse
 from workbench.document.curves.knot_removal import knots_fault, remove_knot
 from workbench.document.curves.paths import is_path, joint_of, place
 from workbench.document.curves.pieces import fault_of, goes_round, knots_of, parameter_at, pieces_of
 from workbench.document.curves.shaping import SMOOTHNESS, smooth_joint, smoothed
 from workbench.document.edits import add_figure, both, remove_figures
 from workbench.document.model import Curve, Polyline, WorldPoint
-from workbench.language import _
+from workbench.language import _, at_most
 from workbench.panels.curves.commands import CurveCommands
 from workbench.panels.curves.names import point_name, spline_title
 from workbench.panels.stage.actions import PanelCommand
 from workbench.rendering import device_map
 from workbench.rendering.curves import polyline_of
+
+_EXACT = 1e-9  # world: what is no farther off is off by rounding
 
 _ALIGN_ICONS = {
     "left": "align-left",
@@ -144,14 +146,19 @@ class CurveOperations(CurveCommands):
     def join(self) -> None:
         """Join the two selected curves where their ends are nearest."""
         chosen = [
-            figure.id
+            figure
             for figure in self.session.sheet.figures
             if figure.id in self.session.state.selection and isinstance(figure, Curve)
         ]
         if len(chosen) != 2:
             self.said.emit(_("Select two curves first, the second with Shift."))
-        elif self.apply(join(*chosen), _("Join curves")):
-            self.session.update_state(selection=(chosen[0],), active=chosen[0])
+            return
+        first, second = chosen
+        if self.apply(join(first.id, second.id), _("Join curves")):
+            self.session.update_state(selection=(first.id,), active=first.id)
+            error = joined(first, second)[1]
+            off = _("The curves are one now, at most {error} off.").format(error=at_most(error))
+            self.said.emit(off if error > _EXACT else _("The curves are one now, and look as before."))
 
     # The whole curve
 
@@ -168,8 +175,8 @@ class CurveOperations(CurveCommands):
 
         def lower(curve: Curve) -> None:
             if self.apply(lower_degree(curve.id), _("Lower the degree")):
-                text = _("One degree less; the curve is at most {error:.2g} off.")
-                self.said.emit(text.format(error=lowered(curve)[1]))
+                text = _("One degree less; the curve is at most {error} off.")
+                self.said.emit(text.format(error=at_most(lowered(curve)[1])))
 
         self.with_curve(lower)
 
@@ -189,8 +196,8 @@ class CurveOperations(CurveCommands):
             if not self.apply(convert(curve.id, spline), _("Convert the curve")):
                 return
             error, kind = converted(curve, spline)[1], spline_title(spline)
-            if error > 1e-9:
-                self.said.emit(_("{kind}, at most {error:.2g} off.").format(kind=kind, error=error))
+            if error > _EXACT:
+                self.said.emit(_("{kind}, at most {error} off.").format(kind=kind, error=at_most(error)))
             else:
                 self.said.emit(_("{kind}, exactly the same curve.").format(kind=kind))
 
@@ -214,8 +221,8 @@ class CurveOperations(CurveCommands):
             if self.apply(edit, _("Convert the curve")):
                 made = self.session.sheet.figures[place].id
                 self.session.update_state(selection=(made,), active=made)
-                text = _("A polyline of {count} corners, at most {error:.2g} px off.")
-                self.said.emit(text.format(count=len(points), error=curve.tolerance_px))
+                text = _("A polyline of {count} corners, at most {error} px off.")
+                self.said.emit(text.format(count=len(points), error=at_most(curve.tolerance_px)))
 
         self.with_curve(replace_by_chords)
 

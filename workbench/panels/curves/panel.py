@@ -130,9 +130,9 @@ class CurvesPanel(SteppedPanel):
         self.hover_text.emit(_("Points snap to pixels.") if self.focus.snaps else _("Points do not snap."))
 
     def _double_click(self, x: float, y: float, _modifiers: object) -> None:
-        """On the curve a point is inserted; on a point nothing more happens."""
+        """On the curve, at u too, a point is inserted; on a point or a tangent nothing more happens."""
         curve = self.focus.selected
-        if curve is None or self.tool is not self.select or self.select.over(x, y) != "curve":
+        if curve is None or self.tool is not self.select or self.select.on_grip(curve, x, y):
             return
         share = self.select.share_at(curve, x, y)
         self.select.cancel()
@@ -160,11 +160,12 @@ class CurvesPanel(SteppedPanel):
             super().delete_selected()
 
     def copy(self) -> bool:
-        """Put the chosen points on the clipboard; without any, as everywhere."""
-        if self.focus.selected is not None and self.focus.points:
-            self.exchange.copy()
-            return True
-        return super().copy()
+        """Put the chosen points on the clipboard; with all of them chosen, or none, the curve."""
+        curve = self.focus.selected
+        if curve is None or len(self.focus.numbers(curve)) in (0, len(curve.points_world)):
+            return super().copy()
+        self.exchange.copy()
+        return True
 
     def paste(self) -> bool:
         """Figures come onto the sheet as everywhere, points and SVG as in the menu."""

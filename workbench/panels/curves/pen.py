@@ -127,7 +127,8 @@ class PenTool(FigureTool):
 
     def _closes_at(self, x: float, y: float) -> bool:
         """Whether a click there comes back to the first point of a curve that can go round."""
-        if self._continued is not None or len(self._nodes) < 3:
+        bends = self._has_handles and any(node.pulled is not None for node in self._nodes)
+        if self._continued is not None or len(self._nodes) < (2 if bends else 3):
             return False
         return goes_round(replace(self.model, closed=True)) and self._near(self._nodes[0].at, x, y)
 

@@ -1,14 +1,14 @@
 """Curves in device coordinates as the panel draws and grabs them: their pieces, points and nearest places."""
 
-from functools import lru_cache
-
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.curves import Pieces, piece_points
+from workbench.algorithms import curves
+from workbench.algorithms.curves import Pieces
 from workbench.document.curves.pieces import points_of
 from workbench.document.model import TANGENT_SPLINES, AnyFigure, Curve, Sheet
-from workbench.rendering import curves, figure_map
+from workbench.rendering import curves as drawn_curves
+from workbench.rendering import figure_map
 
 Array = NDArray[np.float64]
 
@@ -20,7 +20,7 @@ TANGENT_SHARE = 1 / 3
 def device_pieces(sheet: Sheet, curve: Curve, spline: str = "") -> Pieces | None:
     """The pieces of a curve, device coordinates; None while something is missing for it."""
     try:
-        return curves.device_pieces(sheet, curve, spline)
+        return drawn_curves.device_pieces(sheet, curve, spline)
     except ValueError:
         return None
 
@@ -32,7 +32,7 @@ def device_points(sheet: Sheet, curve: Curve) -> Array:
 
 def smooth_line(sheet: Sheet, curve: Curve, spline: str = "") -> Array:
     """The curve (n, 2), device coordinates, so close to it that nobody sees a corner; empty without one."""
-    return curves.polyline_of(sheet, curve, spline, SMOOTH_PX)
+    return drawn_curves.polyline_of(sheet, curve, spline, SMOOTH_PX)
 
 
 def prepare(sheet: Sheet, figure: AnyFigure) -> None:
@@ -61,19 +61,7 @@ def tangent_ends(sheet: Sheet, curve: Curve) -> dict[int, tuple[float, float]]:
 
 
 def nearest_share(pieces: Pieces, x: float, y: float) -> tuple[float, float]:
-    """The share 0 to 1 of the parameter whose point is nearest to (x, y), and its distance, by sampling."""
-    count = max(24, min(4000, 16 * len(pieces.controls)))
-    shares, line = _samples(curves.Same(pieces), count)
-    start, along = line[:-1], np.diff(line, axis=0)
-    square = np.maximum((along**2).sum(axis=1), 1e-300)
-    part = np.clip((((x, y) - start) * along).sum(axis=1) / square, 0.0, 1.0)
-    away = np.hypot(*((x, y) - start - part[:, None] * along).T)
-    at = int(away.argmin())
-    return float(shares[at] + part[at] * (shares[at + 1] - shares[at])), float(away[at])
-
-
-@lru_cache(maxsize=8)
-def _samples(key: curves.Same, count: int) -> tuple[Array, Array]:
-    knots = key.pieces.knots
-    shares = np.linspace(0.0, 1.0, count + 1)
-    return shares, piece_points(key.pieces, knots[0] + shares * (knots[-1] - knots[0]))
+    """The share 0 to 1 of the parameter whose point is nearest to (x, y), and its distance."""
+    u, away = curves.closest_place(pieces, (x, y))
+    begin, end = pieces.knots[0], pieces.knots[-1]
+    return float((u - begin) / (end - begin)), away

@@ -2,16 +2,25 @@
 
 import numpy as np
 
+from workbench.document.curves.paths import is_path, joint_of
 from workbench.document.curves.pieces import parameter_at
-from workbench.document.model import Curve
+from workbench.document.model import AnyFigure, Curve
 from workbench.document.transforms.chains import read_only_reason
 from workbench.language import _
 from workbench.panels.curves.drags import BendDrag, Drag, PointDrag, TangentDrag
 from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.curves.scene import handles_shown, point_at
-from workbench.panels.curves.shape import device_pieces, device_points, nearest_share, tangent_ends
+from workbench.panels.curves.shape import (
+    device_pieces,
+    device_points,
+    nearest_share,
+    smooth_line,
+    tangent_ends,
+)
 from workbench.panels.stage.gesture import Modifiers
+from workbench.panels.stage.outline import distance_to
 from workbench.panels.stage.tools import SelectTool
+from workbench.widgets.canvas.pixel_canvas import TOGETHER
 
 # How near counts as on a grip, in logical pixels.
 GRAB_PX = 11
@@ -59,12 +68,11 @@ class CurveSelectTool(SelectTool):
             self.focus.choose(())
 
     def _press_on(self, curve: Curve, x: float, y: float, adding: bool) -> bool:
-        tangent = self._tangent_at(curve, x, y)
-        number = self.point_at(curve, x, y)
+        number, tangent = self.point_at(curve, x, y), self._tangent_at(curve, x, y)
         if number is None and tangent is None and self.on_u(curve, x, y):
             self._sliding = True
             return True
-        if number is None and tangent is not None:
+        if tangent is not None:
             self.drag = TangentDrag(self.focus, curve, x, y, tangent)
             self.focus.choose({curve.points_world[tangent].id})
             self._begin(curve, ())
@@ -106,24 +114,56 @@ class CurveSelectTool(SelectTool):
         return pixels / self.focus.cell_px
 
     def point_at(self, curve: Curve, x: float, y: float) -> int | None:
-        """The number of the control point there; of several at one place the chosen one, or the last."""
+        """The number of the control point there; of several that cannot be told apart the foremost."""
         points = device_points(self.session.sheet, curve)
-        away = np.abs(points - (x, y)).max(axis=1)
-        away[~handles_shown(curve, self.focus.numbers(curve))] = np.inf
-        nearest = float(away.min())
-        if nearest > self._far(GRAB_PX):
+        visible = handles_shown(curve, self.focus.numbers(curve))
+        away = np.where(visible, np.abs(points - (x, y)).max(axis=1), np.inf)
+        nearest = int(away.argmin())
+        if away[nearest] > self._far(GRAB_PX):
             return None
-        near = np.flatnonzero(away <= nearest + 1e-9).tolist()
-        chosen = [k for k in near if curve.points_world[k].id in self.focus.points]
-        return int((chosen or near)[-1])
+        together = np.abs(points - points[nearest]).max(axis=1) <= self._far(TOGETHER)
+        return self._foremost(curve, np.flatnonzero(together & visible).tolist())
+
+    def _foremost(self, curve: Curve, numbers: list[int]) -> int:
+        """Of points in one place the chosen one, or the last; a handle drawn into its point is under it."""
+        if is_path(curve):
+            free = [k for k in numbers if k % 3 == 0 or joint_of(curve, k) not in numbers]
+            numbers = [k for k in free if k % 3 == 0] or free
+        chosen = [k for k in numbers if curve.points_world[k].id in self.focus.points]
+        return (chosen or numbers)[-1]
 
     def _tangent_at(self, curve: Curve, x: float, y: float) -> int | None:
-        ends = tangent_ends(self.session.sheet, curve)
-        away = {k: max(abs(ex - x), abs(ey - y)) for k, (ex, ey) in ends.items()}
-        if not away:
+        """The number of the point whose tangent ends there, nearer than any point and apart from its own."""
+        points = device_points(self.session.sheet, curve)
+        ends = {
+            k: end
+            for k, end in tangent_ends(self.session.sheet, curve).items()
+            if np.abs(points[k] - end).max() > self._far(TOGETHER)
+        }
+        if not ends:
             return None
+        away = {k: max(abs(ex - x), abs(ey - y)) for k, (ex, ey) in ends.items()}
         nearest = min(away, key=lambda k: away[k])
-        return nearest if away[nearest] <= self._far(GRAB_PX) else None
+        to_point = float(np.abs(points - (x, y)).max(axis=1).min())
+        return nearest if away[nearest] <= min(self._far(GRAB_PX), to_point) else None
+
+    def under(self, x: float, y: float, reach: float) -> AnyFigure | None:
+        """As everywhere, and curves beyond the sheet, which can be seen here too."""
+        there = super().under(x, y, reach)
+        if there is not None:
+            return there
+        sheet = self.session.shown
+        away = {
+            figure: distance_to((line,), x, y)
+            for figure in reversed(sheet.figures)
+            if isinstance(figure, Curve) and figure.visible and len(line := smooth_line(sheet, figure)) > 1
+        }
+        nearest = min(away, key=lambda figure: away[figure], default=None)
+        return nearest if nearest is not None and away[nearest] <= self._far(LINE_PX) else None
+
+    def on_grip(self, curve: Curve, x: float, y: float) -> bool:
+        """Whether a control point or the end of a tangent is there."""
+        return self.point_at(curve, x, y) is not None or self._tangent_at(curve, x, y) is not None
 
     def on_u(self, curve: Curve, x: float, y: float) -> bool:
         """Whether the marker of u is there, and can be seen."""
@@ -145,11 +185,7 @@ class CurveSelectTool(SelectTool):
         curve = self.focus.selected
         if curve is None:
             return ""
-        if (
-            self.on_u(curve, x, y)
-            or self.point_at(curve, x, y) is not None
-            or self._tangent_at(curve, x, y) is not None
-        ):
+        if self.on_grip(curve, x, y) or self.on_u(curve, x, y):
             return "grip"
         return "curve" if self.share_at(curve, x, y) is not None else ""
 

@@ -7,7 +7,9 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
+from workbench.document.curves.paths import is_path
 from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, SeedFill, Sheet, View
+from workbench.document.model import Curve as CurveFigure
 from workbench.geometry.conventions import round_half_up
 from workbench.rendering import display_list, figure_map, painter_of
 from workbench.rendering.memory import Memory
@@ -16,6 +18,8 @@ from workbench.widgets.canvas.overlay import Handle
 
 Curve = NDArray[np.float64]
 _MOST_NAMED = 10
+# Figures whose distances differ by less, as a share of the reach, are as near as one another.
+_AS_NEAR = 0.125
 _FLATNESS_PX = 0.005  # no corner is seen where a pixel is forty large
 
 
@@ -70,14 +74,17 @@ def distance_to(curves: tuple[Curve, ...], x: float, y: float) -> float:
 
 
 def figure_at(sheet: Sheet, x: float, y: float, reach: float) -> AnyFigure | None:
-    """The front figure whose ideal geometry passes within ``reach`` pixels of a device point.
-
-    Where none does, the area that is seen there.
+    """The figure whose ideal geometry is nearest to a device point, of those within ``reach`` pixels; of
+    several about as near the front one. Where none is, the area that is seen there.
     """
+    nearest, away = None, reach
     for figure in reversed(sheet.figures):
-        if figure.visible and distance_to(outline(sheet, figure), x, y) <= reach:
-            return figure
-    return _area_at(sheet, round_half_up(x), round_half_up(y))
+        if not figure.visible:
+            continue
+        here = distance_to(outline(sheet, figure), x, y)
+        if here <= away and (nearest is None or here < away - _AS_NEAR * reach):
+            nearest, away = figure, here
+    return nearest or _area_at(sheet, round_half_up(x), round_half_up(y))
 
 
 def _area_at(sheet: Sheet, x: int, y: int) -> AnyFigure | None:
@@ -104,7 +111,11 @@ def handles(sheet: Sheet, figure: AnyFigure, held: str = "") -> list[Handle]:
         shown = "" if address == held or len(figure.points_world) > _MOST_NAMED else name
         made.append(Handle(address, shown, round(x, 6), round(y, 6), address == held))
 
-    for number, point in enumerate(figure.points_world):
+    numbers = list(range(len(figure.points_world)))
+    if isinstance(figure, CurveFigure) and is_path(figure):
+        numbers.sort(key=lambda k: k % 3 == 0)  # what is last covers a handle that lies on it
+    for number in numbers:
+        point = figure.points_world[number]
         name = _POINTS.get(type(figure), "P{k}").format(k=number)
         add(f"{place}/{point.id}/x", name, *scale.point(point.x, point.y))
     if isinstance(figure, Circle | Ellipse) and figure.points_world:

@@ -30,7 +30,7 @@ class SelectTool(Tool):
 
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """Select what is under the pointer; Shift adds to the selection or takes from it."""
-        figure = figure_at(self.session.shown, x, y, reach)
+        figure = self.under(x, y, reach)
         selection = self.session.state.selection
         adding = bool(modifiers & Modifiers.ShiftModifier)
         self._start = (x, y)
@@ -46,6 +46,10 @@ class SelectTool(Tool):
         self.session.update_state(selection=chosen, active=figure.id)
         if figure.id in chosen:
             self.begin()
+
+    def under(self, x: float, y: float, reach: float) -> AnyFigure | None:
+        """The figure at a device point, if any is within ``reach`` pixels."""
+        return figure_at(self.session.shown, x, y, reach)
 
     def move(self, x: float, y: float) -> None:
         """Move the selection, or draw the band."""

@@ -25,7 +25,10 @@ from workbench.widgets.canvas.marks import GRAB, handle_places
 from workbench.widgets.canvas.overlay import Cell, Handle
 from workbench.widgets.canvas.surface import CanvasSurface
 
+# Up to so far, in logical pixels, a press that trembles is a click, and drags nothing.
 CLICK_SLACK = 3
+# Handles no farther from each other, in logical pixels, cannot be told apart.
+TOGETHER = 3
 WHEEL_NOTCH = 120
 ARROWS = {
     Qt.Key.Key_Left: (-1, 0),
@@ -40,8 +43,9 @@ class PixelCanvas(CanvasSurface):
 
     The left button sends ``pressed``, ``moved``, ``released`` (device coordinates, modifiers), or, when it
     came down on a handle, ``handle_pressed``, ``handle_dragged``, ``handle_released``; a press and release in
-    place also sends ``cell_clicked``. The middle button pans. ``cancelled`` is Escape, ``arrow`` an arrow key
-    outside cursor mode (dx, dy, modifiers). In cursor mode (C) arrows move it and Enter acts like a click.
+    place also sends ``cell_clicked``, and no move. The middle button pans. ``cancelled`` is Escape, ``arrow``
+    an arrow key outside cursor mode (dx, dy, modifiers). In cursor mode (C) arrows move it and Enter acts as
+    a click does.
     """
 
     pressed = Signal(float, float, object)
@@ -65,6 +69,7 @@ class PixelCanvas(CanvasSurface):
         self._grabbed: Handle | None = None
         self._grab_offset = (0.0, 0.0)
         self._press: QPointF | None = None
+        self._in_place = True
         self._panning: QPoint | None = None
         self._wheel = 0
         self._last_hover: Cell | None = None
@@ -84,15 +89,18 @@ class PixelCanvas(CanvasSurface):
     # The pointer
 
     def handle_at(self, position: QPointF) -> Handle | None:
-        """The nearest handle whose grab area holds a position of the widget."""
+        """The nearest handle whose grab area holds a position of the widget; of several together the one
+        painted last."""
         handles = self._overlay.handles
         if not handles:
             return None
-        away = np.abs(handle_places(handles) - self.device_position(position)).max(axis=1)
-        # Of handles on one place the one painted last.
-        nearest = len(handles) - 1 - int(away[::-1].argmin())
-        within = away[nearest] * self._view.cell <= GRAB / 2 * self.devicePixelRatioF()
-        return handles[nearest] if within else None
+        places, cell = handle_places(handles), self._view.cell / self.devicePixelRatioF()
+        away = np.abs(places - self.device_position(position)).max(axis=1)
+        nearest = int(away.argmin())
+        if away[nearest] * cell > GRAB / 2:
+            return None
+        together = np.abs(places - places[nearest]).max(axis=1) * cell <= TOGETHER
+        return handles[int(np.flatnonzero(together)[-1])]
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Grab a handle, begin a gesture, or begin to pan."""
@@ -100,7 +108,7 @@ class PixelCanvas(CanvasSurface):
             self._panning = event.position().toPoint()
             self.setCursor(Qt.CursorShape.ClosedHandCursor)
         elif event.button() == Qt.MouseButton.LeftButton:
-            self._press = event.position()
+            self._press, self._in_place = event.position(), True
             self._grabbed = self.handle_at(event.position()) if self.takes_handles else None
             x, y = self.device_position(event.position())
             if self._grabbed is not None:
@@ -118,6 +126,8 @@ class PixelCanvas(CanvasSurface):
             step = here - self._panning
             self._panning = here
             self._show(self._view.moved(round(step.x() * unit), round(step.y() * unit)))
+        elif self._press is not None and self._stays_at(self._press, event.position()):
+            self.hover_at(x, y)
         elif self._grabbed is not None:
             self.handle_dragged.emit(self._grabbed.id, x + self._grab_offset[0], y + self._grab_offset[1])
         else:
@@ -136,15 +146,21 @@ class PixelCanvas(CanvasSurface):
         if event.button() != Qt.MouseButton.LeftButton or self._press is None:
             return
         press, grabbed = self._press, self._grabbed
+        clicked = self._stays_at(press, event.position())
         self._press = self._grabbed = None
-        x, y = self.device_position(event.position())
+        x, y = self.device_position(press if clicked else event.position())
         if grabbed is not None:
             self.handle_released.emit(grabbed.id)
             self.hover_at(x, y)
         else:
             self.released.emit(x, y, event.modifiers())
-        if (event.position() - press).manhattanLength() <= CLICK_SLACK and self._holds(x, y):
+        if clicked and self._holds(x, y):
             self.cell_clicked.emit(round_half_up(x), round_half_up(y))
+
+    def _stays_at(self, press: QPointF, position: QPointF) -> bool:
+        """Whether the pointer has been at the place of the press until now, but for a hand that trembles."""
+        self._in_place = self._in_place and (position - press).manhattanLength() <= CLICK_SLACK
+        return self._in_place
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """A second press, and a double click."""
