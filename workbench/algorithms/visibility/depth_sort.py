@@ -23,15 +23,11 @@ from workbench.algorithms.visibility.depth_tests import (
     pass_exchanged,
     projections_apart,
     put_by_depth,
+    split_in_two,
 )
 from workbench.algorithms.visibility.painting import farthest_first
 from workbench.algorithms.visibility.piece_painting import paint_piece
-from workbench.algorithms.visibility.pieces import (
-    add_piece,
-    part_of,
-    plane_of,
-    whole,
-)
+from workbench.algorithms.visibility.pieces import plane_of, whole
 from workbench.algorithms.visibility.surface_marks import marks
 from workbench.algorithms.visibility.surface_scene import ONE_PICTURE, SURFACES, surfaces_at_will
 from workbench.algorithms.visibility.surfaces import Colours, Picture, Triangles, Vertices, surfaces_of
@@ -88,10 +84,7 @@ def depth_sort(
                 marked.append(q)
                 break
             # Split the one that the other's plane or edge cuts
-            front = add_piece(pieces, part_of(plane, pieces[split], 1))
-            behind = add_piece(pieces, part_of(plane, pieces[split], -1))
-            boxes.append(pieces[front].box)
-            boxes.append(pieces[behind].box)
+            front, behind = split_in_two(pieces, boxes, plane, split)
             order.remove(Waiting(boxes[split].z_far, split))
             put_by_depth(order, pieces, front)
             put_by_depth(order, pieces, behind)

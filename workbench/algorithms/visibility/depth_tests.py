@@ -9,6 +9,8 @@ from workbench.algorithms.visibility.pieces import (
     Box,
     Piece,
     Plane,
+    add_piece,
+    part_of,
     plane_of,
     side_of,
 )
@@ -106,6 +108,15 @@ def cut_between(surfaces: list[Surface], pieces: list[Piece], p: int, q: int) ->
     if side_of(plane, Q) == CUT_THROUGH:
         return q, plane
     return NONE, plane
+
+
+def split_in_two(pieces: list[Piece], boxes: list[Box], plane: Plane, k: int) -> tuple[int, int]:
+    """Add the parts of a piece in front of a plane and behind it; returns their numbers."""
+    front = add_piece(pieces, part_of(plane, pieces[k], 1))
+    behind = add_piece(pieces, part_of(plane, pieces[k], -1))
+    boxes.append(pieces[front].box)
+    boxes.append(pieces[behind].box)
+    return front, behind
 
 
 def put_by_depth(order: list[Waiting], pieces: list[Piece], k: int) -> None:
