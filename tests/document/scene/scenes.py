@@ -17,10 +17,12 @@ from workbench.document.scene.meshes import blob_of
 from workbench.document.scene.model import Camera, Light, Material, Object, Point3D, Scene, SpacePoint
 from workbench.document.scene.solids import (
     AnySolid,
+    Blobs,
     Box,
     Bracket,
     Cone,
     Cylinder,
+    Ellipsoid,
     Extrusion,
     House,
     Jug,
@@ -40,6 +42,8 @@ PLAIN: tuple[AnySolid, ...] = (
     Prism(),
     Pyramid(),
     Sphere(),
+    Ellipsoid(),
+    Blobs(),
     Cylinder(),
     Cone(),
     Torus(),
