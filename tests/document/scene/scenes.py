@@ -42,8 +42,6 @@ PLAIN: tuple[AnySolid, ...] = (
     Prism(),
     Pyramid(),
     Sphere(),
-    Ellipsoid(),
-    Blobs(),
     Cylinder(),
     Cone(),
     Torus(),
@@ -53,6 +51,8 @@ PLAIN: tuple[AnySolid, ...] = (
     PiercingPlanes(),
     Jug(),
     MeshSolid(blob_of(solids.icosahedron())),
+    Ellipsoid(),
+    Blobs(),
 )
 
 
