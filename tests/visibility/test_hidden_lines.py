@@ -104,3 +104,9 @@ def test_a_bar_hides_the_middle_of_an_edge_behind_it() -> None:
 def test_of_nothing_nothing_is_drawn() -> None:
     none = np.zeros((0, 3)), np.zeros((0, 3), np.int64), np.zeros((0, 2), np.int64)
     assert list(hidden_lines(*none)) == []
+
+
+def test_an_edge_behind_the_seam_of_two_triangles_is_hidden() -> None:
+    square = [(0, 0, 0.25), (8, 0, 0.25), (8, 8, 0.25), (0, 8, 0.25), (1, 1, 0.5), (7, 7, 0.5)]
+    faces = np.array([[0, 1, 2], [0, 2, 3]])
+    assert list(hidden_lines(np.array(square, np.float64), faces, np.array([[4, 5]]))) == []
