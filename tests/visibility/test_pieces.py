@@ -7,10 +7,10 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.visibility.exact_scenes import arrays, piercing, scenes
+from tests.visibility.exact_scenes import HEIGHT, KINDS, WIDTH, Scene, arrays, corner, piercing, scenes
 from workbench.algorithms.visibility.depth_tests import edge_plane
 from workbench.algorithms.visibility.device_plane import Corner
-from workbench.algorithms.visibility.piece_painting import on_its_side
+from workbench.algorithms.visibility.piece_painting import bounding, on_its_side, paint_piece
 from workbench.algorithms.visibility.pieces import (
     CUT_THROUGH,
     MOST_PIECES,
@@ -19,9 +19,10 @@ from workbench.algorithms.visibility.pieces import (
     part_of,
     plane_of,
     side_of,
+    side_of_box,
     whole,
 )
-from workbench.algorithms.visibility.surfaces import covers, in_view, surface_of, surfaces_of
+from workbench.algorithms.visibility.surfaces import Surface, covers, in_view, surface_of, surfaces_of
 
 
 def area(corners: list[Corner]) -> Fraction:
@@ -40,18 +41,81 @@ def test_the_areas_of_the_parts_add_up_and_each_is_on_its_side() -> None:
             for other in in_view(surfaces):
                 plane = plane_of(surfaces, other)
                 for piece in list(pieces):
-                    if side_of(plane, piece.corners) != CUT_THROUGH:
+                    if side_of(plane, piece) != CUT_THROUGH:
                         continue
                     cut += 1
                     front, behind = part_of(plane, piece, 1), part_of(plane, piece, -1)
-                    assert side_of(plane, front.corners) == 1
-                    assert side_of(plane, behind.corners) == -1
+                    assert side_of(plane, front) == 1
+                    assert side_of(plane, behind) == -1
                     pieces.remove(piece)
                     pieces += [front, behind]
             assert float(sum(area(p.corners) for p in pieces)) == pytest.approx(
                 float(area(whole(surfaces, number).corners)), rel=1e-12
             )
     assert cut > 100
+
+
+def pieces_of(scene: Scene) -> tuple[list[Surface], list[Piece]]:
+    """All surfaces, each cut by the planes of all others."""
+    surfaces = surfaces_of(*arrays(scene)[:2])
+    pieces = [whole(surfaces, number) for number in in_view(surfaces)]
+    for other in in_view(surfaces):
+        plane = plane_of(surfaces, other)
+        for piece in list(pieces):
+            if side_of(plane, piece) == CUT_THROUGH:
+                pieces.remove(piece)
+                pieces += [part_of(plane, piece, 1), part_of(plane, piece, -1)]
+    return surfaces, pieces
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
+def test_a_piece_is_painted_where_each_pixel_by_itself_is_found_in_it(
+    kind: Callable[[Random], Scene],
+) -> None:
+    """Ends of rows that are reckoned at once lose and add nothing."""
+    for scene in scenes(kind, 25):
+        surfaces, pieces = pieces_of(scene)
+        for piece in pieces:
+            image = np.zeros((HEIGHT, WIDTH), np.int64)
+            colours = np.ones(len(surfaces), np.int64)
+            for _span in paint_piece(image, surfaces, piece, colours):
+                pass
+            single = [
+                [
+                    covers(surfaces[piece.number], x, y) and on_its_side(surfaces, piece, x, y)
+                    for x in range(WIDTH)
+                ]
+                for y in range(HEIGHT)
+            ]
+            assert np.array_equal(image == 1, single)
+
+
+def test_a_box_is_only_said_to_be_beside_a_plane_where_all_corners_are() -> None:
+    told = 0
+    for scene in (scene for kind in KINDS for scene in scenes(kind, 15)):
+        surfaces, pieces = pieces_of(scene)
+        for number in in_view(surfaces):
+            plane = plane_of(surfaces, number)
+            for piece in pieces:
+                side = side_of_box(plane, piece.box)
+                if side != CUT_THROUGH:
+                    told += 1
+                    exact = [Fraction(v) for v in plane[:4]]
+                    for place in piece.corners:
+                        value = sum(a * Fraction(v) for a, v in zip(exact, (*place, 1.0), strict=True))
+                        assert value * side > 0
+    assert told > 50
+
+
+def test_of_many_cuts_only_the_sides_of_the_piece_are_looked_at() -> None:
+    """From left to right each plane cuts off a strip: what is left has only the last one for a side."""
+    corners = [(-100, -100, 0), (100, -100, 0), (0, 100, 0)]
+    walls = [[(x, -9, -1), (x, 9, -1), (x + Fraction(1, 64), 0, 2)] for x in range(-8, 9)]
+    surfaces, pieces = pieces_of([tuple(corner(*place) for place in t) for t in (corners, *walls)])  # type: ignore[misc]
+    strips = [piece for piece in pieces if piece.number == 0]
+    assert len(strips) == 18
+    assert max(len(strip.cuts) for strip in strips) == 17
+    assert sorted(len(bounding(surfaces, strip)) for strip in strips) == [1, 1, *16 * [2]]
 
 
 def test_the_plane_of_a_surface_faces_the_side_from_which_it_goes_round_counter_clockwise() -> None:

@@ -52,6 +52,7 @@ _TEACHING_ORDER = (
     "visibility.area_subdivision",
     "visibility.octree",
     "visibility.ray_casting",
+    "visibility.hidden_lines",
     "shading.illuminate",
     "shading.gouraud",
     "animation.tween",

@@ -3,7 +3,12 @@
 from workbench.language import _
 from workbench.shell.actions import Command
 from workbench.shell.motion_exports import export_animation, export_contacts
-from workbench.shell.scene_exports import export_mesh, export_scene_picture, export_wireframe
+from workbench.shell.scene_exports import (
+    export_line_drawing,
+    export_mesh,
+    export_scene_picture,
+    export_wireframe,
+)
 
 
 def export_commands() -> tuple[Command, ...]:
@@ -120,6 +125,16 @@ def export_commands() -> tuple[Command, ...]:
             (),
             "line-segments",
             _("Every edge of the scene as it is seen now, as lines"),
+            "export",
+            "document",
+        ),
+        Command(
+            "export_line_drawing",
+            _("Export without hidden lines as SVG..."),
+            export_line_drawing,
+            (),
+            "cube",
+            _("The edges of the scene as it is seen now, without what faces hide"),
             "export",
             "document",
         ),

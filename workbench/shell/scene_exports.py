@@ -28,6 +28,13 @@ def export_wireframe(window: MainWindow) -> None:
         window.files.exports.writing.ask("wireframe", _("wireframe"), lambda: _wireframe(scene))
 
 
+def export_line_drawing(window: MainWindow) -> None:
+    """The edges of the scene as it is seen, without what faces hide."""
+    scene = _scene(window)
+    if scene is not None:
+        window.files.exports.writing.ask("wireframe", _("hidden lines"), lambda: _line_drawing(scene))
+
+
 def export_mesh(window: MainWindow) -> None:
     """The chosen object, or all that is visible, in the world."""
     scene = _scene(window)
@@ -63,6 +70,14 @@ def _wireframe(scene: Scene) -> tuple[Any, Any, tuple[int, int]]:
 
     segments = wireframe(scene)
     return segments, window_around(segments.reshape(-1, 2), _SIZE_PX), _SIZE_PX
+
+
+def _line_drawing(scene: Scene) -> tuple[Any, Any, tuple[int, int]]:
+    from workbench.rendering.scene import wireframe
+    from workbench.rendering.scene.line_drawing import line_drawing
+    from workbench.rendering.scene.viewpoint import window_around
+
+    return line_drawing(scene).table, window_around(wireframe(scene).reshape(-1, 2), _SIZE_PX), _SIZE_PX
 
 
 def _mesh(scene: Scene, chosen: str) -> tuple[Any, Any]:

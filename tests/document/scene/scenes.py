@@ -17,10 +17,12 @@ from workbench.document.scene.meshes import blob_of
 from workbench.document.scene.model import Camera, Light, Material, Object, Point3D, Scene, SpacePoint
 from workbench.document.scene.solids import (
     AnySolid,
+    Blobs,
     Box,
     Bracket,
     Cone,
     Cylinder,
+    Ellipsoid,
     Extrusion,
     House,
     Jug,
@@ -49,6 +51,8 @@ PLAIN: tuple[AnySolid, ...] = (
     PiercingPlanes(),
     Jug(),
     MeshSolid(blob_of(solids.icosahedron())),
+    Ellipsoid(),
+    Blobs(),
 )
 
 

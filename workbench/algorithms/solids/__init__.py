@@ -1,5 +1,6 @@
 """Solids as polygon meshes: vertices (n, 3), y up, and faces that are counter-clockwise from outside."""
 
+from workbench.algorithms.solids.blobs import blobs
 from workbench.algorithms.solids.jug import jug
 from workbench.algorithms.solids.polyhedra import (
     box,
@@ -13,6 +14,7 @@ from workbench.algorithms.solids.shapes import bracket, house, piercing_planes
 from workbench.algorithms.solids.sweeps import (
     cone,
     cylinder,
+    ellipsoid,
     extruded,
     prism,
     pyramid,
@@ -24,12 +26,14 @@ from workbench.algorithms.solids.tables import PolygonTables, polygon_tables
 
 __all__ = [
     "PolygonTables",
+    "blobs",
     "box",
     "bracket",
     "cone",
     "cube",
     "cylinder",
     "dodecahedron",
+    "ellipsoid",
     "extruded",
     "house",
     "icosahedron",

@@ -102,6 +102,15 @@ def sphere(radius: float = 1.0, slices: int = 24, stacks: int = 12) -> Mesh:
     return turned(np.concatenate([[[0.0, -radius]], inner, [[0.0, radius]]]), slices)
 
 
+def ellipsoid(
+    r_x: float = 1.5, r_y: float = 1.0, r_z: float = 0.75, slices: int = 24, stacks: int = 12
+) -> Mesh:
+    """An ellipsoid around the origin with these half axes. Raises: ValueError."""
+    refuse_sizes(r_x, r_y, r_z)
+    vertices, faces = sphere(1.0, slices, stacks)
+    return Mesh(vertices * (r_x, r_y, r_z), faces)
+
+
 def torus(radius: float = 2.0, thickness: float = 0.75, slices: int = 32, sections: int = 16) -> Mesh:
     """A ring around the y axis; ``thickness`` is the radius of its section. Raises: ValueError."""
     refuse_sizes(thickness, radius - thickness)

@@ -6,6 +6,7 @@ from workbench.algorithms.visibility.back_faces import back_faces
 from workbench.algorithms.visibility.bsp_tree import bsp_tree
 from workbench.algorithms.visibility.depth_buffer import depth_buffer
 from workbench.algorithms.visibility.depth_sort import depth_sort
+from workbench.algorithms.visibility.hidden_lines import hidden_lines
 from workbench.algorithms.visibility.octree import octree
 from workbench.algorithms.visibility.painter import painter
 from workbench.algorithms.visibility.ray_casting import ray_casting
@@ -18,6 +19,7 @@ __all__ = [
     "bsp_tree",
     "depth_buffer",
     "depth_sort",
+    "hidden_lines",
     "octree",
     "painter",
     "ray_casting",

@@ -47,7 +47,7 @@ def bsp_tree(
     pieces = [whole(surfaces, number) for number in in_view(surfaces)]
     nodes = [Node(NONE, [0], NONE, NONE) for _none in pieces[:0]]
     work = [Half(NONE, [0]) for _none in pieces[:0]]
-    add_half(nodes, work, list(range(len(pieces))))
+    add_half(nodes, work, pieces, list(range(len(pieces))))
 
     while work:
         # Choose the piece whose plane divides
@@ -58,7 +58,7 @@ def bsp_tree(
         for member in members:
             # Find the side of the plane that the piece is on
             piece = pieces[member]
-            side = side_of(plane, piece.corners)
+            side = side_of(plane, piece)
             if side == 0:
                 put_in_plane(pieces, same, member)
             elif side == 1:
@@ -71,8 +71,8 @@ def bsp_tree(
                 front.append(member)
                 back.append(add_piece(pieces, part_of(plane, piece, -1)))
         # Hang both halves under the node
-        in_front = add_half(nodes, work, front)
-        behind = add_half(nodes, work, back)
+        in_front = add_half(nodes, work, pieces, front)
+        behind = add_half(nodes, work, pieces, back)
         nodes[here] = Node(number, same, in_front, behind)
 
     walk = [(0, False) for _root in nodes[:1]]

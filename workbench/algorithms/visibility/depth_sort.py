@@ -1,6 +1,7 @@
 """Newell's depth sort: the painter's order, but proved for each pair, and split where there is none.
 
-order       the pieces that are not painted yet, by number, the farthest last
+order       the pieces that are not painted yet, with their greatest depths, the farthest last
+boxes       the box around each piece
 P, p        the last of them and its number, which is painted next if nothing forbids it
 Q, q        one that may have to be painted before P
 marked      the pieces that were moved to the end once: a second time might go on for ever
@@ -14,6 +15,7 @@ from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.depth_sort_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
 from workbench.algorithms.visibility.depth_tests import (
     NONE,
+    Waiting,
     boxes_apart,
     cut_between,
     is_behind,
@@ -21,15 +23,11 @@ from workbench.algorithms.visibility.depth_tests import (
     pass_exchanged,
     projections_apart,
     put_by_depth,
+    split_in_two,
 )
 from workbench.algorithms.visibility.painting import farthest_first
 from workbench.algorithms.visibility.piece_painting import paint_piece
-from workbench.algorithms.visibility.pieces import (
-    add_piece,
-    part_of,
-    plane_of,
-    whole,
-)
+from workbench.algorithms.visibility.pieces import plane_of, whole
 from workbench.algorithms.visibility.surface_marks import marks
 from workbench.algorithms.visibility.surface_scene import ONE_PICTURE, SURFACES, surfaces_at_will
 from workbench.algorithms.visibility.surfaces import Colours, Picture, Triangles, Vertices, surfaces_of
@@ -47,24 +45,25 @@ def depth_sort(
     # Sort the surfaces by their greatest depth, the farthest last
     surfaces = surfaces_of(vertices, faces)
     pieces = [whole(surfaces, number) for number in farthest_first(surfaces)]
-    order = list(range(len(pieces) - 1, -1, -1))
-    marked = order[:0]
+    boxes = [piece.box for piece in pieces]
+    order = [Waiting(boxes[k].z_far, k) for k in range(len(pieces) - 1, -1, -1)]
+    marked = [waiting.piece for waiting in order[:0]]
 
     while order:
         # Take the farthest piece as P
-        p = order[-1]
+        p = order[-1].piece
         P, settled = pieces[p], True
         for place in range(len(order) - 2, -1, -1):
             # Compare the depths of P with those of the next piece, Q
-            q = order[place]
-            Q = pieces[q]
-            if Q.box.z_far < P.box.z_near:
+            z_far, q = order[place]
+            if z_far < P.box.z_near:
                 continue
             # Test 1 (Foley 1, 2): their boxes do not overlap in x, or in y
-            passed = boxes_apart(P, Q)
+            passed = boxes_apart(P.box, boxes[q])
             if passed:
                 continue
             # Test 2 (Foley 3): P is wholly behind the plane of Q
+            Q = pieces[q]
             passed = is_behind(surfaces, P, Q)
             if passed:
                 continue
@@ -85,9 +84,8 @@ def depth_sort(
                 marked.append(q)
                 break
             # Split the one that the other's plane or edge cuts
-            front = add_piece(pieces, part_of(plane, pieces[split], 1))
-            behind = add_piece(pieces, part_of(plane, pieces[split], -1))
-            order.remove(split)
+            front, behind = split_in_two(pieces, boxes, plane, split)
+            order.remove(Waiting(boxes[split].z_far, split))
             put_by_depth(order, pieces, front)
             put_by_depth(order, pieces, behind)
             break

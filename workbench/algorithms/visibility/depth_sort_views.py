@@ -1,13 +1,14 @@
 """What the depth sort shows of its blocks."""
 
 from workbench.algorithms.entry import View
+from workbench.algorithms.visibility.depth_tests import Waiting
 from workbench.algorithms.visibility.pieces import Piece
 from workbench.algorithms.visibility.surface_marks import piece_marks
 from workbench.algorithms.visibility.surface_words import answer
 
 COLUMNS = ("P", "Q", "test", "Foley's", "passed", "so")
 
-_MARKS = "(*piece_marks(P, 'data2'), *piece_marks(Q, 'accent'))"
+_MARKS = "(*piece_marks(P, 'data2'), *piece_marks(pieces[q], 'accent'))"
 _TABLES = {
     "Order, the next to be painted last": (
         "order_rows(order, pieces, marked)",
@@ -17,11 +18,11 @@ _TABLES = {
 
 
 def order_rows(
-    order: list[int], pieces: list[Piece], marked: list[int]
+    order: list[Waiting], pieces: list[Piece], marked: list[int]
 ) -> list[tuple[int, int, float, float, str]]:
     """The pieces that are not painted yet: surface, how often cut, depths, and whether it is marked."""
     rows = []
-    for k in order:
+    for _z_far, k in order:
         box = pieces[k].box
         rows.append((pieces[k].number, len(pieces[k].cuts), box.z_near, box.z_far, answer(k in marked)))
     return rows
@@ -40,12 +41,13 @@ def _test_views(title: str, number: int, foley: str, holds: str, fails: str) -> 
         return View(
             block=block,
             when=when,
-            row=f"(P.number, Q.number, '{number}', '{foley.removeprefix('Foley ')}', '{passed}', '{so}')",
+            row=f"(P.number, pieces[q].number, '{number}', '{foley.removeprefix('Foley ')}', '{passed}', "
+            f"'{so}')",
             tables=_TABLES,
             options=options,
             answer=repr(sentence),
             marks=_MARKS,
-            sentence=f"P is of surface {{P.number}}, Q of {{Q.number}}: {sentence}"
+            sentence=f"P is of surface {{P.number}}, Q of {{pieces[q].number}}: {sentence}"
             + (", so P may be painted before Q." if passed == "yes" else "."),
         )
 
@@ -84,8 +86,8 @@ VIEWS = (
     ),
     View(
         block="Compare the depths of P with those of the next piece, Q",
-        when="Q.box.z_far < P.box.z_near",
-        sentence="Q, of surface {Q.number}, ends at z = {Q.box.z_far}, before P, of surface "
+        when="z_far < P.box.z_near",
+        sentence="Q, of surface {pieces[q].number}, ends at z = {z_far}, before P, of surface "
         "{P.number}, begins: P may be painted before it.",
     ),
     *_test_views(

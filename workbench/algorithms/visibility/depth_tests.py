@@ -1,11 +1,16 @@
 """The tests of the depth sort on two pieces, and where one is cut when no order helps."""
 
+from typing import NamedTuple
+
 from workbench.algorithms.visibility.device_plane import Corner
 from workbench.algorithms.visibility.pieces import (
     CUT_THROUGH,
     UPRIGHT,
+    Box,
     Piece,
     Plane,
+    add_piece,
+    part_of,
     plane_of,
     side_of,
 )
@@ -14,28 +19,34 @@ from workbench.algorithms.visibility.surfaces import Surface
 NONE = -1
 
 
+class Waiting(NamedTuple):
+    """A piece that is not painted yet, by its number, and its greatest depth."""
+
+    z_far: float
+    piece: int
+
+
 def eye_side(plane: Plane) -> int:
     """The side of a plane that the eye is on."""
     return 1 if plane.C < 0.0 else -1
 
 
-def boxes_apart(P: Piece, Q: Piece) -> bool:
+def boxes_apart(p: Box, q: Box) -> bool:
     """Whether the boxes of two pieces do not overlap in x, or not in y."""
-    p, q = P.box, Q.box
     return p.x_high <= q.x_low or q.x_high <= p.x_low or p.y_high <= q.y_low or q.y_high <= p.y_low
 
 
 def is_behind(surfaces: list[Surface], P: Piece, Q: Piece) -> bool:
     """Whether P is wholly on the far side of Q's plane; in that plane, whether its number is higher."""
     plane = plane_of(surfaces, Q.number)
-    side = side_of(plane, P.corners)
+    side = side_of(plane, P)
     return side == -eye_side(plane) or (side == 0 and P.number >= Q.number)
 
 
 def is_in_front(surfaces: list[Surface], Q: Piece, P: Piece) -> bool:
     """Whether Q is wholly on the eye's side of P's plane; in that plane, whether its number is lower."""
     plane = plane_of(surfaces, P.number)
-    side = side_of(plane, Q.corners)
+    side = side_of(plane, Q)
     return side == eye_side(plane) or (side == 0 and Q.number <= P.number)
 
 
@@ -55,7 +66,7 @@ def parted_by_edge(P: Piece, Q: Piece) -> bool:
     start = P.corners[len(P.corners) - 1]
     for end in P.corners:
         plane = edge_plane(start, end)
-        own, other = side_of(plane, P.corners), side_of(plane, Q.corners)
+        own, other = side_of(plane, P), side_of(plane, Q)
         if own != 0 and other != own and other != CUT_THROUGH:
             return True
         start = end
@@ -72,7 +83,7 @@ def edge_through(P: Piece, Q: Piece) -> Plane:
     start = P.corners[len(P.corners) - 1]
     for end in P.corners:
         plane = edge_plane(start, end)
-        if side_of(plane, Q.corners) == CUT_THROUGH:
+        if side_of(plane, Q) == CUT_THROUGH:
             return plane
         start = end
     return Plane(0.0, 0.0, 0.0, 0.0, UPRIGHT)
@@ -85,30 +96,38 @@ def cut_between(surfaces: list[Surface], pieces: list[Piece], p: int, q: int) ->
     """
     P, Q = pieces[p], pieces[q]
     plane = plane_of(surfaces, Q.number)
-    if side_of(plane, P.corners) == CUT_THROUGH:
+    if side_of(plane, P) == CUT_THROUGH:
         return p, plane
     plane = plane_of(surfaces, P.number)
-    if side_of(plane, Q.corners) == CUT_THROUGH:
+    if side_of(plane, Q) == CUT_THROUGH:
         return q, plane
     plane = edge_through(Q, P)
-    if side_of(plane, P.corners) == CUT_THROUGH:
+    if side_of(plane, P) == CUT_THROUGH:
         return p, plane
     plane = edge_through(P, Q)
-    if side_of(plane, Q.corners) == CUT_THROUGH:
+    if side_of(plane, Q) == CUT_THROUGH:
         return q, plane
     return NONE, plane
 
 
-def put_by_depth(order: list[int], pieces: list[Piece], k: int) -> None:
+def split_in_two(pieces: list[Piece], boxes: list[Box], plane: Plane, k: int) -> tuple[int, int]:
+    """Add the parts of a piece in front of a plane and behind it; returns their numbers."""
+    front = add_piece(pieces, part_of(plane, pieces[k], 1))
+    behind = add_piece(pieces, part_of(plane, pieces[k], -1))
+    boxes.append(pieces[front].box)
+    boxes.append(pieces[behind].box)
+    return front, behind
+
+
+def put_by_depth(order: list[Waiting], pieces: list[Piece], k: int) -> None:
     """Put a piece into the order by its greatest depth, the farthest last; of equals the higher number."""
-    far = pieces[k].box.z_far
-    order.append(k)
+    waiting = Waiting(pieces[k].box.z_far, k)
+    order.append(waiting)
     place = len(order) - 1
     while place > 0:
-        other = pieces[order[place - 1]]
-        other_far = other.box.z_far
-        if other_far < far or (other_far == far and other.number <= pieces[k].number):
+        z_far, other = order[place - 1]
+        if z_far < waiting.z_far or (z_far == waiting.z_far and pieces[other].number <= pieces[k].number):
             break
         order[place] = order[place - 1]
         place -= 1
-    order[place] = k
+    order[place] = waiting

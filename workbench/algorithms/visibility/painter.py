@@ -1,6 +1,4 @@
-"""The painter's algorithm: from collections.abc import Iterator
-
-from back to front, each surface over what is there.
+"""The painter's algorithm: from back to front, each surface over what is there.
 
 surfaces    the triangles on the device
 order       their numbers, the one with the greatest depth first

@@ -5,18 +5,28 @@ shows, and the depths that decide are those of the depth buffer.
 """
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 from numpy.typing import NDArray
 
 from workbench.algorithms.visibility.painting import Spans
-from workbench.algorithms.visibility.pieces import UPRIGHT, Piece
-from workbench.algorithms.visibility.surfaces import Surface, depth_at, end_row, first_row, span_on
+from workbench.algorithms.visibility.pieces import UPRIGHT, Cut, Piece
+from workbench.algorithms.visibility.surfaces import (
+    NEAR_ZERO,
+    Surface,
+    depth_at,
+    end_row,
+    first_row,
+    span_on,
+)
 
 Array = NDArray[Any]
 
 TIE = 1e-12
 """Depths that differ by less than this share of them are equal."""
+
+BESIDE = 1e4
+"""A line so many times farther from every corner than it is unsure is no side of a piece."""
 
 
 def on_its_side(surfaces: list[Surface], piece: Piece, x: int, y: int) -> bool:
@@ -55,18 +65,97 @@ def turned(value: float, along: float, up: float) -> float:
     return along if along != 0.0 else up
 
 
+class CutLine(NamedTuple):
+    """A cut as the eye sees it: at + along (x - x0) + up (y - y0), which is positive on the piece's side.
+
+    ``unsure`` is how near to 0 a rounding error may reach: there the pixel itself is looked at.
+    """
+
+    x0: float
+    y0: float
+    at: float
+    along: float
+    up: float
+    unsure: float
+
+
+def cut_line(surfaces: list[Surface], piece: Piece, cut: Cut) -> CutLine:
+    """The line that a cut makes on the picture, about the lower left corner of the piece's box."""
+    x0, y0, plane = piece.box.x_low, piece.box.y_low, cut.plane
+    if plane.number == UPRIGHT:
+        a, b = plane.A * x0, plane.B * y0
+        at, along, up = a + b + plane.D, plane.A, plane.B
+        terms = abs(a) + abs(b) + abs(plane.D)
+        towards = cut.side
+    else:
+        surface, other = surfaces[piece.number], surfaces[plane.number]
+        z, z_other = depth_at(surface, x0, y0), depth_at(other, x0, y0)
+        at, along, up = z_other - z, other.dz_dx - surface.dz_dx, other.dz_dy - surface.dz_dy
+        terms = abs(z) + abs(z_other) + steepness(surface) + steepness(other)
+        towards = cut.side if plane.C < 0.0 else -cut.side
+    return CutLine(x0, y0, at * towards, along * towards, up * towards, NEAR_ZERO * terms)
+
+
+def steepness(surface: Surface) -> float:
+    """How much z may change from a pixel to the next."""
+    return abs(surface.dz_dx) + abs(surface.dz_dy)
+
+
+def bounding(surfaces: list[Surface], piece: Piece) -> list[CutLine]:
+    """The lines of those cuts that are sides of the piece still: other cuts may have taken the rest."""
+    lines = [CutLine(0.0, 0.0, 0.0, 0.0, 0.0, 0.0) for _none in piece.cuts[:0]]
+    for cut in piece.cuts:
+        line = cut_line(surfaces, piece, cut)
+        for corner in piece.corners:
+            if value_at(line, corner.x, corner.y) <= BESIDE * line.unsure:
+                lines.append(line)
+                break
+    return lines
+
+
+def value_at(line: CutLine, x: float, y: float) -> float:
+    """Positive on the piece's side of a line."""
+    return line.at + line.along * (x - line.x0) + line.up * (y - line.y0)
+
+
+def part_within(line: CutLine, left: int, end: int, y: int) -> tuple[int, int]:
+    """What of the pixels from left to end is not surely beyond a line."""
+    if left >= end:
+        return left, end
+    value = value_at(line, left, y)
+    last = value + line.along * (end - 1 - left)
+    if value < -line.unsure:
+        if last < -line.unsure:
+            return end, end
+        left += math.ceil((value + line.unsure) / -line.along)
+    elif last < -line.unsure:
+        end = left + math.floor((value + line.unsure) / -line.along) + 1
+    return left, end
+
+
+def is_sure(lines: list[CutLine], x: int, y: int) -> bool:
+    """Whether a pixel is on the piece's side of all lines beyond any rounding error."""
+    sure = True
+    for line in lines:
+        if value_at(line, x, y) <= line.unsure:
+            sure = False
+    return sure
+
+
 def paint_piece(image: Array, surfaces: list[Surface], piece: Piece, colours: Array) -> Spans:
     """Paint the pixels of a piece. Emits: (y, x_left, x_right, surface), both ends included."""
     height, width = image.shape
-    surface, box = surfaces[piece.number], piece.box
+    surface, box, lines = surfaces[piece.number], piece.box, bounding(surfaces, piece)
     # Beyond the piece's own rows and columns only a rounding error could be
     first = max(first_row(surface), math.floor(box.y_low))
     for y in range(first, min(end_row(surface, height), math.ceil(box.y_high) + 1)):
         left, end = span_on(surface, y, width)
         left, end = max(left, math.floor(box.x_low)), min(end, math.ceil(box.x_high) + 1)
-        while left < end and not on_its_side(surfaces, piece, left, y):
+        for line in lines:
+            left, end = part_within(line, left, end, y)
+        while left < end and not (is_sure(lines, left, y) or on_its_side(surfaces, piece, left, y)):
             left += 1
-        while left < end and not on_its_side(surfaces, piece, end - 1, y):
+        while left < end and not (is_sure(lines, end - 1, y) or on_its_side(surfaces, piece, end - 1, y)):
             end -= 1
         if left < end:
             image[y, left:end] = int(colours[piece.number])

@@ -85,20 +85,37 @@ def offset(plane: Plane, corner: Corner) -> float:
     return value
 
 
-def side_of(plane: Plane, corners: list[Corner]) -> int:
+def side_of(plane: Plane, piece: Piece) -> int:
     """1 where all corners are in front of the plane or in it, -1 behind, 0 all in it, or CUT_THROUGH."""
+    side = side_of_box(plane, piece.box)
+    if side != CUT_THROUGH:
+        return side
     in_front, behind = False, False
-    for corner in corners:
+    for corner in piece.corners:
         value = offset(plane, corner)
         if value > 0.0:
             in_front = True
         elif value < 0.0:
             behind = True
-    if in_front and behind:
-        return CUT_THROUGH
+        if in_front and behind:
+            return CUT_THROUGH
     if in_front:
         return 1
     return -1 if behind else 0
+
+
+def side_of_box(plane: Plane, box: Box) -> int:
+    """1 where a box is surely in front of a plane, -1 surely behind it, else CUT_THROUGH."""
+    x, y, z = plane.A * (box.x_low + box.x_high), plane.B * (box.y_low + box.y_high), plane.C
+    z *= box.z_near + box.z_far
+    reach = abs(plane.A) * (box.x_high - box.x_low) + abs(plane.B) * (box.y_high - box.y_low)
+    reach += abs(plane.C) * (box.z_far - box.z_near)
+    twice_D = 2.0 * plane.D
+    value = x + y + z + twice_D
+    reach += 2.0 * NEAR_ZERO * (abs(x) + abs(y) + abs(z) + abs(twice_D) + reach)
+    if value > reach:
+        return 1
+    return -1 if value < -reach else CUT_THROUGH
 
 
 def part_of(plane: Plane, piece: Piece, side: int) -> Piece:

@@ -29,13 +29,15 @@ class Half(NamedTuple):
 def dividing(pieces: list[Piece], surfaces: list[Surface], members: list[int]) -> int:
     """Of up to five members the one whose plane splits fewest others, then parts them most evenly."""
     best, least = members[0], -1
-    for k in range(0, len(members), max(len(members) // CANDIDATES, 1)):
+    for k in range(0, len(members), stride(len(members), CANDIDATES)):
         plane = plane_of(surfaces, pieces[members[k]].number)
         splits, balance = 0, 0
-        for m in range(0, len(members), max(len(members) // SAMPLES, 1)):
-            side = side_of(plane, pieces[members[m]].corners)
+        for m in range(0, len(members), stride(len(members), SAMPLES)):
+            side = side_of(plane, pieces[members[m]])
             if side == CUT_THROUGH:
                 splits += 1
+                if 0 <= least <= 8 * splits:
+                    break
             else:
                 balance += side
         cost = 8 * splits + abs(balance)
@@ -44,11 +46,22 @@ def dividing(pieces: list[Piece], surfaces: list[Surface], members: list[int]) -
     return best
 
 
-def add_half(nodes: list[Node], work: list[Half], members: list[int]) -> int:
-    """Give half of a space a node and let it wait; returns the node, or NONE where nothing is in it."""
+def stride(count: int, most: int) -> int:
+    """The step that takes no more than ``most`` of ``count``, evenly."""
+    return (count + most - 1) // most
+
+
+def add_half(nodes: list[Node], work: list[Half], pieces: list[Piece], members: list[int]) -> int:
+    """Give half of a space a node; returns that, or NONE where nothing is in it.
+
+    It waits to be divided, unless one piece is alone in it.
+    """
     if not members:
         return NONE
     node = len(nodes)
+    if len(members) == 1:
+        nodes.append(Node(pieces[members[0]].number, members, NONE, NONE))
+        return node
     nodes.append(Node(NONE, members[:0], NONE, NONE))
     work.append(Half(node, members))
     return node

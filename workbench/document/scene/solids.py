@@ -38,6 +38,8 @@ class Solid(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="
 
     least_points: ClassVar[int] = 0
     most_points: ClassVar[int] = 0
+    equation: ClassVar[str] = ""
+    """Of what its faces come near to, where that has one, in the symbols of its numbers."""
 
     def mesh(self, points: "tuple[SpacePoint, ...]") -> Mesh:
         """Its vertices, in coordinates of its own, and faces. Raises: ValueError, a sentence."""
@@ -82,9 +84,37 @@ class Pyramid(_Simple, frozen=True, tag="pyramid"):
 class Sphere(_Simple, frozen=True, tag="sphere"):
     """A sphere around the origin, in flat faces."""
 
+    equation: ClassVar[str] = "x² + y² + z² = r²"
+
     radius: Annotated[float, _size(_("radius"), "r")] = 1.0
     slices: Annotated[int, _steps(_("slices"))] = 24
     stacks: Annotated[int, _steps(_("stacks"), 2)] = 12
+
+
+class Ellipsoid(_Simple, frozen=True, tag="ellipsoid"):
+    """An ellipsoid around the origin, in flat faces."""
+
+    equation: ClassVar[str] = "(x / r_x)² + (y / r_y)² + (z / r_z)² = 1"
+
+    r_x: Annotated[float, _size(_("half axis along x"), "r_x")] = 1.5
+    r_y: Annotated[float, _size(_("half axis along y"), "r_y")] = 1.0
+    r_z: Annotated[float, _size(_("half axis along z"), "r_z")] = 0.75
+    slices: Annotated[int, _steps(_("slices"))] = 24
+    stacks: Annotated[int, _steps(_("stacks"), 2)] = 12
+
+
+class Blobs(_Simple, frozen=True, tag="blobs"):
+    """Blobby balls round a circle, which flow together where their densities add up to the threshold."""
+
+    equation: ClassVar[str] = "Σ exp(−a r_k²) = T"
+
+    balls: Annotated[int, _steps(_("balls"), 1, 8)] = 2
+    spread: Annotated[float, _size(_("distance of the balls from the middle"))] = 0.75
+    tightness: Annotated[float, _size(_("tightness"), "a")] = 2.0
+    threshold: Annotated[float, Number(label=_("threshold"), symbol="T", low=0.01, high=0.99, keyed=True)] = (
+        0.5
+    )
+    cells: Annotated[int, _steps(_("cells across"), 4, 48)] = 20
 
 
 class Cylinder(_Simple, frozen=True, tag="cylinder"):
@@ -106,8 +136,10 @@ class Cone(_Simple, frozen=True, tag="cone"):
 class Torus(_Simple, frozen=True, tag="torus"):
     """A ring around the y axis."""
 
-    radius: Annotated[float, _size(_("radius"), "r")] = 2.0
-    thickness: Annotated[float, _size(_("thickness"))] = 0.75
+    equation: ClassVar[str] = "(x² + y² + z² + R² − r²)² = 4 R² (x² + z²)"
+
+    radius: Annotated[float, _size(_("radius"), "R")] = 2.0
+    thickness: Annotated[float, _size(_("thickness"), "r")] = 0.75
     slices: Annotated[int, _steps(_("slices"))] = 32
     sections: Annotated[int, _steps(_("sections"))] = 16
 
@@ -255,6 +287,8 @@ AnySolid = (
     | Prism
     | Pyramid
     | Sphere
+    | Ellipsoid
+    | Blobs
     | Cylinder
     | Cone
     | Torus

@@ -11,6 +11,7 @@ from workbench.document.model import AnyFigure, Sheet
 from workbench.document.state import LONGEST_TIME_S, TubeSettings
 from workbench.panels.stage.picture import without
 from workbench.rendering import display_list, frame_buffer
+from workbench.rendering.scene.line_drawing import scene_strokes
 from workbench.session.session import Session
 from workbench.widgets.tube.refusal import Refusal
 from workbench.widgets.tube.view import TubeView
@@ -98,4 +99,5 @@ class TubeFeed(QObject):
                 view.set_image(_NOTHING if refused else frame_buffer(shown))
             else:
                 strokes = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(shown)]
+                strokes += scene_strokes(shown)
                 view.set_strokes(strokes, (sheet.width_px, sheet.height_px))

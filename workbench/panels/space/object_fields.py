@@ -69,6 +69,13 @@ class ObjectFields(QScrollArea):
         self.setWidget(body)
 
     def _add_fields(self, column: QVBoxLayout, thing: Object) -> None:
+        if thing.solid.equation:
+            equation = QLabel(thing.solid.equation)
+            equation.setToolTip(_("The equation of the surface that the faces come near to"))
+            equation.setAccessibleName(_("Equation: {equation}").format(equation=thing.solid.equation))
+            equation.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            equation.setWordWrap(True)
+            column.addWidget(equation)
         grid = self._grid(column)
         for at, (name, number) in enumerate(numbers_of(type(thing.solid)).items()):
             field = self._field(name, number, number.label)

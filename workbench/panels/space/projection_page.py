@@ -255,8 +255,8 @@ class ProjectionPage(ViewCommands, QWidget):
         self.focused.zoom(factor)
 
     def next_shows(self) -> None:
-        """From faces and edges to edges, to faces, and back."""
-        following = {"both": "edges", "edges": "faces", "faces": "both"}[self.eye.shows]
+        """From faces and edges to edges, to edges without hidden lines, to faces, and back."""
+        following = {"both": "edges", "edges": "lines", "lines": "faces", "faces": "both"}[self.eye.shows]
         for view in (self.eye, self.outside):
             view.set_shows(following)  # type: ignore[arg-type]
 

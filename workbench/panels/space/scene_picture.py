@@ -14,10 +14,13 @@ from workbench.language import reason_of
 from workbench.panels.space.scene_worker import SceneJob, SceneWorker
 from workbench.panels.space.strokes import lines
 from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture
+from workbench.rendering.scene.line_drawing import line_picture
 from workbench.rendering.scene.viewpoint import Viewpoint
 from workbench.widgets.look.tokens import colour, theme, tokens
 
-Shows = Literal["faces", "edges", "both"]
+Shows = Literal["faces", "edges", "lines", "both"]
+"""Faces, all edges, edges without what faces hide, or faces and edges."""
+_WITHOUT_FACES = ("edges", "lines")
 
 _MARGIN_PX = 44
 _LEAST_SCALE, _MOST_SCALE = 1e-6, 1e9
@@ -94,9 +97,9 @@ class ScenePicture(QWidget):
         self.update()
 
     def set_shows(self, shows: Shows) -> None:
-        """Show faces, edges or both."""
+        """Show faces, edges, edges without hidden lines, or faces and edges."""
         if shows != self.shows:
-            self.shows = shows
+            self.shows, self._job = shows, None
             self.redraw()
 
     @property
@@ -115,7 +118,7 @@ class ScenePicture(QWidget):
     def redraw(self) -> None:
         """Have the picture drawn anew."""
         if self.isVisible() and self.width() > 1 and self.height() > 1:
-            job = SceneJob(self.scene, self.device_size, self.window_world, self.shows != "edges")
+            job = SceneJob(self.scene, self.device_size, self.window_world, self.shows not in _WITHOUT_FACES)
             if job != self._job:
                 self._job = job
                 if not (job.faces and self._image_came):  # until faces can be drawn, lines are
@@ -125,12 +128,13 @@ class ScenePicture(QWidget):
 
     def _take_lines(self, job: SceneJob) -> None:
         try:
-            self._take(job, edge_picture(*job[:3], faces=False))
+            lines = self.shows == "lines"
+            self._take(job, line_picture(*job[:3]) if lines else edge_picture(*job[:3], faces=False))
         except ValueError as error:
             self._refuse(job, reason_of(error))
 
     def _take(self, job: SceneJob, picture: EdgePicture) -> None:
-        if job.faces and self.shows == "edges" and picture.pixels is not None:
+        if job.faces and self.shows in _WITHOUT_FACES and picture.pixels is not None:
             return  # switched meanwhile
         self._picture, self._viewpoint = picture, job.viewpoint
         self._device = self._viewpoint.device

@@ -14,10 +14,12 @@ from workbench.document.scene.links import (
 from workbench.document.scene.model import Object, SpacePoint
 from workbench.document.scene.solids import (
     AnySolid,
+    Blobs,
     Box,
     Bracket,
     Cone,
     Cylinder,
+    Ellipsoid,
     Extrusion,
     House,
     Jug,
@@ -50,6 +52,8 @@ def offers() -> tuple[Offer, ...]:
         Offer(_("Prism"), Prism()),
         Offer(_("Pyramid"), Pyramid()),
         Offer(_("Sphere"), Sphere()),
+        Offer(_("Ellipsoid"), Ellipsoid()),
+        Offer(_("Blobby balls"), Blobs()),
         Offer(_("Cylinder"), Cylinder()),
         Offer(_("Cone"), Cone()),
         Offer(_("Torus"), Torus()),

@@ -34,7 +34,7 @@ class Viewing(Protocol):
         """Show "both" views, the "eye" or the "outside" alone."""
 
     def next_shows(self) -> None:
-        """From faces and edges to edges, to faces, and back."""
+        """From faces and edges to edges, to edges without hidden lines, to faces, and back."""
 
     def next_mode(self) -> None:
         """Handles to move, to turn, to scale, or none."""
@@ -132,7 +132,13 @@ def tools_of(page: "Viewing") -> list[Tool]:
         Tool("both", _("Picture and outside view"), "columns", "", partial(page.show_beside, "both")),
         Tool("picture", _("The picture alone"), "image", "", partial(page.show_beside, "eye")),
         Tool("outside", _("The outside view alone"), "cube", "", partial(page.show_beside, "outside")),
-        Tool("faces", _("Faces, edges or both"), "circle-half", "", page.next_shows),
+        Tool(
+            "faces",
+            _("Faces and edges, all edges, edges without hidden lines, or faces"),
+            "circle-half",
+            "",
+            page.next_shows,
+        ),
         Tool(
             "handles",
             _("Handles of the object: move, turn, scale"),
