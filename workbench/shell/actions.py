@@ -351,6 +351,8 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (canvas, "C", _("Cursor of cells for the keyboard; Enter acts where it is")),
         (canvas, "Ctrl+D", _("Duplicate what is selected")),
         (canvas, "Ctrl+A", _("Select all")),
+        (canvas, "Ctrl+G, Ctrl+Shift+G", _("Group, ungroup")),
+        (canvas, "Alt", _("Held while clicking: one of a group, as by a double click")),
         (canvas, "Ctrl+T", _("Box that moves, turns, scales and shears what is selected")),
         (canvas, "Shift+H, Shift+V", _("Flip horizontally, vertically")),
         (box, "], [", _("Turn by a degree; with Alt also Left and Right, with Alt and Shift by 15")),

@@ -195,7 +195,7 @@ class AnimatePanel(SteppedPanel):
         self.chosen = target
         name = target.split("/")[0]
         if any(figure.id == name for figure in self.session.sheet.figures):
-            self.session.update_state(active=name, selection=(name,))
+            self.session.update_state(active=name, selection=self.session.sheet.together((name,)))
         self._aim_run()
         self.refresh_soon()
 

@@ -26,6 +26,8 @@ def groups() -> list[tuple[str, tuple[str, ...]]]:
                 "closed",
                 "delete",
                 "duplicate",
+                "group",
+                "ungroup",
                 _PARTED,
                 "copy_points",
                 "paste_points",
