@@ -1,4 +1,4 @@
-"""Figures of a group are selected, moved, copied, ordered and removed together, unless one is picked alone."""
+"""Figures of a group are selected, moved, copied and removed together, unless one is picked alone."""
 
 import pytest
 from PySide6.QtCore import Qt
