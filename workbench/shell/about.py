@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QLabel, QPushButton
 from workbench import __version__
 from workbench.language import _
 from workbench.paths import cache_folder, resource, settings_folder
-from workbench.shell.pages import Page, heading, paragraph
+from workbench.shell.pages import SidePage, heading, paragraph
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -41,11 +41,11 @@ def diagnosis(window: "MainWindow") -> str:
     return "\n".join(lines)
 
 
-class AboutPage(Page):
+class AboutPage(SidePage):
     """What this program is."""
 
     def __init__(self, window: "MainWindow") -> None:
-        super().__init__("")
+        super().__init__(window, _("About"))
         picture = QLabel()
         ratio = window.devicePixelRatioF()
         image = QPixmap(str(resource("icon", "graphics-workbench.png")))
@@ -67,7 +67,6 @@ class AboutPage(Page):
         copy.setMaximumWidth(copy.sizeHint().width() + 24)
         self.column.addWidget(copy)
         self.column.addStretch(1)
-        self._window = window
 
     def showEvent(self, event: QShowEvent) -> None:
         """What is diagnosed may have changed."""

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QKeySequence
 
 from workbench.language import _
-from workbench.shell.theme import choose_theme
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -61,6 +60,7 @@ def commands() -> tuple[Command, ...]:
     """The table."""
     from workbench.shell.edit_commands import edit_commands  # made of these rows' kind
     from workbench.shell.export_commands import export_commands
+    from workbench.shell.view_commands import view_commands
 
     return (
         Command(
@@ -228,74 +228,15 @@ def commands() -> tuple[Command, ...]:
             "run",
             "answer",
         ),
+        *view_commands(),
         Command(
-            "home",
-            _("Home"),
-            lambda w: w.show_page("home"),
-            ("Ctrl+H",),
-            "house",
-            _("Recent pictures, examples and questions"),
-            "view",
-        ),
-        Command(
-            "palette",
-            _("Find a command..."),
-            lambda w: w.show_palette(),
-            ("Ctrl+K",),
-            "magnifying-glass",
-            _("Type a few letters of any command"),
-            "view",
-        ),
-        Command(
-            "light_theme",
-            _("Light theme"),
-            lambda w: choose_theme(w, "light"),
-            (),
-            "sun",
-            _("Dark words on light"),
-            "view",
-            separated=True,
-        ),
-        Command(
-            "dark_theme",
-            _("Dark theme"),
-            lambda w: choose_theme(w, "dark"),
-            (),
-            "moon",
-            _("Light words on dark"),
-            "view",
-        ),
-        Command(
-            "swap",
-            _("Swap canvas and tube"),
-            lambda w: w.views.swap(),
-            ("T",),
-            "swap",
-            _("Show the tube large and the canvas small, or back"),
-            "view",
-            "document",
-            separated=True,
-        ),
-        Command(
-            "alone",
-            _("Focused view alone"),
-            lambda w: w.views.toggle_alone(),
-            ("F11",),
-            "corners-out",
-            _("Show only the view that has the focus; the same key brings the rest back"),
-            "view",
-        ),
-        Command(
-            "reset",
-            _("Reset workspace"),
-            lambda w: w.reset_workspace(),
-            (),
-            "layout",
-            _("Put every dock back where it was at first"),
-            "view",
-        ),
-        Command(
-            "help", _("Help"), lambda w: w.show_page("help"), ("F1",), "question", _("How to begin"), "help"
+            "help",
+            _("Help"),
+            lambda w: w.show_page("help"),
+            ("F1",),
+            "question",
+            _("How to begin, and what can be done here"),
+            "help",
         ),
         Command(
             "keys",

@@ -1,6 +1,24 @@
 """A page fills the middle of the window in place of a dialog: a title, and one column of text and fields."""
 
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+from typing import TYPE_CHECKING
+
+from PySide6.QtGui import QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from workbench.language import _
+
+if TYPE_CHECKING:
+    from workbench.shell.window import MainWindow
+
+SIDE_PAGES = ("settings", "help", "keys", "about")
 
 
 class Page(QScrollArea):
@@ -28,7 +46,42 @@ class Page(QScrollArea):
         self.setAccessibleName(title)
 
 
-def heading(column: QVBoxLayout, text: str, role: str = "section") -> QLabel:
+class SidePage(Page):
+    """A page beside the work: Escape, or its button, leads back to where it was opened."""
+
+    def __init__(self, window: "MainWindow", title: str) -> None:
+        super().__init__("")
+        self.setAccessibleName(title)
+        self._window = window
+        self.back = QPushButton(_("Back"))
+        self.back.setToolTip(_("Go back to where you were (Esc)"))
+        self.back.clicked.connect(self._leave)
+        row = QHBoxLayout()
+        row.setSpacing(12)
+        row.addWidget(self.back)
+        if title:
+            heading(row, title, "title")
+        row.addStretch(1)
+        self.column.addLayout(row)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Remember where one comes from; one of these pages leads to another without being returned to."""
+        if self._window.place not in SIDE_PAGES:
+            self._window.came_from = self._window.place
+        super().showEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape leads back."""
+        if event.matches(QKeySequence.StandardKey.Cancel):
+            self._leave()
+        else:
+            super().keyPressEvent(event)
+
+    def _leave(self) -> None:
+        self._window.go(self._window.came_from or "home")
+
+
+def heading(column: QBoxLayout, text: str, role: str = "section") -> QLabel:
     """The title of a page, or with some room above it of one section."""
     if role == "section":
         column.addSpacing(8)
