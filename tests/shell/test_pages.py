@@ -80,3 +80,12 @@ def test_the_menu_says_where_there_is_nothing_to_zoom(window: MainWindow) -> Non
     window.enter("display")
     window.menus.actions["zoom_in"].trigger()
     assert "nothing here to zoom" in window.status.hover.text()
+
+
+def test_a_new_picture_stays_in_the_workspace(window: MainWindow) -> None:
+    window.enter("display")
+    window.menus.actions["new"].trigger()
+    assert window.place == "display"
+    window.go("home")
+    window.menus.actions["new"].trigger()
+    assert window.place == "draw"

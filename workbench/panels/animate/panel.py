@@ -148,11 +148,10 @@ class AnimatePanel(SteppedPanel):
 
     # What is shown
 
-    def refresh(self) -> None:
-        """As everywhere; a scene is something to see."""
-        super().refresh()
-        if self.session.sheet.scene is not None:
-            self.empty.hide()
+    def _serves_here(self) -> bool:
+        """Whether anything moves; a scene is something to see, too."""
+        sheet = self.session.sheet
+        return sheet.scene is not None or bool(motion_of(sheet).tracks)
 
     def show_now(self) -> None:
         """Canvas, timeline and in-between as the session is now."""

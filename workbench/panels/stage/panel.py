@@ -8,6 +8,7 @@ from PySide6.QtGui import QAction, QCursor, QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from workbench.document.edits import move_figures, remove_figures
+from workbench.document.model import AnyFigure
 from workbench.document.subjects import Subject
 from workbench.language import _
 from workbench.panels.panel import KeysWhileSeen, Said
@@ -51,6 +52,7 @@ class FigurePanel(ChosenFigures, QWidget):
         super().__init__(parent)
         self.session = session
         self._waiting = False
+        self._served: tuple[object, bool] = (None, False)
         self.tools = list(tools)
         self.tool = self.tools[0]
         self.handle_drag = HandleDrag(session)
@@ -105,6 +107,17 @@ class FigurePanel(ChosenFigures, QWidget):
     def show_example(self) -> None:
         """Open the panel's own example."""
         raise NotImplementedError
+
+    def serves(self, figure: AnyFigure) -> bool:
+        """Whether this workspace is about figures of such a kind."""
+        return True
+
+    def _serves_here(self) -> bool:
+        """Whether the sheet has any figure of that kind; looked at once for each list of figures."""
+        figures = self.session.sheet.figures
+        if self._served[0] is not figures:
+            self._served = figures, any(map(self.serves, figures))
+        return self._served[1]
 
     def describe(self, x: int, y: int) -> str:
         """What is said of a cell that is pointed at."""
@@ -211,9 +224,9 @@ class FigurePanel(ChosenFigures, QWidget):
         self._waiting = False
         self._say_zoom()
         self.show_now()
-        self.empty.setVisible(not self.session.sheet.figures and not self.gesturing)
+        self.empty.setVisible(not self.gesturing and not self._serves_here())
         chosen = self.selected() if self.isVisible() else []
-        for name in ("delete", "duplicate", "forwards", "backwards"):
+        for name in {"cut", "delete", "duplicate", "forwards", "backwards"} & self._actions.keys():
             self._actions[name].setEnabled(bool(chosen))
         self._actions["group"].setEnabled(len(chosen) > 1)
         self._actions["ungroup"].setEnabled(any(figure.group for figure in chosen))
