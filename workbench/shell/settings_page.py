@@ -64,9 +64,10 @@ class SettingsPage(SidePage):
         self.column.addStretch(1)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Theme and type may have been chosen in the menu meanwhile."""
+        """Theme, type and calm may have been chosen elsewhere meanwhile."""
         self.theme.setCurrentIndex(max(0, self.theme.findData(self._window.settings.get("theme"))))
         self.large.setChecked(self._window.settings.get("large_text"))
+        self.calm.setChecked(comfort.calm)
         super().showEvent(event)
 
     def _choice(self, name: str, text: str, tooltip: str) -> QCheckBox:

@@ -1,7 +1,7 @@
 """The family of projections as a tree: which is a kind of which; the present one is marked."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QLabel, QScrollArea, QSplitter, QTreeWidget, QTreeWidgetItem, QWidget
+from PySide6.QtWidgets import QLabel, QSplitter, QTreeWidget, QTreeWidgetItem, QWidget
 
 from workbench.algorithms.projection import classify
 from workbench.document.scene.looking import kinds
@@ -9,6 +9,7 @@ from workbench.document.scene.model import Camera
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.language import _, reason_of
 from workbench.panels.space.camera_card import families
+from workbench.widgets.look.scrolled import scrolled
 
 _SLUG = Qt.ItemDataRole.UserRole
 
@@ -78,12 +79,8 @@ class FamilyDock(QSplitter):
         self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.words.setContentsMargins(10, 6, 10, 6)
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        scrolled = QScrollArea()
-        scrolled.setFrameShape(QScrollArea.Shape.NoFrame)
-        scrolled.setWidgetResizable(True)
-        scrolled.setWidget(self.words)
         self.addWidget(self.tree)
-        self.addWidget(scrolled)
+        self.addWidget(scrolled(self.words))
 
     def show_camera(self, camera: Camera, slug: str) -> None:
         """Mark the projection of a camera, and say what its matrix tells."""

@@ -28,6 +28,7 @@ class FoldingCard(QFrame):
         self._narrow = False
         self._standard = self._wide = width
         self.title = QLabel()
+        self.title.setTextFormat(Qt.TextFormat.PlainText)  # names that people give are in it
         self.title.setStyleSheet("font-weight: 600;")
         self._fold = QToolButton()
         self._fold.setFixedSize(22, 22)
