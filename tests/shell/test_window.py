@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from workbench.algorithms import catalogue
 from workbench.shell import dock_area
+from workbench.shell.about import AboutPage
 from workbench.shell.command_palette import offers
 from workbench.shell.dock_area import VERSION, DockArea
 from workbench.shell.failures import Failures
@@ -223,7 +224,8 @@ def test_keys_to_pages(
 def test_about_has_a_diagnosis_to_copy(qtbot: QtBot, window: MainWindow) -> None:
     window.go("about")
     page = window.stack.currentWidget()
-    qtbot.mouseClick(page.findChild(QPushButton), Qt.MouseButton.LeftButton)
+    assert isinstance(page, AboutPage)
+    qtbot.mouseClick(page.copy, Qt.MouseButton.LeftButton)
     from PySide6.QtGui import QGuiApplication
 
     copied = QGuiApplication.clipboard().text()

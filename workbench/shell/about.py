@@ -61,11 +61,11 @@ class AboutPage(SidePage):
         heading(self.column, _("Diagnosis"))
         self.text = paragraph(self.column, diagnosis(window), "muted")
         self.text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        copy = QPushButton(_("Copy the diagnosis"))
-        copy.setToolTip(_("Put the lines above on the clipboard"))
-        copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(diagnosis(window)))
-        copy.setMaximumWidth(copy.sizeHint().width() + 24)
-        self.column.addWidget(copy)
+        self.copy = QPushButton(_("Copy the diagnosis"))
+        self.copy.setToolTip(_("Put the lines above on the clipboard"))
+        self.copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(diagnosis(window)))
+        self.copy.setMaximumWidth(self.copy.sizeHint().width() + 24)
+        self.column.addWidget(self.copy)
         self.column.addStretch(1)
 
     def showEvent(self, event: QShowEvent) -> None:

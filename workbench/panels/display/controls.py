@@ -195,6 +195,7 @@ class DisplayControls(QWidget):
         )
         row.addWidget(self.flicker)
         self.calm = QCheckBox(_("Calm"))
+        self.calm.setAccessibleName(_("Calm"))
         self.calm.setToolTip(_("Hold flicker, flashing and motion still, here and everywhere"))
         self.calm.toggled.connect(comfort.set_calm)
         comfort.changed.connect(self.show_calm)
