@@ -2,9 +2,11 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtGui import QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
+    QFrame,
     QHBoxLayout,
     QLabel,
     QPushButton,
@@ -56,13 +58,29 @@ class SidePage(Page):
         self.back = QPushButton(_("Back"))
         self.back.setToolTip(_("Go back to where you were (Esc)"))
         self.back.clicked.connect(self._leave)
-        row = QHBoxLayout()
+        self._head = QFrame(self)  # above what scrolls
+        row = QHBoxLayout(self._head)
+        row.setContentsMargins(24, 8, 24, 8)
         row.setSpacing(12)
         row.addWidget(self.back)
-        if title:
-            heading(row, title, "title")
+        heading(row, title, "title")
         row.addStretch(1)
-        self.column.addLayout(row)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The head keeps its place."""
+        super().resizeEvent(event)
+        self._place_head()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Larger type has a higher head."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._place_head()
+
+    def _place_head(self) -> None:
+        high = self._head.sizeHint().height()
+        self.setViewportMargins(0, high, 0, 0)
+        self._head.setGeometry(0, 0, self.width(), high)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Remember where one comes from; one of these pages leads to another without being returned to."""

@@ -224,6 +224,7 @@ class FigurePanel(ChosenFigures, QWidget):
         self._waiting = False
         self._say_zoom()
         self.show_now()
+        self.empty.low = bool(self.session.sheet.figures)
         self.empty.setVisible(not self.gesturing and not self._serves_here())
         chosen = self.selected() if self.isVisible() else []
         for name in {"cut", "delete", "duplicate", "forwards", "backwards"} & self._actions.keys():
