@@ -2,9 +2,11 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QCheckBox, QLabel
 from pytestqt.qtbot import QtBot
 
+from workbench.shell.about import AboutPage
 from workbench.shell.help import HelpPage
 from workbench.shell.pages import SIDE_PAGES, SidePage
 from workbench.shell.settings_page import SettingsPage
@@ -89,3 +91,17 @@ def test_a_new_picture_stays_in_the_workspace(window: MainWindow) -> None:
     window.go("home")
     window.menus.actions["new"].trigger()
     assert window.place == "draw"
+
+
+def test_about_has_a_diagnosis_to_copy(qtbot: QtBot, window: MainWindow) -> None:
+    window.go("about")
+    page = window.stack.currentWidget()
+    assert isinstance(page, AboutPage)
+    qtbot.mouseClick(page.copy, Qt.MouseButton.LeftButton)
+    copied = QGuiApplication.clipboard().text()
+    assert copied.startswith("Graphics Workbench 0.")
+    window.go("home")
+    window.resize(1000, 600)
+    window.go("about")
+    assert "window 1000 x 600" in page.text.text()
+    assert "numba" in copied

@@ -10,7 +10,6 @@ from pytestqt.qtbot import QtBot
 
 from workbench.algorithms import catalogue
 from workbench.shell import dock_area
-from workbench.shell.about import AboutPage
 from workbench.shell.command_palette import offers
 from workbench.shell.dock_area import VERSION, DockArea
 from workbench.shell.failures import Failures
@@ -219,22 +218,6 @@ def test_keys_to_pages(
 ) -> None:
     qtbot.keyClick(window, *keys)
     assert window.place == place
-
-
-def test_about_has_a_diagnosis_to_copy(qtbot: QtBot, window: MainWindow) -> None:
-    window.go("about")
-    page = window.stack.currentWidget()
-    assert isinstance(page, AboutPage)
-    qtbot.mouseClick(page.copy, Qt.MouseButton.LeftButton)
-    from PySide6.QtGui import QGuiApplication
-
-    copied = QGuiApplication.clipboard().text()
-    assert copied.startswith("Graphics Workbench 0.")
-    window.go("home")
-    window.resize(1000, 600)
-    window.go("about")
-    assert "window 1000 x 600" in page.text.text()
-    assert "numba" in copied
 
 
 def test_settings_take_effect_and_stay(window: MainWindow, open_window: Callable[[], MainWindow]) -> None:
