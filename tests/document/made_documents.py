@@ -64,7 +64,7 @@ def figures(draw: st.DrawFn, identity: str = "") -> AnyFigure:
         WorldPoint(f"{identity}p{i}" if identity else "", draw(coordinates), draw(coordinates))
         for i in range(count)
     )
-    more: dict[str, Any] = {"transforms": chain}
+    more: dict[str, Any] = {"transforms": chain, "group": draw(st.integers(0, 2))}
     if kind is Polyline:
         more["closed"] = draw(st.booleans())
     elif kind is Circle:

@@ -225,4 +225,13 @@ def test_many_figures_are_added_at_once_with_ids_of_their_own(document: Document
     assert check(new) is new
     kept = len(document.sheets[0].figures)
     assert new.sheets[0].figures[:kept] == document.sheets[0].figures
-    assert [without_ids(f) for f in new.sheets[0].figures[kept:]] == [without_ids(f) for f in wanted]
+    added = new.sheets[0].figures[kept:]
+    assert [replace(without_ids(f), group=0) for f in added] == [
+        replace(without_ids(f), group=0) for f in wanted
+    ]
+    assert not {f.group for f in added} - {0} & {f.group for f in document.sheets[0].figures}
+    for one, given_one in zip(added, wanted, strict=True):
+        for other_one, given_other in zip(added, wanted, strict=True):
+            if one is not other_one:
+                together = 0 != one.group == other_one.group
+                assert together is (0 != given_one.group == given_other.group)

@@ -96,9 +96,30 @@ def test_what_was_clipped_away_is_said_to_be_clipped() -> None:
     clipped = replace(line, views=(replace(line.first_view, clip_world=left),))
     assert why_steps(clipped, x, y) == []
     assert nothing_happened(clipped, x, y).endswith(
-        f" would come to ({x}, {y}), but this part of it is clipped away."
+        f" would come to ({x}, {y}), but this is right of the clip window: "
+        "Cohen-Sutherland cuts it away in step 1."
     )
     assert "passes" in nothing_happened(clipped, 0, line.height_px - 1)
+
+
+@pytest.mark.parametrize(
+    ("clipper", "cell", "where", "step"),
+    [
+        ("cohen_sutherland", (1, 1), "below and left of", 1),  # P0, code 0101: cut at the bottom, (4, 4)
+        ("cohen_sutherland", (18, 18), "above and right of", 2),  # P1, code 1010, at the top: (16, 16)
+        ("cohen_sutherland", (14, 14), "right of", 3),  # and once more, code 0010, at the right: (12, 12)
+        ("liang_barsky", (1, 1), "below and left of", 1),  # left first: u1 grows
+        ("liang_barsky", (14, 14), "right of", 2),  # then right: u2 shrinks
+    ],
+)
+def test_the_step_that_cuts_a_line_off_is_told(clipper, cell, where, step) -> None:
+    line = Line("f1", points_at((0, 0), (20, 20)), "bresenham_line", 1)
+    bare = example("line").document.sheets[0]
+    view = replace(bare.first_view, clip_world=Rectangle(4.0, 4.0, 12.0, 16.0))
+    sheet = replace(bare, figures=(line,), views=(view,), line_clipper=clipper)
+    said = nothing_happened(sheet, *cell)
+    assert f"is {where} the clip window: " in said
+    assert said.endswith(f" cuts it away in step {step}.")
 
 
 def test_a_question_is_given_up_when_nobody_waits() -> None:

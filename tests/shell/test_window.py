@@ -220,21 +220,6 @@ def test_keys_to_pages(
     assert window.place == place
 
 
-def test_about_has_a_diagnosis_to_copy(qtbot: QtBot, window: MainWindow) -> None:
-    window.go("about")
-    page = window.stack.currentWidget()
-    qtbot.mouseClick(page.findChild(QPushButton), Qt.MouseButton.LeftButton)
-    from PySide6.QtGui import QGuiApplication
-
-    copied = QGuiApplication.clipboard().text()
-    assert copied.startswith("Graphics Workbench 0.")
-    window.go("home")
-    window.resize(1000, 600)
-    window.go("about")
-    assert "window 1000 x 600" in page.text.text()
-    assert "numba" in copied
-
-
 def test_settings_take_effect_and_stay(window: MainWindow, open_window: Callable[[], MainWindow]) -> None:
     window.go("settings")
     page = window.stack.currentWidget()

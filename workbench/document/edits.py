@@ -45,6 +45,7 @@ from workbench.document.building import (
 )
 from workbench.document.curves.edits import moved_points
 from workbench.document.errors import DocumentError
+from workbench.document.grouping import group_figures, regrouped, shift_order, ungroup_figures
 from workbench.document.model import AnyFigure, Curve, Document, Polygon, WorldPoint
 from workbench.document.motion.model import Motion
 from workbench.document.motion.tracks import tracks_of, with_copied_tracks, with_motion
@@ -83,6 +84,7 @@ __all__ = [
     "add_view",
     "both",
     "duplicate_figures",
+    "group_figures",
     "insert_point",
     "move_figures",
     "move_points",
@@ -108,6 +110,8 @@ __all__ = [
     "set_sheet_size",
     "set_viewport",
     "set_window",
+    "shift_order",
+    "ungroup_figures",
     "zoom",
 ]
 
@@ -127,12 +131,16 @@ def add_figure(sheet: str, figure: AnyFigure, index: int | None = None) -> Edit:
 
 @checked
 def add_figures(sheet: str, figures: Iterable[AnyFigure]) -> Edit:
-    """Put ``figures`` on ``sheet``, in front of all others, the last one foremost, with ids of their own."""
+    """Put ``figures`` on ``sheet``, in front of all others, the last one foremost, with ids and groups of
+    their own.
+    """
     wanted = tuple(figures)
 
     def edit(document: Document) -> Document:
         on = sheet_with(document, sheet)
-        return with_figures(document, on, (*on.figures, *all_numbered(document, wanted)))
+        return with_figures(
+            document, on, (*on.figures, *all_numbered(document, regrouped(wanted, on.figures)))
+        )
 
     return edit
 
@@ -149,7 +157,7 @@ def add_moving_figures(
 
     def edit(document: Document) -> Document:
         on = sheet_with(document, sheet)
-        added = all_numbered(document, wanted)
+        added = all_numbered(document, regrouped(wanted, on.figures))
         document = with_figures(document, on, (*on.figures, *added))
         if on.motion is None:
             document = with_motion(document, sheet, replace(motion, tracks=()))
@@ -186,20 +194,23 @@ def remove_figures(figures: Iterable[str]) -> Edit:
 
 @checked
 def duplicate_figures(figures: Iterable[str], dx_world: float = 1.0, dy_world: float = -1.0) -> Edit:
-    """Put a copy of each figure right in front of it, moved by (dx, dy) in every frame; the copies get ids of
-    their own, and tracks like its own.
+    """Put a copy of each figure right in front of it, or of its group, moved by (dx, dy) in every frame; the
+    copies get ids and groups of their own, and tracks like its own.
 
     A figure that its transforms flatten is not moved.
     """
     wanted = tuple(dict.fromkeys(figures))
 
     def edit(document: Document) -> Document:
-        for identity in wanted:
-            sheet, figure = figure_with(document, identity)
-            bare = without_ids(figure)
+        others = [figure for sheet in document.sheets for figure in sheet.figures]
+        for original in regrouped(figures_with(document, wanted), others):
+            sheet, figure = figure_with(document, original.id)
+            bare = without_ids(original)
             shifted = bare if is_singular(figure.matrix) else moved_by(bare, dx_world, dy_world)
             copy = numbered(document, shifted)
             at = sheet.figures.index(figure) + 1
+            while at < len(sheet.figures) and sheet.figures[at].group in {figure.group, copy.group} - {0}:
+                at += 1
             document = with_figures(document, sheet, (*sheet.figures[:at], copy, *sheet.figures[at:]))
             tracks = tracks_of(sheet, (figure.id,))
             document = with_copied_tracks(document, sheet.id, tracks, sheet, ids_of_copy(figure, copy))

@@ -4,6 +4,7 @@ Two frames, named in every field: world (float) and device (integer pixels, orig
 Ids are short texts, unique in their document, and survive edits, insertion and undo.
 """
 
+from collections.abc import Iterable
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Self
 
@@ -79,7 +80,8 @@ class Figure(
     ``algorithms`` are the slugs that can draw this kind of figure, as the catalogue has them, the first one
     new figures get; ``least_points`` and ``most_points`` bound the number of its control points. A slug that
     the catalogue does not have is kept: a newer program may have written it. ``transforms`` is a chain whose
-    first link acts first on the points; it is drawn where the chain takes them.
+    first link acts first on the points; it is drawn where the chain takes them. Figures of a sheet with the
+    same ``group``, other than 0, are selected together.
     """
 
     letter: ClassVar[str] = "f"
@@ -94,6 +96,7 @@ class Figure(
     colour: Annotated[int, _palette_index(_("colour"))] = 1
     name: str = ""
     visible: bool = True
+    group: Annotated[int, Number(label=_("group"), low=0, high=1_000_000, whole=True, keyed=False)] = 0
 
     @property
     def drawn_with(self) -> str:
@@ -357,6 +360,12 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True, cache_hash=
         In another frame a figure is another value, so it is not looked for as such.
         """
         return next((place for place, each in enumerate(self.figures) if each.id == figure), -1)
+
+    def together(self, chosen: Iterable[str]) -> tuple[str, ...]:
+        """The ids ``chosen``, followed by those of all figures that are in a group with one of them."""
+        ids = dict.fromkeys(chosen)
+        groups = {figure.group for figure in self.figures if figure.group and figure.id in ids}
+        return tuple(ids | {figure.id: None for figure in self.figures if figure.group in groups})
 
     @property
     def things(self) -> tuple[Any, ...]:

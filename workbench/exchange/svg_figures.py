@@ -71,12 +71,16 @@ class Geometry:
 
 @dataclass(slots=True, eq=False)
 class Shape:
-    """An element that draws, the transforms it stands under, and the style that holds for it."""
+    """An element that draws, the transforms it stands under, and the style that holds for it.
+
+    What has the same ``group`` stays together, as all that is made of the element does.
+    """
 
     element: Element
     placing: Placing
     style: dict[str, str]
     geometry: Geometry
+    group: int
 
     @property
     def fill(self) -> Paint | None:

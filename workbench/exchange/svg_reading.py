@@ -7,7 +7,9 @@ picture that this program wrote comes back to where it was.
 A path becomes one Curve of Bézier pieces for each of its runs, quadratic and straight ones raised to cubics;
 line, polyline, polygon and rect become lines and polylines; circle and ellipse stay themselves. What is
 filled becomes a polygon, or a filled circle or ellipse, behind its outline. Transforms, of groups too, become
-the links of the figures' chains. An element that cannot be read is left out, and that is said.
+the links of the figures' chains. All figures of one element are a group; so are those of the outermost <g>
+or <use>, but for layers and what holds the whole drawing. An element that cannot be read is left out, and
+that is said.
 """
 
 from contextlib import suppress
@@ -18,6 +20,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.document.building import without_ids
+from workbench.document.grouping import regrouped
 from workbench.document.model import AnyFigure, Rectangle, Sheet
 from workbench.document.motion.model import Motion
 from workbench.document.storage.content import Progress, part, silent
@@ -94,14 +97,14 @@ def read_svg(
             originals[shape.element] = original(shape.element.tag, shape.element.attributes)
         restored = _restored(shape, originals[shape.element], sheet, frame, colours)
         if restored is not None:
-            figures.append(restored)
+            figures.append(replace(restored, group=shape.group))
         else:
             try:
                 made = _made(shape, frame, sheet, colours, within)
             except UnreadError as error:
                 unread.append(str(error))
                 continue
-            figures += made.figures
+            figures += (replace(figure, group=shape.group) for figure in made.figures)
             approximated += [(made.name, made.error)] if made.error else []
             notes += made.notes
         points += sum(len(figure.points_world) for figure in figures[len(sources) :])
@@ -119,7 +122,7 @@ def read_svg(
     left_out = [_("Left out: {what}").format(what=sentence) for sentence in unread]
     palette = able.palette if able.palette != sheet.palette else ()
     said = _bounded([*left_out, *notes, *colours.notes])
-    return Imported(tuple(figures), tuple(approximated), said, palette)
+    return Imported(tuple(regrouped(figures)), tuple(approximated), said, palette)
 
 
 def _frame(sheet: Sheet, box: Box) -> Array:

@@ -57,7 +57,8 @@ _LONGEST_ENTITY = 200
 _LONGEST_NAMESPACE = 500
 _CHUNK = 2**20
 _READ = {name for names in GEOMETRY.values() for name in names} | PROPERTIES
-_READ |= {"own:figure", "own:geometry", "id", "class", "style", "transform", "href"}
+LAYER = "http://www.inkscape.org/namespaces/inkscape groupmode"
+_READ |= {"own:figure", "own:geometry", "own:group", LAYER, "id", "class", "style", "transform", "href"}
 _READ |= {"viewBox", "preserveAspectRatio", "systemLanguage", "requiredExtensions"}
 # Elements without an <svg> around them, as they are copied from a page; it is put into the line before them.
 _FRAGMENT = re.compile(r"\s*<(?:path|g|line|polyline|polygon|rect|circle|ellipse)[\s/>]")

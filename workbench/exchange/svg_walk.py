@@ -5,6 +5,7 @@ What an element says is read once, however often it is used.
 
 import re
 from collections import Counter
+from itertools import count
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +21,7 @@ from workbench.exchange.svg_transforms import Function, Placing, matrix_in
 from workbench.exchange.svg_tree import (
     GEOMETRY,
     INHERITED,
+    LAYER,
     MOST_DEPTH,
     MOST_ELEMENTS,
     REFERRING,
@@ -31,7 +33,7 @@ from workbench.language import _, ngettext
 
 Array = NDArray[np.float64]
 
-_GROUPS = ("svg", "g", "a", "switch")
+_DRAWN = {"svg", "g", "a", "switch", "use", *GEOMETRY}
 _SILENT = {"defs", "title", "desc", "metadata", "style", "script", "symbol", "clipPath", "mask", "marker", ""}
 _REFERENCE = re.compile(r"""\s*url\(\s*["']?#([^"')]++)["']?\s*\)""")
 _BETWEEN_REPORTS = 100
@@ -80,6 +82,7 @@ class _Walk:
         self._sayings: dict[Element, _Saying | None] = {}
         self._using: list[Element] = []
         self._steps = self._depth = self._points = self._functions = 0
+        self._numbers, self._group = count(1), 0
         elements = all_elements(root)
         progress(0.1)
         self._left_out.update(f"style {selector}" for selector in cascade(root, elements))
@@ -96,7 +99,7 @@ class _Walk:
         if self._steps > MOST_ELEMENTS:
             sentence = _("there are more than {most:,} elements; choose a smaller picture.")
             raise element.refusal(sentence.format(most=MOST_ELEMENTS))
-        if element.tag not in _GROUPS and element.tag not in GEOMETRY and element.tag != "use":
+        if element.tag not in _DRAWN:
             self._left_out[element.tag] += element.tag not in _SILENT
             return
         if element not in self._sayings:
@@ -118,7 +121,8 @@ class _Walk:
             self._points += saying.geometry.size
             if self._points > MOST_POINTS:
                 raise element.refusal(str(TooManyPointsError()))
-            self.shapes.append(Shape(element, placing, style, saying.geometry))
+            group = self._group or next(self._numbers)
+            self.shapes.append(Shape(element, placing, style, saying.geometry, group))
             return
         try:
             if element.tag == "use":
@@ -160,7 +164,11 @@ class _Walk:
             if self._depth > MOST_DEPTH:
                 sentence = _("what it uses is nested more than {most} deep; ungroup some.")
                 raise element.refusal(sentence.format(most=MOST_DEPTH))
+            around = self._group
+            if not around and _is_group(element, elements):
+                self._group = next(self._numbers)
             self.into(element, placing, style)
+            self._group = around
         self._depth -= 1
 
     def _used(self, element: Element, placing: Placing, style: dict[str, str]) -> None:
@@ -192,6 +200,15 @@ class _Walk:
             for tag, count in self._left_out.items()
             if count
         ]
+
+
+def _is_group(element: Element, siblings: list[Element]) -> bool:
+    """Whether what is in it stays together: not in a layer, nor in what merely holds the whole drawing."""
+    if element.tag not in ("g", "use") or element.attributes.get(LAYER) == "layer":
+        return False
+    if "own:group" in element.attributes:
+        return True
+    return any(other is not element and other.tag in _DRAWN for other in siblings)
 
 
 def _drawn_in(element: Element) -> list[Element]:

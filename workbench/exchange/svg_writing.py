@@ -1,12 +1,15 @@
 """SVG out: every visible figure of a sheet, in world units with y turned downwards.
 
 Curves that are plain pieces up to degree 3 are written exactly (lines, quadratics, cubics); any other as
-cubics within a stated tolerance. A figure's chain is written as its transform. Each element keeps its figure
-in an attribute of our own.
+cubics within a stated tolerance. A figure's chain is written as its transform, a group as <g>. Each element
+keeps its figure in an attribute of our own.
 """
 
 import math
 import re
+from collections.abc import Iterator
+from itertools import groupby
+from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
@@ -65,7 +68,7 @@ def write_svg(sheet: Sheet, tolerance: float | None = None) -> Exported:
     within = tolerance or _TOLERANCE_PX / max(abs(scale.sx), abs(scale.sy))
     from xml.sax.saxutils import escape  # brings the network's modules with it
 
-    body: list[str] = []
+    body: list[tuple[int, str]] = []
     approximated: list[tuple[str, float]] = []
     notes: list[str] = []
     for figure in sheet.figures:
@@ -84,7 +87,8 @@ def write_svg(sheet: Sheet, tolerance: float | None = None) -> Exported:
         own = {f"workbench:{key}": value for key, value in kept(figure, tag, attributes).items()}
         paint = _paint(figure, sheet, 1.0 / (max(abs(scale.sx), abs(scale.sy)) * _growth(figure)))
         title = f"<title>{escape(NO_XML.sub(' ', figure.name))}</title>" if figure.name else ""
-        body.append(f"  <{tag} {_joined({'id': figure.id, **attributes, **paint, **own})}>{title}</{tag}>")
+        said = {"id": figure.id, **attributes, **paint, **own}
+        body.append((figure.group, f"  <{tag} {_joined(said)}>{title}</{tag}>"))
     view = sheet.first_view
     if len(sheet.views) > 1:
         notes.append(_("Only the first view is in the SVG; export a picture to have them all."))
@@ -101,8 +105,20 @@ def write_svg(sheet: Sheet, tolerance: float | None = None) -> Exported:
         names = ("x", "y", "width", "height")
         inside = dict(zip(names, map(number, _frame(view.clip_world)), strict=True))
         lines.append(f'  <clipPath id="clip-window"><rect {_joined(inside)}/></clipPath>')
-        body = ['  <g clip-path="url(#clip-window)">', *body, "  </g>"]
-    return Exported("\n".join([*lines, *body, "</svg>", ""]), tuple(approximated), tuple(notes))
+        lines.append('  <g clip-path="url(#clip-window)">')
+    lines += _in_groups(body)
+    if view.clip_world is not None:
+        lines.append("  </g>")
+    return Exported("\n".join([*lines, "</svg>", ""]), tuple(approximated), tuple(notes))
+
+
+def _in_groups(body: list[tuple[int, str]]) -> Iterator[str]:
+    """The elements, neighbours of one group in a <g>, which says that it is one, whatever else there is."""
+    for group, members in groupby(body, key=itemgetter(0)):
+        elements = [element for _group, element in members]
+        if group and len(elements) > 1:
+            elements = [f'  <g workbench:group="{group}">', *elements, "  </g>"]
+        yield from elements
 
 
 def path_data(figure: Curve, tolerance: float) -> tuple[str, float]:

@@ -47,6 +47,16 @@ def line_distance(x0: float, y0: float, x1: float, y1: float, points: Points) ->
     return distance
 
 
+def polyline_distance(points: Points, x: float, y: float) -> float:
+    """Distance of (x, y) from the polyline through ``points`` (n, 2); infinite without two of them."""
+    start, along = points[:-1], np.diff(points, axis=0)
+    towards = np.array([x, y]) - start
+    square = np.maximum((along**2).sum(axis=1), 1e-300)
+    share = np.clip((towards * along).sum(axis=1) / square, 0.0, 1.0)
+    away = towards - share[:, None] * along
+    return float(np.hypot(away[:, 0], away[:, 1]).min(initial=np.inf))
+
+
 def circle_distance(xc: float, yc: float, r: float, points: Points) -> Points:
     """Distance of each of ``points`` (n, 2) from the circle, positive outside."""
     distance: Points = np.hypot(points[:, 0] - xc, points[:, 1] - yc) - r

@@ -8,7 +8,6 @@ from collections.abc import Callable
 from typing import Literal, NamedTuple
 
 import numpy as np
-from msgspec.structs import replace
 
 from workbench.algorithms import catalogue
 from workbench.document.model import AnyFigure, Polygon, Sheet
@@ -21,6 +20,7 @@ from workbench.language import _, ngettext
 from workbench.rendering.inside import verdict
 from workbench.rendering.mapping import Call
 from workbench.rendering.raster import calls_in_views, emitted, painter_of, seen_bounds
+from workbench.rendering.why_clipped import clipped_away
 
 Verb = Literal["wrote", "tested", "refused"]
 MOST = 200
@@ -156,10 +156,8 @@ def _told(touch: StepTouch, step: Step | None, cell: tuple[int, int]) -> tuple[V
 
 def nothing_happened(sheet: Sheet, x: int, y: int) -> str:
     """Why no figure touched a pixel: it was clipped away, is outside of a polygon, or none came near."""
-    clipped = _clipped_away(sheet, x, y)
-    if clipped is not None:
-        sentence = _("{name} would come to ({x}, {y}), but this part of it is clipped away.")
-        return sentence.format(name=clipped, x=x, y=y)
+    if clipped := clipped_away(sheet, x, y):
+        return clipped
     said = []
     for figure in sheet.figures:
         if isinstance(figure, Polygon) and figure.visible:
@@ -178,15 +176,6 @@ def nothing_happened(sheet: Sheet, x: int, y: int) -> str:
         away,
     )
     return text.format(x=x, y=y, name=name, away=away)
-
-
-def _clipped_away(sheet: Sheet, x: int, y: int) -> str | None:
-    """The figure in front that would have painted a pixel if nothing were clipped."""
-    if all(view.clip_world is None for view in sheet.views):
-        return None
-    whole = replace(sheet, views=tuple(replace(view, clip_world=None) for view in sheet.views))
-    figure = int(painter_of(whole)[y, x]) if 0 <= x < sheet.width_px and 0 <= y < sheet.height_px else -1
-    return _called(sheet.figures[figure]) if figure >= 0 else None
 
 
 def _called(figure: AnyFigure) -> str:

@@ -242,7 +242,7 @@ class Session(QObject):
         self.update_state(sheet=sheet, active="", selection=(), step=0)
         self.opened.emit()
         stepped = self.active_figure
-        self.update_state(selection=(stepped.id,) if stepped else ())
+        self.update_state(selection=self.sheet.together((stepped.id,)) if stepped else ())
 
     def open(self, path: Path | str) -> None:
         """Read a file and open it, here and now; raises DocumentError, and what is open stays."""

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QLabel, QPushButton
 from workbench import __version__
 from workbench.language import _
 from workbench.paths import cache_folder, resource, settings_folder
-from workbench.shell.pages import Page, heading, paragraph
+from workbench.shell.pages import SidePage, heading, paragraph
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -41,11 +41,11 @@ def diagnosis(window: "MainWindow") -> str:
     return "\n".join(lines)
 
 
-class AboutPage(Page):
+class AboutPage(SidePage):
     """What this program is."""
 
     def __init__(self, window: "MainWindow") -> None:
-        super().__init__("")
+        super().__init__(window, _("About"))
         picture = QLabel()
         ratio = window.devicePixelRatioF()
         image = QPixmap(str(resource("icon", "graphics-workbench.png")))
@@ -61,13 +61,12 @@ class AboutPage(Page):
         heading(self.column, _("Diagnosis"))
         self.text = paragraph(self.column, diagnosis(window), "muted")
         self.text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        copy = QPushButton(_("Copy the diagnosis"))
-        copy.setToolTip(_("Put the lines above on the clipboard"))
-        copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(diagnosis(window)))
-        copy.setMaximumWidth(copy.sizeHint().width() + 24)
-        self.column.addWidget(copy)
+        self.copy = QPushButton(_("Copy the diagnosis"))
+        self.copy.setToolTip(_("Put the lines above on the clipboard"))
+        self.copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(diagnosis(window)))
+        self.copy.setMaximumWidth(self.copy.sizeHint().width() + 24)
+        self.column.addWidget(self.copy)
         self.column.addStretch(1)
-        self._window = window
 
     def showEvent(self, event: QShowEvent) -> None:
         """What is diagnosed may have changed."""

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QKeySequence
 
 from workbench.language import _
-from workbench.shell.theme import choose_theme
 from workbench.shell.timeline_keys import timeline_keys
 
 if TYPE_CHECKING:
@@ -62,6 +61,7 @@ def commands() -> tuple[Command, ...]:
     """The table."""
     from workbench.shell.edit_commands import edit_commands  # made of these rows' kind
     from workbench.shell.export_commands import export_commands
+    from workbench.shell.view_commands import view_commands
 
     return (
         Command(
@@ -229,74 +229,15 @@ def commands() -> tuple[Command, ...]:
             "run",
             "answer",
         ),
+        *view_commands(),
         Command(
-            "home",
-            _("Home"),
-            lambda w: w.show_page("home"),
-            ("Ctrl+H",),
-            "house",
-            _("Recent pictures, examples and questions"),
-            "view",
-        ),
-        Command(
-            "palette",
-            _("Find a command..."),
-            lambda w: w.show_palette(),
-            ("Ctrl+K",),
-            "magnifying-glass",
-            _("Type a few letters of any command"),
-            "view",
-        ),
-        Command(
-            "light_theme",
-            _("Light theme"),
-            lambda w: choose_theme(w, "light"),
-            (),
-            "sun",
-            _("Dark words on light"),
-            "view",
-            separated=True,
-        ),
-        Command(
-            "dark_theme",
-            _("Dark theme"),
-            lambda w: choose_theme(w, "dark"),
-            (),
-            "moon",
-            _("Light words on dark"),
-            "view",
-        ),
-        Command(
-            "swap",
-            _("Swap canvas and tube"),
-            lambda w: w.views.swap(),
-            ("T",),
-            "swap",
-            _("Show the tube large and the canvas small, or back"),
-            "view",
-            "document",
-            separated=True,
-        ),
-        Command(
-            "alone",
-            _("Focused view alone"),
-            lambda w: w.views.toggle_alone(),
-            ("F11",),
-            "corners-out",
-            _("Show only the view that has the focus; the same key brings the rest back"),
-            "view",
-        ),
-        Command(
-            "reset",
-            _("Reset workspace"),
-            lambda w: w.reset_workspace(),
-            (),
-            "layout",
-            _("Put every dock back where it was at first"),
-            "view",
-        ),
-        Command(
-            "help", _("Help"), lambda w: w.show_page("help"), ("F1",), "question", _("How to begin"), "help"
+            "help",
+            _("Help"),
+            lambda w: w.show_page("help"),
+            ("F1",),
+            "question",
+            _("How to begin, and what can be done here"),
+            "help",
         ),
         Command(
             "keys",
@@ -352,6 +293,8 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (canvas, "C", _("Cursor of cells for the keyboard; Enter acts where it is")),
         (canvas, "Ctrl+D", _("Duplicate what is selected")),
         (canvas, "Ctrl+A", _("Select all")),
+        (canvas, "Ctrl+G, Ctrl+Shift+G", _("Group, ungroup")),
+        (canvas, "Alt", _("Held while clicking: one of a group, as by a double click")),
         (canvas, "Ctrl+T", _("Box that moves, turns, scales and shears what is selected")),
         (canvas, "Shift+H, Shift+V", _("Flip horizontally, vertically")),
         (box, "], [", _("Turn by a degree; with Alt also Left and Right, with Alt and Shift by 15")),

@@ -44,6 +44,18 @@ def duplicate(window: "MainWindow") -> None:
         window.say_status(_("There is nothing here to duplicate; select a figure first."))
 
 
+def group(window: "MainWindow") -> None:
+    """Let the selected figures stay together."""
+    if not _let(window, "group"):
+        window.say_status(_("There is nothing here to group; select two figures first."))
+
+
+def ungroup(window: "MainWindow") -> None:
+    """Let the figures of the selected groups go by themselves."""
+    if not _let(window, "ungroup"):
+        window.say_status(_("There is nothing here to ungroup; select a group first."))
+
+
 def select_all(window: "MainWindow") -> None:
     """Select all words of a field, or all figures or points."""
     if not _let(window, "select_all"):
@@ -51,7 +63,7 @@ def select_all(window: "MainWindow") -> None:
 
 
 _Text = QLineEdit | QPlainTextEdit | QTextEdit
-_OF_PANELS = {"delete": "delete_selected", "duplicate": "duplicate_selected"}
+_OF_PANELS = {act: f"{act}_selected" for act in ("delete", "duplicate", "group", "ungroup")}
 
 
 def _let(window: "MainWindow", act: str) -> bool:

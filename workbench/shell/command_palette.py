@@ -94,7 +94,7 @@ def offers(window: "MainWindow") -> list[Offer]:
     made = [
         Offer(
             command.text,
-            key_text(command.keys[0]) if command.keys else "",
+            key_text((*command.keys, command.focused_key)[0]),
             partial(window.do, command),
         )
         for command in commands()
@@ -107,7 +107,7 @@ def offers(window: "MainWindow") -> list[Offer]:
         made.append(Offer(_("Show {dock}").format(dock=dock.windowTitle()), "", partial(_bring, dock)))
     for panel in window.panels(window.place):
         for action in panel.actions():
-            if action.isEnabled() and action.text():
+            if action.isEnabled() and action.text().replace("&", "") not in {offer.text for offer in made}:
                 made.append(
                     Offer(
                         action.text().replace("&", ""),

@@ -284,8 +284,9 @@ class Files(QObject):
             )
 
     def _new(self) -> None:
+        window = self._window
         self._session.new()
-        self._window.enter("draw")
+        window.enter(window.place if window.place in window.workspace_slugs else "draw")
 
     def _open(self, path: Path) -> None:
         from workbench.exchange.reading import Job

@@ -12,6 +12,7 @@ from workbench.language import _, legible
 from workbench.shell.actions import commands, key_text, menu_titles, submenu_titles
 from workbench.shell.enter_key import EnterKey
 from workbench.shell.workspace_bar import WorkspaceBar
+from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.tips import plain_tip
 
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ class Menus(QObject):
             action.triggered.connect(lambda _checked=False, command=command: window.do(command))
             window.addAction(action)
             self.actions[command.id] = action
+        comfort.changed.connect(self._keep_calm)
         self._make_menus()
         EnterKey(window)
         self.refresh()
@@ -67,6 +69,10 @@ class Menus(QObject):
         """Check what is switched on."""
         for name in _CHECKABLE:
             self.actions[name].setChecked(getattr(state, name))
+
+    def _keep_calm(self) -> None:
+        """What is chosen in Display holds the next time, too."""
+        self._window.settings.set("calm", comfort.calm)
 
     def add_icons(self, bar: WorkspaceBar) -> Iterator[None]:
         """Give the actions their icons, and the bar its buttons."""

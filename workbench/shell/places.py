@@ -23,13 +23,8 @@ def make_page(window: MainWindow, name: str) -> QWidget:
     from workbench.shell.help import HelpPage, KeysPage
     from workbench.shell.settings_page import SettingsPage
 
-    makers = {
-        "settings": lambda: SettingsPage(window),
-        "about": lambda: AboutPage(window),
-        "help": lambda: HelpPage(window),
-        "keys": KeysPage,
-    }
-    return makers[name]()
+    kinds = {"settings": SettingsPage, "about": AboutPage, "help": HelpPage, "keys": KeysPage}
+    return kinds[name](window)
 
 
 def _home(window: MainWindow) -> HomePage:

@@ -2,10 +2,11 @@
 
 from typing import TYPE_CHECKING
 
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QPushButton
 
 from workbench.language import _
-from workbench.shell.pages import Page, heading, paragraph
+from workbench.shell.pages import SidePage, heading, paragraph
 from workbench.shell.theme import choose_theme
 from workbench.widgets.look.comfort import comfort
 
@@ -15,12 +16,11 @@ if TYPE_CHECKING:
 _FIELD_WIDTH = 240
 
 
-class SettingsPage(Page):
+class SettingsPage(SidePage):
     """Theme, size of type, calm, ask first, hints."""
 
     def __init__(self, window: "MainWindow") -> None:
-        super().__init__(_("Settings"))
-        self._window = window
+        super().__init__(window, _("Settings"))
         settings = window.settings
         heading(self.column, _("Appearance"))
         form = QFormLayout()
@@ -62,6 +62,13 @@ class SettingsPage(Page):
         forget.setMaximumWidth(forget.sizeHint().width() + 24)
         paragraph(self.column, settings.problem or _("Kept in {path}").format(path=settings.path), "muted")
         self.column.addStretch(1)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Theme, type and calm may have been chosen elsewhere meanwhile."""
+        self.theme.setCurrentIndex(max(0, self.theme.findData(self._window.settings.get("theme"))))
+        self.large.setChecked(self._window.settings.get("large_text"))
+        self.calm.setChecked(comfort.calm)
+        super().showEvent(event)
 
     def _choice(self, name: str, text: str, tooltip: str) -> QCheckBox:
         box = QCheckBox(text)

@@ -113,6 +113,12 @@ class ThemeSwitch(QObject):
         window.setStyleSheet(self._sheet)
 
 
+def choose_type(window: "MainWindow", large: bool) -> None:
+    """Take larger type or standard type, also the next time."""
+    window.settings.set("large_text", large)
+    window.themes.choose(window.themes.choice, large)
+
+
 def choose_theme(window: "MainWindow", name: str) -> None:
     """Take a theme of CHOICES, also the next time."""
     window.settings.set("theme", name)

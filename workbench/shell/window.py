@@ -48,13 +48,14 @@ MENU_PADDING, STATUS_PADDING = 14, 10
 class MainWindow(QMainWindow):
     """Home can be painted without a session; ``attach`` brings one, and ``build`` the rest in slices.
 
-    ``place`` is the slug of the workspace or page in the middle. ``first_frame`` is sent once, after the
-    first frame has been painted; ``entered`` after a workspace is shown.
+    ``place`` is the slug of the workspace or page in the middle, ``came_from`` that from which a page beside
+    the work was opened. ``first_frame`` is sent once, after it was painted; ``entered`` after a workspace is
+    shown.
     """
 
     first_frame = Signal()
     entered = Signal(str)
-
+    place = came_from = ""
     files: Files
     arrangements: Arrangements
     views: Views
@@ -70,7 +71,6 @@ class MainWindow(QMainWindow):
         self.settings = settings
         self.themes = themes
         self.session: Any = None
-        self.place = ""
         self._offered = {each.slug: each for each in (workspaces() if offered is None else offered)}
         self._panels: dict[str, list[Panel]] = {}
         self._made: dict[str, Panel] = {}

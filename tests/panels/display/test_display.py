@@ -18,6 +18,7 @@ from workbench.panels.display.instruments import span_text
 from workbench.panels.display.panel import DisplayPanel
 from workbench.panels.shared.tube_dock import TubeDock
 from workbench.session.session import Session
+from workbench.widgets.look.comfort import comfort
 
 
 @pytest.fixture
@@ -120,6 +121,26 @@ def test_calm_says_what_it_holds_still(qtbot: QtBot, panel: DisplayPanel, sessio
     session.update_state(tube=replace(session.state.tube, slow_motion=1000.0))
     session.flush()
     assert not panel.note.isVisible()
+
+
+def test_the_flicker_meter_says_that_calm_holds_it_still_and_has_the_switch(
+    panel: DisplayPanel, session: Session
+) -> None:
+    session.update_state(tube=replace(session.state.tube, refresh_hz=20.0))
+    session.flush()
+    panel._say()
+    controls = panel.controls
+    assert controls.flicker.text().startswith("flickers: 20 Hz")
+    assert controls.flicker.text().endswith("; Calm holds it still")
+    assert controls.calm.isChecked()
+    controls.calm.click()
+    panel._say()
+    try:
+        assert not comfort.calm
+        assert "Calm" not in controls.flicker.text()
+    finally:
+        comfort.set_calm(True)
+    assert controls.calm.isChecked()
 
 
 def test_instruments_measure_the_probed_pixel(qtbot: QtBot, panel: DisplayPanel, session: Session) -> None:

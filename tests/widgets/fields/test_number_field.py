@@ -136,3 +136,21 @@ def test_a_long_number_shows_its_beginning(qtbot, field):
     field.set_value(42 + 1 / 6)
     assert field.field.cursorPosition() == 0
     assert field.field.text().startswith("42.1666")
+
+
+def test_a_number_that_is_cut_ends_in_dots_and_is_whole_in_the_tooltip(qtbot, field):
+    field.field.clearFocus()
+    field.set_value(42.5)
+    whole = field.field.grab().toImage()
+    assert not field.field.overflows
+    field.set_value(1234567.25)
+    assert field.field.overflows
+    assert field.field.toolTip().startswith("1234567.25\n")
+    cut = field.field.grab().toImage()
+    field.field.setFixedWidth(200)
+    assert not field.field.overflows
+    # What stands at the right end is no digit: it lies low, as dots do.
+    dots = [y for y in range(6, cut.height() - 5) for x in range(cut.width() - 10, cut.width() - 5)
+            if abs(cut.pixelColor(x, y).lightness() - cut.pixelColor(5, 5).lightness()) > 90]  # fmt: skip
+    assert dots
+    assert min(dots) > whole.height() / 2

@@ -24,6 +24,7 @@ from workbench.document.motion.tracks import group_moved
 from workbench.language import _
 from workbench.panels.animate.names import easing_titles, label_of
 from workbench.rendering.subjects.track import keys_around
+from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.type_faces import code_font
 from workbench.widgets.timeline.easing_curve import EasingCurve
 
@@ -43,6 +44,7 @@ class BetweenDock(QScrollArea):
         self.key: Key | None = None
         self.title = QLabel()
         self.title.setProperty("role", "title")
+        self.title.setTextFormat(Qt.TextFormat.PlainText)
         self.title.setWordWrap(True)
         self.easing = QComboBox()
         for name, title in easing_titles().items():
@@ -51,6 +53,7 @@ class BetweenDock(QScrollArea):
         self.easing.setMinimumContentsLength(5)
         self.easing.setAccessibleName(_("Easing"))
         self.easing.setToolTip(_("How the value goes from this key to the next one"))
+        tell_choice(self.easing)
         self.easing.activated.connect(lambda _index: self.easing_wanted.emit(self.easing.currentData()))
         self.curve = EasingCurve()
         self.curve.handles_dragged.connect(self.handles_dragged)

@@ -167,11 +167,10 @@ class AnimatePanel(SteppedPanel):
 
     # What is shown
 
-    def refresh(self) -> None:
-        """As everywhere; a scene is something to see."""
-        super().refresh()
-        if self.session.sheet.scene is not None:
-            self.empty.hide()
+    def _serves_here(self) -> bool:
+        """Whether anything moves; a scene is something to see, too."""
+        sheet = self.session.sheet
+        return sheet.scene is not None or bool(motion_of(sheet).tracks)
 
     def show_now(self) -> None:
         """Canvas, timeline and in-between as the session is now."""
@@ -212,7 +211,7 @@ class AnimatePanel(SteppedPanel):
         self.chosen = target
         name = target.split("/")[0]
         if any(figure.id == name for figure in self.session.sheet.figures):
-            self.session.update_state(active=name, selection=(name,))
+            self.session.update_state(active=name, selection=self.session.sheet.together((name,)))
         self._aim_run()
         self.refresh_soon()
 

@@ -4,6 +4,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from workbench.document.edits import set_clip
+from workbench.document.model import AnyFigure
 from workbench.document.subjects import Subject
 from workbench.language import _
 from workbench.panels.clip.card import ClipCard
@@ -12,6 +13,7 @@ from workbench.panels.clip.window import ClipDrag, ClipSelectTool, PointTool, Wi
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.stepped import SteppedPanel
 from workbench.panels.stage.tools import LineTool, PolygonTool, PolylineTool
+from workbench.rendering.clipping import clippers_of
 from workbench.session.session import Session
 
 EXAMPLE = "clip"
@@ -38,6 +40,10 @@ class ClipPanel(SteppedPanel):
             _("Drag on the canvas to draw the clip window, then lines across it."),
             [("codes", _("Region codes"), "hash", "R", self.card.codes.toggle)],
         )
+
+    def serves(self, figure: AnyFigure) -> bool:
+        """What a clipper works on."""
+        return bool(clippers_of(figure))
 
     def show_example(self) -> None:
         """Open the lines at a window."""

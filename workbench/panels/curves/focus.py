@@ -45,9 +45,12 @@ class CurveFocus(QObject):
 
     @property
     def selected(self) -> Curve | None:
-        """The active curve, when it is the one that is selected."""
-        curve = self.curve
-        return curve if curve is not None and self.session.state.selection == (curve.id,) else None
+        """The active curve, when it is the one that is selected, alone or with its group."""
+        curve, selection = self.curve, self.session.state.selection
+        if curve is None or curve.id not in selection:
+            return None
+        others = set(selection) - set(self.session.sheet.together((curve.id,)))
+        return None if others else curve
 
     @property
     def u(self) -> float:

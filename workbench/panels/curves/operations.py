@@ -215,7 +215,9 @@ class CurveOperations(CurveCommands):
             around = goes_round(curve)
             kept = corners[:-1] if around else corners
             points = tuple(WorldPoint("", x, y) for x, y in np.round(kept, 9).tolist())
-            line = Polyline("", points, curve.algorithm, curve.colour, curve.name, closed=around)
+            line = Polyline(
+                "", points, curve.algorithm, curve.colour, curve.name, closed=around, group=curve.group
+            )
             place = sheet.place_of(curve.id)
             edit = both(add_figure(sheet.id, line, place), remove_figures([curve.id]))
             if self.apply(edit, _("Convert the curve")):

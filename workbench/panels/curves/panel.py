@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction, QCursor, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QMenu, QWidget
 
 from workbench.document.curves.pieces import fault_of, share_at
-from workbench.document.model import Curve
+from workbench.document.model import AnyFigure, Curve
 from workbench.document.subjects import Subject
 from workbench.exchange.tables import Table
 from workbench.language import _
@@ -218,20 +218,15 @@ class CurvesPanel(SteppedPanel):
         front = self.session.sheet.figures[-1].id
         self.session.update_state(active=front, selection=(front,))
 
-    @property
-    def _has_curves(self) -> bool:
-        return any(isinstance(figure, Curve) for figure in self.session.sheet.figures)
-
-    def refresh(self) -> None:
-        """Show the session as it is now; a sheet without curves asks for one."""
-        super().refresh()
-        self.empty.setVisible(not self._has_curves and not self.gesturing)
+    def serves(self, figure: AnyFigure) -> bool:
+        """Curves."""
+        return isinstance(figure, Curve)
 
     def showEvent(self, event: QShowEvent) -> None:
         """The curve that is worked on shows what can be dragged; without any the pen is taken up."""
         super().showEvent(event)
         curve = self.focus.curve
-        if not self._has_curves and self.tool is self.select:
+        if not self._serves_here() and self.tool is self.select:
             self.choose_tool(self.first_tool)
         elif curve is not None and self.tool is self.select and not self.session.state.selection:
             self.session.update_state(active=curve.id, selection=(curve.id,))

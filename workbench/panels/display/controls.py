@@ -8,6 +8,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
+    QCheckBox,
     QComboBox,
     QFrame,
     QGridLayout,
@@ -26,7 +27,9 @@ from workbench.language import _
 from workbench.panels.display.instruments import span_text
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.icons import icon
+from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.tokens import theme
 
 _PER_DECADE = 20
@@ -112,6 +115,7 @@ class DisplayControls(QWidget):
         box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         box.setMinimumContentsLength(15)
         box.setToolTip(meaning)
+        tell_choice(box)
         box.setAccessibleName(name)
         label.setBuddy(box)
         row.addWidget(label)
@@ -190,6 +194,17 @@ class DisplayControls(QWidget):
             )
         )
         row.addWidget(self.flicker)
+        self.calm = QCheckBox(_("Calm"))
+        self.calm.setAccessibleName(_("Calm"))
+        self.calm.setToolTip(_("Hold flicker, flashing and motion still, here and everywhere"))
+        self.calm.toggled.connect(comfort.set_calm)
+        comfort.changed.connect(self.show_calm)
+        row.addWidget(self.calm)
+        self.show_calm()
+
+    def show_calm(self) -> None:
+        """Whether flicker is held still."""
+        self.calm.setChecked(comfort.calm)
 
     def _arrange(self, narrow: bool) -> None:
         if narrow == self._narrow:

@@ -117,7 +117,7 @@ class DisplayPanel(PlainPanel, QWidget):
             said.append(
                 _(
                     "Calm holds this still: it would flash {rate:.3g} times a second. Slow the tube "
-                    "down further to see the beam, or switch Calm off in the settings."
+                    "down further to see the beam, or switch Calm off beside the flicker meter."
                 ).format(rate=rate)
             )
         if not self.vector.isHidden():
@@ -137,6 +137,8 @@ class DisplayPanel(PlainPanel, QWidget):
         strongest = max(modulation(gun, 1.0 / tube.refresh_hz) for gun in tube.driver.tube.guns)
         fusion = critical_frequency_hz(_EYE_CD_M2, strongest)
         words = _("flickers") if tube.refresh_hz < fusion else _("steady")
-        return _("{words}: {rate:.3g} Hz, fuses from {fusion:.0f} Hz").format(
+        said = _("{words}: {rate:.3g} Hz, fuses from {fusion:.0f} Hz").format(
             words=words, rate=tube.refresh_hz, fusion=fusion
         )
+        held = comfort.calm and tube.refresh_hz < fusion
+        return _("{said}; Calm holds it still").format(said=said) if held else said

@@ -3,6 +3,8 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
+from workbench.algorithms.catalogue import entries
+from workbench.document.model import AnyFigure, SeedFill
 from workbench.language import _
 from workbench.panels.fill.card import FillCard
 from workbench.panels.fill.tools import (
@@ -21,6 +23,8 @@ from workbench.panels.stage.stepped import SteppedPanel
 from workbench.panels.stage.tools import SelectTool
 from workbench.session.session import Session
 from workbench.widgets.plots.depth_plot import DepthPlot
+
+SPANS = frozenset(entry.slug for entry in entries() if entry.emits == "spans")
 
 
 class FillPanel(SteppedPanel):
@@ -60,6 +64,10 @@ class FillPanel(SteppedPanel):
     def docks(self) -> list[DockPart]:
         """The plot of the stack's depth."""
         return [("depth", _("Depth of the stack"), self.plot, Qt.DockWidgetArea.BottomDockWidgetArea)]
+
+    def serves(self, figure: AnyFigure) -> bool:
+        """Areas, and fills from a seed."""
+        return isinstance(figure, SeedFill) or figure.drawn_with in SPANS
 
     def show_example(self) -> None:
         """Open the triangle of the course."""

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
     QLabel,
+    QSizePolicy,
     QTableView,
     QVBoxLayout,
     QWidget,
@@ -33,6 +34,7 @@ from workbench.session.session import Session
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.tokens import theme_changed, tokens
 from workbench.widgets.tables.table_copies import put_on_clipboard, rows_copied
 
@@ -77,9 +79,12 @@ class CompareView(QWidget):
             box.setToolTip(tip)
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
             box.setMinimumContentsLength(2)
+            box.setMinimumWidth(_LEAST_PX)
+            tell_choice(box)
             box.activated.connect(choose)
         self.whole = QCheckBox(_("Whole sheet"))
         self.whole.setToolTip(_("Count every figure of the sheet that the algorithm works on"))
+        self.whole.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.whole.toggled.connect(self.refresh)
         self.model = CompareModel(self)
         self.table = QTableView()

@@ -1,5 +1,6 @@
 """Why this pixel? Every step that wrote, tested or refused it, with its numbers; a click goes there."""
 
+import html
 from functools import partial
 from threading import Event
 
@@ -121,7 +122,7 @@ class WhyList(QWidget):
         self.list.clear()
         self.list.setEnabled(True)
         if not answers:
-            self.caption.setText(f"<b>({x}, {y})</b><br>" + said.replace("\n", "<br>"))
+            self.caption.setText(f"<b>({x}, {y})</b><br>" + html.escape(said).replace("\n", "<br>"))
             return
         count = len(answers)
         text = ngettext("{n} step came to it.", "{n} steps came to it.", count)

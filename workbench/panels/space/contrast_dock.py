@@ -14,6 +14,7 @@ from workbench.panels.space.feature_table import FeatureTable
 from workbench.rendering.scene.contrast import Contrast, Row, contrast
 from workbench.widgets.look.empty_state import EmptyState
 from workbench.widgets.look.in_sight import InSight
+from workbench.widgets.look.scrolled import scrolled
 
 _PARALLEL, _PERSPECTIVE = 1, 2
 _TELLING_ROW = 2
@@ -43,7 +44,7 @@ class ContrastDock(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.table, 1)
-        column.addWidget(self.note)
+        column.addWidget(scrolled(self.note))
         self.empty = EmptyState(inner, "")
         self.empty.button.hide()
         whole = QVBoxLayout(self)

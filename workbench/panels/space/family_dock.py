@@ -9,6 +9,7 @@ from workbench.document.scene.model import Camera
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.language import _, reason_of
 from workbench.panels.space.camera_card import families
+from workbench.widgets.look.scrolled import scrolled
 
 _SLUG = Qt.ItemDataRole.UserRole
 
@@ -79,7 +80,7 @@ class FamilyDock(QSplitter):
         self.words.setContentsMargins(10, 6, 10, 6)
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.addWidget(self.tree)
-        self.addWidget(self.words)
+        self.addWidget(scrolled(self.words))
 
     def show_camera(self, camera: Camera, slug: str) -> None:
         """Mark the projection of a camera, and say what its matrix tells."""

@@ -61,6 +61,8 @@ class FigureActions(QObject):
             ("delete", _("Delete"), "trash", "Del", panel.delete_selected),
             ("duplicate", _("Duplicate"), "copy", "Ctrl+D", panel.duplicate_selected),
             ("select_all", _("Select all"), "selection-all", "Ctrl+A", panel.select_all),
+            ("group", _("Group"), "link-simple", "Ctrl+G", panel.group_selected),
+            ("ungroup", _("Ungroup"), "link-break", "Ctrl+Shift+G", panel.ungroup_selected),
             ("forwards", _("Bring forwards"), "arrow-line-up", "Ctrl+]", lambda: panel.shift_order(1)),
             ("backwards", _("Send backwards"), "arrow-line-down", "Ctrl+[", lambda: panel.shift_order(-1)),
         ]

@@ -70,9 +70,9 @@ def _job_held(sheet: Sheet) -> Job | None:
 
 def _placed(document: Document, sheet: Sheet, pasted: Imported) -> Edit:
     """The edit that puts figures on the sheet. Raises: ValueError with one sentence."""
-    taken = {without_ids(figure) for figure in sheet.figures}
-    figures = list(pasted.figures)
-    while not taken.isdisjoint(map(without_ids, figures)):
+    taken = {_alone(figure) for figure in sheet.figures}
+    figures = [without_ids(each) for each in pasted.figures]
+    while taken.intersection(map(_alone, figures)):
         figures = [moved_by(each, *_BESIDE) for each in figures]
     edit = add_drawing(sheet.id, figures, pasted.palette)
     if pasted.motion is not None:
@@ -81,6 +81,11 @@ def _placed(document: Document, sheet: Sheet, pasted: Imported) -> Edit:
         return foreseen(edit, document)
     except DocumentError as problem:
         raise ValueError(problem.short) from None
+
+
+def _alone(figure: AnyFigure) -> AnyFigure:
+    """A figure as it would be drawn at its place, whatever it is called and is together with."""
+    return replace(without_ids(figure), group=0)
 
 
 def _take(session: Session, sheet: Sheet, say: Callable[[str], object], edit: Edit) -> None:

@@ -13,7 +13,9 @@ _UNDER_PX = 40
 
 
 class EmptyState(QFrame):
-    """One sentence and one button in the middle of ``canvas``; the pointer passes through the sentence."""
+    """One sentence and one button in the middle of ``canvas``, or, where there is something to see, ``low``;
+    the pointer passes through the sentence.
+    """
 
     def __init__(
         self,
@@ -37,6 +39,7 @@ class EmptyState(QFrame):
         column.addWidget(self.sentence)
         column.addWidget(self.button, 0, Qt.AlignmentFlag.AlignHCenter)
         canvas.installEventFilter(self)
+        self.low = False
         self.hide()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -60,4 +63,5 @@ class EmptyState(QFrame):
         self.sentence.setFixedWidth(max(1, min(least, canvas.width() - 2 * (_BESIDE_PX + _GAP_PX))))
         self.adjustSize()
         below = canvas.height() - self.height() - _UNDER_PX
-        self.move((canvas.width() - self.width()) // 2, max(0, min(round(canvas.height() * 0.6), below)))
+        top = below if self.low else min(round(canvas.height() * 0.6), below)
+        self.move((canvas.width() - self.width()) // 2, max(0, top))

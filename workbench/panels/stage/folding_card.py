@@ -9,12 +9,15 @@ from PySide6.QtWidgets import QComboBox, QFrame, QHBoxLayout, QLabel, QToolButto
 
 from workbench.language import _
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.tokens import TEXT_PX
 
 WIDTH_PX, NARROW_PX = 248, 640
 
 
 class FoldingCard(QFrame):
-    """``title`` over ``body``, ``width`` pixels wide; over a narrow canvas it begins folded."""
+    """``title`` over ``body``, ``width`` pixels wide, with larger type wider; over a narrow canvas it begins
+    folded.
+    """
 
     folded = Signal(bool)
 
@@ -23,8 +26,9 @@ class FoldingCard(QFrame):
         self.setObjectName("card")
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._narrow = False
-        self._wide = width
+        self._standard = self._wide = width
         self.title = QLabel()
+        self.title.setTextFormat(Qt.TextFormat.PlainText)  # names that people give are in it
         self.title.setStyleSheet("font-weight: 600;")
         self._fold = QToolButton()
         self._fold.setFixedSize(22, 22)
@@ -44,8 +48,21 @@ class FoldingCard(QFrame):
         whole.setSpacing(4)
         whole.addLayout(head)
         whole.addWidget(self._body)
-        self.setFixedWidth(width)
+        self._widen()
         canvas.installEventFilter(self)
+
+    def _widen(self) -> None:
+        """As wide as its type asks for."""
+        self._wide = max(self._standard, round(self._standard * self.fontInfo().pixelSize() / TEXT_PX))
+        self.setFixedWidth(self._wide)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Larger type has as many letters in a line as before."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange and self.layout() is not None:
+            self._widen()
+            self._fit()
+            self.folded.emit(self._body.isHidden())
 
     def _set_open(self, open_: bool) -> None:
         set_icon(self._fold, "caret-up" if open_ else "caret-down", "muted")

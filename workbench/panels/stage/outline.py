@@ -11,6 +11,7 @@ from workbench.document.curves.paths import is_path
 from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline, SeedFill, Sheet, View
 from workbench.document.model import Curve as CurveFigure
 from workbench.geometry.conventions import round_half_up
+from workbench.geometry.distance import polyline_distance
 from workbench.rendering import display_list, figure_map, painter_of
 from workbench.rendering.memory import Memory
 from workbench.rendering.pipeline import fills
@@ -62,15 +63,7 @@ def _outline(sheet: Sheet) -> tuple[Curve, ...]:
 
 def distance_to(curves: tuple[Curve, ...], x: float, y: float) -> float:
     """Distance from a device point to the nearest of ``curves``; infinite when there is none."""
-    nearest = np.inf
-    for curve in curves:
-        start, along = curve[:-1], np.diff(curve, axis=0)
-        towards = np.array([x, y]) - start
-        square = np.maximum((along**2).sum(axis=1), 1e-300)
-        share = np.clip((towards * along).sum(axis=1) / square, 0.0, 1.0)
-        away = towards - share[:, None] * along
-        nearest = min(nearest, float(np.hypot(away[:, 0], away[:, 1]).min()))
-    return nearest
+    return min((polyline_distance(curve, x, y) for curve in curves), default=np.inf)
 
 
 def figure_at(sheet: Sheet, x: float, y: float, reach: float) -> AnyFigure | None:

@@ -7,16 +7,16 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCursor, QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
-from workbench.document.edits import Edit, duplicate_figures, move_figures, remove_figures, reorder
-from workbench.document.errors import DocumentError
+from workbench.document.edits import move_figures, remove_figures
 from workbench.document.model import AnyFigure
 from workbench.document.subjects import Subject
 from workbench.language import _
-from workbench.panels.panel import KeysWhileSeen, PlainPanel, Said
+from workbench.panels.panel import KeysWhileSeen, Said
 from workbench.panels.stage.actions import FigureActions, PanelCommand, tool_cursor
+from workbench.panels.stage.chosen import ChosenFigures
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.gesture import HandleDrag, Modifiers, Tool
-from workbench.panels.stage.outline import prepare
+from workbench.panels.stage.outline import figure_at, prepare
 from workbench.panels.stage.tools import FigureTool, SelectTool
 from workbench.rendering import device_map
 from workbench.session.session import Session
@@ -31,7 +31,7 @@ TOOL_BAR_PX = 44
 CARD_GAP_PX = 8
 
 
-class FigurePanel(PlainPanel, QWidget):
+class FigurePanel(ChosenFigures, QWidget):
     """Canvas, tools and card over one session. ``hover_text`` and ``zoom_text`` are for a status bar.
 
     A panel makes its card and what it shows, then calls ``begin``; it says in ``show_now`` what is shown,
@@ -52,6 +52,7 @@ class FigurePanel(PlainPanel, QWidget):
         super().__init__(parent)
         self.session = session
         self._waiting = False
+        self._served: tuple[object, bool] = (None, False)
         self.tools = list(tools)
         self.tool = self.tools[0]
         self.handle_drag = HandleDrag(session)
@@ -106,6 +107,17 @@ class FigurePanel(PlainPanel, QWidget):
     def show_example(self) -> None:
         """Open the panel's own example."""
         raise NotImplementedError
+
+    def serves(self, figure: AnyFigure) -> bool:
+        """Whether this workspace is about figures of such a kind."""
+        return True
+
+    def _serves_here(self) -> bool:
+        """Whether the sheet has any figure of that kind; looked at once for each list of figures."""
+        figures = self.session.sheet.figures
+        if self._served[0] is not figures:
+            self._served = figures, any(map(self.serves, figures))
+        return self._served[1]
 
     def describe(self, x: int, y: int) -> str:
         """What is said of a cell that is pointed at."""
@@ -170,6 +182,7 @@ class FigurePanel(PlainPanel, QWidget):
         canvas.handle_dragged.connect(self._drag_handle)
         canvas.handle_released.connect(self._release_handle)
         canvas.cell_clicked.connect(self.clicked)
+        canvas.double_clicked.connect(lambda x, y, _modifiers: self.pick_alone(x, y))
         canvas.hovered.connect(lambda x, y: self.hover_text.emit(self.describe(x, y)))
         canvas.hover_left.connect(lambda: self.hover_text.emit(""))
         canvas.cursor_moved.connect(lambda x, y: self.hover_text.emit(self.describe(x, y)))
@@ -211,9 +224,13 @@ class FigurePanel(PlainPanel, QWidget):
         self._waiting = False
         self._say_zoom()
         self.show_now()
-        self.empty.setVisible(not self.session.sheet.figures and not self.gesturing)
-        for name in ("delete", "duplicate", "forwards", "backwards"):
-            self._actions[name].setEnabled(self.isVisible() and bool(self.session.state.selection))
+        self.empty.low = bool(self.session.sheet.figures)
+        self.empty.setVisible(not self.gesturing and not self._serves_here())
+        chosen = self.selected() if self.isVisible() else []
+        for name in {"cut", "delete", "duplicate", "forwards", "backwards"} & self._actions.keys():
+            self._actions[name].setEnabled(bool(chosen))
+        self._actions["group"].setEnabled(len(chosen) > 1)
+        self._actions["ungroup"].setEnabled(any(figure.group for figure in chosen))
 
     def _take_run(self) -> None:
         """Step what is stepped here, when this panel comes to be seen, or another document under it."""
@@ -231,9 +248,13 @@ class FigurePanel(PlainPanel, QWidget):
             return
         self._take_run()  # which is another one after a pixel was asked about
         self.session.hold_runs(True)
-        reach = max(0.75, REACH_PX * self.devicePixelRatioF() / self.canvas.view.cell)
-        self.tool.press(x, y, modifiers, reach)
+        self.tool.press(x, y, modifiers, self._reach)
         self._after_gesture()
+
+    @property
+    def _reach(self) -> float:
+        """How near counts as on a figure, device pixels."""
+        return max(0.75, REACH_PX * self.devicePixelRatioF() / self.canvas.view.cell)
 
     def _move(self, x: float, y: float, _modifiers: Modifiers) -> None:
         drawing = self.tool.busy
@@ -305,18 +326,6 @@ class FigurePanel(PlainPanel, QWidget):
 
     # Commands
 
-    def apply(self, edit: Edit, name: str, merge: str = "") -> None:
-        """Do an edit; what is wrong with it is said in the status bar."""
-        try:
-            self.session.apply(edit, name, merge)
-        except DocumentError as problem:
-            self.hover_text.emit(problem.short)
-
-    def selected(self) -> list[AnyFigure]:
-        """The selected figures of the sheet, from back to front."""
-        chosen = set(self.session.state.selection)
-        return [figure for figure in self.session.frames.sheet.figures if figure.id in chosen]
-
     def delete_selected(self) -> None:
         """Remove the selected figures; what is being drawn is taken back."""
         if self.gesturing:
@@ -324,25 +333,16 @@ class FigurePanel(PlainPanel, QWidget):
         elif ids := [figure.id for figure in self.selected()]:
             self.apply(remove_figures(ids), _("Delete"))
 
-    def duplicate_selected(self) -> None:
-        """Copy the selected figures; the copies are selected then."""
-        if ids := [figure.id for figure in self.selected()]:
-            known = {figure.id for figure in self.session.sheet.figures}
-            self.apply(duplicate_figures(ids), _("Duplicate"))
-            made = [f.id for f in self.session.sheet.figures if f.id not in known]
-            if made:
-                self.session.update_state(selection=tuple(made), active=made[-1])
-
     def select_all(self) -> None:
         """Select every figure of the sheet."""
         self.choose_tool("select")
         self.session.update_state(selection=tuple(figure.id for figure in self.session.sheet.figures))
 
-    def shift_order(self, by: int) -> None:
-        """Move the selected figure one place to the front (or back)."""
-        chosen, sheet = self.selected(), self.session.sheet
-        if len(chosen) == 1 and 0 <= (place := sheet.place_of(chosen[0].id) + by) < len(sheet.figures):
-            self.apply(reorder(chosen[0].id, place), _("Change order"))
+    def pick_alone(self, x: float, y: float) -> None:
+        """Select what is at a device point without its group."""
+        figure = figure_at(self.session.shown, x, y, self._reach)
+        if figure is not None and figure.group and isinstance(self.tool, SelectTool):
+            self.session.update_state(selection=(figure.id,), active=figure.id)
 
     def ask_why(self) -> None:
         """Ask why the pixel that is pointed at is as it is."""

@@ -75,6 +75,9 @@ class SteppedPanel(FigurePanel):
             self.card,
             invitation,
             [
+                ("cut", _("Cut"), "scissors", "", self.cut),
+                ("copy", _("Copy"), "copy", "", self.copy),
+                ("paste", _("Paste"), "clipboard-text", "", self.paste),
                 ("copy_picture", _("Copy picture"), "clipboard", "Ctrl+Shift+C", exporter.copy_picture),
                 *commands,
             ],

@@ -29,7 +29,9 @@ class SelectTool(Tool):
         return _("Select")
 
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
-        """Select what is under the pointer; Shift adds to the selection or takes from it."""
+        """Select what is under the pointer, with its group, or with Alt alone; Shift adds to the selection or
+        takes from it.
+        """
         figure = self.under(x, y, reach)
         selection = self.session.state.selection
         adding = bool(modifiers & Modifiers.ShiftModifier)
@@ -38,11 +40,14 @@ class SelectTool(Tool):
             self._kept = selection if adding else ()
             self.session.update_state(selection=self._kept)
             return
-        if adding:
-            taken = figure.id in selection
-            chosen = tuple(i for i in selection if i != figure.id) if taken else (*selection, figure.id)
+        alone = bool(modifiers & Modifiers.AltModifier)
+        picked = (figure.id,) if alone else self.session.sheet.together((figure.id,))
+        if adding and figure.id in selection:
+            chosen = tuple(i for i in selection if i not in picked)
+        elif adding:
+            chosen = tuple(dict.fromkeys((*selection, *picked)))
         else:
-            chosen = selection if figure.id in selection else (figure.id,)
+            chosen = selection if figure.id in selection and not alone else picked
         self.session.update_state(selection=chosen, active=figure.id)
         if figure.id in chosen:
             self.begin()
@@ -72,13 +77,16 @@ class SelectTool(Tool):
         figures = self.session.shown.figures
         there = {figure.id for figure in figures}
         self._kept = tuple(kept for kept in self._kept if kept in there)
-        inside = []
+        inside, outside = [], set()
         for figure in figures:
             curves = outline(self.session.frames.sheet, figure)
             points = np.concatenate(curves) if curves else np.empty((0, 2))
             if len(points) and ((points >= low) & (points <= high)).all():
-                inside.append(figure.id)
-        chosen = tuple(dict.fromkeys((*self._kept, *inside)))
+                inside.append(figure)
+            elif len(points):
+                outside.add(figure.group)
+        whole = [figure.id for figure in inside if not figure.group or figure.group not in outside]
+        chosen = tuple(dict.fromkeys((*self._kept, *self.session.sheet.together(whole))))
         self.session.update_state(
             selection=chosen, active=chosen[-1] if chosen else self.session.state.active
         )

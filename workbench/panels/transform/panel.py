@@ -186,7 +186,8 @@ class TransformPanel(SteppedPanel):
         self._enable()
         active = self.session.active_figure
         if active is not None and not self.session.state.selection and self.tool is self.tools[0]:
-            self.session.update_state(active=active.id, selection=(active.id,))
+            chosen = self.session.sheet.together((active.id,))
+            self.session.update_state(active=active.id, selection=chosen)
         self._fit_matrices()
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -21,6 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from workbench.geometry.conventions import round_half_up
+from workbench.widgets.canvas.edge_scroll import EdgeScroll
 from workbench.widgets.canvas.marks import GRAB, handle_places
 from workbench.widgets.canvas.overlay import Cell, Handle
 from workbench.widgets.canvas.surface import CanvasSurface
@@ -75,6 +76,7 @@ class PixelCanvas(CanvasSurface):
         self._last_hover: Cell | None = None
         self._shape = QCursor(Qt.CursorShape.ArrowCursor)
         self.takes_handles = True
+        self.edge = EdgeScroll(self)
 
     @property
     def dragging(self) -> bool:
@@ -120,12 +122,14 @@ class PixelCanvas(CanvasSurface):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Drag, pan or hover."""
         self._pointer = event.position()
+        if self._press is not None and (event.position() - self._press).manhattanLength() > CLICK_SLACK:
+            self.edge.follow(event)
         x, y = self.device_position(event.position())
         if self._panning is not None:
             here, unit = event.position().toPoint(), self.devicePixelRatioF()
             step = here - self._panning
             self._panning = here
-            self._show(self._view.moved(round(step.x() * unit), round(step.y() * unit)))
+            self.pan(round(step.x() * unit), round(step.y() * unit))
         elif self._press is not None and self._stays_at(self._press, event.position()):
             self.hover_at(x, y)
         elif self._grabbed is not None:
@@ -145,6 +149,7 @@ class PixelCanvas(CanvasSurface):
             return
         if event.button() != Qt.MouseButton.LeftButton or self._press is None:
             return
+        self.edge.stop()
         press, grabbed = self._press, self._grabbed
         clicked = self._stays_at(press, event.position())
         self._press = self._grabbed = None
@@ -202,10 +207,10 @@ class PixelCanvas(CanvasSurface):
         unit = self.devicePixelRatioF()
         fingers = event.pixelDelta()
         if not fingers.isNull() and not control:
-            self._show(self._view.moved(round(fingers.x() * unit), round(fingers.y() * unit)))
+            self.pan(round(fingers.x() * unit), round(fingers.y() * unit))
         elif shift:
             turn = event.angleDelta().y() or event.angleDelta().x()
-            self._show(self._view.moved(round(turn * unit / 2), 0))
+            self.pan(round(turn * unit / 2), 0)
         else:
             self._wheel += event.angleDelta().y()
             steps = math.trunc(self._wheel / WHEEL_NOTCH)
@@ -220,7 +225,7 @@ class PixelCanvas(CanvasSurface):
             event.gestureType() == Qt.NativeGestureType.ZoomNativeGesture
         ):
             x, y = self._screen(event.position())
-            self._show(self._view.pinched(1 + event.value(), x, y))
+            self._show(self._view.pinched(1 + event.value(), x, y, self._least_cell))
             return True
         return super().event(event)
 

@@ -20,6 +20,7 @@ from workbench.widgets.look.tokens import theme_changed, tokens
 
 MARGIN = 12
 WORTHWHILE = 0.85
+SMALLEST = 0.1
 
 Reach = tuple[float, float, float, float]
 
@@ -180,7 +181,29 @@ class CanvasSurface(QWidget):
     def zoom(self, steps: int, about: QPointF | None = None) -> None:
         """Nearer (or, negative, farther) by levels, about a point of the widget, or about its middle."""
         x, y = self.area.centre if about is None else self._screen(about)
-        self._show(self._view.zoomed(steps, x, y))
+        self._show(self._view.zoomed(steps, x, y, self._least_cell))
+
+    def pan(self, right: int, down: int) -> None:
+        """Move the picture by whole screen pixels."""
+        self._show(self._view.moved(right, down))
+
+    @property
+    def _least_cell(self) -> float:
+        """The size of a cell at which the picture is a tenth as wide, or as high, as there is room."""
+        left, bottom, right, top = self._whole()
+        return SMALLEST / max((right - left) / self.area.width, (top - bottom) / self.area.height)
+
+    @property
+    def beyond(self) -> Reach:
+        """How far the picture and a margin reach beyond the area: left, top, right, bottom; screen pixels."""
+        view, area, margin = self._view, self.area, MARGIN * self.devicePixelRatioF()
+        left, bottom, right, top = (view.cell * side for side in self._whole())
+        return (
+            area.left - view.left - left + margin,
+            area.top - view.bottom + top + margin,
+            view.left + right - area.right + margin,
+            view.bottom - bottom - area.bottom + margin,
+        )
 
     @property
     def keeps_fit(self) -> bool:
@@ -205,7 +228,7 @@ class CanvasSurface(QWidget):
         right = max(0, area.left + side - left) - max(0, left + 2 * side - area.right)
         down = max(0, area.top + side - top) - max(0, top + 2 * side - area.bottom)
         if right or down:
-            self._show(self._view.moved(right, down))
+            self.pan(right, down)
 
     @property
     def area(self) -> Area:
@@ -246,7 +269,7 @@ class CanvasSurface(QWidget):
             unit, old = self.devicePixelRatioF(), event.oldSize()
             right = round((self.width() - old.width()) * unit / 2)
             down = round((self.height() - old.height()) * unit / 2)
-            self._show(self._view.moved(right, down))
+            self.pan(right, down)
 
     # Painting
 

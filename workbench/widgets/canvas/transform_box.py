@@ -116,6 +116,7 @@ class TransformBox(TransformFrame):
         if not self._moved and away <= CLICK_SLACK:
             return
         self._moved = True
+        self._canvas.edge.follow(event)
         self._to(self._canvas.device_position(event.position()), self._keys(event.modifiers()))
 
     def _to(self, now: Point, keys: Keys) -> None:
@@ -163,6 +164,7 @@ class TransformBox(TransformFrame):
     def _end(self) -> None:
         held, self._held = self._held, ""
         self._motion = None
+        self._canvas.edge.stop()
         if held != PIVOT:
             self.ended.emit()
         self.looks_changed.emit()

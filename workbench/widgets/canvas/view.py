@@ -76,15 +76,17 @@ class CanvasView:
         x, y = self.to_device(screen_x, screen_y)
         return CanvasView(cell, round(screen_x - (x + 0.5) * cell), round(screen_y + (y + 0.5) * cell))
 
-    def zoomed(self, steps: int, screen_x: float, screen_y: float) -> "CanvasView":
-        """``steps`` levels nearer (negative: farther), about a screen position."""
+    def zoomed(self, steps: int, screen_x: float, screen_y: float, least: float = 0.0) -> "CanvasView":
+        """``steps`` levels nearer (negative: farther, down to ``least``), about a screen position."""
         nearest = min(range(len(LEVELS)), key=lambda i: abs(math.log(LEVELS[i] / self.cell)))
         level = LEVELS[min(len(LEVELS) - 1, max(0, nearest + steps))]
+        if steps < 0:
+            level = min(self.cell, next((each for each in LEVELS if each >= max(level, least)), self.cell))
         return self if level == self.cell else self.at_scale(level, screen_x, screen_y)
 
-    def pinched(self, factor: float, screen_x: float, screen_y: float) -> "CanvasView":
-        """Nearer or farther by about ``factor``, in whole cells, about a screen position."""
-        wanted = min(LEVELS[-1], max(LEVELS[0], self.cell * factor))
+    def pinched(self, factor: float, screen_x: float, screen_y: float, least: float = 0.0) -> "CanvasView":
+        """Nearer or farther by about ``factor``, down to ``least``, in whole cells, about a screen place."""
+        wanted = min(LEVELS[-1], max(LEVELS[0], min(least, self.cell), self.cell * factor))
         cell = float(round(wanted)) if wanted >= 1 else 1 / round(1 / wanted)
         if cell == self.cell and factor != 1:
             cell = min(LEVELS[-1], cell + 1) if factor > 1 and cell >= 1 else cell

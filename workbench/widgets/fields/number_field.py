@@ -3,14 +3,32 @@
 import html
 import re
 
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
-from PySide6.QtGui import QFontDatabase, QKeyEvent, QKeySequence, QMouseEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QObject, QPointF, QRect, Qt, Signal
+from PySide6.QtGui import (
+    QFocusEvent,
+    QFontDatabase,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+)
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QStyle,
+    QStyleOptionFrame,
+    QVBoxLayout,
+    QWidget,
+)
 
 from workbench.language import _
 from workbench.widgets.fields.arithmetic import evaluate
 
 SCRUB_PX = 4
+_BESIDE_PX = 2
+_DOTS = "…"
 
 
 def with_subscript(name: str) -> str:
@@ -66,7 +84,44 @@ class _ScrubLabel(QLabel):
 
 
 class EntryLine(QLineEdit):
-    """A line that leaves undo to the picture until something is typed into it."""
+    """A line that leaves undo to the picture until something is typed into it.
+
+    What is too long for it shows its beginning and three dots, so that it is not read as another number.
+    """
+
+    def setText(self, text: str | None, /) -> None:
+        """Show ``text``, its beginning first."""
+        super().setText(text or "")
+        if not self.hasFocus():
+            self.setCursorPosition(0)
+
+    @property
+    def overflows(self) -> bool:
+        """Whether there is no room for all of its text."""
+        return self.fontMetrics().horizontalAdvance(self.text()) > self._inside().width()
+
+    def _inside(self) -> QRect:
+        """Where its text stands."""
+        option = QStyleOptionFrame()
+        self.initStyleOption(option)
+        inside = self.style().subElementRect(QStyle.SubElement.SE_LineEditContents, option, self)
+        return inside.adjusted(_BESIDE_PX, 0, -_BESIDE_PX, 0)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """The beginning is in sight again."""
+        super().focusOutEvent(event)
+        self.setCursorPosition(0)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """With dots where something is cut away."""
+        super().paintEvent(event)
+        if self.hasFocus() or not self.overflows:
+            return
+        painter, inside = QPainter(self), self._inside()
+        inside.setLeft(inside.right() - self.fontMetrics().horizontalAdvance(_DOTS) - 1)
+        painter.fillRect(inside.adjusted(0, 0, _BESIDE_PX, 0), self.palette().base())
+        painter.setPen(self.palette().text().color())
+        painter.drawText(inside, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, _DOTS)
 
     def event(self, event: QEvent) -> bool:
         """The keys of undo are the line's own once there is typing to take back."""
@@ -113,9 +168,8 @@ class NumberField(QWidget):
         self.field.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.field.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.field.setAccessibleName(meaning or label)
-        self.field.setToolTip(
-            _("{meaning}: type a number or arithmetic such as 30/2.").format(meaning=meaning or label)
-        )
+        self._tip = _("{meaning}: type a number or arithmetic such as 30/2.").format(meaning=meaning or label)
+        self.field.setToolTip(self._tip)
         self.field.setFixedWidth(60)
         self.label.setBuddy(self.field)
         self.unit = QLabel(unit, self)
@@ -180,9 +234,8 @@ class NumberField(QWidget):
             self.field.setText(text)
             if chosen and self.field.hasFocus():
                 self.field.selectAll()  # as it was entered: typing goes on in place of the old number
-        if not self.field.hasFocus():
-            self.field.setCursorPosition(0)  # a long number is cut at its end, where it matters less
         self.field.setModified(False)
+        self.field.setToolTip(f"{text}\n{self._tip}" if self.field.overflows else self._tip)
 
     def _typed(self) -> str:
         text = self.field.text().strip()

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QGraphicsItem, QLabel, QMenu, QVBoxLayout, QWidget
 
 from workbench.exchange.tables import Table
 from workbench.language import _
+from workbench.widgets.look.tips import plain_tip
 from workbench.widgets.look.tokens import CAPTION_PX, colour, theme_changed, tokens
 from workbench.widgets.plots.library import library
 from workbench.widgets.tables.table_copies import put_on_clipboard
@@ -94,6 +95,7 @@ class Plot(QWidget):
         """Say what the plot shows, above it and to a screen reader; ``plain`` is the same without markup."""
         if text != self.caption.text():
             self.caption.setText(text)
+            self.caption.setToolTip(plain_tip(text))  # a low dock shows only its beginning
             self.setAccessibleDescription(plain or text)
 
     def place_cursor(self, x: float | None) -> None:

@@ -7,6 +7,7 @@ from PySide6.QtGui import QAccessible, QAccessibleEvent, QMouseEvent, QPainter, 
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.language import _
+from workbench.widgets.look.tips import plain_tip
 from workbench.widgets.look.tokens import colour, tokens
 from workbench.widgets.plots.parameter_axis import NUDGES, RIGHT_PX, ROW_PX, number_text
 from workbench.widgets.plots.plot import Plot
@@ -118,6 +119,7 @@ class ScrubbedPlot(Plot):
         self.caption.setVisible(self.empty)
         if self.empty:
             self.caption.setText(self.words)
+            self.caption.setToolTip(plain_tip(self.words))
 
     def _draw(self) -> None:
         """Plot it all; the plot is there and there is something to plot."""

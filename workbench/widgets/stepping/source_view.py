@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPlainTextEdit, QTextEdit,
 from workbench.language import _
 from workbench.session.run import Run
 from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.tokens import colour, theme, tokens
 from workbench.widgets.look.type_faces import code_font
 from workbench.widgets.stepping.source_highlighter import SourceHighlighter
@@ -202,6 +203,7 @@ class SourceView(QWidget):
         self.chooser = QComboBox()
         self.chooser.setAccessibleName(_("Function shown"))
         self.chooser.setToolTip(_("Show the algorithm, or a function that it calls"))
+        tell_choice(self.chooser)
         self.chooser.activated.connect(lambda index: self._show(self.chooser.itemText(index)))
         self._head = QWidget()
         head = QHBoxLayout(self._head)

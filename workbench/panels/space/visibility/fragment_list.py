@@ -28,6 +28,7 @@ class FragmentList(QWidget):
         self.caption.setContentsMargins(12, 8, 12, 4)
         self.list = QListWidget()
         self.list.setWordWrap(True)
+        self.list.setMinimumHeight(1)  # where there is little room the caption goes first
         self.list.setIconSize(QSize(16, 16))
         self.list.setAccessibleName(_("Fragments of the pixel"))
         self.list.setToolTip(_("Click a line to go to that step"))
@@ -47,7 +48,7 @@ class FragmentList(QWidget):
         if run is None or pixel is None:
             self._shown = ()
             self.list.clear()
-            self.caption.setText(
+            self._say(
                 _("Click a pixel, or point at one and press Y: what came to it?")
                 if self._session.subject.kind == KIND
                 else _("The pages Visibility and Hidden surfaces tell what came to a pixel.")
@@ -88,9 +89,14 @@ class FragmentList(QWidget):
         before, self._shown = self._shown, (run.call, pixel, rows)
         return bool(before) and before[0] is run.call and before[1:] == self._shown[1:]
 
+    def _say(self, words: str) -> None:
+        """Say it above the list, and where that has no room in the tooltip."""
+        self.caption.setText(words)
+        self.caption.setToolTip(words)
+
     def _list(self, pixel: tuple[int, int], said: str, items: list[QListWidgetItem]) -> None:
         self.list.clear()
-        self.caption.setText(f"<b>({pixel[0]}, {pixel[1]})</b> {said}")
+        self._say(f"<b>({pixel[0]}, {pixel[1]})</b> {said}")
         for item in items:
             self.list.addItem(item)
 

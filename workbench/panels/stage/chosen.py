@@ -1,0 +1,56 @@
+"""What a panel of figures does to those that are selected."""
+
+from PySide6.QtCore import SignalInstance
+
+from workbench.document.edits import (
+    Edit,
+    duplicate_figures,
+    group_figures,
+    shift_order,
+    ungroup_figures,
+)
+from workbench.document.errors import DocumentError
+from workbench.document.model import AnyFigure
+from workbench.language import _
+from workbench.panels.panel import PlainPanel
+from workbench.session.session import Session
+
+
+class ChosenFigures(PlainPanel):
+    """Edits of the selected figures of ``session``; what is wrong with one is sent by ``hover_text``."""
+
+    session: Session
+    hover_text: SignalInstance
+
+    def apply(self, edit: Edit, name: str, merge: str = "") -> None:
+        """Do an edit; what is wrong with it is said in the status bar."""
+        try:
+            self.session.apply(edit, name, merge)
+        except DocumentError as problem:
+            self.hover_text.emit(problem.short)
+
+    def selected(self) -> list[AnyFigure]:
+        """The selected figures of the sheet, from back to front."""
+        chosen = set(self.session.state.selection)
+        return [figure for figure in self.session.frames.sheet.figures if figure.id in chosen]
+
+    def duplicate_selected(self) -> None:
+        """Copy the selected figures; the copies are selected then."""
+        if ids := [figure.id for figure in self.selected()]:
+            known = {figure.id for figure in self.session.sheet.figures}
+            self.apply(duplicate_figures(ids), _("Duplicate"))
+            made = [f.id for f in self.session.sheet.figures if f.id not in known]
+            if made:
+                self.session.update_state(selection=tuple(made), active=made[-1])
+
+    def shift_order(self, by: int) -> None:
+        """Move the selected figures past what is next in front of them (or behind)."""
+        self.apply(shift_order([figure.id for figure in self.selected()], by), _("Change order"))
+
+    def group_selected(self) -> None:
+        """Let the selected figures stay together from now on."""
+        self.apply(group_figures([figure.id for figure in self.selected()]), _("Group"))
+
+    def ungroup_selected(self) -> None:
+        """Let each figure of the selected groups go by itself again."""
+        self.apply(ungroup_figures([figure.id for figure in self.selected()]), _("Ungroup"))
