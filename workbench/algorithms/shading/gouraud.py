@@ -159,6 +159,7 @@ ENTRY = Entry(
         "is lost.",
     ),
     labs=("Shading: Gouraud",),
+    next_rung="phong",
     tie="Strictly nearer wins, so the first drawn stays",
     writes="light",
     marks=marks,

@@ -30,6 +30,10 @@ def _share(label: str, symbol: str) -> Number:
     return Number(label=label, symbol=symbol, low=0.0, high=1.0, keyed=True)
 
 
+def _fading(label: str, symbol: str) -> Number:
+    return Number(label=label, symbol=symbol, low=0.0, high=1e6, keyed=True)
+
+
 class Point3D(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A point, or a direction, in the world."""
 
@@ -118,7 +122,10 @@ class Light(
     cache_hash=True,
     dict=True,
 ):
-    """A light at a point; a ``distant`` one shines from that direction, equally everywhere."""
+    """A light at a point; a ``distant`` one shines from that direction, equally everywhere.
+
+    At a distance d a light at a point keeps min(1, 1 / (a0 + a1 d + a2 d^2)) of its intensity.
+    """
 
     letter: ClassVar[str] = "l"
 
@@ -130,6 +137,9 @@ class Light(
         1.0
     )
     distant: bool = True
+    a0: Annotated[float, _fading(_("attenuation"), "a_0")] = 1.0
+    a1: Annotated[float, _fading(_("attenuation by distance"), "a_1")] = 0.0
+    a2: Annotated[float, _fading(_("attenuation by the distance squared"), "a_2")] = 0.0
 
 
 class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
