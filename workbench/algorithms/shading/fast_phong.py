@@ -19,8 +19,8 @@ from workbench.algorithms.shading.illumination import arriving
 from workbench.algorithms.shading.normal_corners import normal_corners_of
 from workbench.algorithms.shading.series import Bend, Differences, Series, begun, bend_of, onward, series_of
 from workbench.algorithms.shading.shaded_scene import PARAMETERS, shaded_scene
+from workbench.algorithms.shading.triangle_marks import marks
 from workbench.algorithms.visibility.back_faces import SpaceVector, dot_product
-from workbench.algorithms.visibility.surface_marks import marks
 from workbench.algorithms.visibility.surfaces import depth_at, end_row, first_row, span_on, surface_of
 
 Array = NDArray[Any]

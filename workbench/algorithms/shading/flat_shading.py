@@ -14,8 +14,8 @@ from workbench.algorithms.entry import Entry, Law, View
 from workbench.algorithms.shading.directions import cross_product, middle_of, minus
 from workbench.algorithms.shading.illumination import light_at
 from workbench.algorithms.shading.shaded_scene import PARAMETERS, shaded_scene
+from workbench.algorithms.shading.triangle_marks import marks
 from workbench.algorithms.visibility.back_faces import dot_product, vector_of
-from workbench.algorithms.visibility.surface_marks import marks
 from workbench.algorithms.visibility.surfaces import depth_at, end_row, first_row, span_on, surface_of
 
 Array = NDArray[Any]

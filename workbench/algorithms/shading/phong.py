@@ -21,7 +21,7 @@ from workbench.algorithms.shading.normal_corners import (
     normal_row_ends,
 )
 from workbench.algorithms.shading.shaded_scene import MISSED, PARAMETERS, shaded_scene
-from workbench.algorithms.visibility.surface_marks import marks
+from workbench.algorithms.shading.triangle_marks import marks
 from workbench.algorithms.visibility.surfaces import depth_at, end_row, first_row, surface_of
 
 Array = NDArray[Any]

@@ -47,7 +47,7 @@ def shading_examples() -> list[Example]:
 def _ball() -> Document:
     lights = (Light("l1", Point3D(2.0, 3.0, 5.0), _("Lamp"), distant=False),)
     material = Material("m1", _("Plastic"), 0x2F7FC4, 0.12, 0.7, 0.6, 24.0)
-    ball = Object("o1", Sphere(1.3, 8, 5), "m1", _("Ball"))
+    ball = Object("o1", Sphere(1.3, 10, 6), "m1", _("Ball"))
     return _document(_("A ball with a highlight"), Scene((ball,), (material,), lights, _camera()))
 
 
@@ -71,7 +71,7 @@ def _materials() -> Document:
 def _lamps() -> Document:
     objects = (
         Object("o1", Jug(), "m1", _("Jug")),
-        Object("o2", Box(4.6, 0.2, 3.2), "m2", _("Table"), transforms=(Translate3D(id="t2", ty=-1.1),)),
+        Object("o2", Box(4.6, 0.2, 3.2), "m2", _("Table"), transforms=(Translate3D(id="t2", ty=-0.1),)),
     )
     materials = (
         Material("m1", _("Glaze"), 0xD8D8E4, 0.08, 0.75, 0.5, 40.0),
@@ -81,16 +81,16 @@ def _lamps() -> Document:
         Light("l1", Point3D(-2.2, 1.2, 1.6), _("Warm lamp"), 0xFFC890, 2.4, False, 0.4, 0.2, 0.2),
         Light("l2", Point3D(4.0, 3.0, 1.0), _("Moon"), 0x90B8FF, 0.5),
     )
-    return _document(_("A jug between two lamps"), Scene(objects, materials, lights, _camera(2.4)))
+    return _document(_("A jug between two lamps"), Scene(objects, materials, lights, _camera(3.4, 0.8)))
 
 
 def _beside(number: int, dx: float) -> Translate3D:
     return Translate3D(id=f"t{number}", tx=dx)
 
 
-def _camera(height: float = 1.6) -> Camera:
-    eye = Point3D(0.0, height, 7.0)
-    return Camera(eye=eye, near=2.0, far=16.0, distance=math.dist(eye.xyz, (0.0, 0.0, 0.0)))
+def _camera(height: float = 1.6, looks_at: float = 0.0) -> Camera:
+    eye, look_at = Point3D(0.0, height, 7.0), Point3D(0.0, looks_at, 0.0)
+    return Camera(eye=eye, look_at=look_at, near=2.0, far=16.0, distance=math.dist(eye.xyz, look_at.xyz))
 
 
 def _document(name: str, scene: Scene) -> Document:

@@ -11,18 +11,23 @@ from PySide6.QtCore import QObject, Signal
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
 from workbench.language import _, reason_of
-from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture
+from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture, image_over_nothing
+from workbench.rendering.scene.shaded import Model, shaded
+from workbench.rendering.scene.shading import QUICK
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
 from workbench.session.answers import Answers
 
 
 class SceneJob(NamedTuple):
-    """What is drawn: a scene through its camera and a window of the view plane, ``size`` in device pixels."""
+    """What is drawn: a scene through its camera and a window of the view plane, ``size`` in device pixels;
+    its shading, with the edges only of a quick one."""
 
     scene: Scene
     size: Size
     window: Rectangle
     faces: bool
+    shading: str = QUICK
+    model: Model = Model()
 
     @property
     def viewpoint(self) -> Viewpoint:
@@ -75,9 +80,17 @@ class SceneWorker(QObject):
             self.failed.emit(answer.job, answer.problem)
 
 
+def _picture(job: SceneJob) -> EdgePicture:
+    if job.shading == QUICK:
+        return edge_picture(job.scene, job.size, job.window, job.faces)
+    image, depth = shaded(job.scene, job.shading, job.size, job.window, job.model)
+    none, nobody = np.zeros((0, 4)), np.zeros(0, np.int64)
+    return EdgePicture(image_over_nothing(image, depth), none, nobody, none, nobody)
+
+
 def _draw(job: SceneJob) -> SceneAnswer:
     try:
-        return SceneAnswer(job, edge_picture(*job))
+        return SceneAnswer(job, _picture(job))
     except ValueError as error:
         return SceneAnswer(job, problem=reason_of(error))
     except MemoryError:

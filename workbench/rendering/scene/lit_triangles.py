@@ -1,7 +1,7 @@
 """A scene as the shadings get it: device triangles with places and normals, materials, lights and the eye."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -54,10 +54,9 @@ def lit_triangles(scene: Scene, size: Size, window: Rectangle | None) -> LitTria
     meshes = [] if window else [mesh.vertices for mesh, *_rest in parts]
     viewpoint = Viewpoint.of(scene.camera, size, window, np.concatenate([np.zeros((0, 3)), *meshes]))
     pieces = [_piece(part, viewpoint, number) for number, part in enumerate(parts)]
-    none = np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 3)), *[np.zeros(0, np.int64)] * 2
-    columns = [
-        np.concatenate(column) for column in zip((*none, none[0], np.zeros((0, 4))), *pieces, strict=True)
-    ]
+    place, number = np.zeros((0, 3)), np.zeros(0, np.int64)
+    nothing = place, place, place, number, number, place, np.zeros((0, 4))
+    columns: Any = [np.concatenate(column) for column in zip(nothing, *pieces, strict=True)]
     rows, colours = light_rows(scene.lights, scene.camera)
     return LitTriangles(*columns, viewpoint.viewer, rows, colours)
 

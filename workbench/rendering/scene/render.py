@@ -128,9 +128,7 @@ def _rendered(
         raise ValueError(_none_called(method, tuple(METHODS)))
     refuse_shading(shading)
     if shading != QUICK:
-        sentence = _(
-            "{shading!r} goes through the depth buffer: choose {method!r}, or {quick!r}."
-        )
+        sentence = _("{shading!r} goes through the depth buffer: choose {method!r}, or {quick!r}.")
         raise ValueError(sentence.format(shading=shading, method=depth_buffer.__name__, quick=QUICK))
     device = device_triangles(parts, lights, camera, size, window)
     return METHODS[method](device.corners, device.triangles, device.colours, size)

@@ -6,7 +6,7 @@ import numpy as np
 
 from workbench.geometry.meshes import Array, Faces, Index, Mesh, face_normals
 
-CREASE_DEGREES = 50.0
+CREASE_DEGREES = 60.0
 """Faces whose normals differ by more meet in an edge that is seen as one."""
 
 _PLACES = 9
@@ -34,7 +34,7 @@ def corner_normals(mesh: Mesh, triangles: Index, owners: Index) -> Array:
     found = np.stack(sums, axis=1)
     sizes = np.sqrt((found * found).sum(axis=1, keepdims=True))
     spread: Array = np.where(sizes > 0, found / np.where(sizes > 0, sizes, 1.0), unit[own])
-    return spread.reshape(-1, 3, 3)
+    return spread.round(_PLACES).reshape(-1, 3, 3) + 0.0  # without noise, and without -0
 
 
 def _places(vertices: Array) -> Index:
