@@ -70,10 +70,12 @@ def _shading(window: MainWindow, slug: str, four: bool) -> None:
     """A scene in its light, in one shading or in all four."""
     from workbench.algorithms.shading import phong
     from workbench.document.subjects import Subject
+    from workbench.panels.space.panel import SpacePanel
 
     def arrive() -> None:
-        page = window.panels("space")[0].page_of("shading")
-        page.show_four(four)
+        panel = window.panels("space")[0]
+        assert isinstance(panel, SpacePanel)
+        panel.page_of("shading").commands()[0].setChecked(four)
         subject = Subject("shading", entry=phong.__name__, arguments={"shadows": slug == "shading-lamps"})
         window.session.update_state(subject=subject, step=400)
         window.arrangements.bring_forward("lamps")

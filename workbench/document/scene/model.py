@@ -98,7 +98,10 @@ class Material(
     cache_hash=True,
     dict=True,
 ):
-    """How a surface answers light: its colour, shares of three kinds of light, the exponent of its shine."""
+    """How a surface answers light: its colour, shares of three kinds of light, the exponent of its shine.
+
+    ``opacity`` is what it stops of the light from behind it; only the A-buffer asks for that.
+    """
 
     letter: ClassVar[str] = "m"
 
@@ -111,6 +114,7 @@ class Material(
     shininess: Annotated[
         float, Number(label=_("shininess"), symbol="n_s", low=1.0, high=1000.0, keyed=True)
     ] = 20.0
+    opacity: Annotated[float, _share(_("opacity"), "o")] = 1.0
 
 
 class Light(

@@ -58,7 +58,7 @@ def lit_triangles(scene: Scene, size: Size, window: Rectangle | None) -> LitTria
     nothing = place, place, place, number, number, place, np.zeros((0, 4))
     columns: Any = [np.concatenate(column) for column in zip(nothing, *pieces, strict=True)]
     rows, colours = light_rows(scene.lights, scene.camera)
-    return LitTriangles(*columns, viewpoint.viewer, rows, colours)
+    return LitTriangles._make((*columns, viewpoint.viewer, rows, colours))
 
 
 def _piece(part: Part, viewpoint: Viewpoint, number: int) -> tuple[Array | Index, ...]:

@@ -111,7 +111,7 @@ class LitView(SceneView):
             painter.setBrush(colour(f"#{light.colour:06x}"))
             painter.drawEllipse(at, _DISC_PX, _DISC_PX)
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            labels.put(np.array([at.x(), at.y() + 20]), light.name or light.id, ink.name())
+            labels.put(np.array([at.x(), at.y()]), light.name or light.id, ink.name())
         metrics = painter.fontMetrics()
         box = QRectF(8, 6, metrics.horizontalAdvance(self.title) + 16, metrics.height() + 8)
         painter.setPen(Qt.PenStyle.NoPen)
