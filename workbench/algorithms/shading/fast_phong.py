@@ -70,12 +70,13 @@ def fast_phong(
     """
     height, width = light.shape
     for face in range(len(faces)):
-        # Expand the cosines about the middle of the triangle
-        low, middle, high = normal_corners_of(vertices, faces, places, normals, face)
         surface = surface_of(vertices, faces, face)
-        row = materials[face]
         if surface.C == 0.0:
             continue
+
+        # Expand the cosines about the middle of the triangle
+        low, middle, high = normal_corners_of(vertices, faces, places, normals, face)
+        row = materials[face]
         bend = bend_of(low, middle, high)
         P = middle_of(low.place, middle.place, high.place)
         shines = [shine_of(P, bend, eye, lights, k, by_halfway, blockers) for k in range(len(lights))]

@@ -171,8 +171,21 @@ def test_a_sheet_without_a_scene_offers_an_example(qtbot: QtBot, page: ShadingPa
     assert scene_of(page).objects[0].name == "Ball"
 
 
-def test_shadows_and_halfway_are_switched_on_the_card(qtbot: QtBot, page: ShadingPage) -> None:
-    for box, name in ((page.card.halfway, "by_halfway"), (page.card.shadows, "shadows")):
+def test_shadows_and_halfway_are_switched_in_the_bar(qtbot: QtBot, page: ShadingPage) -> None:
+    for box, name in ((page.bar.halfway, "by_halfway"), (page.bar.shadows, "shadows")):
         box.click()
         settle(qtbot, page)
         assert page.session.state.subject.arguments[name] is True
+
+
+def test_what_is_seen_from_elsewhere_can_be_kept(qtbot: QtBot, page: ShadingPage) -> None:
+    before = scene_of(page).camera
+    drag(qtbot, page.view, (200.0, 200.0), (60, 0))
+    settle(qtbot, page)
+    assert page.view.scene.camera != before
+    assert scene_of(page).camera == before
+    assert page.bar.keep.isVisible()
+    page.bar.keep.click()
+    settle(qtbot, page)
+    assert scene_of(page).camera == page.view.scene.camera
+    assert not page.bar.keep.isVisible()

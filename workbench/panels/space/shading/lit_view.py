@@ -113,7 +113,8 @@ class LitView(SceneView):
             painter.setBrush(Qt.BrushStyle.NoBrush)
             labels.put(np.array([at.x(), at.y()]), light.name or light.id, ink.name())
         metrics = painter.fontMetrics()
-        box = QRectF(8, 6, metrics.horizontalAdvance(self.title) + 16, metrics.height() + 8)
+        low = self.height() - metrics.height() - 14
+        box = QRectF(8, low, metrics.horizontalAdvance(self.title) + 16, metrics.height() + 8)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour(now.surface))
         painter.drawRoundedRect(box, 6, 6)

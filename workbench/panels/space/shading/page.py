@@ -18,7 +18,7 @@ from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.looking import Looking
-from workbench.panels.space.shading.card import ShadingCard
+from workbench.panels.space.shading.bar import ShadingBar
 from workbench.panels.space.shading.lamps_dock import LampsDock
 from workbench.panels.space.shading.lit_view import LitView
 from workbench.panels.space.shading.run import greys, light_so_far
@@ -37,7 +37,6 @@ from workbench.widgets.look.tokens import theme_changed, tokens
 from workbench.widgets.stepping.step_bar import stepping_keys
 
 EXAMPLE = "shading-ball"
-_CARD_GAP_PX = 8
 
 
 class ShadingPage(QWidget):
@@ -56,9 +55,6 @@ class ShadingPage(QWidget):
         self._waiting = False
         self._light = np.zeros((0, 0))
         self.canvas = PixelCanvas()
-        self.card = ShadingCard(session, self.canvas)
-        self.card.move(self._card_left, _CARD_GAP_PX)
-        self._leave_room(False)
         self.nothing = EmptyState(self.canvas, _("This sheet has no scene."), self._show_example)
         self.view = LitView("")
         self.four = [LitView(_(catalogue.get(slug).title)) for slug in LIT_SHADINGS]
@@ -80,9 +76,12 @@ class ShadingPage(QWidget):
         self.stack.addWidget(together)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.stack)
+        column.setSpacing(0)
         self.setFocusProxy(self.canvas)
         self._actions = self._made_actions()
+        self.bar = ShadingBar(session, self.looking, self.together)
+        column.addWidget(self.bar)
+        column.addWidget(self.stack, 1)
         KeysWhileSeen(self, self._actions)
         self._connect()
 
@@ -121,7 +120,6 @@ class ShadingPage(QWidget):
         canvas.hover_left.connect(lambda: self.hover_text.emit(""))
         canvas.view_changed.connect(self.refresh_soon)
         canvas.set_describer(self.describe)
-        self.card.folded.connect(self._leave_room)
         self.lamps.said.connect(self.hover_text)
         self.lamps.chosen_changed.connect(lambda _id: self.refresh_soon())
         for view in (self.view, *self.four):
@@ -132,13 +130,6 @@ class ShadingPage(QWidget):
             view.faced.connect(lambda side: self.hover_text.emit(self.looking.face(side)))
             view.failed.connect(self.hover_text)
 
-    @property
-    def _card_left(self) -> int:
-        return round(self.canvas.area.left / self.canvas.devicePixelRatioF()) + _CARD_GAP_PX
-
-    def _leave_room(self, folded: bool) -> None:
-        self.canvas.set_covered(0 if folded else self.card.width() + _CARD_GAP_PX)
-
     # What Space asks of a page
 
     @property
@@ -147,8 +138,8 @@ class ShadingPage(QWidget):
         return self
 
     def docks(self) -> Sequence[DockPart]:
-        """Lights and materials."""
-        return (("lamps", _("Lights and materials"), self.lamps, Qt.DockWidgetArea.RightDockWidgetArea),)
+        """Lights, and what materials make of them."""
+        return (("lamps", _("Lights"), self.lamps, Qt.DockWidgetArea.RightDockWidgetArea),)
 
     def commands(self) -> Sequence[QAction]:
         """Its commands."""
@@ -207,6 +198,7 @@ class ShadingPage(QWidget):
         self.lamps.show_scene(scene)
         if not self.isVisible() or self.session.state.subject.kind != KIND:
             return
+        self.bar.refresh(self.looking.around)
         self._show_views()
         if self.stack.currentIndex() == 0:
             self._show_steps()
@@ -232,18 +224,15 @@ class ShadingPage(QWidget):
         covered = call is not None and len(call.arguments[1]) > 0
         self.nothing.setVisible(not covered)
         if call is None or not covered:
-            self.card.refresh("")
+            self.bar.progress.setText("")
             width, height = size_of(session.sheet, USUAL_COLUMNS)
             self.canvas.set_picture(np.full((height, width), packed(tokens().canvas), np.uint32))
             self.canvas.set_overlay(Overlay())
             return
         self._light, ended = light_so_far(session, call)
         done, whole = (int(np.isfinite(each).sum()) for each in (self._light, ended))
-        self.card.refresh(
-            _("{now:,} of {whole:,} pixels are lit, in linear light from 0 to 1.").format(
-                now=done, whole=whole
-            )
-        )
+        said = _("{now:,} of {whole:,} pixels lit").format(now=done, whole=whole)
+        self.bar.progress.setText(said)
         self.canvas.set_picture(greys(self._light, ended, tokens()))
         marks: tuple[Drawn, ...] = ()
         run = session.run
