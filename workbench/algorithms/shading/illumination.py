@@ -95,14 +95,15 @@ def light_at(
     k_d, k_s, n = float(material[1]), float(material[2]), float(material[3])
     total = float(material[0])
     for light in range(len(lights)):
+        if dot_product(N, towards(lights[light], place)) <= 0.0:
+            continue  # before anything is tried that may be in the way
         came = arriving(lights, light, place, blockers)
+        if by_halfway:
+            mirror = dot_product(N, halfway(came.L, V))
+        else:
+            mirror = dot_product(V, mirrored(came.L, N))
         cosine = dot_product(N, came.L)
-        if cosine > 0.0 and came.intensity > 0.0:
-            if by_halfway:
-                mirror = dot_product(N, halfway(came.L, V))
-            else:
-                mirror = dot_product(V, mirrored(came.L, N))
-            total += came.intensity * (k_d * cosine + k_s * math.pow(max(mirror, 0.0), n))
+        total += came.intensity * (k_d * cosine + k_s * math.pow(max(mirror, 0.0), n))
     return total
 
 

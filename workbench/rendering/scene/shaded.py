@@ -123,7 +123,8 @@ def _channel(
         if stop is not None and stop.is_set:
             raise Stopped
         shifted = vertices - (0.0, low, 0.0)
-        paint(call.entry.function, unused, 0, light[low:high], shifted, *rest, depth[low:high])
+        given = light[low:high], shifted, *rest, depth[low:high]
+        paint(call.entry.function, unused, 0, *given, stop=stop)
 
     edges = [size[1] * band // (2 * THREADS) for band in range(2 * THREADS + 1)]
     for done in [threads().submit(shade, low, high) for low, high in pairwise(edges) if low < high]:

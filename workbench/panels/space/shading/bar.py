@@ -44,6 +44,8 @@ class ShadingBar(QWidget):
         ):
             widget.setAccessibleName(name)
             widget.setToolTip(tip)
+        for box in (self.method, self.size_box):
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 2, 8, 4)
         row.setSpacing(10)

@@ -15,7 +15,7 @@ from workbench.panels.space.scene_view import REACH_PX, SceneView
 from workbench.panels.space.strokes import Labels
 from workbench.widgets.look.tokens import colour, tokens
 
-_DISC_PX, _RAY_PX, _EDGE_PX = 5.0, 10.0, 16.0
+_DISC_PX, _RAY_PX, _EDGE_PX = 5.0, 10.0, 34.0
 _AWAY = 1.6
 """A distant light stands on its direction, so many times as far out as the scene reaches."""
 
@@ -67,6 +67,12 @@ class LitView(SceneView):
         self.title = title
         self.setAccessibleName(title)
         self.update()
+
+    def show_scene(self, scene: Scene, chosen: str = "") -> None:
+        """Show a scene; until the picture of other objects has come, their edges."""
+        if scene.objects != self.scene.objects:
+            self._image_came = False
+        super().show_scene(scene, chosen)
 
     @property
     def matrix(self) -> Array:
