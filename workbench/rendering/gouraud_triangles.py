@@ -2,15 +2,14 @@
 
 from collections.abc import Iterator
 from functools import cache
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from workbench.display.exposure import srgb_encoded
-from workbench.engine.stopping import Stop, Stopped
-from workbench.rendering.triangles import THREADS, drawn, threads
+from workbench.engine.stopping import Stop
+from workbench.rendering.triangles import drawn, in_bands
 
 Array = NDArray[Any]
 
@@ -39,14 +38,10 @@ def gouraud_drawn(
     levels = _levels()
 
     def light(low: int, high: int) -> None:
-        if stop is not None and stop.is_set:
-            raise Stopped
         band = image[low:high]
         paint(spread_light, band, 0, band, low, vertices, faces, lights, levels)
 
-    edges = [size[1] * band // (2 * THREADS) for band in range(2 * THREADS + 1)]
-    for done in [threads().submit(light, low, high) for low, high in pairwise(edges) if low < high]:
-        done.result()
+    in_bands(size[1], light, stop)
     return image, depth
 
 

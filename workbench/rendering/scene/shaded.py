@@ -1,6 +1,5 @@
 """A scene in the light of its lamps: flat, Gouraud, Phong or fast Phong, through the depth buffer."""
 
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,7 +10,7 @@ from workbench.algorithms.shading.illumination import corner_lights
 from workbench.display.exposure import srgb_encoded
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
-from workbench.engine.stopping import Stop, Stopped
+from workbench.engine.stopping import Stop
 from workbench.geometry.meshes import Array
 from workbench.language import _
 from workbench.rendering.gouraud_triangles import gouraud_drawn
@@ -19,7 +18,7 @@ from workbench.rendering.mapping import Call
 from workbench.rendering.scene.lit_triangles import LitTriangles, blockers_of, lit_triangles
 from workbench.rendering.scene.render import Picture
 from workbench.rendering.scene.viewpoint import Size
-from workbench.rendering.triangles import FARTHEST, THREADS, threads
+from workbench.rendering.triangles import FARTHEST, in_bands
 
 MOST_BLOCKERS = 4_000
 """A ray to a light is tried on so many triangles at most."""
@@ -120,13 +119,8 @@ def _channel(
     unused = np.zeros((1, 1), np.uint32)
 
     def shade(low: int, high: int) -> None:
-        if stop is not None and stop.is_set:
-            raise Stopped
-        shifted = vertices - (0.0, low, 0.0)
-        given = light[low:high], shifted, *rest, depth[low:high]
+        given = light[low:high], vertices - (0.0, low, 0.0), *rest, depth[low:high]
         paint(call.entry.function, unused, 0, *given, stop=stop)
 
-    edges = [size[1] * band // (2 * THREADS) for band in range(2 * THREADS + 1)]
-    for done in [threads().submit(shade, low, high) for low, high in pairwise(edges) if low < high]:
-        done.result()
+    in_bands(size[1], shade, stop)
     return light, depth

@@ -1,8 +1,18 @@
 """The bar of the Shading page: which shading, how fine a picture, which highlight, shadows, all four."""
 
 from msgspec.structs import replace
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QPushButton, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
 
 from workbench.algorithms import catalogue
 from workbench.document.subjects import Argument
@@ -51,8 +61,9 @@ class ShadingBar(QWidget):
         row.setSpacing(10)
         for part in (self.method, self.size_box, self.halfway, self.shadows, self.together, self.keep):
             row.addWidget(part)
-        row.addStretch(1)
-        row.addWidget(self.progress)
+        self.progress.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.progress.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        row.addWidget(self.progress, 1)
         self.method.activated.connect(lambda k: session.choose(self.method.itemData(k)))
         self.size_box.activated.connect(lambda k: self._give("columns", self.size_box.itemData(k)))
         self.halfway.clicked.connect(lambda on: self._give("by_halfway", on))

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
+    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -32,7 +33,7 @@ from workbench.widgets.look.icons import set_icon
 _STEPS = {"shininess": 1.0}
 
 
-class LampsDock(QWidget):
+class LampsDock(QScrollArea):
     """``said`` sends what is wrong, ``chosen_changed`` the id of the light or material that is chosen."""
 
     said = Signal(str)
@@ -40,6 +41,8 @@ class LampsDock(QWidget):
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QScrollArea.Shape.NoFrame)
         self._session = session
         self._listed: tuple[object, ...] = ()
         self._kind: type | None = None
@@ -64,7 +67,8 @@ class LampsDock(QWidget):
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(10)
         self._grid.setVerticalSpacing(4)
-        column = QVBoxLayout(self)
+        body = QWidget()
+        column = QVBoxLayout(body)
         column.setContentsMargins(10, 8, 10, 8)
         column.setSpacing(8)
         column.addWidget(self.choice)
@@ -73,6 +77,7 @@ class LampsDock(QWidget):
         column.addWidget(self.distant)
         column.addWidget(self.word)
         column.addStretch(1)
+        self.setWidget(body)
 
     @staticmethod
     def _button(title: str, icon: str, do: Callable[[], object], tip: str) -> QPushButton:

@@ -210,9 +210,9 @@ class ShadingPage(QWidget):
         self.view.set_title(_(catalogue.get(shading_of(subject)).title))
         for view, slug in ((self.view, shading_of(subject)), *zip(self.four, LIT_SHADINGS, strict=True)):
             view.chosen_light = chosen.id if chosen else ""
-            view.set_shading(slug, model)
             anew = scene.objects != view.scene.objects
             view.show_scene(scene)
+            view.set_shading(slug, model)
             if anew and view.keeps_fit:
                 view.fit()
 
