@@ -8,8 +8,8 @@ import pytest
 
 from workbench.algorithms.shading import illuminate
 from workbench.algorithms.shading.directions import attenuation
-from workbench.algorithms.shading.illuminate import lit_point
 from workbench.algorithms.shading.illumination import light_at
+from workbench.algorithms.shading.model_parameters import lit_point
 from workbench.algorithms.visibility.back_faces import SpaceVector
 
 UP, NOWHERE, EYE = np.array([0.0, 0, 1]), np.zeros(3), np.array([0.0, 0, 9, 1])

@@ -7,41 +7,21 @@ mirrored    N . H along the row, or N . V, of which V . R = 2 (N . L) (N . V) - 
 here        the light of the pixel, linear
 """
 
-import math
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law, View
-from workbench.algorithms.shading.directions import halfway, middle_of, towards, unit
-from workbench.algorithms.shading.illumination import arriving
+from workbench.algorithms.shading.directions import middle_of
 from workbench.algorithms.shading.normal_corners import normal_corners_of
-from workbench.algorithms.shading.series import Bend, Differences, Series, begun, bend_of, onward, series_of
+from workbench.algorithms.shading.series import bend_of
 from workbench.algorithms.shading.shaded_scene import PARAMETERS, shaded_scene
+from workbench.algorithms.shading.shine import RowShine, light_of, next_shine, on_row, shine_of
 from workbench.algorithms.shading.triangle_marks import marks
-from workbench.algorithms.visibility.back_faces import SpaceVector, dot_product
 from workbench.algorithms.visibility.surfaces import depth_at, end_row, first_row, span_on, surface_of
 
 Array = NDArray[Any]
-
-
-class Shine(NamedTuple):
-    """A light on a triangle: its intensity in the middle, N . L, N . H or N . V as series, and L . V."""
-
-    intensity: float
-    scattered: Series
-    mirrored: Series
-    L_V: float
-
-
-class RowShine(NamedTuple):
-    """The same on a row, as far as it has come."""
-
-    intensity: float
-    scattered: Differences
-    mirrored: Differences
-    L_V: float
 
 
 def fast_phong(
@@ -99,43 +79,6 @@ def fast_phong(
                 # Add the differences
                 for k in range(len(ahead)):
                     ahead[k] = next_shine(ahead[k])
-
-
-def shine_of(
-    P: SpaceVector, bend: Bend, eye: Array, lights: Array, light: int, by_halfway: bool, blockers: Array
-) -> Shine:
-    """What a light does on a triangle whose middle is P."""
-    came = arriving(lights, light, P, blockers)
-    V = unit(towards(eye, P))
-    other = V
-    if by_halfway:
-        other = halfway(came.L, V)
-    return Shine(came.intensity, series_of(bend, came.L), series_of(bend, other), dot_product(came.L, V))
-
-
-def on_row(shine: Shine, u: float, v: float) -> RowShine:
-    """Where a row begins."""
-    return RowShine(shine.intensity, begun(shine.scattered, u, v), begun(shine.mirrored, u, v), shine.L_V)
-
-
-def next_shine(at: RowShine) -> RowShine:
-    """At the next pixel."""
-    return RowShine(at.intensity, onward(at.scattered), onward(at.mirrored), at.L_V)
-
-
-def light_of(shines: list[RowShine], material: Array, by_halfway: bool) -> float:
-    """The illumination model by the cosines as they are now; a series may come to more than 1."""
-    k_d, k_s, n = float(material[1]), float(material[2]), float(material[3])
-    total = float(material[0])
-    for shine in shines:
-        cosine = min(shine.scattered.value, 1.0)
-        if cosine > 0.0:
-            mirror = shine.mirrored.value
-            if not by_halfway:
-                mirror = 2.0 * cosine * mirror - shine.L_V
-            mirror = min(max(mirror, 0.0), 1.0)
-            total += shine.intensity * (k_d * cosine + k_s * math.pow(mirror, n))
-    return total
 
 
 def difference_rows(shines: list[RowShine]) -> tuple[tuple[object, ...], ...]:

@@ -13,7 +13,6 @@ total       light of the point so far
 
 import math
 from collections.abc import Iterator
-from random import Random
 from typing import Any
 
 import numpy as np
@@ -22,6 +21,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry, Law, Parameter, View
 from workbench.algorithms.shading.directions import halfway, mirrored, towards, unit, vector
 from workbench.algorithms.shading.illumination import arriving
+from workbench.algorithms.shading.model_parameters import BLOCKERS, BY_HALFWAY, EYE, lit_point
 from workbench.algorithms.visibility.back_faces import dot_product
 
 Array = NDArray[Any]
@@ -67,36 +67,6 @@ def illuminate(
         total += diffuse + specular
         yield light, diffuse, specular, total
 
-
-def lit_point(chance: Random) -> tuple[Any, ...]:
-    """Up to three lights round a point, some of them behind the surface or in the point itself."""
-
-    def place() -> list[float]:
-        return [float(chance.randint(-3, 3)) for _axis in range(3)]
-
-    def light() -> list[float]:
-        fading = [chance.randint(0, 4) / 4 for _power in range(3)]
-        return [*place(), float(chance.random() < 0.7), chance.randint(0, 4) / 4, *fading]
-
-    lights = np.array([light() for _light in range(chance.randint(0, 3))])
-    material = np.array([chance.randint(0, 4) / 4 for _share in range(3)] + [float(chance.randint(1, 50))])
-    point, normal, eye = (np.array(place()) for _point in range(3))
-    eye = np.append(eye, float(chance.random() < 0.7))
-    blockers = np.array([place() for _corner in range(3 * chance.randint(0, 2))]).reshape(-1, 3)
-    return point, normal, eye, lights.reshape(-1, 8), material, chance.random() < 0.5, blockers
-
-
-EYE = Parameter(
-    "eye", "eye", "floats", np.array([0.0, 0, 5, 1]), meaning="where it is seen from; with w = 0 a direction"
-)
-BY_HALFWAY = Parameter("by_halfway", "N · H", "bool", False, meaning="by the halfway vector instead of V · R")
-BLOCKERS = Parameter(
-    "blockers",
-    "blockers",
-    "points",
-    np.zeros((0, 3)),
-    meaning="corners of triangles that may take the light away, three for each; none for no shadows",
-)
 
 _ARRIVES = "Find the way to the light, and what arrives of it"
 _MIRROR = "Add what is mirrored"

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from workbench.algorithms.entry import Parameter
-from workbench.algorithms.shading.illuminate import BLOCKERS, BY_HALFWAY
+from workbench.algorithms.shading.model_parameters import BLOCKERS, BY_HALFWAY
 from workbench.algorithms.visibility.scene import scene
 
 _DEVICE = np.array([[0.0, 0, 0.5], [10, 0, 0.5], [4, 10, 0.5], [0, 4, 0.4], [9, 2, 0.8], [9, 9, 0.8]])

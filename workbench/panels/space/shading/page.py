@@ -36,7 +36,7 @@ from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import theme_changed, tokens
 from workbench.widgets.stepping.step_bar import stepping_keys
 
-EXAMPLE = "shading-ball"
+PAGE, EXAMPLE = "shading", "shading-ball"
 
 
 class ShadingPage(QWidget):
@@ -196,7 +196,7 @@ class ShadingPage(QWidget):
         self._waiting = False
         scene = self.session.sheet.scene or Scene()
         self.lamps.show_scene(scene)
-        if not self.isVisible() or self.session.state.subject.kind != KIND:
+        if not self.isVisible() or self.session.state.workspace != PAGE:
             return
         self.bar.refresh(self.looking.around)
         self._show_views()
