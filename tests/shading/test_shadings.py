@@ -140,6 +140,18 @@ def test_the_differences_are_the_expansion() -> None:
             powers = 1, u + k, v, (u + k) ** 2, (u + k) * v, v * v
             assert at.value == pytest.approx(float(np.dot(series, powers)), abs=1e-12)
             at = onward(at)
+    # And what the text lights a matt triangle with
+    arguments = example()
+    arguments[2], arguments[5] = np.array([[0, 1, 2]]), np.array([[0.0, 1.0, 0.0, 1]])
+    arguments[7] = np.array([[0.0, 0, 9, 0, 1, 1, 0, 0]])
+    light, _depth = lit(fast_phong, tuple(arguments))
+    vertices, normals = arguments[1], arguments[4]
+    bend = bend_of(*(corner(x, y, n) for (x, y, _z), n in zip(vertices[:3].tolist(), normals, strict=False)))
+    series = series_of(bend, SpaceVector(0.0, 0.0, 1.0))
+    for y, x in np.argwhere(light != UNLIT).tolist():
+        u, v = x - bend.x, y - bend.y
+        value = float(np.dot(series, (1, u, v, u * u, u * v, v * v)))
+        assert light[y, x] == pytest.approx(min(max(value, 0.0), 1.0), abs=1e-12)
 
 
 def test_fast_phong_comes_to_phong() -> None:
