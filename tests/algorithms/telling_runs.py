@@ -168,11 +168,19 @@ FURTHER: dict[str, tuple[Run, ...]] = {
         (
             np.zeros(3),
             np.array([0.0, 0, 1]),
-            np.array([0.0, 0, 5]),
-            np.array([[1.0, 2, 2, 1], [1, 2, -2, 1]]),
+            np.array([0.0, 0, 5, 1]),
+            # Before, behind, in the point itself, behind a blocker
+            np.array(
+                [
+                    [1.0, 2, 2, 1, 1, 0.5, 0.25, 0],
+                    [1, 2, -2, 1, 1, 1, 0, 0],
+                    np.eye(8)[3] + np.eye(8)[4],
+                    [0, 0, 4, 0, 1, 1, 0, 0],
+                ]
+            ),
             np.array([0.1, 0.6, 0.3, 10]),
-            np.array([0.5, 0.25, 0]),
             True,
+            np.array([[-1.0, -1, 3], [1, -1, 3], [0, 1, 3]]),
         ),
     ),
     "painter": (_LAYERS,),

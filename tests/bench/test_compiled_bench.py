@@ -20,9 +20,11 @@ from numpy.typing import NDArray
 from pytest_benchmark.fixture import BenchmarkFixture
 
 from workbench.algorithms import catalogue
+from workbench.display.exposure import srgb_encoded
 from workbench.engine import compiled
 from workbench.engine.warm import compile_use, work
 from workbench.rendering import depth_buffer_triangles
+from workbench.rendering.gouraud_triangles import gouraud_drawn
 
 SIZE = 1000
 LINES = np.random.default_rng(1).integers(0, SIZE, (20_000, 4))
@@ -186,6 +188,49 @@ def test_triangles(benchmark: BenchmarkFixture, count: int, spread: float) -> No
     theirs = mesa()
     theirs = ((theirs & 0xFF) << 16) | (theirs & 0xFF00) | ((theirs >> 16) & 0xFF)
     assert (theirs == ours()).mean() > 0.99
+    context.release()
+
+
+SMOOTH = VERTEX.replace("flat out", "smooth out"), FRAGMENT.replace("flat in", "smooth in")
+
+
+@pytest.mark.parametrize(
+    ("count", "spread"), [(2_000, 60.0), (20_000, 8.0), (200_000, 1.5)], ids=["big", "middling", "small"]
+)
+def test_gouraud(benchmark: BenchmarkFixture, count: int, spread: float) -> None:
+    moderngl = pytest.importorskip("moderngl")
+    try:
+        context = moderngl.create_standalone_context(backend="egl")
+    except Exception as error:  # the driver is not there
+        pytest.skip(f"no OpenGL without a screen: {error}")
+    vertices, faces, _colours = triangles(count, spread)
+    vertices[:, :2] = np.round(vertices[:, :2] * 4096) / 4096
+    tints = np.random.default_rng(1).integers(0, 0xFFFFFF, 3 * count)
+    channels = np.stack([tints >> 16 & 255, tints >> 8 & 255, tints & 255], axis=1) / 255
+    program = context.program(vertex_shader=SMOOTH[0], fragment_shader=SMOOTH[1])
+    screen = context.framebuffer([context.texture((800, 600), 4)], context.depth_renderbuffer((800, 600)))
+    data = np.zeros(3 * count, [("place", "3f4"), ("tint", "u4")])
+    data["place"], data["tint"] = vertices, tints
+    scene = context.vertex_array(program, [(context.buffer(data.tobytes()), "3f 1u", "place", "tint")])
+
+    def mesa() -> NDArray[np.uint32]:
+        screen.use()
+        context.enable(moderngl.DEPTH_TEST)
+        context.depth_func = "<"
+        screen.clear(depth=1.0)
+        scene.render()
+        return np.frombuffer(screen.read(components=4), np.uint32).reshape(600, 800)
+
+    def ours() -> NDArray[np.uint32]:
+        return gouraud_drawn(vertices, faces, channels, (800, 600))[0]
+
+    name = context.info["GL_RENDERER"]
+    by_turns(benchmark, f"Gouraud, {count:,} triangles, two threads, peer {name}", ours, mesa=mesa)
+    theirs, coded = mesa(), ours()
+    for shift_theirs, shift in ((0, 16), (8, 8), (16, 0)):
+        linear = srgb_encoded((theirs >> shift_theirs & 255) / 255) * 255
+        near = np.abs(linear - (coded >> shift & 255)) < 20  # eight bits of linear light are few in the dark
+        assert near.mean() > 0.98
     context.release()
 
 

@@ -114,7 +114,7 @@ def test_well_known_models_are_drawn(capsys: pytest.CaptureFixture[str], folder:
         (["house.obj", "-o", "a.png", "--eye", "1,2"], "'1,2' is not a point; write it as 4,3,8"),
         (["house.obj", "-o", "a.png", "--projection", "fish"], "There is no projection 'fish'"),
         (["house.obj", "-o", "a.png", "--visibility", "x"], "There is no 'x'; choose one of depth_buffer, "),
-        (["house.obj", "-o", "a.png", "--shading", "x"], "There is no 'x'; choose one of flat."),
+        (["house.obj", "-o", "a.png", "--shading", "x"], "There is no 'x'; choose one of flat, flat_shading"),
         (["house.obj", "-o", "a.png", "--eye", "1,1,1", "--look-at", "1,1,1"], "The eye is at the point"),
         (["text.txt", "-o", "a.png"], "this is no mesh and no document; give one of .gwb, .obj"),
         (["empty.obj", "-o", "a.png"], "empty.obj: The file is empty; choose one with a mesh in it."),

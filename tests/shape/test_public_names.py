@@ -21,7 +21,7 @@ NAMES = {
     "perspective_from_plane perspective_depth vanishing_points project_point",
     "algorithms.visibility": "back_faces depth_buffer painter depth_sort bsp_tree scan_line_surfaces "
     "area_subdivision octree ray_casting a_buffer hidden_lines",
-    "algorithms.shading": "illuminate gouraud",
+    "algorithms.shading": "illuminate flat_shading gouraud phong fast_phong",
     "algorithms.catalogue": "entries get",
     "engine.compiled": "collect paint paint_many",
     "engine.recorder": "record",

@@ -12,7 +12,9 @@ from workbench.cli import outputs
 from workbench.cli.failure import BadInputError
 from workbench.document import Camera, DocumentError, load
 from workbench.document.model import Rectangle, Sheet
-from workbench.document.scene.model import PROJECTIONS, Point3D
+from workbench.document.scene.meshes import blob_of
+from workbench.document.scene.model import PROJECTIONS, Material, Object, Point3D, Scene
+from workbench.document.scene.solids import MeshSolid
 from workbench.document.storage.content import read_content
 from workbench.exchange.mesh_reading import MOST_BYTES, read_mesh
 from workbench.exchange.readable import READABLE, kind_of
@@ -26,6 +28,7 @@ from workbench.rendering.scene import (
 )
 from workbench.rendering.scene.around import camera_around
 from workbench.rendering.scene.render import refuse_shading
+from workbench.rendering.scene.shading import QUICK
 from workbench.rendering.scene.viewpoint import window_around
 
 _SIZE = (640, 480)
@@ -115,7 +118,11 @@ def _mesh(options: argparse.Namespace) -> _Seen:
 
     def picture(size: tuple[int, int]) -> Any:
         refuse_shading(options.shading)
-        return render_mesh(*mesh, camera, options.visibility, size)
+        if options.shading == QUICK:
+            return render_mesh(*mesh, camera, options.visibility, size)
+        thing = Object("o1", MeshSolid(blob_of(mesh)), "m1")
+        scene = Scene((thing,), (Material("m1"),), (), camera)
+        return render_scene(scene, options.visibility, size, options.shading)
 
     return _Seen(picture, lambda: wireframe_of_mesh(mesh, camera), _SIZE, None, notes)
 

@@ -1,5 +1,6 @@
 """Triangles through the depth buffer, in bands of rows on two threads."""
 
+from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from functools import cache
 from itertools import pairwise
@@ -104,6 +105,26 @@ def _any_corner(of_point: NDArray[np.bool_], corners: NDArray[np.int64]) -> NDAr
 def threads() -> ThreadPoolExecutor:
     """What works at triangles; nothing that runs there may wait for another that does."""
     return ThreadPoolExecutor(THREADS, thread_name_prefix="triangles")
+
+
+def in_bands(height: int, do: Callable[[int, int], None], stop: Stop | None) -> None:
+    """Do something to bands of rows, given the first and the end of each, on all threads.
+
+    Raises: Stopped, also where the program ends and its threads take no more work; bands that were begun are
+    finished first.
+    """
+
+    def unless_stopped(low: int, high: int) -> None:
+        if stop is not None and stop.is_set:
+            raise Stopped
+        do(low, high)
+
+    edges = [height * band // (2 * THREADS) for band in range(2 * THREADS + 1)]
+    try:
+        bands = [threads().submit(unless_stopped, low, high) for low, high in pairwise(edges) if low < high]
+    except RuntimeError as ended:
+        raise Stopped from ended
+    _finish(bands)
 
 
 def _finish(bands: list[Future[Any]]) -> None:

@@ -21,6 +21,10 @@ def space_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("space-fighting", _fighting),
         ("space-arena", lambda window: _arena(window, "arena-ring")),
         ("space-arena-piercing", lambda window: _arena(window, "piercing-planes")),
+        ("space-shading", lambda window: _visibility(window, "shading-ball", 120)),
+        ("space-materials", lambda window: _shading(window, "shading-materials", False)),
+        ("space-four-shadings", lambda window: _shading(window, "shading-ball", True)),
+        ("space-lamps", lambda window: _shading(window, "shading-lamps", False)),
         ("space-question-7", _question_7),
         ("space-painter", _painter),
     ]
@@ -57,6 +61,24 @@ def _arena(window: MainWindow, slug: str) -> None:
     def arrive() -> None:
         window.panels("space")[0].show_page("arena")
         window.arrangements.bring_forward("growth")
+
+    _visibility(window, slug, 0)
+    window.enter("space", arrive)
+
+
+def _shading(window: MainWindow, slug: str, four: bool) -> None:
+    """A scene in its light, in one shading or in all four."""
+    from workbench.algorithms.shading import phong
+    from workbench.document.subjects import Subject
+    from workbench.panels.space.panel import SpacePanel
+
+    def arrive() -> None:
+        panel = window.panels("space")[0]
+        assert isinstance(panel, SpacePanel)
+        panel.page_of("shading").commands()[0].setChecked(four)
+        subject = Subject("shading", entry=phong.__name__, arguments={"shadows": slug == "shading-lamps"})
+        window.session.update_state(subject=subject, step=400)
+        window.arrangements.bring_forward("lamps")
 
     _visibility(window, slug, 0)
     window.enter("space", arrive)

@@ -169,7 +169,7 @@ def workspaces() -> tuple[Workspace, ...]:
             "cube",
             ("workbench.panels.space.panel:SpacePanel", inspector),
             steps=True,
-            topics=("projection", "visibility"),
+            topics=("projection", "visibility", "shading"),
             lower=("hand_table", "fragments", "depth_cost", "growth", "variables"),
         ),
         Workspace(

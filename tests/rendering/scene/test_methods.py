@@ -4,14 +4,17 @@ from functools import cache
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from workbench.algorithms.visibility import depth_buffer
 from workbench.document.samples.examples import example
 from workbench.document.scene.model import Scene
+from workbench.document.subjects import Subject
 from workbench.rendering.scene import METHODS as RENDERED
 from workbench.rendering.scene.arena import MethodRun, run_methods, timed
-from workbench.rendering.scene.methods import METHODS, depths_of, method_call, surfaces_seen
+from workbench.rendering.scene.methods import A_BUFFER, METHODS, depths_of, method_call, surfaces_seen
 from workbench.rendering.scene.render import device_triangles, placed
+from workbench.rendering.subjects.visibility import surface_call
 
 SIZE = (24, 18)
 WHERE_NOTHING_PIERCES = {"painter", "scan_line_surfaces"}
@@ -77,3 +80,21 @@ def test_depths_are_those_of_the_depth_buffer() -> None:
 
 def test_time_is_that_of_a_thread() -> None:
     assert 0 <= timed(scene_of("piercing-planes"), SIZE, depth_buffer.__name__) < 60
+
+
+def test_the_a_buffer_lets_light_through_as_the_materials_say() -> None:
+    """0.8 and 0.4, both half transparent, on black: 0.5 x 0.8 + 0.5 x 0.5 x 0.4."""
+    document = example("arena-coplanar").document
+    (sheet,) = document.sheets
+    assert sheet.scene is not None
+    materials = tuple(replace(each, opacity=0.5) for each in sheet.scene.materials)
+    sheet = replace(sheet, scene=replace(sheet.scene, materials=materials))
+    call = surface_call(sheet, Subject("visibility", entry=A_BUFFER))
+    assert call is not None
+    light, *_rest, intensities, opacities = call.arguments
+    assert (opacities == 0.5).all()
+    list(call.entry.function(*call.arguments))
+    first, second = intensities[0], intensities[-1]
+    assert light[6, 10] == pytest.approx(0.5 * first)
+    assert light[26, 40] == pytest.approx(0.5 * second)
+    assert light[15, 24] == pytest.approx(0.5 * first + 0.25 * second)

@@ -295,9 +295,11 @@ def test_what_cannot_be_drawn_is_refused_in_one_sentence(change: dict[str, Any],
     assert str(refusal.value).endswith(".")
 
 
-def test_no_shading_but_flat_is_there_yet() -> None:
-    with pytest.raises(ValueError, match="There is no 'phong'; choose one of flat"):
-        render_scene(full_scene(), "depth_buffer", SIZE, "phong")
+def test_a_shading_has_a_name_and_goes_through_the_depth_buffer() -> None:
+    with pytest.raises(ValueError, match="There is no 'cel'; choose one of flat, flat_shading, gouraud"):
+        render_scene(full_scene(), "depth_buffer", SIZE, "cel")
+    with pytest.raises(ValueError, match="'phong' goes through the depth buffer"):
+        render_scene(full_scene(), "painter", SIZE, "phong")
 
 
 def test_a_matrix_may_take_the_place_of_the_projection() -> None:

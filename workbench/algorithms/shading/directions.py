@@ -18,6 +18,28 @@ def minus(a: SpaceVector, b: SpaceVector) -> SpaceVector:
     return SpaceVector(a.x - b.x, a.y - b.y, a.z - b.z)
 
 
+def towards(target: NDArray[Any], place: SpaceVector) -> SpaceVector:
+    """From a place to a target (x, y, z, w): a point of the world, or with w = 0 a direction."""
+    w = float(target[3])
+    x, y, z = float(target[0]), float(target[1]), float(target[2])
+    return SpaceVector(x - w * place.x, y - w * place.y, z - w * place.z)
+
+
+def between(a: SpaceVector, b: SpaceVector, share: float) -> SpaceVector:
+    """From a to b by a share of the way."""
+    return SpaceVector(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z))
+
+
+def middle_of(a: SpaceVector, b: SpaceVector, c: SpaceVector) -> SpaceVector:
+    """The mean of three places."""
+    return SpaceVector((a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0, (a.z + b.z + c.z) / 3.0)
+
+
+def cross_product(a: SpaceVector, b: SpaceVector) -> SpaceVector:
+    """a x b."""
+    return SpaceVector(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+
+
 def length(a: SpaceVector) -> float:
     """How long a vector is."""
     return math.sqrt(dot_product(a, a))

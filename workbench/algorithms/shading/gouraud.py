@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law, Parameter, View
 from workbench.algorithms.shading.lit_corners import LitPlace, lit_corners_of, lit_row_ends
+from workbench.algorithms.shading.triangle_marks import marks
 from workbench.algorithms.visibility.scene import SCENE, scene
-from workbench.algorithms.visibility.surface_marks import marks
 from workbench.algorithms.visibility.surfaces import surface_of
 
 Array = NDArray[Any]
@@ -159,6 +159,7 @@ ENTRY = Entry(
         "is lost.",
     ),
     labs=("Shading: Gouraud",),
+    next_rung="phong",
     tie="Strictly nearer wins, so the first drawn stays",
     writes="light",
     marks=marks,

@@ -2,7 +2,8 @@
 
 N, V        unit normal of the surface, and the unit direction to the eye
 L, d        unit direction to the light, and the distance to it
-f           what the light keeps over that distance
+f           what the light keeps over that distance: min(1, 1/(a0 + a1 d + a2 d^2))
+intensity   what comes of the light: f times its own, nothing where a blocker is in the way
 R           where a mirror would send the light
 H           halfway between L and V: quicker to find than R, and another highlight
 diffuse     scattered alike in all directions
@@ -12,23 +13,16 @@ total       light of the point so far
 
 import math
 from collections.abc import Iterator
-from random import Random
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law, Parameter, View
-from workbench.algorithms.shading.directions import (
-    attenuation,
-    halfway,
-    length,
-    minus,
-    mirrored,
-    unit,
-    vector,
-)
-from workbench.algorithms.visibility.back_faces import dot_product, vector_of
+from workbench.algorithms.shading.directions import halfway, mirrored, towards, unit, vector
+from workbench.algorithms.shading.illumination import arriving
+from workbench.algorithms.shading.model_parameters import BLOCKERS, BY_HALFWAY, EYE, lit_point
+from workbench.algorithms.visibility.back_faces import dot_product
 
 Array = NDArray[Any]
 
@@ -39,31 +33,29 @@ def illuminate(
     eye: Array,
     lights: Array,
     material: Array,
-    fading: Array,
     by_halfway: bool,
+    blockers: Array,
 ) -> Iterator[tuple[int, float, float, float]]:
     """Add up the light of a point of a surface.
 
-    Args: place, normal and eye (3,), world; lights (m, 4): place, intensity;
-    material (4,): k_a, k_d, k_s, n; fading (3,): a0, a1, a2; N . H for V . R.
+    Args: place and normal (3,), world; eye (4,): x, y, z, w, a direction where
+    w = 0; lights (m, 8): likewise, then intensity, a0, a1, a2; material (4,):
+    k_a, k_d, k_s, n; N . H for V . R; blockers (3 k, 3): corners of triangles.
     Emits: (light, diffuse, specular, total).
     Source: Hearn and Baker, Computer Graphics, C Version, section 14-2.
     """
     # Begin with the ambient light
-    N, V = unit(vector(normal)), unit(minus(vector(eye), vector(place)))
+    N, V = unit(vector(normal)), unit(towards(eye, vector(place)))
     k_d, k_s, n = float(material[1]), float(material[2]), float(material[3])
     total = float(material[0])
 
     for light in range(len(lights)):
         # Find the way to the light, and what arrives of it
-        to_light = minus(vector_of(lights, light), vector(place))
-        L, d = unit(to_light), length(to_light)
-        f = attenuation(float(fading[0]), float(fading[1]), float(fading[2]), d)
-        arriving = f * float(lights[light, 3])
+        L, d, f, intensity = arriving(lights, light, vector(place), blockers)
 
         # Add what is scattered
         cosine = max(dot_product(N, L), 0.0)
-        diffuse = k_d * arriving * cosine
+        diffuse = k_d * intensity * cosine
 
         # Add what is mirrored
         mirror = max(dot_product(V, mirrored(L, N)), 0.0)
@@ -71,24 +63,12 @@ def illuminate(
             mirror = max(dot_product(N, halfway(L, V)), 0.0)
         specular = 0.0
         if cosine > 0.0:
-            specular = k_s * arriving * math.pow(mirror, n)
+            specular = k_s * intensity * math.pow(mirror, n)
         total += diffuse + specular
         yield light, diffuse, specular, total
 
 
-def lit_point(chance: Random) -> tuple[Any, ...]:
-    """Up to three lights round a point, some of them behind the surface or in the point itself."""
-
-    def place() -> list[float]:
-        return [float(chance.randint(-3, 3)) for _axis in range(3)]
-
-    lights = np.array([[*place(), chance.randint(0, 4) / 4] for _light in range(chance.randint(0, 3))])
-    material = np.array([chance.randint(0, 4) / 4 for _share in range(3)] + [float(chance.randint(1, 50))])
-    fading = np.array([chance.randint(0, 4) / 4 for _power in range(3)])
-    arrays = [np.array(place()) for _point in range(3)]
-    return *arrays, lights.reshape(-1, 4), material, fading, chance.random() < 0.5
-
-
+_ARRIVES = "Find the way to the light, and what arrives of it"
 _MIRROR = "Add what is mirrored"
 _NAME = "'N · H' if by_halfway else 'V · R'"
 
@@ -100,9 +80,13 @@ ENTRY = Entry(
     parameters=(
         Parameter("place", "P", "floats", np.zeros(3), meaning="the point of the surface, in the world"),
         Parameter("normal", "N", "floats", np.array([0.0, 0, 1]), meaning="normal of the surface there"),
-        Parameter("eye", "eye", "floats", np.array([0.0, 0, 5]), meaning="where it is seen from"),
+        EYE,
         Parameter(
-            "lights", "lights", "matrix", np.array([[1.0, 2, 2, 1], [-2, 0, 1, 0.5]]), meaning="x, y, z, I"
+            "lights",
+            "lights",
+            "matrix",
+            np.array([[1.0, 2, 2, 1, 1, 1, 0, 0], [-2, 0, 1, 1, 0.5, 1, 0, 0]]),
+            meaning="x, y, z, w, intensity, then a0, a1, a2 of the distance; with w = 0 a direction",
         ),
         Parameter(
             "material",
@@ -111,8 +95,8 @@ ENTRY = Entry(
             np.array([0.1, 0.6, 0.3, 10]),
             meaning="ambient light, then k_d, k_s and n",
         ),
-        Parameter("fading", "fading", "floats", np.array([1.0, 0, 0]), meaning="a0, a1, a2 of the distance"),
-        Parameter("by_halfway", "N · H", "bool", False, meaning="by the halfway vector instead of V · R"),
+        BY_HALFWAY,
+        BLOCKERS,
     ),
     arguments=lit_point,
     emits="points",
@@ -122,8 +106,18 @@ ENTRY = Entry(
     views=(
         View(block="Begin with the ambient light", sentence="The ambient light alone gives {total}."),
         View(
-            block="Find the way to the light, and what arrives of it",
-            sentence="Light {light} is {d} away and keeps f = {f} of its intensity.",
+            block=_ARRIVES,
+            when="intensity == 0.0",
+            sentence="Nothing arrives of light {light}: it is out, or something is in its way.",
+        ),
+        View(
+            block=_ARRIVES,
+            when="d == 0.0",
+            sentence="Light {light} is in the surface: no way leads to it, and it adds nothing.",
+        ),
+        View(
+            block=_ARRIVES,
+            sentence="Light {light} is {d} away and keeps f = {f} of its intensity: {intensity} arrives.",
         ),
         View(
             block=_MIRROR,
@@ -151,6 +145,10 @@ ENTRY = Entry(
         Law(
             "A light behind the surface adds nothing, and one farther away never adds more.",
             "shading/test_illuminate.py::test_light_from_behind_and_from_farther_away",
+        ),
+        Law(
+            "A triangle between the point and a light takes all of it away, one beyond nothing.",
+            "shading/test_illuminate.py::test_what_is_between_takes_the_light_away",
         ),
         Law(
             "Several lights add up: their order does not matter.",

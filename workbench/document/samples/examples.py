@@ -14,6 +14,7 @@ from workbench.document.samples.figures import (
     polyline,
 )
 from workbench.document.samples.fill import fill_examples
+from workbench.document.samples.shading import shading_examples
 from workbench.document.samples.space import space_examples
 from workbench.document.samples.transform import transform_examples
 from workbench.document.samples.viewing import viewing_examples
@@ -90,6 +91,7 @@ def examples() -> list[Example]:
         *curve_examples(),
         *space_examples(),
         *visibility_examples(),
+        *shading_examples(),
         *arena_examples(),
         *animate_examples(),
     ]

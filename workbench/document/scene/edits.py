@@ -105,6 +105,12 @@ def add_light(sheet: str, light: Light) -> Edit:
 
 
 @checked
+def set_thing(thing: Light | Material) -> Edit:
+    """Put a light or a material in place of the one that has its id."""
+    return lambda document: with_thing(document, plain(thing))
+
+
+@checked
 def remove_thing(thing: str) -> Edit:
     """Remove an object, a light, or a material that no object has."""
 

@@ -30,6 +30,10 @@ def _share(label: str, symbol: str) -> Number:
     return Number(label=label, symbol=symbol, low=0.0, high=1.0, keyed=True)
 
 
+def _fading(label: str, symbol: str) -> Number:
+    return Number(label=label, symbol=symbol, low=0.0, high=1e6, keyed=True)
+
+
 class Point3D(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A point, or a direction, in the world."""
 
@@ -94,7 +98,10 @@ class Material(
     cache_hash=True,
     dict=True,
 ):
-    """How a surface answers light: its colour, shares of three kinds of light, the exponent of its shine."""
+    """How a surface answers light: its colour, shares of three kinds of light, the exponent of its shine.
+
+    ``opacity`` is what it stops of the light from behind it; only the A-buffer asks for that.
+    """
 
     letter: ClassVar[str] = "m"
 
@@ -107,6 +114,7 @@ class Material(
     shininess: Annotated[
         float, Number(label=_("shininess"), symbol="n_s", low=1.0, high=1000.0, keyed=True)
     ] = 20.0
+    opacity: Annotated[float, _share(_("opacity"), "o")] = 1.0
 
 
 class Light(
@@ -118,7 +126,10 @@ class Light(
     cache_hash=True,
     dict=True,
 ):
-    """A light at a point; a ``distant`` one shines from that direction, equally everywhere."""
+    """A light at a point; a ``distant`` one shines from that direction, equally everywhere.
+
+    At a distance d a light at a point keeps min(1, 1 / (a0 + a1 d + a2 d^2)) of its intensity.
+    """
 
     letter: ClassVar[str] = "l"
 
@@ -130,6 +141,9 @@ class Light(
         1.0
     )
     distant: bool = True
+    a0: Annotated[float, _fading(_("attenuation"), "a_0")] = 1.0
+    a1: Annotated[float, _fading(_("attenuation by distance"), "a_1")] = 0.0
+    a2: Annotated[float, _fading(_("attenuation by the distance squared"), "a_2")] = 0.0
 
 
 class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):

@@ -87,6 +87,12 @@ def pages() -> tuple[PageRow, ...]:
             "workbench.panels.space.visibility.page:VisibilityPage",
         ),
         PageRow(
+            "shading",
+            _("Shading"),
+            _("How a scene is lit: flat, Gouraud, Phong and fast Phong shading, lights and materials"),
+            "workbench.panels.space.shading.page:ShadingPage",
+        ),
+        PageRow(
             "arena",
             _("Hidden surfaces"),
             _("Every method for hidden surfaces on one scene: what each shows, where it errs, what it costs"),

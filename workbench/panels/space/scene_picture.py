@@ -15,6 +15,8 @@ from workbench.panels.space.scene_worker import SceneJob, SceneWorker
 from workbench.panels.space.strokes import lines
 from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture
 from workbench.rendering.scene.line_drawing import line_picture
+from workbench.rendering.scene.shaded import Model
+from workbench.rendering.scene.shading import QUICK
 from workbench.rendering.scene.viewpoint import Viewpoint
 from workbench.widgets.look.tokens import colour, theme, tokens
 
@@ -63,6 +65,7 @@ class ScenePicture(QWidget):
         self.worker.drawn.connect(self._take)
         self.worker.failed.connect(self._refuse)
         self._job: SceneJob | None = None
+        self._lit = QUICK, Model()
         self._picture: EdgePicture | None = None
         self._rows = np.zeros((0, 0), np.uint32)  # the image only refers to them
         self._image = QImage()
@@ -102,6 +105,12 @@ class ScenePicture(QWidget):
             self.shows, self._job = shows, None
             self.redraw()
 
+    def set_shading(self, shading: str, model: Model) -> None:
+        """Show the scene in a shading, by its slug; a quick one has edges, too."""
+        if (shading, model) != self._lit:
+            self._lit = shading, model
+            self.redraw()
+
     @property
     def device_size(self) -> tuple[int, int]:
         """Width and height in the pixels of the screen."""
@@ -118,7 +127,8 @@ class ScenePicture(QWidget):
     def redraw(self) -> None:
         """Have the picture drawn anew."""
         if self.isVisible() and self.width() > 1 and self.height() > 1:
-            job = SceneJob(self.scene, self.device_size, self.window_world, self.shows not in _WITHOUT_FACES)
+            faces = self.shows not in _WITHOUT_FACES
+            job = SceneJob(self.scene, self.device_size, self.window_world, faces, *self._lit)
             if job != self._job:
                 self._job = job
                 if not (job.faces and self._image_came):  # until faces can be drawn, lines are

@@ -10,19 +10,25 @@ from PySide6.QtCore import QObject, Signal
 
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
+from workbench.engine.stopping import Stop, Stopped
 from workbench.language import _, reason_of
-from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture
+from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture, image_over_nothing
+from workbench.rendering.scene.shaded import Model, shaded
+from workbench.rendering.scene.shading import QUICK
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
 from workbench.session.answers import Answers
 
 
 class SceneJob(NamedTuple):
-    """What is drawn: a scene through its camera and a window of the view plane, ``size`` in device pixels."""
+    """What is drawn: a scene through its camera and a window of the view plane, ``size`` in device pixels;
+    its shading, with the edges only of a quick one."""
 
     scene: Scene
     size: Size
     window: Rectangle
     faces: bool
+    shading: str = QUICK
+    model: Model = Model()
 
     @property
     def viewpoint(self) -> Viewpoint:
@@ -61,8 +67,8 @@ class SceneWorker(QObject):
         if self._drawing:
             self._next = job
         else:
-            self._drawing = True
-            self._answers.ask(partial(_draw, job), "scene")
+            self._drawing, stop = True, Stop()
+            self._answers.ask(partial(_draw, job, stop), "scene", stop.set)
 
     def _take(self, answer: SceneAnswer) -> None:
         self._drawing = False
@@ -75,9 +81,19 @@ class SceneWorker(QObject):
             self.failed.emit(answer.job, answer.problem)
 
 
-def _draw(job: SceneJob) -> SceneAnswer:
+def _picture(job: SceneJob, stop: Stop) -> EdgePicture:
+    if job.shading == QUICK:
+        return edge_picture(job.scene, job.size, job.window, job.faces)
+    image, depth = shaded(job.scene, job.shading, job.size, job.window, job.model, stop)
+    none, nobody = np.zeros((0, 4)), np.zeros(0, np.int64)
+    return EdgePicture(image_over_nothing(image, depth), none, nobody, none, nobody)
+
+
+def _draw(job: SceneJob, stop: Stop) -> SceneAnswer:
     try:
-        return SceneAnswer(job, edge_picture(*job))
+        return SceneAnswer(job, _picture(job, stop))
+    except Stopped:
+        return SceneAnswer(job)  # to nobody: the program ends
     except ValueError as error:
         return SceneAnswer(job, problem=reason_of(error))
     except MemoryError:

@@ -22,7 +22,7 @@ from workbench.rendering.scene.back_face_calls import (
     triangles_left,
 )
 from workbench.rendering.scene.fragments import fragments_of
-from workbench.rendering.scene.methods import METHODS, method_call, surfaces_seen
+from workbench.rendering.scene.methods import A_BUFFER, METHODS, method_call, surfaces_seen
 from workbench.rendering.scene.render import DeviceTriangles, device_triangles, placed
 from workbench.rendering.scene.viewpoint import Size
 
@@ -47,8 +47,11 @@ class MethodRun(NamedTuple):
 
 
 def methods_for(camera: Camera) -> tuple[str, ...]:
-    """The slugs of those that can be let loose, in teaching order; back faces are told from a point."""
-    return (BACK_FACES, *METHODS) if looks_from_a_point(camera) else METHODS
+    """The slugs of those that can be let loose, in teaching order; back faces are told from a point.
+
+    To the A-buffer, the last, all surfaces are opaque here.
+    """
+    return (BACK_FACES, *METHODS, A_BUFFER) if looks_from_a_point(camera) else (*METHODS, A_BUFFER)
 
 
 def run_methods(

@@ -43,9 +43,15 @@ def edge_picture(scene: Scene, size: Size, window: Rectangle, faces: bool = True
     if not faces:
         return EdgePicture(None, ends[:, [0, 1, 3, 4]], owners, none, nobody)
     image, depth = render_scene(scene, depth_buffer.__name__, size, window=window)
-    pixels = np.where(depth < 1.0, image | np.uint32(0xFF000000), np.uint32(0))
+    pixels = image_over_nothing(image, depth)
     parts, of, seen = _split(ends, depth)
     return EdgePicture(pixels, parts[seen], owners[of[seen]], parts[~seen], owners[of[~seen]])
+
+
+def image_over_nothing(image: NDArray[np.uint32], depth: Array) -> NDArray[np.uint32]:
+    """A picture (h, w), 0xRRGGBB, as 0xAARRGGBB, 0 where its depths say that nothing is."""
+    pixels: NDArray[np.uint32] = np.where(depth < 1.0, image | np.uint32(0xFF000000), np.uint32(0))
+    return pixels
 
 
 def _edges(scene: Scene, viewpoint: Viewpoint) -> tuple[Array, Index]:

@@ -7,6 +7,7 @@ from math import pi, sqrt
 import numpy as np
 
 from workbench.geometry.meshes import Array, Index, Mesh, edges_of, face_normals
+from workbench.rendering.scene.smoothing import corner_normals
 
 _MOST_POINTS = 2_000
 _DIRECTIONS = 256
@@ -19,6 +20,7 @@ class Lasting:
 
     def __init__(self, mesh: Mesh) -> None:
         self._mesh = mesh
+        self._corner_normals: Array | None = None
 
     @cached_property
     def normals(self) -> Array:
@@ -62,6 +64,12 @@ class Lasting:
     def edges(self) -> Index:
         """(e, 2), each once."""
         return edges_of(self._mesh)
+
+    def corner_normals(self, triangles: Index, owners: Index) -> Array:
+        """(t, 3, 3) of the mesh's triangles (t, 3), each a part of the face in ``owners`` (t,)."""
+        if self._corner_normals is None:
+            self._corner_normals = corner_normals(self._mesh, triangles, owners)
+        return self._corner_normals
 
     @cached_property
     def outermost(self) -> Array:

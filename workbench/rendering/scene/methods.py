@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
+from workbench.algorithms.visibility import a_buffer
 from workbench.algorithms.visibility.surfaces import NOTHING, depth_at, surface_of
 from workbench.engine.stopping import Stop
 from workbench.geometry.meshes import Array, Index
@@ -25,10 +26,22 @@ METHODS: tuple[str, ...] = tuple(
 """Their slugs, in teaching order."""
 
 
-def method_call(method: str, corners: Array, triangles: Index, colours: Index, size: Size) -> Call:
+A_BUFFER = a_buffer.__name__
+"""A method, too, but one that adds up light: where all is opaque its picture is that of the others."""
+
+
+def method_call(
+    method: str,
+    corners: Array,
+    triangles: Index,
+    colours: Index | Array,
+    size: Size,
+    opacities: Array | None = None,
+) -> Call:
     """The call that paints device triangles with a method into a new picture of ``size``, (width, height).
 
-    Args: as of ``DeviceTriangles``; a slug of METHODS.
+    Args: as of ``DeviceTriangles``; a slug of METHODS, or A_BUFFER, for which colours are light, and
+    opacities (t,), 0 to 1, by default 1.
     """
     width, height = size
     given: dict[str, Any] = {
@@ -37,6 +50,9 @@ def method_call(method: str, corners: Array, triangles: Index, colours: Index, s
         "vertices": corners,
         "faces": triangles,
         "colours": colours,
+        "light": np.zeros((height, width)),
+        "intensities": np.asarray(colours, np.float64),
+        "opacities": np.ones(len(triangles)) if opacities is None else opacities,
     }
     entry = catalogue.get(method)
     return Call(entry, tuple(given[name] for name in entry.parameter_names))
@@ -59,7 +75,7 @@ def surfaces_seen(
 
     numbers = np.arange(1, len(triangles) + 1)
     call = method_call(method, corners, triangles, numbers, size)
-    image: NDArray[np.uint32] = call.arguments[0]
+    image: NDArray[Any] = call.arguments[0]
     paint(call.entry.function, image, 0, *call.arguments, stop=stop, compiling=compiling)
     return image.astype(np.int64) - 1
 

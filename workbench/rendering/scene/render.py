@@ -16,7 +16,7 @@ from workbench.language import _
 from workbench.rendering.scene import methods
 from workbench.rendering.scene.lasting import Lasting
 from workbench.rendering.scene.methods import picture_by
-from workbench.rendering.scene.shading import flat_colours
+from workbench.rendering.scene.shading import LIT_SHADINGS, QUICK, flat_colours
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
 from workbench.rendering.triangles import drawn, threads
 
@@ -41,7 +41,7 @@ METHODS: dict[str, Callable[..., Picture]] = {
 }
 """How hidden surfaces are found, by slug: from device triangles, their colours and the size."""
 
-SHADINGS = ("flat",)
+SHADINGS = (QUICK, *LIT_SHADINGS)
 
 _MESH_MATERIAL = Material("mesh")
 
@@ -70,7 +70,14 @@ def render_mesh(
 def render_scene(
     scene: Scene, method: str, size: Size, shading: str = "flat", window: Rectangle | None = None
 ) -> Picture:
-    """A scene as its camera sees it; all else as of ``render_mesh``."""
+    """A scene as its camera sees it; all else as of ``render_mesh``.
+
+    ``shading`` is one of SHADINGS; all but the quick one go through the depth buffer.
+    """
+    if shading in LIT_SHADINGS and method == depth_buffer.__name__:
+        from workbench.rendering.scene.shaded import shaded  # which gets its triangles from here
+
+        return shaded(scene, shading, size, window)
     return _rendered(placed(scene), scene.lights, scene.camera, method, size, shading, window)
 
 
@@ -120,6 +127,9 @@ def _rendered(
     if method not in METHODS:
         raise ValueError(_none_called(method, tuple(METHODS)))
     refuse_shading(shading)
+    if shading != QUICK:
+        sentence = _("{shading!r} goes through the depth buffer: choose {method!r}, or {quick!r}.")
+        raise ValueError(sentence.format(shading=shading, method=depth_buffer.__name__, quick=QUICK))
     device = device_triangles(parts, lights, camera, size, window)
     return METHODS[method](device.corners, device.triangles, device.colours, size)
 

@@ -1,13 +1,21 @@
-"""Flat shading: one colour for each face, by Lambert's law, in coded colours as the course has them."""
+"""Quick shading while a scene is looked at: a colour for each face, by Lambert's law, in coded colours.
+
+The shadings of the course, in linear light and with highlights, are those of ``shaded``.
+"""
 
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.shading import fast_phong, flat_shading, gouraud, phong
 from workbench.document.scene.model import Light, Material
 from workbench.geometry.meshes import Array
 from workbench.rendering.scene.lasting import Lasting
+
+QUICK = "flat"
+LIT_SHADINGS = tuple(text.__name__ for text in (flat_shading, gouraud, phong, fast_phong))
+"""Their slugs, in teaching order."""
 
 
 def flat_colours(

@@ -5,10 +5,12 @@ from functools import lru_cache
 
 import numpy as np
 from msgspec.structs import replace
+from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.marks import Frame, Mark
 from workbench.algorithms.visibility import depth_buffer
+from workbench.display.phosphor import linear_from_srgb
 from workbench.document.fields import Number
 from workbench.document.model import Rectangle, Sheet
 from workbench.document.scene.model import Object, Scene
@@ -19,14 +21,14 @@ from workbench.rendering.marks import on_device
 from workbench.rendering.scene import back_face_calls
 from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.fragments import fragments_of
-from workbench.rendering.scene.methods import METHODS, method_call
+from workbench.rendering.scene.methods import A_BUFFER, METHODS, method_call
 from workbench.rendering.scene.render import DeviceTriangles, device_triangles, placed
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
 KIND = "visibility"
 DEPTH_BUFFER = depth_buffer.__name__
 LEAST_COLUMNS, USUAL_COLUMNS, MOST_COLUMNS = 8, 48, 96
-SURFACE_METHODS = tuple(method for method in METHODS if method != DEPTH_BUFFER)
+SURFACE_METHODS = (*(method for method in METHODS if method != DEPTH_BUFFER), A_BUFFER)
 """Those that keep no depths, and are told by their own marks and what they have painted."""
 NOT_ROUNDED = 0
 LEAST_BITS, MOST_BITS = 4, 32
@@ -153,7 +155,19 @@ def surface_call(sheet: Sheet, subject: Subject) -> Call | None:
     if device is None or method not in SURFACE_METHODS:
         return None
     size = scene_size(sheet, subject)
-    return method_call(method, device.corners, device.triangles, device.colours, size)
+    if method != A_BUFFER:
+        return method_call(method, device.corners, device.triangles, device.colours, size)
+    greys = np.array([sum(linear_from_srgb(colour)) / 3 for colour in device.colours.tolist()])
+    opacities = opacities_of(sheet, device)
+    return method_call(method, device.corners, device.triangles, greys, size, opacities)
+
+
+def opacities_of(sheet: Sheet, device: DeviceTriangles) -> NDArray[np.float64]:
+    """What each triangle (t,) stops of the light from behind it, 0 to 1."""
+    assert sheet.scene is not None
+    of_id = {material.id: material.opacity for material in sheet.scene.materials}
+    of_object = np.array([of_id[thing.material] for thing in visible_objects(sheet.scene)])
+    return of_object[device.objects] if len(of_object) else np.zeros(0)
 
 
 def _exact(subject: Subject) -> dict[str, Argument]:

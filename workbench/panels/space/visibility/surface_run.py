@@ -56,6 +56,11 @@ def surface_run(depth: DepthRun, session: Session) -> SurfaceRun:
         return SurfaceRun(depth, seen, marks)
     if run.recording is not None and run.moment is not None:
         count = len(run.moment.emitted) if run.detail or run.step is None else run.step.emitted_to
-        seen = seen_after(run.entry, run.recording.emitted.array(0, count), depth.size)
+        rows = run.recording.emitted.array(0, count)
+        if run.entry.emits == "coverage":  # the light of a pixel, not a surface: the nearest stands for it
+            x, y = rows[:, 0].astype(np.int64), rows[:, 1].astype(np.int64)
+            seen[y, x] = depth.fragments.seen(depth.size)[y, x]
+        else:
+            seen = seen_after(run.entry, rows, depth.size)
     marks = tuple(marks_on_device(session.sheet, run.subject, run.entry.frame, run.marks()))
     return SurfaceRun(depth, seen, marks)

@@ -1,0 +1,126 @@
+"""A scene in the light of its lamps: flat, Gouraud, Phong or fast Phong, through the depth buffer."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from workbench.algorithms import catalogue
+from workbench.algorithms.shading import gouraud
+from workbench.algorithms.shading.illumination import corner_lights
+from workbench.display.exposure import srgb_encoded
+from workbench.document.model import Rectangle
+from workbench.document.scene.model import Scene
+from workbench.engine.stopping import Stop
+from workbench.geometry.meshes import Array
+from workbench.language import _
+from workbench.rendering.gouraud_triangles import gouraud_drawn
+from workbench.rendering.mapping import Call
+from workbench.rendering.scene.lit_triangles import LitTriangles, blockers_of, lit_triangles
+from workbench.rendering.scene.render import Picture
+from workbench.rendering.scene.viewpoint import Size
+from workbench.rendering.triangles import FARTHEST, in_bands
+
+MOST_BLOCKERS = 4_000
+"""A ray to a light is tried on so many triangles at most."""
+
+
+class Model(NamedTuple):
+    """How the model is applied: by N . H in place of V . R, and whether shadows are cast."""
+
+    by_halfway: bool = False
+    shadows: bool = False
+
+
+def shaded(
+    scene: Scene,
+    shading: str,
+    size: Size,
+    window: Rectangle | None = None,
+    model: Model = Model(),  # noqa: B008
+    stop: Stop | None = None,
+) -> Picture:
+    """A scene as its camera sees it in its light; as ``render_scene``, coded for the screen.
+
+    Each of red, green and blue is shaded by itself, in linear light. Raises: ValueError, a sentence; Stopped.
+    """
+    lit, blockers = lit_triangles(scene, size, window), shadow_blockers(scene, model)
+    if shading == gouraud.__name__:
+        lights = [_of_corners(lit, channel, model, blockers) for channel in range(3)]
+        return gouraud_drawn(lit.corners, lit.triangles, np.stack(lights, axis=1), size, stop)
+    channels = [_channel(lit, shading, channel, size, model, blockers, stop) for channel in range(3)]
+    packed = np.zeros(size[::-1], np.uint32)
+    for light, _depth in channels:
+        packed = packed << 8 | np.floor(srgb_encoded(light) * 255 + 0.5).astype(np.uint32)
+    return packed, channels[0][1]
+
+
+def shadow_blockers(scene: Scene, model: Model) -> Array:
+    """Corners (3 k, 3) of what may take the light away. Raises: ValueError where that is too much."""
+    blockers = blockers_of(scene) if model.shadows else np.zeros((0, 3))
+    if len(blockers) > 3 * MOST_BLOCKERS:
+        sentence = _(
+            "Shadows are cast by up to {most:,} triangles, and there are {count:,}; hide some objects."
+        )
+        raise ValueError(sentence.format(most=MOST_BLOCKERS, count=len(blockers) // 3))
+    return blockers
+
+
+def shading_call(
+    lit: LitTriangles, shading: str, size: Size, model: Model, blockers: Array, channel: int | None = None
+) -> Call:
+    """The call that shades a new picture: red, green or blue, or as if surfaces and lights were white."""
+    entry = catalogue.get(shading)
+    materials, lights = (lit.materials, lit.lights) if channel is None else lit.in_channel(channel)
+    given: dict[str, Any] = {
+        "light": np.zeros(size[::-1]),
+        "vertices": lit.corners,
+        "faces": lit.triangles,
+        "places": lit.places,
+        "normals": lit.normals,
+        "materials": materials,
+        "eye": lit.eye,
+        "lights": lights,
+        "by_halfway": model.by_halfway,
+        "blockers": blockers,
+        "depth": np.full(size[::-1], FARTHEST),
+    }
+    if shading == gouraud.__name__:
+        given["intensities"] = _of_corners(lit, channel, model, blockers)
+    return Call(entry, tuple(given[name] for name in entry.parameter_names))
+
+
+def _of_corners(lit: LitTriangles, channel: int | None, model: Model, blockers: Array) -> Array:
+    """The light (3 t,) of all corners."""
+    from workbench.engine.compiled import collect
+
+    materials, lights = (lit.materials, lit.lights) if channel is None else lit.in_channel(channel)
+    of_corner = np.repeat(materials, 3, axis=0)
+    rest = lit.eye, lights, model.by_halfway, blockers
+    found: Array = collect(
+        corner_lights, lit.places, lit.normals, of_corner, *rest, compiling=channel is not None
+    )
+    return found[:, 0]
+
+
+def _channel(
+    lit: LitTriangles,
+    shading: str,
+    channel: int,
+    size: Size,
+    model: Model,
+    blockers: Array,
+    stop: Stop | None,
+) -> tuple[Array, Array]:
+    """The light (h, w) of red, green or blue and the depth there, in bands of rows on two threads."""
+    from workbench.engine.compiled import paint
+
+    call = shading_call(lit, shading, size, model, blockers, channel)
+    light, vertices, *rest, depth = call.arguments
+    unused = np.zeros((1, 1), np.uint32)
+
+    def shade(low: int, high: int) -> None:
+        given = light[low:high], vertices - (0.0, low, 0.0), *rest, depth[low:high]
+        paint(call.entry.function, unused, 0, *given, stop=stop)
+
+    in_bands(size[1], shade, stop)
+    return light, depth
