@@ -70,6 +70,7 @@ STEPPED = {
     4: ("clipper", 7),
     5: ("curve", 3),
     6: ("curve", 3),
+    7: ("curve", 3),
 }
 
 
@@ -83,6 +84,14 @@ def test_a_sample_of_every_version_opens(version: int) -> None:
     assert (stored.session.subject.kind, stored.session.step) == STEPPED[version]
     assert list(stored.blobs.values()) == [b"blob"]
     assert decode(encode(stored)) == stored
+
+
+def test_the_sample_of_version_7_has_a_named_view() -> None:
+    scene = read(SAMPLES / "version-7.gwb").document.sheets[0].scene
+    assert scene is not None
+    assert [(view.name, view.camera.projection) for view in scene.named_views] == [
+        ("From above", "isometric")
+    ]
 
 
 def test_what_version_3_stepped_stands_in_the_workspaces_that_step_it() -> None:

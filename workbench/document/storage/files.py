@@ -28,7 +28,7 @@ from workbench.document.storage.upgrades import UPGRADES, Upgrade
 from workbench.language import _, legible
 
 FORMAT = "graphics-workbench"
-VERSION = 6
+VERSION = 7
 # What is opened, and so what is saved: a few of the largest blobs, and fewer values than memory is there for.
 MAX_BYTES = 128 * 2**20
 MAX_VALUES = 2_000_000  # numbers, texts, lists and objects together

@@ -93,6 +93,13 @@ class ViewTools(QFrame):
                 self.menu.addAction(action)
         column.addStretch(1)
 
+    def add_named_views(self, commands: Sequence[QAction], views: QMenu) -> None:
+        """Put what can be done with named views, and a menu of them, below the other ways to look."""
+        self.menu.addSeparator()
+        self.menu.addMenu(views)
+        self.menu.addActions(list(commands))
+        self.actions_by_name.update((action.objectName().partition(".")[2], action) for action in commands)
+
     @staticmethod
     def _button(column: QVBoxLayout) -> QToolButton:
         button = QToolButton()
