@@ -75,9 +75,14 @@ class SceneWorker(QObject):
             self.failed.emit(answer.job, answer.problem)
 
 
+_one_at_a_time = threading.Lock()
+"""Two views of a scene take no longer one after the other, and half of the memory."""
+
+
 def _draw(job: SceneJob) -> SceneAnswer:
     try:
-        return SceneAnswer(job, edge_picture(*job))
+        with _one_at_a_time:
+            return SceneAnswer(job, edge_picture(*job))
     except ValueError as error:
         return SceneAnswer(job, problem=reason_of(error))
     except MemoryError:
