@@ -155,6 +155,7 @@ class ProjectionPage(ViewCommands, QWidget):
             told.connect(self.refresh_soon)
         eye.view_changed.connect(self._view_changed)
         self.card.chosen.connect(self.choose)
+        self.card.turned_over.connect(self.refresh_soon)
         self.family.tree.chosen.connect(self.choose)
         for part in (self.card, self.strip, self.objects, self.named_views):
             part.said.connect(self.hover_text)
