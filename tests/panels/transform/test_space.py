@@ -129,6 +129,18 @@ def test_an_axis_without_direction_is_refused_in_its_field(qtbot, panel, session
     assert "has no direction" in fields["z_axis"].complaint.text()
 
 
+def test_a_mirror_without_direction_is_refused_in_its_field(qtbot, panel, session):
+    dock = panel.space.chain
+    for action in dock.menu.actions():
+        action.trigger()
+        settle()
+    card = next(card for card in dock.cards if card.kind is Reflect3D)
+    before = session.document
+    type_into(qtbot, card.fields["x_normal"], "0")
+    assert session.document is before
+    assert card.fields["x_normal"].complaint.text().endswith(".")
+
+
 def test_every_kind_of_transform_is_added_and_a_flat_one_says_so(panel, session):
     dock = panel.space.chain
     for action in dock.menu.actions():
