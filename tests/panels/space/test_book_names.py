@@ -43,6 +43,11 @@ def test_z_towards_the_eye_changes_both_factors_and_not_their_product(
     qtbot.keyClick(page.card.towards_eye, Qt.Key.Key_Space)
     settle(qtbot, page)
     assert np.array_equal(matrices(page)[1], plane)
+    command = next(each for each in page.commands() if each.objectName() == "space.z_towards_eye")
+    command.trigger()  # where the card has no room
+    settle(qtbot, page)
+    assert np.array_equal(matrices(page)[1], book_plane)
+    assert command.isChecked() == page.card.towards_eye.isChecked() is True
 
 
 def test_the_names_follow_the_camera(qtbot: QtBot, page: ProjectionPage) -> None:

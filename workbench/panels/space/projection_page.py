@@ -156,6 +156,7 @@ class ProjectionPage(ViewCommands, QWidget):
         eye.view_changed.connect(self._view_changed)
         self.card.chosen.connect(self.choose)
         self.card.turned_over.connect(self.refresh_soon)
+        self.card.towards_eye.toggled.connect(self._actions["z_towards_eye"].setChecked)
         self.family.tree.chosen.connect(self.choose)
         for part in (self.card, self.strip, self.objects, self.named_views):
             part.said.connect(self.hover_text)
@@ -239,6 +240,10 @@ class ProjectionPage(ViewCommands, QWidget):
     def switch_trackball(self) -> None:
         """Turn freely, or on a turntable that keeps the horizon level."""
         self.looking.trackball = self._actions["trackball"].isChecked()
+
+    def switch_z(self) -> None:
+        """Write V and P as the book has them, z towards the eye, or as we do."""
+        self.card.towards_eye.setChecked(self._actions["z_towards_eye"].isChecked())
 
     def _place_cube(self) -> None:
         """At the top right, or below where the card leaves no room there; the choice of steps likewise."""

@@ -60,6 +60,9 @@ class Viewing(Protocol):
     def switch_trackball(self) -> None:
         """Turn freely, or on a turntable."""
 
+    def switch_z(self) -> None:
+        """Let z of the view coordinates point to the eye, or into the picture."""
+
     def keep(self) -> None:
         """Write the view into the document."""
 
@@ -155,5 +158,6 @@ def tools_of(page: "Viewing") -> list[Tool]:
         Tool("isometric", _("Look from (1, 1, 1), isometric"), "", "", partial(page.glance, "isometric")),
         Tool("switch", _("Perspective or parallel"), "", "(5)", page.switch),
         Tool("trackball", _("Turn freely, as a trackball"), "", "", page.switch_trackball, False),
+        Tool("z_towards_eye", _("z towards the eye, as in the book"), "", "", page.switch_z, False),
         Tool("keep", _("Keep this view"), "", "", page.keep),
     ]
