@@ -1,11 +1,11 @@
 """Addresses of attributes: they name sheet, figure and point by id, and so survive every edit of the others.
 
 As text: ``s1/width_px``, ``s1/palette.2``, ``s1/v3/window_world.xmin``, ``s1/f2/radius_world``,
-``s1/f2/p3/x``, ``s1/f2/t4/angle``. A view of a sheet, and an object, a material or a light of its scene,
-stand where a figure does, a knot or a link of a chain where a point does: ``s1/scene.camera.eye.x``,
-``s1/o5/solid.radius``, ``s1/o5/t6/angle``; so do a track of its motion and its keys: ``s1/a7/k8/frame``.
-``*`` in place of the attribute means the whole sheet, figure or point; ``sheets``, ``s1/figures``,
-``s1/scene.objects`` and ``s1/f2/points_world`` mean what is in the list and in which order.
+``s1/f2/p3/x``, ``s1/f2/t4/angle``. A view of a sheet, and an object, a material, a light or a named view
+of its scene, stand where a figure does, a knot or a link of a chain where a point does:
+``s1/scene.camera.eye.x``, ``s1/o5/solid.radius``, ``s1/o5/t6/angle``; so do a track of its motion and its
+keys: ``s1/a7/k8/frame``. ``*`` in place of the attribute means the whole sheet, figure or point; ``sheets``,
+``s1/figures``, ``s1/scene.objects`` and ``s1/f2/points_world`` mean what is in the list and in which order.
 """
 
 from collections.abc import Collection

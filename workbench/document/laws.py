@@ -3,7 +3,10 @@
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
 from workbench.algorithms import catalogue
+from workbench.document.differences import between
 from workbench.document.faults import Fault, below, count_problem, shown
 from workbench.document.fields import numbers_of, once_per_type
 from workbench.document.model import (
@@ -18,7 +21,7 @@ from workbench.document.model import (
 )
 from workbench.document.motion import laws as motion_laws
 from workbench.document.scene import laws as scene_laws
-from workbench.document.transforms.chains import LARGEST
+from workbench.document.transforms.chains import LARGEST, matrices_of
 from workbench.language import _
 
 MIN_EXTENT = 1e-6
@@ -73,13 +76,17 @@ def _held_colours(sheet: Sheet, before: Sheet | None) -> Fault | None:
     return None
 
 
-def _chain(figure: AnyFigure, _before: Any) -> Fault | None:
-    """What a chain makes of any point can still be drawn."""
-    matrix = figure.matrix
-    if matrix is None or all(-LARGEST <= number <= LARGEST for row in matrix.tolist() for number in row):
-        return None
-    problem = _("has a matrix with numbers beyond {most:g}; make a scale factor or a shear smaller")
-    return "transforms", problem.format(most=LARGEST)
+def _chains(sheet: Sheet, before: Sheet | None) -> Fault | None:
+    """What the chain of a figure makes of any point can still be drawn."""
+    old = before.figures if before is not None else ()
+    start, old_end, end = between(old, sheet.figures)
+    sound = set(map(id, old[start:old_end]))
+    new = [at for at in range(start, end) if id(sheet.figures[at]) not in sound]
+    matrices = matrices_of([sheet.figures[at] for at in new])
+    for at in np.flatnonzero(~(np.abs(matrices) <= LARGEST).all(axis=(1, 2))).tolist():
+        problem = _("has a matrix with numbers beyond {most:g}; make a scale factor or a shear smaller")
+        return f"figures[{new[at]}].transforms", problem.format(most=LARGEST)
+    return None
 
 
 def _rings(polygon: Polygon, _before: Any) -> Fault | None:
@@ -129,8 +136,8 @@ def _extent(rectangle: Rectangle, _before: Any) -> Fault | None:
 LAWS: dict[type, tuple[Callable[[Any, Any], Fault | None], ...]] = {
     **scene_laws.LAWS,
     **motion_laws.LAWS,
-    Sheet: (_held_colours, _clippable),
-    Figure: (_drawable, _chain),
+    Sheet: (_held_colours, _clippable, _chains),
+    Figure: (_drawable,),
     Polygon: (_rings,),
     Curve: (_knots,),
     Rectangle: (_extent,),

@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
+_AT_ONCE = 1 << 16  # triangles: what is worked out on the way takes little memory
+
 
 class Faces:
     """Polygons as lists of vertices: ``corners`` (k,), one face after the other, each before its end in
@@ -104,11 +106,12 @@ def face_normals(vertices: Array, faces: Faces) -> Array:
 def _crossed(vertices: Array, triangles: Index) -> Array:
     """(b - a) x (c - a) of triangles (t, 3) of vertices."""
     normals = np.empty((len(triangles), 3))
-    a, b, c = triangles.T
-    columns = [(column[b] - start, column[c] - start) for column in vertices.T for start in (column[a],)]
-    for axis, (y, z) in enumerate(((1, 2), (2, 0), (0, 1))):
-        (uy, vy), (uz, vz) = columns[y], columns[z]
-        normals[:, axis] = uy * vz - uz * vy
+    for first in range(0, len(triangles), _AT_ONCE):
+        a, b, c = triangles[first : first + _AT_ONCE].T
+        columns = [(column[b] - start, column[c] - start) for column in vertices.T for start in (column[a],)]
+        for axis, (y, z) in enumerate(((1, 2), (2, 0), (0, 1))):
+            (uy, vy), (uz, vz) = columns[y], columns[z]
+            normals[first : first + _AT_ONCE, axis] = uy * vz - uz * vy
     return normals
 
 

@@ -16,6 +16,7 @@ from workbench.language import _
 THREADS = 2
 # Every band of rows beyond the first costs a copy of the vertices; of few vertices, more bands share better.
 _FEW_VERTICES = 20_000
+_AT_ONCE = 1 << 16  # triangles, whose copies for a band take little memory
 FARTHEST = 1.0
 
 
@@ -69,8 +70,10 @@ def drawn(
         reaching = np.flatnonzero(_any_corner(y > low_row, corners) & _any_corner(y < end_row, corners))
         shifted = points - (0.0, low_row, 0.0) if low_row else points
         band, nearest = image[low_row:end_row], depth[low_row:end_row]
-        reached = corners.take(reaching, axis=0), colours.take(reaching)
-        paint(depth_buffer, band, 0, band, nearest, shifted, *reached)
+        for start in range(0, len(reaching), _AT_ONCE):
+            some = reaching[start : start + _AT_ONCE]
+            reached = corners.take(some, axis=0), colours.take(some)
+            paint(depth_buffer, band, 0, band, nearest, shifted, *reached)
 
     _finish([threads().submit(draw, low, high) for low, high in pairwise(edges)])
     return image, depth

@@ -319,6 +319,7 @@ def keys_elsewhere() -> tuple[tuple[str, str, str], ...]:
         (space, "5", _("Exchange perspective and parallel projection")),
         (space, "Shift+Left, Shift+Right, Shift+Up, Shift+Down", _("Turn by 5 degrees; with Ctrl, shift")),
         (space, "+, -", _("Zoom in, out")),
+        (space, "Shift+N, N", _("Name this view; go to the next named view")),
         (curves, "P", _("Pen; from the end of an open curve it goes on")),
         (curves, "F", _("Draw freehand, and fit a curve")),
         (curves, "M", _("Nearest point of the curve")),

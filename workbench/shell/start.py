@@ -52,8 +52,10 @@ class Building(QObject):
 
     def start(self) -> None:
         """Complete the window, and begin importing."""
+        from workbench.engine.large_arrays import give_back_large_arrays
         from workbench.session.answers import Answers
 
+        give_back_large_arrays()
         self._window.complete()
         answers = Answers(self)
         answers.arrived.connect(lambda _imported: self._slices.add(self._build()))

@@ -14,7 +14,16 @@ from workbench.document.scene.links import (
     Translate3D,
 )
 from workbench.document.scene.meshes import blob_of
-from workbench.document.scene.model import Camera, Light, Material, Object, Point3D, Scene, SpacePoint
+from workbench.document.scene.model import (
+    Camera,
+    Light,
+    Material,
+    NamedView,
+    Object,
+    Point3D,
+    Scene,
+    SpacePoint,
+)
 from workbench.document.scene.solids import (
     AnySolid,
     Blobs,
@@ -80,7 +89,9 @@ def full_scene() -> Scene:
     )
     objects[0] = replace(objects[0], transforms=chain, name="first", visible=False)
     materials = (Material("m1", "red", 0xFF0000),)
-    return Scene(tuple(objects), materials, (Light("l1"),), Camera(eye=Point3D(1.0, 2.0, 9.0)))
+    camera = Camera(eye=Point3D(1.0, 2.0, 9.0))
+    aside = NamedView("n1", replace(camera, projection="isometric"), "aside")
+    return Scene(tuple(objects), materials, (Light("l1"),), camera, (aside,))
 
 
 def full_document() -> Document:

@@ -15,7 +15,7 @@ from tests.document.scene.scenes import full_document, full_scene
 from workbench.algorithms import solids
 from workbench.document import DocumentError, Stored, edits, load, save
 from workbench.document.addresses import changed, declared_at, parse, resolve
-from workbench.document.check import check
+from workbench.document.check import MAX_VIEWS, check
 from workbench.document.fields import Number, fields_of, numbers_of, structs_in
 from workbench.document.identities import ids
 from workbench.document.model import Document
@@ -308,3 +308,34 @@ def test_a_damaged_mesh_is_refused(damage: Callable[[bytes], bytes]) -> None:
 def test_every_object_of_the_full_scene_has_faces_with_area() -> None:
     for thing in full_scene().objects:
         assert (np.abs(face_normals(*thing.mesh)).sum(axis=1) > 0).all()
+
+
+def test_a_named_view_is_kept_renamed_removed_and_saved(tmp_path: Path) -> None:
+    document = check(full_document())
+    camera = Camera(projection="cabinet", eye=Point3D(0.0, 0.0, 7.0))
+    after = scene_edits.add_named_view(SHEET, camera, "front")(document)
+    aside, front = scene_of(after).named_views
+    assert (aside.name, front.name, front.camera) == ("aside", "front", camera)
+    after = scene_edits.rename_thing(front.id, "yard")(after)
+    save(after, tmp_path / "a.gwb")
+    assert scene_of(load(tmp_path / "a.gwb")).named_views == scene_of(after).named_views
+    address = f"{SHEET}/{front.id}/camera.eye.z"
+    assert resolve(after, address) == 7.0
+    assert changed(after, edits.set_attribute(address, 8.0)(after)) == {parse(address)}
+    gone = scene_edits.remove_thing(aside.id)(after)
+    assert [view.name for view in scene_of(gone).named_views] == ["yard"]
+    assert gone.last_id >= after.last_id
+    twice = edits.add_sheet(gone.sheets[0])(gone)
+    assert len({identity for _field, identity in ids(twice)}) == len(list(ids(twice)))
+
+
+def test_a_named_view_that_sees_nothing_is_refused() -> None:
+    blind = replace(Camera(), eye=Point3D(0.0, 0.0, 0.0))
+    with pytest.raises(DocumentError, match="sees nothing"):
+        scene_edits.add_named_view(SHEET, blind, "")(check(full_document()))
+    document, most = full_document(), MAX_VIEWS
+    scene = scene_of(document)
+    full = replace(scene, named_views=tuple(replace(scene.named_views[0], id=f"n{k}") for k in range(most)))
+    document = replace(document, sheets=(replace(document.sheets[0], scene=full),))
+    with pytest.raises(DocumentError, match="named_views"):
+        scene_edits.add_named_view(SHEET, Camera(), "one more")(check(document))

@@ -86,6 +86,14 @@ def test_a_sample_of_every_version_opens(version: int) -> None:
     assert decode(encode(stored)) == stored
 
 
+def test_the_sample_of_version_7_has_a_named_view() -> None:
+    scene = read(SAMPLES / "version-7.gwb").document.sheets[0].scene
+    assert scene is not None
+    assert [(view.name, view.camera.projection) for view in scene.named_views] == [
+        ("From above", "isometric")
+    ]
+
+
 def test_what_version_3_stepped_stands_in_the_workspaces_that_step_it() -> None:
     session = read(SAMPLES / "version-3.gwb").session
     at_u = Subject("curve", entry="de_boor", arguments={"u": 0.25})

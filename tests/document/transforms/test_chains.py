@@ -337,3 +337,42 @@ def test_a_curve_that_is_cut_or_joined_looks_as_before() -> None:
     assert len(parts) == 3
     assert len({identity for figure in parts for identity in figure.ids}) == sum(len(f.ids) for f in parts)
     assert np.allclose(parts[0].matrix, parts[1].matrix)  # type: ignore[arg-type]
+
+
+@given(st.lists(chains("f1", most=8), min_size=1, max_size=9))
+def test_many_chains_at_once_are_what_each_is_by_itself(some: list[Chain]) -> None:
+    many = [some[k % len(some)] for k in range(70)]
+    figures = [line_at((0, 0), (4, 2), chain=chain) for chain in many]
+    matrices = matrices_of(figures)
+    for figure, matrix, chain in zip(figures, matrices, many, strict=True):
+        alone = matrix_of(chain)
+        assert np.array_equal(matrix, np.eye(3) if alone is None else alone)
+        assert (figure.matrix is None) == (alone is None)
+
+
+def test_links_of_many_chains_are_not_worked_out_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    calls = []
+    matrices = Rotate.matrices
+    monkeypatch.setattr(Rotate, "matrices", lambda link, *n: calls.append(len(n)) or matrices(link, *n))
+    figures = [
+        line_at((0, 0), (1, 1), chain=tuple(Rotate(f"t{k}", angle=float(figure + k)) for k in range(50)))
+        for figure in range(400)
+    ]
+    matrices_of(figures)
+    assert len(calls) == 1
+    angles = np.array([sum(range(figure, figure + 50)) for figure in range(400)])
+    expected = np.cos(np.radians(angles))
+    assert np.allclose([figure.matrix[0, 0] for figure in figures if figure.matrix is not None], expected)
+
+
+def test_a_chain_too_large_is_refused_wherever_its_figure_stands() -> None:
+    large = tuple(Scale(f"t{k}", sx=1e4) for k in range(4))
+    figures = [
+        replace(line_at((0, 0), (1, 1), chain=large if k == 66 else ()), id=f"f{k}") for k in range(70)
+    ]
+    figures = [
+        replace(each, points_world=tuple(replace(p, id=f"{each.id}{p.id}") for p in each.points_world))
+        for each in figures
+    ]
+    with pytest.raises(DocumentError, match=r"figures\[66\]\.transforms has a matrix with numbers beyond"):
+        document_with(*figures)

@@ -129,6 +129,22 @@ def test_an_axis_without_direction_is_refused_in_its_field(qtbot, panel, session
     assert "has no direction" in fields["z_axis"].complaint.text()
 
 
+def test_a_mirror_without_direction_is_refused_in_its_field(qtbot, panel, session):
+    dock = panel.space.chain
+    for action in dock.menu.actions():
+        action.trigger()
+        settle()
+    for card in (card for card in dock.cards if card.kind is Reflect3D):
+        link = next(link for link in thing(session).transforms if link.id == card.identity)
+        *others, name = (name for name in ("x_normal", "y_normal", "z_normal") if getattr(link, name))
+        for other in others:
+            type_into(qtbot, card.fields[other], "0")
+        before = session.document
+        type_into(qtbot, card.fields[name], "0")
+        assert session.document is before
+        assert "normal" in card.fields[name].complaint.text()
+
+
 def test_every_kind_of_transform_is_added_and_a_flat_one_says_so(panel, session):
     dock = panel.space.chain
     for action in dock.menu.actions():

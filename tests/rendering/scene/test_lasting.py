@@ -6,6 +6,7 @@ from msgspec.structs import replace
 
 from workbench.document.samples.examples import example
 from workbench.document.scene.looking import orbited
+from workbench.geometry import meshes
 from workbench.geometry.meshes import Faces, Mesh, face_normals, face_planes
 from workbench.rendering.scene import lasting, render_scene
 from workbench.rendering.scene.around import camera_around, window_of
@@ -102,3 +103,17 @@ def test_edges_too_many_to_be_drawn_are_not_told_apart(monkeypatch: pytest.Monke
     assert MOST_EDGES > 0
     assert not len(picture.seen)
     assert picture.pixels is not None
+
+
+def test_what_lasts_is_the_same_however_many_faces_are_taken_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(5)
+    faces = Faces.of([rng.integers(0, 40, size).tolist() for size in rng.integers(3, 7, 31)])
+    mesh = Mesh(rng.normal(size=(40, 3)), faces)
+    whole = Lasting(mesh)
+    whole_normals, whole_middles = whole.normals, whole.middles
+    for module in (lasting, meshes):
+        monkeypatch.setattr(module, "_AT_ONCE", 4)
+    few = Lasting(mesh)
+    assert np.array_equal(few.middles, whole_middles)
+    assert np.array_equal(few.normals, whole_normals)
+    assert np.allclose(few.middles.T, [mesh.vertices[face].mean(axis=0) for face in faces])

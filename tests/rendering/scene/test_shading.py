@@ -1,6 +1,7 @@
 """Flat colours beside Lambert's law, face by face."""
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from hypothesis import strategies as st
 
 from workbench.document.scene.model import Light, Material, Point3D
 from workbench.geometry.meshes import Faces, Mesh, face_normals
+from workbench.rendering.scene import shading
 from workbench.rendering.scene.lasting import Lasting
 from workbench.rendering.scene.shading import flat_colours
 
@@ -57,3 +59,21 @@ def test_each_face_is_lit_by_the_cosine(lights, seed, from_a_point) -> None:
     colours = flat_colours(Lasting(mesh), MATERIAL, lights, viewer)
     channels = np.stack([colours >> shift & 255 for shift in (16, 8, 0)], axis=1)
     assert np.abs(channels - by_hand(mesh, lights, viewer)).max() <= 0.5 + 1e-6
+
+
+def test_colours_of_many_faces_take_little_memory_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(3)
+    count = 200_000
+    faces = Lasting(Mesh(rng.normal(size=(500, 3)), Faces.of(rng.integers(0, 500, (count, 3)))))
+    viewer = np.array([3.0, 4.0, 9.0, 1.0])
+    whole = flat_colours(faces, MATERIAL, (), viewer)  # what lasts is made
+    tracemalloc.start()
+    flat_colours(faces, MATERIAL, (), viewer)
+    _now, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 2.5 * whole.nbytes
+    monkeypatch.setattr(shading, "_AT_ONCE", 7)
+    some = Lasting(Mesh(rng.normal(size=(50, 3)), Faces.of(rng.integers(0, 50, (30, 3)))))
+    few = flat_colours(some, MATERIAL, (), viewer)
+    monkeypatch.undo()
+    assert np.array_equal(few, flat_colours(some, MATERIAL, (), viewer))

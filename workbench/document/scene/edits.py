@@ -20,13 +20,13 @@ from workbench.document.building import (
     without_ids,
 )
 from workbench.document.errors import DocumentError
-from workbench.document.fields import fields_of
+from workbench.document.fields import fields_of, parts_of
 from workbench.document.model import Document, Sheet
 from workbench.document.motion.model import Motion
 from workbench.document.motion.tracks import tracks_of, with_copied_tracks, with_motion
 from workbench.document.parts import ids_of_copy
 from workbench.document.scene.links import AnyLink3D, Translate3D
-from workbench.document.scene.model import Camera, Light, Material, Object, Scene
+from workbench.document.scene.model import Camera, Light, Material, NamedView, Object, Scene
 from workbench.document.scene.solids import AnySolid
 from workbench.language import _
 
@@ -112,13 +112,12 @@ def set_thing(thing: Light | Material) -> Edit:
 
 @checked
 def remove_thing(thing: str) -> Edit:
-    """Remove an object, a light, or a material that no object has."""
+    """Remove an object, a light, a named view, or a material that no object has."""
 
     def edit(document: Document) -> Document:
         sheet, scene, _thing = scene_with(document, thing)
         kept: dict[str, Any] = {
-            name: tuple(each for each in getattr(scene, name) if each.id != thing)
-            for name in ("objects", "materials", "lights")
+            name: tuple(each for each in getattr(scene, name) if each.id != thing) for name in parts_of(Scene)
         }
         return remembering(document, _with_scene(document, sheet, replace(scene, **kept)))
 
@@ -127,7 +126,7 @@ def remove_thing(thing: str) -> Edit:
 
 @checked
 def rename_thing(thing: str, name: str) -> Edit:
-    """Give an object, a material or a light a name, or none."""
+    """Give an object, a material, a light or a view another name, or none."""
     return lambda document: with_thing(document, replace(scene_with(document, thing)[2], name=name))
 
 
@@ -305,5 +304,18 @@ def set_camera(sheet: str, camera: Camera) -> Edit:
     def edit(document: Document) -> Document:
         on = sheet_with(document, sheet)
         return _with_scene(document, on, replace(on.scene or Scene(), camera=plain(camera)))
+
+    return edit
+
+
+@checked
+def add_named_view(sheet: str, camera: Camera, name: str) -> Edit:
+    """Keep a camera under a name, after the other views of the scene."""
+
+    def edit(document: Document) -> Document:
+        on = sheet_with(document, sheet)
+        scene = on.scene or Scene()
+        view = numbered(document, plain(NamedView("", camera, name)))
+        return _with_scene(document, on, replace(scene, named_views=(*scene.named_views, view)))
 
     return edit

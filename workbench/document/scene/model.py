@@ -191,18 +191,39 @@ class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defau
     ] = _IDENTITY
 
 
-Thing = Object | Material | Light
+class NamedView(
+    WithParts,
+    msgspec.Struct,
+    frozen=True,
+    forbid_unknown_fields=True,
+    omit_defaults=True,
+    cache_hash=True,
+    dict=True,
+):
+    """A camera that was given a name, so that the scene can be seen by it again."""
+
+    letter: ClassVar[str] = "n"
+
+    id: str
+    camera: Camera
+    name: str = ""
+
+
+Thing = Object | Material | Light | NamedView
 
 
 class Scene(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True, cache_hash=True):
-    """Objects in the order of the list, the materials and lights they are seen by, and the camera."""
+    """Objects in the order of the list, the materials and lights they are seen by, the camera, and others
+    to go to.
+    """
 
     objects: tuple[Object, ...] = ()
     materials: tuple[Material, ...] = ()
     lights: tuple[Light, ...] = ()
     camera: Camera = Camera()
+    named_views: tuple[NamedView, ...] = ()
 
     @property
     def things(self) -> tuple[Thing, ...]:
         """All in it that has an id of its own."""
-        return (*self.objects, *self.materials, *self.lights)
+        return (*self.objects, *self.materials, *self.lights, *self.named_views)

@@ -21,7 +21,8 @@ def with_fresh_ids(scene: Scene, which: Callable[[Any], bool], fresh: Iterator[i
         return new
 
     materials, lights = tuple(map(renewed, scene.materials)), tuple(map(renewed, scene.lights))
+    views = tuple(map(renewed, scene.named_views))
     objects = tuple(
         replace(new, material=renamed.get(new.material, new.material)) for new in map(renewed, scene.objects)
     )
-    return replace(scene, objects=objects, materials=materials, lights=lights)
+    return replace(scene, objects=objects, materials=materials, lights=lights, named_views=views)

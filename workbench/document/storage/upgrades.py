@@ -30,5 +30,5 @@ def _with_positions(raw: dict[str, Any]) -> dict[str, Any]:
 # UPGRADES[1] makes a version 2 of a version 1. Version 2 has polygons, further fills and a clip window,
 # version 3 curves, version 5 transforms of figures: no older version holds any. Version 4 has a position for
 # each workspace, version 5 views, version 6 motion and the frame that is shown, version 7 keys that tell how
-# vertices meet and how a turn goes on.
+# vertices meet and how a turn goes on, named views, groups, lights that fade, and opacity.
 UPGRADES: Mapping[int, Upgrade] = {1: dict, 2: dict, 3: _with_positions, 4: with_views, 5: dict, 6: dict}

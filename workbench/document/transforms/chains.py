@@ -4,8 +4,11 @@ The first link of a chain acts first; its matrix stands rightmost in the product
 left out.
 """
 
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from functools import cached_property, lru_cache
+from itertools import chain
+from operator import attrgetter
 from typing import Any
 
 import msgspec
@@ -13,7 +16,7 @@ import numpy as np
 
 from workbench.algorithms import transforms
 from workbench.algorithms.transforms import Matrix
-from workbench.document.transforms.links import AnyLink, Elementary, Link
+from workbench.document.transforms.links import AnyLink, Elementary, Link, Reflect
 from workbench.language import _
 
 LARGEST = 1e12
@@ -22,15 +25,16 @@ LARGEST = 1e12
 # Of the product of the lengths of all columns: what rounding leaves of a determinant that is 0.
 _SINGULAR = 1e-14
 _IDENTITY = np.eye(3)
+_MANY, _AT_ONCE = 64, 4096  # figures: from how many on it pays, and so many that the stack stays small
 
 
 @lru_cache(maxsize=1 << 14)
-def matrix_of(chain: tuple[Link, ...]) -> Matrix | None:
+def matrix_of(links: tuple[Link, ...]) -> Matrix | None:
     """The matrix (3, 3), or (4, 4), of a chain, world to world, remembered; None where no link of it is on.
 
     It may have numbers that are not finite, which no document holds.
     """
-    acting = [link.matrix for link in chain if link.on]
+    acting = [link.matrix for link in links if link.on]
     if not acting:
         return None
     with np.errstate(over="ignore", invalid="ignore"):
@@ -39,9 +43,9 @@ def matrix_of(chain: tuple[Link, ...]) -> Matrix | None:
     return matrix
 
 
-def unfolded(chain: Iterable[AnyLink]) -> list[Elementary]:
+def unfolded(links: Iterable[AnyLink]) -> list[Elementary]:
     """The elementary transformations of the links that are on, in the order in which they act."""
-    return [part for link in chain if link.on for part in link.unfolded()]
+    return [part for link in links if link.on for part in link.unfolded()]
 
 
 def is_singular(matrix: Matrix | None) -> bool:
@@ -94,9 +98,51 @@ def matrices_of(figures: Sequence[Transformed]) -> Matrix:
 
     Each figure keeps its own, so that thousands are asked for at once.
     """
+    _evaluate(figures)
     matrices: list[Any] = [_IDENTITY if figure.matrix is None else figure.matrix for figure in figures]
     # Thousands of small arrays are joined as bytes ten times as fast as they are stacked.
     return np.frombuffer(b"".join(matrices), np.float64).reshape(-1, 3, 3)
+
+
+def _evaluate(figures: Iterable[Transformed]) -> None:
+    """Let each figure keep the matrix of its chain; many that have none yet are worked out together."""
+    waiting = [figure for figure in figures if figure.transforms and "matrix" not in figure.__dict__]
+    if len(waiting) < _MANY:
+        return
+    for start in range(0, len(waiting), _AT_ONCE):
+        figures = waiting[start : start + _AT_ONCE]
+        chains = [[link for link in figure.transforms if link.on] for figure in figures]
+        for figure, acting, matrix in zip(figures, chains, _products(chains), strict=True):
+            figure.__dict__["matrix"] = matrix if acting else None
+
+
+def _products(chains: Sequence[Sequence[AnyLink]]) -> Matrix:
+    """The product (n, 3, 3) of each chain, read-only: the k-th links of all are multiplied at once."""
+    lengths = np.array(list(map(len, chains)))
+    stacked = np.tile(_IDENTITY, (max(int(lengths.max()), 1), len(chains), 1, 1))
+    ends = np.cumsum(lengths)
+    of = np.repeat(np.arange(len(chains)), lengths)
+    at = np.arange(ends[-1]) - np.repeat(ends - lengths, lengths)
+    stacked[at, of] = _link_matrices(list(chain.from_iterable(chains)))
+    with np.errstate(over="ignore", invalid="ignore"):
+        products = transforms.product(*stacked[::-1])
+    products.setflags(write=False)
+    return products
+
+
+def _link_matrices(links: Sequence[AnyLink]) -> Matrix:
+    """The matrices (n, 3, 3) of links, those of one kind at once."""
+    matrices = np.empty((len(links), 3, 3))
+    places: dict[object, list[int]] = defaultdict(list)
+    for place, link in enumerate(links):
+        places[link.mirror if type(link) is Reflect else type(link)].append(place)
+    for here in places.values():
+        alike = list(map(links.__getitem__, here))
+        names = alike[0].numbers
+        values = chain.from_iterable(map(attrgetter(*names), alike))
+        numbers = np.fromiter(values, np.float64, len(alike) * len(names)).reshape(len(alike), -1)
+        matrices[here] = alike[0].matrices(*numbers.T)
+    return matrices
 
 
 def transformed(matrix: Matrix, points: Matrix) -> Matrix:

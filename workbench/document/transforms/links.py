@@ -6,7 +6,8 @@ computed takes radians.
 
 import math
 from functools import cached_property
-from typing import Annotated, ClassVar, NamedTuple
+from operator import attrgetter
+from typing import Annotated, Any, ClassVar, NamedTuple
 
 import msgspec
 import numpy as np
@@ -20,6 +21,7 @@ from workbench.language import _
 MIRRORS = ("line", "point")
 
 
+_PER_DEGREE = math.pi / 180
 _ANGLE = coordinate(_("angle"), "θ", "°")
 
 
@@ -67,21 +69,37 @@ class Link(
         raise NotImplementedError
 
 
-class Translate(Link, frozen=True, tag="translate", kw_only=True):
+class PlaneLink(Link, frozen=True):
+    """A link whose matrix comes of the ``numbers`` with these names."""
+
+    numbers: ClassVar[tuple[str, ...]]
+
+    def _matrix(self) -> Matrix:
+        return self.matrices(*attrgetter(*self.numbers)(self))
+
+    def matrices(self, *numbers: Any) -> Matrix:
+        """What a link like this one does that has these numbers (3, 3), or (n, 3, 3) of arrays (n,)."""
+        raise NotImplementedError
+
+
+class Translate(PlaneLink, frozen=True, tag="translate", kw_only=True):
     """Moves by (tx, ty)."""
+
+    numbers = "tx", "ty"
 
     tx: Annotated[float, coordinate(_("translation in x"), "t_x")] = 0.0
     ty: Annotated[float, coordinate(_("translation in y"), "t_y")] = 0.0
 
-    def _matrix(self) -> Matrix:
-        return transforms.translation(self.tx, self.ty)
+    def matrices(self, *numbers: Any) -> Matrix:
+        """By (tx, ty)."""
+        return transforms.translation(*numbers)
 
     def unfolded(self) -> tuple[Elementary, ...]:
         """Itself."""
         return (_elementary("translation", self.tx, self.ty),)
 
 
-class AboutPivot(Link, frozen=True, kw_only=True):
+class AboutPivot(PlaneLink, frozen=True, kw_only=True):
     """A link that keeps its pivot where it is."""
 
     x_pivot: Annotated[float, coordinate(_("x of the pivot"), "x_p")] = 0.0
@@ -104,10 +122,14 @@ def _about(x: float, y: float, at_origin: Elementary) -> tuple[Elementary, ...]:
 class Rotate(AboutPivot, frozen=True, tag="rotate", kw_only=True):
     """Turns by ``angle``, degrees, counter-clockwise, about the pivot."""
 
+    numbers = "angle", "x_pivot", "y_pivot"
+
     angle: Annotated[float, _ANGLE] = 0.0
 
-    def _matrix(self) -> Matrix:
-        return transforms.rotation_about(math.radians(self.angle), self.x_pivot, self.y_pivot)
+    def matrices(self, *numbers: Any) -> Matrix:
+        """By an angle about (x, y)."""
+        angle, x, y = numbers
+        return transforms.rotation_about(angle * _PER_DEGREE, x, y)
 
     def _at_origin(self) -> Elementary:
         return _elementary("rotation", math.radians(self.angle))
@@ -116,11 +138,14 @@ class Rotate(AboutPivot, frozen=True, tag="rotate", kw_only=True):
 class Scale(AboutPivot, frozen=True, tag="scale", kw_only=True):
     """Makes sx times as wide and sy times as high, from the pivot."""
 
+    numbers = "sx", "sy", "x_pivot", "y_pivot"
+
     sx: Annotated[float, factor(_("scale factor in x"), "s_x")] = 1.0
     sy: Annotated[float, factor(_("scale factor in y"), "s_y")] = 1.0
 
-    def _matrix(self) -> Matrix:
-        return transforms.scaling_about(self.sx, self.sy, self.x_pivot, self.y_pivot)
+    def matrices(self, *numbers: Any) -> Matrix:
+        """By (sx, sy) about (x, y)."""
+        return transforms.scaling_about(*numbers)
 
     def _at_origin(self) -> Elementary:
         return _elementary("scaling", self.sx, self.sy)
@@ -132,13 +157,17 @@ class Reflect(AboutPivot, frozen=True, tag="reflect", kw_only=True):
     The line is the x axis by default, and the y axis at 90 degrees.
     """
 
+    numbers = "x_pivot", "y_pivot", "angle"
+
     mirror: Annotated[str, Choice(MIRRORS)] = MIRRORS[0]
     angle: Annotated[float, _ANGLE] = 0.0
 
-    def _matrix(self) -> Matrix:
+    def matrices(self, *numbers: Any) -> Matrix:
+        """In the line through (x, y) at an angle, or in (x, y)."""
+        x, y, angle = numbers
         if self.mirror == "point":
-            return transforms.scaling_about(-1.0, -1.0, self.x_pivot, self.y_pivot)
-        return transforms.reflection(self.x_pivot, self.y_pivot, math.radians(self.angle))
+            return transforms.scaling_about(-1.0, -1.0, x, y)
+        return transforms.reflection(x, y, angle * _PER_DEGREE)
 
     def _at_origin(self) -> Elementary:
         if self.mirror == "point":
@@ -146,24 +175,29 @@ class Reflect(AboutPivot, frozen=True, tag="reflect", kw_only=True):
         return _elementary("reflection", 0.0, 0.0, math.radians(self.angle))
 
 
-class Shear(Link, frozen=True, tag="shear", kw_only=True):
+class Shear(PlaneLink, frozen=True, tag="shear", kw_only=True):
     """x' = x + sh_x (y - y_ref), y' = y + sh_y (x - x_ref), with the base lines x = x_ref and y = y_ref."""
+
+    numbers = "sh_x", "sh_y", "x_ref", "y_ref"
 
     sh_x: Annotated[float, factor(_("shear in x"), "sh_x")] = 0.0
     sh_y: Annotated[float, factor(_("shear in y"), "sh_y")] = 0.0
     x_ref: Annotated[float, coordinate(_("x of the base line"), "x_ref")] = 0.0
     y_ref: Annotated[float, coordinate(_("y of the base line"), "y_ref")] = 0.0
 
-    def _matrix(self) -> Matrix:
-        return transforms.shear(self.sh_x, self.sh_y, self.x_ref, self.y_ref)
+    def matrices(self, *numbers: Any) -> Matrix:
+        """By (sh_x, sh_y), with the base lines at (x_ref, y_ref)."""
+        return transforms.shear(*numbers)
 
     def unfolded(self) -> tuple[Elementary, ...]:
         """The base lines to the axes, the shear, and back; itself where they are the axes."""
         return _about(self.x_ref, self.y_ref, _elementary("shear", self.sh_x, self.sh_y))
 
 
-class Affine(Link, frozen=True, tag="matrix", kw_only=True):
+class Affine(PlaneLink, frozen=True, tag="matrix", kw_only=True):
     """x' = m11 x + m12 y + m13, y' = m21 x + m22 y + m23; the last row of its matrix is 0 0 1."""
+
+    numbers = "m11", "m12", "m13", "m21", "m22", "m23"
 
     m11: Annotated[float, matrix_entry(1, 1)] = 1.0
     m12: Annotated[float, matrix_entry(1, 2)] = 0.0
@@ -183,8 +217,13 @@ class Affine(Link, frozen=True, tag="matrix", kw_only=True):
         """The first row, and then the second."""
         return self.m11, self.m12, self.m13, self.m21, self.m22, self.m23
 
-    def _matrix(self) -> Matrix:
-        return np.array([*self.entries, 0.0, 0.0, 1.0], np.float64).reshape(3, 3)
+    def matrices(self, *numbers: Any) -> Matrix:
+        """With these entries, row by row."""
+        matrices = np.zeros((*np.shape(numbers[0]), 3, 3))
+        for place, entry in enumerate(numbers):
+            matrices[..., place // 3, place % 3] = entry
+        matrices[..., 2, 2] = 1.0
+        return matrices
 
     def unfolded(self) -> tuple[Elementary, ...]:
         """Itself."""

@@ -3,9 +3,10 @@
 from functools import partial
 
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QFrame,
     QGridLayout,
@@ -20,8 +21,11 @@ from PySide6.QtWidgets import (
 from workbench.document.fields import Number, numbers_of
 from workbench.document.scene.looking import kind_of, kinds
 from workbench.document.scene.model import Camera, Point3D
+from workbench.document.scene.view_reference import view_reference
+from workbench.geometry.meshes import Array
 from workbench.language import _
 from workbench.panels.space.looking import Looking
+from workbench.panels.space.strokes import short
 from workbench.widgets.fields.number_field import NumberField, complaint_label
 from workbench.widgets.look.icons import set_icon
 
@@ -51,12 +55,13 @@ class CameraCard(QFrame):
     """Shows and edits the camera that the scene is seen by; an edit keeps what was only looked at.
 
     ``said`` sends what is wrong, ``chosen`` the slug of a projection that was chosen here;
-    ``refitted`` follows another size.
+    ``refitted`` follows another size, ``turned_over`` that z is to be seen the other way.
     """
 
     said = Signal(str)
     chosen = Signal(str)
     refitted = Signal()
+    turned_over = Signal()
 
     def __init__(self, looking: Looking, parent: QWidget) -> None:
         super().__init__(parent)
@@ -97,6 +102,15 @@ class CameraCard(QFrame):
         grid.addWidget(self._field("near", numbers["near"], _("near")), below, 0)
         grid.addWidget(self._field("far", numbers["far"], _("far")), below, 1)
         grid.addWidget(self._complaint, below + 1, 0, 1, 3)
+        self.book = QLabel()
+        self.book.setProperty("role", "muted")
+        self.book.setToolTip(_("What Hearn and Baker call it"))
+        self.book.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        grid.addWidget(self.book, below + 2, 0, 1, 3)
+        self.towards_eye = QCheckBox(_("z towards the eye, as in the book"))
+        self.towards_eye.setToolTip(_("V begins at VRP and z points to the eye; P makes up for it, M stays"))
+        self.towards_eye.toggled.connect(self._turn_over)
+        grid.addWidget(self.towards_eye, below + 3, 0, 1, 3)
         self.note = QLabel()
         self.note.setProperty("role", "muted")
         self.keep = QPushButton(_("Keep this view"))
@@ -155,6 +169,10 @@ class CameraCard(QFrame):
         if refusal := self._looking.change(changed, _("Change the camera"), merge):
             self.fields[name].refuse(refusal, self._value(camera, name))
 
+    def _turn_over(self, on: bool) -> None:
+        self._looking.z_towards_eye = on
+        self.turned_over.emit()
+
     @staticmethod
     def _value(camera: Camera, name: str) -> float:
         value: object = camera
@@ -188,6 +206,7 @@ class CameraCard(QFrame):
             field.set_value(self._value(camera, name))
             if name in ("distance", "oblique_alpha", "oblique_phi", "angle_y", "angle_x"):
                 field.setVisible(name in shown)
+        self.book.setText(_book_words(camera))
         back = around and self._looking.tracked
         self.note.setText(_("Looking around") if around else "")
         self.note.setVisible(around and not back)
@@ -214,3 +233,25 @@ class CameraCard(QFrame):
                 self.resize(width, height)
                 self.refitted.emit()
             self.raise_()
+
+
+def _book_words(camera: Camera) -> str:
+    """VRP, VPN and PRP, a line each; nothing where the camera sees nothing."""
+    try:
+        book = view_reference(camera)
+    except ValueError:
+        return ""
+    named = {name: _triple(getattr(book, name)[:3]) for name in ("vrp", "vpn", "prp")}
+    far = _("PRP at infinity, along {prp}") if book.prp[3] == 0.0 else _("PRP = eye, {prp} from VRP")
+    lines = [
+        _("VRP = look at, {vrp}").format(**named),
+        _("VPN towards the eye, {vpn}").format(**named),
+        far.format(**named),
+    ]
+    if book.plane is not None:
+        lines.append(_("View plane at z = {z}").format(z=short(book.plane)))
+    return "\n".join(lines)
+
+
+def _triple(values: Array) -> str:
+    return "({})".format(", ".join(short(value) for value in values.tolist()))

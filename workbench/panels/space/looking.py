@@ -31,6 +31,7 @@ class Looking:
     def __init__(self, session: Session) -> None:
         self.session = session
         self.trackball = False
+        self.z_towards_eye = False  # the view coordinates of Hearn and Baker
 
     @property
     def scene(self) -> Scene | None:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from workbench.algorithms.projection import vanishing_points
 from workbench.document.scene.model import Camera
+from workbench.document.scene.view_reference import view_reference
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.exchange.formulas.terms import Sign, Term, matrix
 from workbench.geometry.meshes import Array
@@ -29,6 +30,19 @@ _PERSPECTIVE = (
     ("0", "0", "f/((f-n)d)", "-n f/((f-n)d)"),
     ("0", "0", "1/d", "0"),
 )
+# The same from the view reference point, z towards the eye.
+_BOOK_VIEW = (
+    ("u_x", "u_y", "u_z", "-u·VRP"),
+    ("v_x", "v_y", "v_z", "-v·VRP"),
+    ("n_x", "n_y", "n_z", "-n·VRP"),
+    ("0", "0", "0", "1"),
+)
+_BOOK_PERSPECTIVE = (
+    ("1", "0", "0", "0"),
+    ("0", "1", "0", "0"),
+    ("0", "0", "-f/((f-n)d)", "f(z_prp-n)/((f-n)d)"),
+    ("0", "0", "-1/d", "z_prp/d"),
+)
 _ONE_LINE_PX = 150
 
 
@@ -41,6 +55,7 @@ class MatrixStrip(QWidget):
         super().__init__(parent)
         self._looking = looking
         self._camera: Camera | None = None
+        self._z_towards_eye = False
         self._alone = False
         self.row = MatrixRow()
         self.row.set_shows("numbers")
@@ -54,8 +69,9 @@ class MatrixStrip(QWidget):
 
     def show_camera(self, camera: Camera, anew: bool) -> None:
         """Show the matrices of a camera; ``anew`` they take no more room than their own numbers need."""
-        if camera == self._camera:
+        if camera == self._camera and self._looking.z_towards_eye == self._z_towards_eye:
             return
+        self._z_towards_eye = self._looking.z_towards_eye
         if anew:
             self._alone = False
             self.row.set_terms(())
@@ -87,15 +103,20 @@ class MatrixStrip(QWidget):
 
     def _terms(self, camera: Camera, whole: Array, plane: Array, view: Array) -> list[Term]:
         central = camera.projection == "perspective"
+        named_plane, named_view = _PERSPECTIVE, _VIEW
+        if self._z_towards_eye:
+            book = view_reference(camera)
+            plane, view = book.projection, book.view
+            named_plane, named_view = _BOOK_PERSPECTIVE, _BOOK_VIEW
         product = matrix(whole, name="M", editable=True)
         if self._alone:
             return [product]
         return [
             product,
             Sign("="),
-            matrix(plane, _PERSPECTIVE if central else None, name="P"),
+            matrix(plane, named_plane if central else None, name="P"),
             Sign("·"),
-            matrix(view, _VIEW, name="V"),
+            matrix(view, named_view, name="V"),
         ]
 
     def _edit(self, _term: int, row: int, column: int, value: float) -> None:

@@ -23,6 +23,7 @@ from workbench.panels.space.family_dock import FamilyDock
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.matrix_strip import MatrixStrip
 from workbench.panels.space.morph import Morph
+from workbench.panels.space.named_views import NamedViewsDock
 from workbench.panels.space.object_clipboard import copy_chosen, object_held, paste_object
 from workbench.panels.space.object_handles import MODES, title_of_mode
 from workbench.panels.space.objects_dock import ObjectsDock
@@ -69,6 +70,7 @@ class ProjectionPage(ViewCommands, QWidget):
         self.stepping.move(_CARD_GAP_PX, _CARD_GAP_PX)
         self.objects = ObjectsDock(session)
         self.family = FamilyDock()
+        self.named_views = NamedViewsDock(self.looking)
         self.tables_view = PolygonTablesView()
         self.contrast = ContrastDock()
         self.derived = DerivationDock()
@@ -93,6 +95,8 @@ class ProjectionPage(ViewCommands, QWidget):
         self.views = SideBySide(self.eye, self.outside)
         self.tools = ViewTools(tools_of(self), self)
         self._actions = self.tools.actions_by_name
+        self.tools.add_named_views(self.named_views.commands, self.named_views.menu)
+        self.addActions(self.named_views.commands)
         for view in (self.eye, self.outside):
             view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
             view.addActions(list(self._actions.values()))
@@ -111,7 +115,7 @@ class ProjectionPage(ViewCommands, QWidget):
 
     @property
     def _beside(self) -> tuple[QWidget, ...]:
-        return self.objects, self.family, self.tables_view, self.contrast, self.derived
+        return self.objects, self.family, self.named_views, self.tables_view, self.contrast, self.derived
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """A dock that comes to be seen shows what happened while it was hidden."""
@@ -151,12 +155,15 @@ class ProjectionPage(ViewCommands, QWidget):
             told.connect(self.refresh_soon)
         eye.view_changed.connect(self._view_changed)
         self.card.chosen.connect(self.choose)
+        self.card.turned_over.connect(self.refresh_soon)
+        self.card.towards_eye.toggled.connect(self._actions["z_towards_eye"].setChecked)
         self.family.tree.chosen.connect(self.choose)
-        for part in (self.card, self.strip, self.objects):
+        for part in (self.card, self.strip, self.objects, self.named_views):
             part.said.connect(self.hover_text)
         self.objects.added.connect(lambda _id: self.eye.fit())
         for part in (self.contrast, self.derived):
             part.looked.connect(self.look)
+        self.named_views.wanted.connect(self.go_to)
         self.derived.said.connect(self.hover_text)
         for view in (eye, self.outside):
             self.contrast.marked.connect(view.mark)
@@ -172,11 +179,12 @@ class ProjectionPage(ViewCommands, QWidget):
         return self
 
     def docks(self) -> Sequence[DockPart]:
-        """Objects, the family of projections, polygon tables."""
+        """Objects, the family of projections, named views, polygon tables."""
         right = Qt.DockWidgetArea.RightDockWidgetArea
         return (
             ("objects", _("Objects"), self.objects, right),
             ("family", _("Family"), self.family, right),
+            ("named_views", _("Views"), self.named_views, right),
             ("polygon_tables", _("Tables"), self.tables_view, right),
             ("derivation", _("Derivation"), self.derived, right),
             ("contrast", _("Compare"), self.contrast, right),
@@ -232,6 +240,10 @@ class ProjectionPage(ViewCommands, QWidget):
     def switch_trackball(self) -> None:
         """Turn freely, or on a turntable that keeps the horizon level."""
         self.looking.trackball = self._actions["trackball"].isChecked()
+
+    def switch_z(self) -> None:
+        """Write V and P as the book has them, z towards the eye, or as we do."""
+        self.card.towards_eye.setChecked(self._actions["z_towards_eye"].isChecked())
 
     def _place_cube(self) -> None:
         """At the top right, or below where the card leaves no room there; the choice of steps likewise."""
@@ -324,6 +336,7 @@ class ProjectionPage(ViewCommands, QWidget):
         self.strip.show_camera(scene.camera, anew)
         self.card.show_camera(scene.camera, self.looking.around)
         self.family.show_camera(scene.camera, self.card.kind.currentData() or "")
+        self.named_views.show_scene(scene)
         self.cube.show_camera(scene.camera)
         self.contrast.show_scene(scene)
         self.stepping.refresh()

@@ -81,6 +81,10 @@ class SceneWorker(QObject):
             self.failed.emit(answer.job, answer.problem)
 
 
+_one_at_a_time = threading.Lock()
+"""Two views of a scene take no longer one after the other, and half of the memory."""
+
+
 def _picture(job: SceneJob, stop: Stop) -> EdgePicture:
     if job.shading == QUICK:
         return edge_picture(job.scene, job.size, job.window, job.faces)
@@ -91,7 +95,8 @@ def _picture(job: SceneJob, stop: Stop) -> EdgePicture:
 
 def _draw(job: SceneJob, stop: Stop) -> SceneAnswer:
     try:
-        return SceneAnswer(job, _picture(job, stop))
+        with _one_at_a_time:
+            return SceneAnswer(job, _picture(job, stop))
     except Stopped:
         return SceneAnswer(job)  # to nobody: the program ends
     except ValueError as error:

@@ -65,6 +65,11 @@ class ViewCommands:
         self.eye.keeps_fit = True
         self._kept = None
 
+    def go_to(self, camera: Camera) -> None:
+        """See the scene by another camera, by way of what lies between; the document keeps its own."""
+        self.morph.leave(self.looking.camera)
+        self.look(camera)
+
     def go_home(self) -> None:
         """See the scene as the document has it, and all of it."""
         self.say(self.looking.look(None))

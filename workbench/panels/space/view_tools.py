@@ -60,6 +60,9 @@ class Viewing(Protocol):
     def switch_trackball(self) -> None:
         """Turn freely, or on a turntable."""
 
+    def switch_z(self) -> None:
+        """Let z of the view coordinates point to the eye, or into the picture."""
+
     def keep(self) -> None:
         """Write the view into the document."""
 
@@ -92,6 +95,13 @@ class ViewTools(QFrame):
             else:
                 self.menu.addAction(action)
         column.addStretch(1)
+
+    def add_named_views(self, commands: Sequence[QAction], views: QMenu) -> None:
+        """Put what can be done with named views, and a menu of them, below the other ways to look."""
+        self.menu.addSeparator()
+        self.menu.addMenu(views)
+        self.menu.addActions(list(commands))
+        self.actions_by_name.update((action.objectName().partition(".")[2], action) for action in commands)
 
     @staticmethod
     def _button(column: QVBoxLayout) -> QToolButton:
@@ -154,5 +164,6 @@ def tools_of(page: "Viewing") -> list[Tool]:
         Tool("isometric", _("Look from (1, 1, 1), isometric"), "", "", partial(page.glance, "isometric")),
         Tool("switch", _("Perspective or parallel"), "", "(5)", page.switch),
         Tool("trackball", _("Turn freely, as a trackball"), "", "", page.switch_trackball, False),
+        Tool("z_towards_eye", _("z towards the eye, as in the book"), "", "", page.switch_z, False),
         Tool("keep", _("Keep this view"), "", "", page.keep),
     ]

@@ -11,6 +11,7 @@ from workbench.rendering.scene.smoothing import corner_normals
 
 _MOST_POINTS = 2_000
 _DIRECTIONS = 256
+_AT_ONCE = 1 << 16  # faces: what is worked out on the way takes little memory
 
 
 class Lasting:
@@ -22,13 +23,19 @@ class Lasting:
         self._mesh = mesh
         self._corner_normals: Array | None = None
 
+    @property
+    def count(self) -> int:
+        """How many faces there are."""
+        return len(self._mesh.faces)
+
     @cached_property
     def normals(self) -> Array:
         """0 where a face has no area."""
         normals = np.ascontiguousarray(face_normals(*self._mesh).T)
-        length = np.sqrt((normals * normals).sum(axis=0))
-        unit: Array = np.divide(normals, length, out=np.zeros_like(normals), where=length > 0)
-        return unit
+        length = np.sqrt(_squares(normals))
+        normals[:, length == 0] = 0.0
+        np.divide(normals, length, out=normals, where=length > 0)
+        return normals
 
     @cached_property
     def distances(self) -> Array:
@@ -42,15 +49,20 @@ class Lasting:
     def middles(self) -> Array:
         """The mean of the corners."""
         vertices, faces = self._mesh
-        sums = [np.add.reduceat(x[faces.corners], faces.starts) for x in vertices.T]
-        middles: Array = np.stack(sums) / faces.sizes
+        middles, starts = np.empty((3, len(faces))), faces.starts
+        for first in range(0, len(faces), _AT_ONCE):
+            part = slice(first, first + _AT_ONCE)
+            begins, end = starts[part], faces.ends[part][-1]
+            corners = faces.corners[begins[0] : end]
+            for row, x in zip(middles, vertices.T, strict=True):
+                np.add.reduceat(x[corners], begins - begins[0], out=row[part])
+        middles /= faces.sizes
         return middles
 
     @cached_property
     def squares(self) -> Array:
         """The squares (m,) of how far the middles are from the origin."""
-        squares: Array = (self.middles * self.middles).sum(axis=0)
-        return squares
+        return _squares(self.middles)
 
     @cached_property
     def box(self) -> Array:
@@ -88,3 +100,39 @@ class Lasting:
         rows = directions.astype(np.float32)
         farthest: Array = points[np.unique([int((row @ columns).argmax()) for row in rows])]
         return farthest
+
+
+def _squares(rows: Array) -> Array:
+    """The sums (m,) of the squares of x, y and z (3, m)."""
+    x, y, z = rows
+    squares: Array = x * x
+    squares += y * y
+    squares += z * z
+    return squares
+
+
+class FacesOf:
+    """Some of the faces, one after the other: what lasts of them, as views."""
+
+    def __init__(self, lasting: Lasting, part: slice) -> None:
+        self._lasting, self._part = lasting, part
+
+    @property
+    def normals(self) -> Array:
+        """Unit normals (3, k)."""
+        return self._lasting.normals[:, self._part]
+
+    @property
+    def distances(self) -> Array:
+        """Of their planes from the origin (k,)."""
+        return self._lasting.distances[self._part]
+
+    @property
+    def middles(self) -> Array:
+        """Means of the corners (3, k)."""
+        return self._lasting.middles[:, self._part]
+
+    @property
+    def squares(self) -> Array:
+        """The squares (k,) of how far the middles are from the origin."""
+        return self._lasting.squares[self._part]

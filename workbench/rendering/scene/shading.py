@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 from workbench.algorithms.shading import fast_phong, flat_shading, gouraud, phong
 from workbench.document.scene.model import Light, Material
 from workbench.geometry.meshes import Array
-from workbench.rendering.scene.lasting import Lasting
+from workbench.rendering.scene.lasting import FacesOf, Lasting
+
+_AT_ONCE = 1 << 14  # faces: what is worked out on the way to their colours stays small, and in the cache
 
 QUICK = "flat"
 LIT_SHADINGS = tuple(text.__name__ for text in (flat_shading, gouraud, phong, fast_phong))
@@ -26,6 +28,14 @@ def flat_colours(
     A face that is seen from behind is lit on that side. ``viewer`` is as ``Viewpoint.viewer`` has it. Without
     lights one shines from where the viewer is, and from above.
     """
+    colours = np.zeros(faces.count, np.int64)
+    for start in range(0, faces.count, _AT_ONCE):
+        part = slice(start, start + _AT_ONCE)
+        colours[part] = _colours(FacesOf(faces, part), material, lights, viewer)
+    return colours
+
+
+def _colours(faces: FacesOf, material: Material, lights: Sequence[Light], viewer: Array) -> NDArray[np.int64]:
     # Seen from in front: N . (eye - P) > 0, or N . direction > 0
     side = np.where(viewer[:3] @ faces.normals > viewer[3] * faces.distances, 1.0, -1.0)
     light_sum = np.full((1, len(side)), material.ambient)
@@ -42,7 +52,7 @@ def flat_colours(
     return packed
 
 
-def _lit(lights: Sequence[Light], faces: Lasting, viewer: Array) -> list[tuple[Array, Array]]:
+def _lit(lights: Sequence[Light], faces: FacesOf, viewer: Array) -> list[tuple[Array, Array]]:
     """Of each light its colour times its intensity (3, 1), of a white one (1, 1), and of each face (m,) the
     cosine of the angle between its normal and the way to the light."""
     if not lights:
@@ -57,7 +67,7 @@ def _lit(lights: Sequence[Light], faces: Lasting, viewer: Array) -> list[tuple[A
     return found
 
 
-def _from_viewer(faces: Lasting, viewer: Array) -> Array:
+def _from_viewer(faces: FacesOf, viewer: Array) -> Array:
     """The cosines for a light that is above the viewer by six tenths of the way to the face."""
     products = viewer[:3] @ faces.normals - viewer[3] * faces.distances
     if viewer[3] == 0:

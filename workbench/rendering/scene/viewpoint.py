@@ -65,7 +65,8 @@ class Viewpoint(NamedTuple):
 
     def homogeneous(self, points_world: Array) -> Array:
         """Points (n, 3) on the view plane, as (x, y, z, w) before the division."""
-        placed: Array = points_world @ self.matrix[:, :3].T + self.matrix[:, 3]
+        placed: Array = points_world @ self.matrix[:, :3].T
+        placed += self.matrix[:, 3]
         return placed
 
     def drawn(self, points_world: Array, triangles: Index, around: Array) -> Drawn:

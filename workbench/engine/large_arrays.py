@@ -1,0 +1,19 @@
+"""Lets the memory of large arrays go back to the system as soon as they are gone."""
+
+import ctypes
+import sys
+
+_MMAP_THRESHOLD = -3  # M_MMAP_THRESHOLD of malloc.h
+_LARGE = 2 * 2**20
+
+
+def give_back_large_arrays() -> None:
+    """Take every array of 2 MB or more from the system itself, and not from heaps.
+
+    The C library of GNU raises that limit to 32 MB as it goes, and keeps a heap for each thread, in which
+    what is freed between two arrays stays. Elsewhere nothing happens.
+    """
+    if sys.platform == "linux":
+        mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
+        if mallopt is not None:
+            mallopt(_MMAP_THRESHOLD, _LARGE)
