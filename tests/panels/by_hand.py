@@ -8,7 +8,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 def keep_until_the_end(qtbot, panel):
-    """End a panel, or a part of one, and its docks with the test: those that are in no window would outlive it."""
+    """End a panel, or a part of one, with the test, and its docks, which would outlive it."""
     docks = panel.docks() if hasattr(panel, "docks") else ()
     for widget in (panel, *(dock for _name, _title, dock, _area in docks)):
         qtbot.addWidget(widget)

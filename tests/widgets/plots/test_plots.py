@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from workbench.widgets.look.tokens import DARK, LIGHT, theme
 from workbench.widgets.plots.depth_plot import DepthPlot
-from workbench.widgets.plots.distance_plot import DistancePlot
+from workbench.widgets.plots.distance_plot import MOST_DRAWN, MOST_SYMBOLS, DistancePlot
 from workbench.widgets.plots.plot import Plot
 from workbench.widgets.plots.trace_plot import TracePlot
 
@@ -113,6 +113,23 @@ def test_what_was_plotted_before_is_gone(qtbot: QtBot) -> None:
     plot.show_distances([])
     assert len(plot._plot.getPlotItem().items) == items
     assert plot._plot.isHidden()
+
+
+@pytest.mark.parametrize("count", [MOST_SYMBOLS, MOST_SYMBOLS + 1, 300_000])
+def test_the_work_of_a_plot_has_a_bound_and_its_peaks_stay(qtbot: QtBot, count: int) -> None:
+    plot = DistancePlot()
+    seen(qtbot, plot)
+    values = np.zeros(count)
+    values[count // 3] = 9.0
+    plot.show_distances([("a long line", values)])
+    drawn = plot._lines[0].scatter.data if plot._lines[0].scatter.isVisible() else []
+    x, y = plot._lines[0].curve.getData()
+    assert len(drawn) <= MOST_SYMBOLS
+    assert len(x) <= MOST_DRAWN
+    assert y.max() == 9.0
+    table = plot.numbers()
+    assert table is not None
+    assert len(table.rows) == count
 
 
 def test_a_trace_reads_its_value_and_says_why_there_is_none(qtbot: QtBot) -> None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from html import escape
-from itertools import zip_longest
+from itertools import pairwise, zip_longest
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,19 @@ from workbench.widgets.plots.plot import Plot
 
 Curves = Sequence[tuple[str, NDArray[np.float64]]]
 _SYMBOLS, _SIZES = ("o", "s"), (9, 5)
+MOST_SYMBOLS = 1_000  # more run into one another
+MOST_DRAWN = 4_000
+
+
+def peaks(values: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Numbers and values to draw: all, or the least and the greatest of each stretch of very many."""
+    if len(values) <= MOST_DRAWN:
+        return np.arange(len(values)), values
+    ends = np.linspace(0, len(values), MOST_DRAWN // 2 + 1).astype(np.int64)
+    stretches = [slice(a, b) for a, b in pairwise(ends.tolist())]
+    extremes = {s.start + int(at) for s in stretches for at in (values[s].argmin(), values[s].argmax())}
+    numbers = np.array(sorted(extremes), np.int64)
+    return numbers, values[numbers]
 
 
 class DistancePlot(Plot):
@@ -72,9 +85,10 @@ class DistancePlot(Plot):
         for k, (title, values) in enumerate(self._curves):
             ink = QColor(now.data[k])
             pen = QPen(ink, 0)
+            few = len(values) <= MOST_SYMBOLS
             line = plot.plot(
-                np.arange(len(values)), values, pen=pen, symbol=_SYMBOLS[k], symbolSize=_SIZES[k],
-                symbolBrush=ink, symbolPen=None, antialias=True,
+                *peaks(values), pen=pen, symbol=_SYMBOLS[k] if few else None,
+                symbolSize=_SIZES[k], symbolBrush=ink, symbolPen=None, antialias=few,
             )  # fmt: skip
             self._lines.append(line)
             largest = float(np.abs(values).max())
