@@ -25,7 +25,7 @@ _SORT = "Sort the crossings from left to right"
 _FILL = "Fill between each pair of crossings"
 _SPANS = "row_spans(scan_line_crossings, vertices, ring_ends, closed, nonzero, y)"
 _CHOSEN = f"span_pixels({_SPANS}, y)"
-_REACHED = "between(crossings, y)"
+_CANDIDATES = "row_of_box(vertices, y)"
 _XS = "listed(crossed(crossings))"
 _TABLES = {
     "Crossings of the row": ("[tuple(each) for each in crossings]", ("x", "x at its end", "winding")),
@@ -37,12 +37,10 @@ def crossed(crossings: Sequence[Crossing]) -> list[float]:
     return [crossing.x for crossing in crossings if crossing.winding != 0]
 
 
-def between(crossings: Sequence[Crossing], y: int) -> Pixels:
-    """The pixels of row y from the first crossing to the last, and the one outside at either end."""
-    if not crossings:
-        return ()
-    last = max(crossing.x_end for crossing in crossings)
-    return span_pixels(((math.ceil(crossings[0].x) - 1, math.floor(last) + 1),), y)
+def row_of_box(vertices: NDArray[Any], y: int) -> Pixels:
+    """The pixels of row y from the polygon's first column to its last, and the one outside at either end."""
+    left, right = float(vertices[:, 0].min()), float(vertices[:, 0].max())
+    return span_pixels(((math.ceil(left) - 1, math.floor(right) + 1),), y)
 
 
 def pairs(crossings: Sequence[Crossing]) -> str:
@@ -59,21 +57,21 @@ def marks(
         yield from row_marks(now["y"], sorted(crossed(now["crossings"])), emitted)
 
 
-def _filled(when: str, sentence: str) -> View:
+def _crossed(when: str, sentence: str) -> View:
     return View(
-        block=_FILL,
+        block=_FIND,
         when=when,
-        candidates=_REACHED,
+        candidates=_CANDIDATES,
         chosen=_CHOSEN,
-        rejected=f"not_among({_REACHED}, {_CHOSEN})",
-        row=f"(y, {_XS}, spans_text({_SPANS}), len({_CHOSEN}))",
+        rejected=f"not_among({_CANDIDATES}, {_CHOSEN})",
+        row=f"(y, listed(sorted(crossed(crossings))), spans_text({_SPANS}), len({_CHOSEN}))",
         tables=_TABLES,
         sentence=sentence,
     )
 
 
-def _crossed(when: str, sentence: str) -> View:
-    return View(block=_FIND, when=when, sentence=sentence)
+def _filled(when: str, sentence: str) -> View:
+    return View(block=_FILL, when=when, sentence=sentence)
 
 
 def _vertices(kind: str, condition: str, sentence: str) -> View:
@@ -83,11 +81,11 @@ def _vertices(kind: str, condition: str, sentence: str) -> View:
 
 COLUMNS = ("y", "x of the crossings", "pixels", "count")
 VIEW_FUNCTIONS = (
-    between,
     crossed,
     listed,
     not_among,
     pairs,
+    row_of_box,
     row_spans,
     span_pixels,
     spans_text,
@@ -109,25 +107,19 @@ VIEWS = (
     _vertices("top", "", "both edges end there, so it is not crossed: half-open leaves it out."),
     _vertices("bottom", "", "both edges begin there, so it counts twice."),
     _vertices("through", "", "one edge ends and the next goes on, so it counts once."),
-    _crossed("len(crossings) == 0", "Row {y} meets no edge."),
+    _crossed("len(crossings) == 0", "Row {y} meets none of the {len(after)} edges."),
     _crossed("True", "Row {y} crosses {len(crossed(crossings))} of the {len(after)} edges."),
-    View(
-        block=_SORT,
-        when="crossings != before.crossings",
-        sentence=f"From left to right they are x = {{{_XS}}}.",
-    ),
-    _filled(f"len({_SPANS}) == 0", "No pixel's centre lies between the crossings."),
-    _filled(
-        "len(crossed(crossings)) == 0",
-        f"The row only touches the polygon: closed fills {{spans_text({_SPANS})}}.",
-    ),
+    View(block=_SORT, when="crossed(crossings)", sentence=f"From left to right: x = {{{_XS}}}."),
+    _filled("len(crossings) == 0", "Nothing is filled."),
+    _filled(f"len({_SPANS}) == 0", "No pixel's centre lies between them."),
+    _filled("len(crossed(crossings)) == 0", f"Closed fills what lies on the row: {{spans_text({_SPANS})}}."),
     _filled(
         "closed and len(crossed(crossings)) < len(crossings)",
-        f"The row is crossed at x = {{{_XS}}} and touched besides: closed fills {{spans_text({_SPANS})}}.",
+        f"With what lies on the row besides, closed fills {{spans_text({_SPANS})}}.",
     ),
     _filled(
         "nonzero",
-        f"Inside is where the edges passed so far do not cancel: {{spans_text({_SPANS})}}.",
+        f"Inside is where the edges passed so far do not cancel: fill {{spans_text({_SPANS})}}.",
     ),
-    _filled("True", f"The pairs are {{pairs(crossings)}}: pixels {{spans_text({_SPANS})}}."),
+    _filled("True", f"In pairs, {{pairs(crossings)}}: fill {{spans_text({_SPANS})}}."),
 )

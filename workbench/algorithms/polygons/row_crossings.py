@@ -11,8 +11,10 @@ EXACT = 2.0**14
 
 
 class Crossing(NamedTuple):
-    """What an edge has on a row: ``x`` to ``x_end``, one point where it crosses; ``winding`` 1 for an edge that
-    goes up, -1 down, 0 where it only touches the row or lies along it."""
+    """What an edge has on a row: ``x`` to ``x_end``, one point where it crosses.
+
+    ``winding`` is 1 for an edge that goes up, -1 down, 0 where it only touches the row or lies along it.
+    """
 
     x: float
     x_end: float
@@ -20,7 +22,7 @@ class Crossing(NamedTuple):
 
 
 def rows_of(vertices: NDArray[Any]) -> tuple[int, int]:
-    """The lowest and the highest row of pixels that a polygon can have; without vertices the second is lower."""
+    """The lowest and the highest row of pixels of a polygon; the second is lower where it has none."""
     if len(vertices) == 0:
         return 0, -1
     lowest = highest = float(vertices[0, 1])
@@ -55,6 +57,6 @@ def sort_by_x(crossings: list[Crossing]) -> None:
 
 
 def is_on_quarters(vertices: NDArray[Any], _ring_ends: Any, _closed: Any, _nonzero: Any) -> bool:
-    """Whether all vertices lie on quarters of a pixel, so near that a rounded crossing decides as an exact one."""
+    """Whether all vertices lie on quarters of a pixel, and so near that rounding decides nothing."""
     quarters = np.asarray(vertices, np.float64) * 4
     return bool((quarters == np.floor(quarters)).all() and (np.abs(quarters) <= 4 * EXACT).all())
