@@ -17,6 +17,7 @@ _TEACHING_ORDER = (
     "circles.midpoint_circle",
     "circles.midpoint_ellipse",
     "polygons.inside_outside",
+    "polygons.scan_line_crossings",
     "polygons.scan_line_fill",
     "polygons.circle_fill",
     "polygons.ellipse_fill",

@@ -103,6 +103,6 @@ ENTRY = Entry(
     ),
     questions=(3,),
     labs=("Polygon fill",),
-    next_rung="scan_line_fill",
+    next_rung="scan_line_crossings",
     marks=marks,
 )

@@ -22,10 +22,12 @@ def marks(
     _arguments: tuple[Any, ...], now: Mapping[str, Any], emitted: NDArray[Any], _ended: bool
 ) -> Iterator[Mark]:
     """The scan line, its spans so far, its crossings with their x."""
-    if "row" not in now:
-        return
-    row = now["row"]
-    crossings = row_crossings(now["edges"], row)
+    if "row" in now:
+        yield from row_marks(now["row"], row_crossings(now["edges"], now["row"]), emitted)
+
+
+def row_marks(row: int, crossings: Sequence[float], emitted: NDArray[Any]) -> Iterator[Mark]:
+    """A scan line, its spans so far, its crossings from left to right with their x."""
     yield Ray(0.0, float(row), 1.0, 0.0, "accent", "thin", "dash", both_ways=True)
     for y, left, right in emitted[emitted[:, 0] == row].tolist() if len(emitted) else ():
         yield Stroke(along((left, y), (right, y)), "accent", "bold")

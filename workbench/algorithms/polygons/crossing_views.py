@@ -1,0 +1,125 @@
+"""What the fill by crossings shows of its blocks."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from numpy.typing import NDArray
+
+from workbench.algorithms.entry import View
+from workbench.algorithms.marks import Mark
+from workbench.algorithms.polygons.row_crossings import Crossing
+from workbench.algorithms.polygons.scan_line_marks import row_marks
+from workbench.algorithms.polygons.scan_line_words import (
+    Pixels,
+    listed,
+    not_among,
+    row_spans,
+    span_pixels,
+    spans_text,
+    vertices_on,
+)
+
+_FIND = "Find all crossings of the row with the edges"
+_SORT = "Sort the crossings from left to right"
+_FILL = "Fill between each pair of crossings"
+_SPANS = "row_spans(scan_line_crossings, vertices, ring_ends, closed, nonzero, y)"
+_CHOSEN = f"span_pixels({_SPANS}, y)"
+_CANDIDATES = "row_of_box(vertices, y)"
+_XS = "listed(crossed(crossings))"
+_TABLES = {
+    "Crossings of the row": ("[tuple(each) for each in crossings]", ("x", "x at its end", "winding")),
+}
+
+
+def crossed(crossings: Sequence[Crossing]) -> list[float]:
+    """Where edges cross the row; those that touch it or lie along it do not."""
+    return [crossing.x for crossing in crossings if crossing.winding != 0]
+
+
+def row_of_box(vertices: NDArray[Any], y: int) -> Pixels:
+    """The pixels of row y from the polygon's first column to its last, and the one outside at either end."""
+    left, right = float(vertices[:, 0].min()), float(vertices[:, 0].max())
+    return span_pixels(((math.ceil(left) - 1, math.floor(right) + 1),), y)
+
+
+def pairs(crossings: Sequence[Crossing]) -> str:
+    """The crossings two by two: (3.5, 6.5), (8, 9)."""
+    xs = [listed([x]) for x in crossed(crossings)]
+    return listed([f"({a}, {b})" for a, b in zip(xs[::2], xs[1::2], strict=False)])
+
+
+def marks(
+    _arguments: tuple[Any, ...], now: Mapping[str, Any], emitted: NDArray[Any], _ended: bool
+) -> Iterator[Mark]:
+    """The scan line, its spans so far, its crossings with their x."""
+    if "crossings" in now:
+        yield from row_marks(now["y"], sorted(crossed(now["crossings"])), emitted)
+
+
+def _crossed(when: str, sentence: str) -> View:
+    return View(
+        block=_FIND,
+        when=when,
+        candidates=_CANDIDATES,
+        chosen=_CHOSEN,
+        rejected=f"not_among({_CANDIDATES}, {_CHOSEN})",
+        row=f"(y, listed(sorted(crossed(crossings))), spans_text({_SPANS}), len({_CHOSEN}))",
+        tables=_TABLES,
+        sentence=sentence,
+    )
+
+
+def _filled(when: str, sentence: str) -> View:
+    return View(block=_FILL, when=when, sentence=sentence)
+
+
+def _vertices(kind: str, condition: str, sentence: str) -> View:
+    named = f"vertices_on(vertices, ring_ends, y, '{kind}')"
+    return _crossed(f"{condition}{named}", f"Row {{y}} has the vertex {{{named}}}: " + sentence)
+
+
+COLUMNS = ("y", "x of the crossings", "pixels", "count")
+VIEW_FUNCTIONS = (
+    crossed,
+    listed,
+    not_among,
+    pairs,
+    row_of_box,
+    row_spans,
+    span_pixels,
+    spans_text,
+    vertices_on,
+)
+VIEWS = (
+    View(
+        block="Find the lowest and the highest row",
+        when="lowest > highest",
+        sentence="No row of pixels runs through the polygon: nothing is filled.",
+    ),
+    View(
+        block="Find the lowest and the highest row",
+        sentence="The polygon reaches from row {lowest} to row {highest}.",
+    ),
+    _vertices(
+        "top", "closed and ", "both edges end there, so it is not crossed; closed fills the vertex itself."
+    ),
+    _vertices("top", "", "both edges end there, so it is not crossed: half-open leaves it out."),
+    _vertices("bottom", "", "both edges begin there, so it counts twice."),
+    _vertices("through", "", "one edge ends and the next goes on, so it counts once."),
+    _crossed("len(crossings) == 0", "Row {y} meets none of the {len(after)} edges."),
+    _crossed("True", "Row {y} crosses {len(crossed(crossings))} of the {len(after)} edges."),
+    View(block=_SORT, when="crossed(crossings)", sentence=f"From left to right: x = {{{_XS}}}."),
+    _filled("len(crossings) == 0", "Nothing is filled."),
+    _filled(f"len({_SPANS}) == 0", "No pixel's centre lies between them."),
+    _filled("len(crossed(crossings)) == 0", f"Closed fills what lies on the row: {{spans_text({_SPANS})}}."),
+    _filled(
+        "closed and len(crossed(crossings)) < len(crossings)",
+        f"With what lies on the row besides, closed fills {{spans_text({_SPANS})}}.",
+    ),
+    _filled(
+        "nonzero",
+        f"Inside is where the edges passed so far do not cancel: fill {{spans_text({_SPANS})}}.",
+    ),
+    _filled("True", f"In pairs, {{pairs(crossings)}}: fill {{spans_text({_SPANS})}}."),
+)

@@ -1,0 +1,115 @@
+"""The scan-line polygon fill as it is first explained: every row is crossed with every edge anew.
+
+after       for each vertex, the number of the next one round its ring
+crossings   what of the edges is on the row: from x to x_end, and the way it goes; 0 is on it, but not crossed
+winding     how the edges crossed so far go round the point; 0 is outside
+left        first pixel of the span that is open
+covered     last pixel of the row up to the last crossing, that one's own under closed
+"""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from numpy.typing import NDArray
+
+from workbench.algorithms.entry import DrawnBy, Entry, Law
+from workbench.algorithms.polygons.crossing_views import COLUMNS, VIEW_FUNCTIONS, VIEWS, marks
+from workbench.algorithms.polygons.parameters import CLOSED, NONZERO, POLYGON, polygon_and_rules
+from workbench.algorithms.polygons.row_crossings import (
+    FAR_LEFT,
+    Crossing,
+    is_on_quarters,
+    next_vertices,
+    rows_of,
+    sort_by_x,
+)
+
+
+def scan_line_crossings(
+    vertices: NDArray[Any], ring_ends: NDArray[Any], closed: bool, nonzero: bool
+) -> Iterator[tuple[int, int, int]]:
+    """Fill a polygon row by row: find all crossings with its edges, sort them, fill between pairs of them.
+
+    A pixel belongs to it by its centre: half_open has y_low <= y < y_high and x_left <= x < x_right; closed
+    has all that is inside or on an edge. So a vertex where the edges turn back counts twice, or not at all,
+    and one where they go on counts once.
+
+    Args: vertices (n, 2) in pixels, within 2^20; ring_ends (m,): one past each ring's last vertex; closed or
+    half_open; inside where the winding number is not zero or is odd (even_odd).
+    Emits: (y, x_left, x_right), both ends included, bottom to top, left to right, each pixel once.
+    Source: Hearn and Baker, Computer Graphics, C Version, section 3-11.
+    """
+    # Find the lowest and the highest row
+    lowest, highest = rows_of(vertices)
+    after = next_vertices(vertices, ring_ends)
+
+    for y in range(lowest, highest + 1):
+        # Find all crossings of the row with the edges
+        crossings = [Crossing(0.0, 0.0, 0) for _row in range(0)]
+        for k in range(len(after)):
+            x0, y0 = float(vertices[k, 0]), float(vertices[k, 1])
+            x1, y1 = float(vertices[after[k], 0]), float(vertices[after[k], 1])
+            if y0 <= y < y1 or y1 <= y < y0:
+                x = x0 + (y - y0) * (x1 - x0) / (y1 - y0)
+                crossings.append(Crossing(x, x, 1 if y0 < y1 else -1))
+            elif closed and y0 == y == y1:
+                crossings.append(Crossing(min(x0, x1), max(x0, x1), 0))
+            elif closed and y == max(y0, y1):
+                x = x0 if y == y0 else x1
+                crossings.append(Crossing(x, x, 0))
+
+        # Sort the crossings from left to right
+        sort_by_x(crossings)
+
+        # Fill between each pair of crossings
+        winding = left = 0
+        covered = FAR_LEFT
+        for k in range(len(crossings)):
+            x, x_end, turn = crossings[k]
+            if winding == 0:
+                left = max(math.ceil(x), covered + 1)
+            covered = max(covered, math.floor(x_end) if closed else math.ceil(x) - 1)
+            if nonzero or winding == 0:
+                winding += turn
+            elif turn != 0:
+                winding = 0
+            if winding == 0 and left <= covered:
+                yield y, left, covered
+
+
+_AS_EXACT = Law(
+    "Between vertices on whole pixels or quarters, within 2^14, each crossing decides as the exact one does.",
+    "polygons/test_scan_line_crossings.py::test_on_quarters_pixels_are_those_of_exact_fractions",
+)
+
+ENTRY = Entry(
+    function=scan_line_crossings,
+    topic="polygons",
+    title="Scan-line fill by crossings",
+    summary="Finds where each row crosses the edges, sorts the crossings, and fills between pairs of them.",
+    parameters=(*POLYGON, CLOSED, NONZERO),
+    arguments=polygon_and_rules,
+    draws=("polygon",),
+    drawn_by=DrawnBy("scan_line_fill", _AS_EXACT, is_on_quarters),
+    emits="spans",
+    source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
+    columns=COLUMNS,
+    views=VIEWS,
+    view_functions=VIEW_FUNCTIONS,
+    laws=(
+        _AS_EXACT,
+        Law(
+            "Each pixel comes once, bottom to top and left to right.",
+            "polygons/test_scan_line_crossings.py::test_pixels_come_once_bottom_to_top_and_left_to_right",
+        ),
+    ),
+    not_laws=(
+        "Its work grows as the edges alone: each row asks every edge, also those that it does not meet.",
+        "The crossings are exact: the quotient is rounded, and beside a pixel's centre that may decide it.",
+    ),
+    questions=(3,),
+    labs=("Polygon fill",),
+    next_rung="scan_line_fill",
+    marks=marks,
+)
