@@ -79,6 +79,31 @@ def test_an_override_takes_what_it_took(qtbot) -> None:
     assert dialog.result() == QDialog.DialogCode.Accepted
 
 
+def test_a_base_that_knows_nothing_of_qt_takes_nothing_from_those_before_it(qtbot) -> None:
+    from PySide6.QtWidgets import QWidget
+
+    import workbench.widgets  # noqa: F401
+
+    class Plain:
+        def sizeHint(self) -> str:
+            return "plain"
+
+    class Middle(QWidget):
+        def sizeHint(self) -> str:  # type: ignore[override]
+            return "middle"
+
+    class Last(Middle, Plain):
+        pass
+
+    class Mixed(Plain, QWidget):
+        pass
+
+    for kind, said in ((Last, "middle"), (Mixed, "plain")):
+        widget = kind()
+        qtbot.addWidget(widget)
+        assert widget.sizeHint() == said
+
+
 @pytest.mark.skipif(sys.version_info >= (3, 12), reason="what is raised is an exception there")
 def test_every_override_of_the_program_is_guarded() -> None:
     import importlib

@@ -35,16 +35,15 @@ def raising(method: FunctionType) -> Callable[..., Any]:
 
 def overrides_of(kind: type) -> dict[str, FunctionType]:
     """The methods of Qt that a class overrides, itself or by a base that knows nothing of Qt."""
-    bound = [base for base in kind.__mro__ if base.__module__.startswith("PySide6.")]
-    own = [base for base in reversed(kind.__mro__) if base is kind or not issubclass(base, QObject)]
-    methods = {name: member for base in own if base not in bound for name, member in vars(base).items()}
-    return {
-        name: member
-        for name, member in methods.items()
-        if isinstance(member, FunctionType)
-        and not name.startswith("__")
-        and any(name in vars(base) for base in bound)
-    }
+    bound = {name for base in kind.__mro__ if base.__module__.startswith("PySide6.") for name in vars(base)}
+    overrides: dict[str, FunctionType] = {}
+    for name in bound:
+        owner = next(base for base in kind.__mro__ if name in vars(base))
+        member = vars(owner)[name]
+        own = owner is kind or not issubclass(owner, QObject)
+        if own and isinstance(member, FunctionType) and not name.startswith("__"):
+            overrides[name] = member
+    return overrides
 
 
 def _guard(kind: type[QObject], /, **named: Any) -> None:

@@ -38,6 +38,11 @@ _MOST_ROWS = 192
 Size = tuple[int, int]
 
 
+def is_of_the_scene(subject: Subject) -> bool:
+    """Whether a method for hidden surfaces is what is stepped."""
+    return subject.kind == KIND
+
+
 def window_of(sheet: Sheet) -> Rectangle | None:
     """What is seen of the view plane; None, all of the scene, where nobody has chosen a window for it.
 

@@ -32,6 +32,7 @@ from workbench.rendering.scene.spaces import Measures
 from workbench.rendering.subjects.visibility import (
     KIND,
     fault_of,
+    is_of_the_scene,
     method_of,
     scene_size,
     window_of,
@@ -187,7 +188,7 @@ class ArenaPage(QWidget):
 
     @property
     def _here(self) -> bool:
-        return self.session.state.workspace == SLUG and self.session.subject.kind == KIND
+        return self.session.state.workspace == SLUG and is_of_the_scene(self.session.subject)
 
     def refresh_soon(self, *_arguments: object) -> None:
         """Show the session as it is when all that happens now has happened; unseen, when it is seen."""

@@ -9,7 +9,7 @@ from workbench.panels.space.visibility.depth_run import DepthRun, method_run
 from workbench.panels.space.visibility.pixel_steps import PixelStep, pixel_steps
 from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.fragments import NOTHING
-from workbench.rendering.subjects.visibility import KIND, method_of
+from workbench.rendering.subjects.visibility import is_of_the_scene, method_of
 from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
 
@@ -50,7 +50,7 @@ class FragmentList(QWidget):
             self.list.clear()
             self._say(
                 _("Click a pixel, or point at one and press Y: what came to it?")
-                if self._session.subject.kind == KIND
+                if is_of_the_scene(self._session.subject)
                 else _("The pages Visibility and Hidden surfaces tell what came to a pixel.")
             )
             return

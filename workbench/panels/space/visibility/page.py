@@ -42,6 +42,7 @@ from workbench.rendering.subjects.visibility import (
     SURFACE_METHODS,
     depth_call,
     fault_of,
+    is_of_the_scene,
     method_of,
     size_of,
 )
@@ -208,7 +209,7 @@ class VisibilityPage(QWidget):
         """Show the session as it is now."""
         self._waiting = False
         if not self.isVisible():
-            asked = self.session.subject.kind == KIND and self.session.state.pixel is not None
+            asked = is_of_the_scene(self.session.subject) and self.session.state.pixel is not None
             self.fragments.refresh(depth_run(self.session) if asked else None, self._keeps_depths)
             return
         self.zoom_text.emit(f"{self.canvas.zoom_percent:.0f} %")
