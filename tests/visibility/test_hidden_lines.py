@@ -44,7 +44,7 @@ def stops(triangle: Triangle, place: Corner) -> bool | None:
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
 def test_a_point_of_an_edge_is_drawn_where_no_ray_is_stopped(kind: Callable[[Random], Scene]) -> None:
     hidden = 0
-    for scene in scenes(kind, 60):
+    for scene in scenes(kind, 20):
         vertices, faces, _colours = arrays(scene)
         parts: dict[int, list[tuple[float, ...]]] = {}
         for *ends, edge in drawn(scene):

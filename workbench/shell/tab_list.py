@@ -3,6 +3,7 @@
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeyEvent
 from PySide6.QtWidgets import QMenu, QTabBar, QToolButton
+from shiboken6 import isValid
 
 from workbench.language import _
 from workbench.widgets.look.icons import set_icon
@@ -37,8 +38,11 @@ class TabList(QToolButton):
 
     def _place(self) -> None:
         """Lie over the arrows, as long as they are there."""
-        self.setVisible(any(not arrow.isHidden() for arrow in self._arrows))
-        left = min(self._bar.width() - _WIDE_PX, *(arrow.x() for arrow in self._arrows))
+        arrows = [arrow for arrow in self._arrows if isValid(arrow)]  # a bar that goes takes them first
+        if not arrows:
+            return
+        self.setVisible(any(not arrow.isHidden() for arrow in arrows))
+        left = min(self._bar.width() - _WIDE_PX, *(arrow.x() for arrow in arrows))
         self.setGeometry(left, 0, self._bar.width() - left, self._bar.height())
         self.raise_()
 

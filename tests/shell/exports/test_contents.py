@@ -137,6 +137,7 @@ def test_export_is_found_by_its_name(window: MainWindow) -> None:
         "Export a sheet of frames...",
         "Export the scene as PNG...",
         "Export the wireframe as SVG...",
+        "Export without hidden lines as SVG...",
         "Export the mesh...",
         "Export another table",
     ]

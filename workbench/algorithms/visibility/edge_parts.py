@@ -23,9 +23,8 @@ def ends_of(vertices: list[Corner], i: int, j: int) -> tuple[Corner, Corner]:
 def apart(surface: Surface, start: Corner, end: Corner) -> bool:
     """Whether boxes alone tell that a surface hides nothing of an edge."""
     low, middle, high = surface.low, surface.middle, surface.high
-    if max(start.x, end.x) < min(low.x, middle.x, high.x) or max(low.x, middle.x, high.x) < min(
-        start.x, end.x
-    ):
+    left, right = min(low.x, middle.x, high.x), max(low.x, middle.x, high.x)
+    if max(start.x, end.x) < left or right < min(start.x, end.x):
         return True
     if max(start.y, end.y) < low.y or high.y < min(start.y, end.y):
         return True

@@ -60,6 +60,8 @@ class TrackDock(QScrollArea):
         self.note = QLabel()
         self.note.setProperty("role", "muted")
         self.note.setWordWrap(True)
+        for label in (self.title, self.sums, self.note):  # which have names of the user's
+            label.setTextFormat(Qt.TextFormat.PlainText)
         inner = QWidget()
         self.setWidget(inner)
         self.setWidgetResizable(True)

@@ -57,7 +57,7 @@ def surface_run(depth: DepthRun, session: Session) -> SurfaceRun:
     if run.recording is not None and run.moment is not None:
         count = len(run.moment.emitted) if run.detail or run.step is None else run.step.emitted_to
         rows = run.recording.emitted.array(0, count)
-        if run.entry.emits == "coverage":  # the light of a pixel, not a surface: the nearest stands for it
+        if run.entry.emits == "coverage" and len(rows):  # the light of a pixel: the nearest stands for it
             x, y = rows[:, 0].astype(np.int64), rows[:, 1].astype(np.int64)
             seen[y, x] = depth.fragments.seen(depth.size)[y, x]
         else:
