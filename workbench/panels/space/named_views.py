@@ -61,9 +61,7 @@ class NamedViewsDock(QWidget):
         delete.activated.connect(self.remove_view)
         self.menu = QMenu(self.list.accessibleName(), self)
         self.menu.aboutToShow.connect(self._fill_menu)
-        self.empty = EmptyState(
-            self.list, _("No view has a name yet."), self.keep.text()
-        )
+        self.empty = EmptyState(self.list, _("No view has a name yet."), self.keep.text())
         self.empty.button.setToolTip(_("Keep what is seen now, to come back to it"))
         self.empty.wanted.connect(self.name_view)
         self.add = QPushButton(self.keep.text())

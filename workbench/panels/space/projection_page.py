@@ -61,6 +61,8 @@ class ProjectionPage(ViewCommands, QWidget):
         self.looking = Looking(session)
         self.eye = EyeView()
         self.outside = OutsideView(self.eye)
+        for view in (self.eye, self.outside):
+            session.opened.connect(view.begin_anew)
         self.strip = MatrixStrip(self.looking)
         self.card = CameraCard(self.looking, self.eye)
         self.card.move(_CARD_GAP_PX, _CARD_GAP_PX)

@@ -136,6 +136,11 @@ class ScenePicture(QWidget):
                 if job.faces:
                     self.worker.ask(job)
 
+    def begin_anew(self) -> None:
+        """Another document or sheet is open: nothing of the last one's picture is shown in its place."""
+        self.worker.leave()
+        self._job, self._image_came = None, False
+
     def _take_lines(self, job: SceneJob) -> None:
         try:
             lines = self.shows == "lines"

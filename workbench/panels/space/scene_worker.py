@@ -52,7 +52,7 @@ class SceneWorker(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._drawing = False
+        self._drawing = self._left = False
         self._next: SceneJob | None = None
         self._answers = Answers(self)
         self._answers.arrived.connect(self._take)
@@ -70,11 +70,17 @@ class SceneWorker(QObject):
             self._drawing, stop = True, Stop()
             self._answers.ask(partial(_draw, job, stop), "scene", stop.set)
 
+    def leave(self) -> None:
+        """Nobody wants what is being drawn any more."""
+        self._left, self._next = self._drawing, None
+
     def _take(self, answer: SceneAnswer) -> None:
-        self._drawing = False
+        left, self._left, self._drawing = self._left, False, False
         if self._next is not None:
             following, self._next = self._next, None
             self.ask(following)
+        if left:
+            return
         if answer.picture is not None:
             self.drawn.emit(answer.job, answer.picture)
         else:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import keep_until_the_end
 from tests.panels.space.by_hand import drag
 from workbench.document.scene.edits import remove_thing, set_thing
 from workbench.document.scene.model import Light, Scene
@@ -24,7 +25,7 @@ def page(qtbot: QtBot) -> Iterator[ShadingPage]:
     session = Session()
     session.open_example("shading-ball")
     panel = SpacePanel(session)
-    qtbot.addWidget(panel)
+    keep_until_the_end(qtbot, panel)
     panel.resize(900, 560)
     panel.show()
     qtbot.waitExposed(panel)
@@ -189,3 +190,22 @@ def test_what_is_seen_from_elsewhere_can_be_kept(qtbot: QtBot, page: ShadingPage
     settle(qtbot, page)
     assert scene_of(page).camera == page.view.scene.camera
     assert not page.bar.keep.isVisible()
+
+
+def test_the_picture_of_another_document_is_never_in_the_place_of_this_one(
+    qtbot: QtBot, page: ShadingPage
+) -> None:
+    """Also where it was under way when the other one was opened."""
+    held, going_on = [], page.view._take
+    page.view.worker.drawn.disconnect(page.view._take)
+    page.view.worker.drawn.connect(lambda job, picture: (held.append(job.scene), going_on(job, picture)))
+    page.view.set_shading("phong", page.view._lit[1])
+    page.view.resize(page.view.width() - 3, page.view.height())
+    page.view.redraw()
+    assert page.view.worker.busy
+    page.session.open_example("shading-materials")
+    page.session.flush()
+    assert page.view._image.isNull() or page.view._image_came is False
+    settle(qtbot, page)
+    assert held
+    assert all(scene.objects == scene_of(page).objects for scene in held)

@@ -58,6 +58,8 @@ class ShadingPage(QWidget):
         self.nothing = EmptyState(self.canvas, _("This sheet has no scene."), self._show_example)
         self.view = LitView("")
         self.four = [LitView(_(catalogue.get(slug).title)) for slug in LIT_SHADINGS]
+        for view in (self.view, *self.four):
+            session.opened.connect(view.begin_anew)
         self.lamps = LampsDock(session)
         self.stack = QStackedWidget()
         beside = QSplitter(Qt.Orientation.Horizontal)
