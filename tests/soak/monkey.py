@@ -210,7 +210,9 @@ def load_all_kernels() -> None:
     from workbench.engine.warm import Warming, compile_use, work
 
     entries = {entry.slug: entry for entry in catalogue.entries()}
-    Warming(list(entries)).follow(lambda _progress: None)
+    child = Warming(list(entries))
+    child.follow(lambda _progress: None)
+    child.stop()
     for slug, use in work(list(entries)):
         compile_use(entries[slug], use)
 
