@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from PySide6.QtCore import QObject
@@ -19,6 +18,7 @@ if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
 
 _PICTURE_PX = 1600
+_SECONDS = (2.0, 1.0, 0.5, 0.2, 0.1, 0.04)
 
 
 class TableOffer(NamedTuple):
@@ -35,7 +35,6 @@ class Exports(QObject):
         super().__init__(window)
         self._window = window
         self.writing = Writing(window)
-        self.writing.run_chosen.connect(self._ask_run)
         window.entered.connect(self._offer)
 
     def _offer(self, workspace: str) -> None:
@@ -73,6 +72,7 @@ class Exports(QObject):
     def run(self) -> None:
         """Every step of the run: how is chosen on the card."""
         from workbench.panels.stage.pages import formats_of
+        from workbench.widgets.fields.writing_card import Pictures
 
         exporter = self._exporter()
         if exporter is None or self.writing.is_busy():
@@ -90,28 +90,21 @@ class Exports(QObject):
             names = paths[0].name if len(paths) == 1 else f"{paths[0].name} … {paths[-1].name}"
             return _("{count}: {names}").format(count=count, names=names)
 
-        self.writing.card.offer(_("Export this run"), formats_of("run"), note)
+        texts = {
+            ".png": _("PNG, a file for each step"),
+            ".pdf": _("PDF, a page for each step"),
+            ".gif": _("GIF that moves"),
+        }
+        formats = [(each, texts.get(each.suffix, each.title)) for each in formats_of("run")]
+        speeds = [(_speed_text(seconds), seconds) for seconds in _SECONDS]
+        offered = Pictures(_("Export this run"), formats, speeds, 1.0, note, self._ask_run)
+        self.writing.card.offer(offered)
 
     def _ask_run(self, file_format: FileFormat, width: int, seconds: float) -> None:
-        from workbench.widgets.fields.save_dialog import SaveDialog
-
         exporter = self._exporter()
-        if exporter is None:
-            return
-        pages = exporter.this_run(self.writing.writer.ask, width, seconds)
-
-        def then(path: Path, file_format: FileFormat) -> None:
-            self.writing.write_unless_there(
-                file_format, lambda: pages, path, file_format.paths(path, pages.parts)
-            )
-
-        SaveDialog(
-            self._window,
-            _("Export this run"),
-            self.writing.proposed(_("run"), file_format.suffix),
-            [file_format],
-            then,
-        ).open()
+        if exporter is not None:
+            pages = exporter.this_run(self.writing.writer.ask, width, seconds)
+            self.writing.ask_pictures(_("Export this run"), _("run"), file_format, pages)
 
     def points(self) -> None:
         """The points of the curve that is worked on."""
@@ -200,3 +193,10 @@ def _table(columns: tuple[str, ...], rows: Any) -> Any:
     from workbench.exchange.tables import Table
 
     return Table(columns, list(rows))
+
+
+def _speed_text(seconds: float) -> str:
+    if seconds > 1:
+        return _("{n:g} seconds a step").format(n=seconds)
+    each = round(1 / seconds)
+    return ngettext("{n} step a second", "{n} steps a second", each).format(n=each)

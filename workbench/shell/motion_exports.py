@@ -4,20 +4,47 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from workbench.language import _
+from workbench.language import _, ngettext
 
 if TYPE_CHECKING:
     from workbench.exchange.moving_sheets import MovingSheet
+    from workbench.exchange.writing import FileFormat
     from workbench.shell.window import MainWindow
 
 _LARGE_PX = 640
+_RATES = (5.0, 10.0, 12.0, 20.0, 24.0, 25.0, 30.0, 50.0)
+_HIGHEST_RATE = 100.0
 
 
 def export_animation(window: MainWindow) -> None:
-    """Every frame: with the ending .gif as one file, with .png as a file for each."""
-    content = _content(window)
-    if content is not None:
-        window.files.exports.writing.ask("animation", _("animation"), lambda: content, _mixed_delays)
+    """Every frame, as one GIF or a file for each: how is chosen on the card."""
+    from workbench.document.motion.tracks import motion_of
+    from workbench.exchange.moving_sheets import MOST_SIDE_PX, MovingSheet, Size
+    from workbench.panels.stage.pages import formats_of
+    from workbench.widgets.fields.writing_card import Pictures
+
+    content, writing = _content(window), window.files.exports.writing
+    if content is None or writing.is_busy():
+        return
+    own = min(motion_of(content.sheet).rate, _HIGHEST_RATE)
+    rates = sorted({own, *_RATES})
+
+    def note(file_format: FileFormat) -> str:
+        count = ngettext("{n} frame", "{n} frames", content.parts).format(n=content.parts)
+        paths = file_format.paths(writing.proposed(_("animation"), file_format.suffix), content.parts)
+        names = paths[0].name if len(paths) == 1 else f"{paths[0].name} … {paths[-1].name}"
+        return _("{count} of its own: {names}").format(count=count, names=names)
+
+    def then(file_format: FileFormat, width: int, seconds: float) -> None:
+        height = max(round(width * content.sheet.height_px / content.sheet.width_px), 1)
+        rate = next((each for each in rates if 1 / each == seconds), own)
+        chosen = MovingSheet(content.sheet, Size(width, min(height, MOST_SIDE_PX)), rate)
+        writing.ask_pictures(_("Export the animation"), _("animation"), file_format, chosen, _mixed_delays)
+
+    texts = {".gif": _("GIF that moves"), ".png": _("PNG, a file for each frame")}
+    formats = [(each, texts.get(each.suffix, each.title)) for each in formats_of("animation")]
+    speeds = [(_("{n:g} frames a second").format(n=rate), 1 / rate) for rate in rates]
+    writing.card.offer(Pictures(_("Export the animation"), formats, speeds, 1 / own, note, then))
 
 
 def export_contacts(window: MainWindow) -> None:

@@ -8,7 +8,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QEvent, QObject, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QTimer
 
 from workbench.language import _, ngettext
 from workbench.paths import home_folder
@@ -24,12 +24,7 @@ _CARD_AFTER_MS = 400
 
 
 class Writing(QObject):
-    """One thing is written at a time; ``writer`` and ``card`` come late.
-
-    ``run_chosen(file_format, width, seconds)``: the card was asked to write a run so.
-    """
-
-    run_chosen = Signal(object, int, float)
+    """One thing is written at a time; ``writer`` and ``card`` come late."""
 
     def __init__(self, window: MainWindow) -> None:
         super().__init__(window)
@@ -63,7 +58,6 @@ class Writing(QObject):
         from workbench.widgets.fields.writing_card import WritingCard
 
         card = WritingCard(self._window, self._window.stack)
-        card.chosen.connect(self.run_chosen)
         card.cancelled.connect(self._cancel)
         return card
 
@@ -95,13 +89,35 @@ class Writing(QObject):
 
         SaveDialog(self._window, _("Export"), start, formats, then).open()
 
-    def write_unless_there(
-        self, file_format: FileFormat, make: Callable[[], Any], path: Path, paths: list[Path]
+    def ask_pictures(
+        self,
+        title: str,
+        word: str,
+        file_format: FileFormat,
+        content: Any,
+        notes: Callable[[Any], list[str]] = lambda _content: [],
+    ) -> None:
+        """Ask for the name of pictures, ``content.parts`` of them, and write them under it."""
+        from workbench.widgets.fields.save_dialog import SaveDialog
+
+        def then(path: Path, file_format: FileFormat) -> None:
+            paths = file_format.paths(path, content.parts)
+            self._write_unless_there(file_format, lambda: content, path, paths, notes)
+
+        SaveDialog(self._window, title, self.proposed(word, file_format.suffix), [file_format], then).open()
+
+    def _write_unless_there(
+        self,
+        file_format: FileFormat,
+        make: Callable[[], Any],
+        path: Path,
+        paths: list[Path],
+        notes: Callable[[Any], list[str]],
     ) -> None:
         """Write; several files ask before any is replaced, since the dialog knows but one name."""
         there = [each for each in paths if os.path.exists(each)] if file_format.numbered else []
         if not there:
-            self._write(file_format, make, path)
+            self._write(file_format, make, path, notes)
             return
         self._close_card()
         sentence = ngettext(
@@ -117,7 +133,7 @@ class Writing(QObject):
                 (_("Cancel"), lambda: None),
                 (
                     ngettext("Replace it", "Replace them", len(there)),
-                    lambda: self._write(file_format, make, path),
+                    lambda: self._write(file_format, make, path, notes),
                 ),
             ],
         )

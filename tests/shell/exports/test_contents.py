@@ -64,13 +64,28 @@ def test_a_sheet_that_moves_is_a_gif_frames_and_a_sheet_of_frames(
 ) -> None:
     trigger(window, "export_animation")  # nothing moves: that is said, and nothing is asked
     window.session.open_example("animate-clock")
+    card = window.files.exports.writing.card
     trigger(window, "export_animation")
+    assert card.speed.currentText() == "24 frames a second"
+    assert card.note.text().startswith("61 frames of its own: ")
+    card.width_px.setCurrentIndex(card.width_px.findData(480))
+    card.go.click()
     type_name(qtbot, window, "a")
     said = written(qtbot, window)
     assert "a.gif is written" in said
     assert "hundredths of a second" in said
     with Image.open(tmp_path / "a.gif") as gif:
-        assert (gif.n_frames, gif.size) == (61, (640, 640))
+        assert (gif.n_frames, gif.size) == (61, (480, 480))
+    trigger(window, "export_animation")
+    card.kind.setCurrentIndex(1)
+    card.speed.setCurrentIndex(card.speed.findText("5 frames a second"))
+    card.go.click()
+    (tmp_path / "f-003.png").write_bytes(b"mine")
+    type_name(qtbot, window, "f.png")
+    assert "f-003.png" in window.messages.text  # which is asked about before it is replaced
+    window.messages.buttons[-1].click()
+    written(qtbot, window)
+    assert len(list(tmp_path.glob("f-*.png"))) == 12
     trigger(window, "export_contacts")
     type_name(qtbot, window, "all")
     written(qtbot, window)

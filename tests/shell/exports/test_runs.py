@@ -22,7 +22,8 @@ def choose_run(window: MainWindow, suffix: str, width: int = 480, seconds: float
     """Export this run: choose on the card and go on to the dialog."""
     trigger(window, "export_run")
     card = window.files.exports.writing.card
-    card.kind.setCurrentIndex([row.suffix for row in card._formats].index(suffix))
+    suffixes = [card.kind.itemData(k).suffix for k in range(card.kind.count())]
+    card.kind.setCurrentIndex(suffixes.index(suffix))
     card.width_px.setCurrentIndex(card.width_px.findData(width))
     card.speed.setCurrentIndex(card.speed.findData(seconds))
     card.go.click()

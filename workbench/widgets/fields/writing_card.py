@@ -1,6 +1,7 @@
 """The card of what is being written: how a run is to be written, how far that is, and a way to end it."""
 
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
@@ -17,29 +18,38 @@ from PySide6.QtWidgets import (
 )
 
 from workbench.exchange.writing import FileFormat
-from workbench.language import _, ngettext
+from workbench.language import _
 
 WIDTH_PX, GAP_PX = 296, 12
 WIDTHS = (480, 800, 1200, 1600)
-SECONDS = (2.0, 1.0, 0.5, 0.2, 0.1, 0.04)
+
+
+class Pictures(NamedTuple):
+    """What is offered to be written: as one of ``formats``, called so; ``speeds``, called so, in seconds a
+    picture, of which ``usual`` is chosen at first; ``note`` says what a format will write.
+
+    ``then(file_format, width, seconds)`` follows.
+    """
+
+    title: str
+    formats: Sequence[tuple[FileFormat, str]]
+    speeds: Sequence[tuple[str, float]]
+    usual: float
+    note: Callable[[FileFormat], str]
+    then: Callable[[FileFormat, int, float], object]
 
 
 class WritingCard(QFrame):
-    """Floats in ``owner`` at the lower right of ``beside``.
+    """Floats in ``owner`` at the lower right of ``beside``. ``cancelled``: no, or no longer."""
 
-    ``chosen(file_format, width, seconds)``: it is to be written so; ``cancelled``: it is not, or no longer.
-    """
-
-    chosen = Signal(object, int, float)
     cancelled = Signal()
 
     def __init__(self, owner: QWidget, beside: QWidget) -> None:
         super().__init__(owner)
         self._owner, self._beside = owner, beside
-        self._note: Callable[[FileFormat], str] = lambda _row: ""
+        self._pictures: Pictures | None = None
         self.setObjectName("card")
         self.setFixedWidth(WIDTH_PX)
-        self._formats: Sequence[FileFormat] = ()
         self._title, self.note = QLabel(), QLabel()
         self._title.setProperty("role", "title")
         self._title.setWordWrap(True)
@@ -48,10 +58,7 @@ class WritingCard(QFrame):
         self.kind, self.width_px, self.speed = QComboBox(), QComboBox(), QComboBox()
         for side in WIDTHS:
             self.width_px.addItem(_("{n} pixels wide").format(n=side), side)
-        for seconds in SECONDS:
-            self.speed.addItem(_speed_text(seconds), seconds)
         self.width_px.setCurrentIndex(WIDTHS.index(800))
-        self.speed.setCurrentIndex(SECONDS.index(1.0))
         self._choices = QWidget()
         form = QFormLayout(self._choices)
         form.setContentsMargins(0, 0, 0, 0)
@@ -84,19 +91,20 @@ class WritingCard(QFrame):
         beside.installEventFilter(self)
         self.hide()
 
-    @property
-    def file_format(self) -> FileFormat:
-        """The way of writing that is chosen."""
-        return self._formats[self.kind.currentIndex()]
-
-    def offer(self, title: str, formats: Sequence[FileFormat], note: Callable[[FileFormat], str]) -> None:
-        """Let the person choose a format, size and speed; ``note`` says what each will write."""
-        self._formats, self._note = formats, note
+    def offer(self, pictures: Pictures) -> None:
+        """Let the person choose a format, size and speed."""
+        before = self.speed.currentData()
+        self._pictures = pictures
         self.kind.blockSignals(True)
-        self.kind.clear()
-        self.kind.addItems([_kind_text(file_format) for file_format in formats])
+        for field, rows in ((self.kind, pictures.formats), (self.speed, pictures.speeds)):
+            field.clear()
+            for row in rows:
+                data, text = (row[0], row[1]) if field is self.kind else (row[1], row[0])
+                field.addItem(str(text), data)
         self.kind.blockSignals(False)
-        self._dress(title, "", choosing=True)
+        chosen = self.speed.findData(before)
+        self.speed.setCurrentIndex(chosen if chosen >= 0 else self.speed.findData(pictures.usual))
+        self._dress(pictures.title, "", choosing=True)
         self._follow()
         self.kind.setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -132,14 +140,19 @@ class WritingCard(QFrame):
 
     def _follow(self, *_index: int) -> None:
         """A PDF has no size in pixels, and only a GIF moves."""
-        suffix = self.file_format.suffix
+        assert self._pictures is not None
+        file_format = self.kind.currentData()
+        suffix = file_format.suffix
         self._form.setRowVisible(self.width_px, suffix != ".pdf")
         self._form.setRowVisible(self.speed, suffix == ".gif")
-        self.note.setText(self._note(self.file_format))
+        self.note.setText(self._pictures.note(file_format))
         self._place()
 
     def _go(self) -> None:
-        self.chosen.emit(self.file_format, self.width_px.currentData(), self.speed.currentData())
+        if self._pictures is not None:
+            self._pictures.then(
+                self.kind.currentData(), self.width_px.currentData(), self.speed.currentData()
+            )
 
     def _place(self) -> None:
         self.adjustSize()
@@ -158,19 +171,3 @@ class WritingCard(QFrame):
         if event.type() == QEvent.Type.Resize and self.isVisible():
             self._place()
         return super().eventFilter(watched, event)
-
-
-def _kind_text(file_format: FileFormat) -> str:
-    texts = {
-        ".png": _("PNG, a file for each step"),
-        ".pdf": _("PDF, a page for each step"),
-        ".gif": _("GIF that moves"),
-    }
-    return texts.get(file_format.suffix, file_format.title)
-
-
-def _speed_text(seconds: float) -> str:
-    if seconds > 1:
-        return _("{n:g} seconds a step").format(n=seconds)
-    each = round(1 / seconds)
-    return ngettext("{n} step a second", "{n} steps a second", each).format(n=each)
