@@ -79,3 +79,24 @@ def test_a_handle_that_goes_away_while_it_is_dragged_is_let_go(
     while session.undo_stack.canUndo():
         session.undo_stack.undo()
         settle()
+
+
+def test_escape_takes_a_drag_beside_the_curve_back_until_the_hand_lets_go(qtbot, panel: AnimatePanel) -> None:
+    curve, session = panel.between.curve, panel.session
+    curve.resize(200, 180)
+    assert curve.handles is not None
+    before, start = session.document, curve.place(*curve.handles[:2]).toPoint()
+    qtbot.mousePress(curve, LEFT, pos=start)
+    qtbot.mouseMove(curve, start + QPoint(12, -12))
+    settle()
+    assert session.document != before
+    qtbot.keyClick(curve, Qt.Key.Key_Escape)
+    qtbot.mouseMove(curve, start + QPoint(20, -20))
+    qtbot.mouseRelease(curve, LEFT, pos=start + QPoint(20, -20))
+    settle()
+    assert session.document == before
+    qtbot.mousePress(curve, LEFT, pos=curve.place(*curve.handles[:2]).toPoint())
+    qtbot.mouseMove(curve, start + QPoint(12, -12))
+    qtbot.mouseRelease(curve, LEFT, pos=start + QPoint(12, -12))
+    settle()
+    assert session.document != before  # the next drag is one of its own
