@@ -19,7 +19,7 @@ from workbench.document.storage.content import read_content
 from workbench.exchange.mesh_reading import MOST_BYTES, read_mesh
 from workbench.exchange.readable import READABLE, kind_of
 from workbench.geometry.meshes import Array
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.rendering.scene import (
     render_mesh,
     render_scene,
@@ -27,7 +27,7 @@ from workbench.rendering.scene import (
     wireframe_of_mesh,
 )
 from workbench.rendering.scene.around import camera_around
-from workbench.rendering.scene.render import refuse_shading
+from workbench.rendering.scene.render import refuse_way
 from workbench.rendering.scene.shading import QUICK
 from workbench.rendering.scene.viewpoint import window_around
 
@@ -48,6 +48,10 @@ class _Seen(NamedTuple):
 def render_model(options: argparse.Namespace) -> str:
     """Write the picture; what was left out of the model, a line for each thing."""
     row = outputs.format_for("picture", "wireframe", path=options.output)
+    try:
+        refuse_way(options.visibility, options.shading)
+    except ValueError as error:
+        raise BadInputError(str(error)) from None
     depth_row = options.depth and outputs.format_for("picture", path=options.depth)
     try:
         seen = _scene(options) if kind_of(options.model) == "picture" else _mesh(options)
@@ -90,7 +94,11 @@ def point(text: str) -> Point3D:
 def _scene(options: argparse.Namespace) -> _Seen:
     sheets = load(options.model).sheets
     if not 1 <= options.sheet <= len(sheets):
-        sentence = _("{file} has {count} sheets, and no sheet {number}.")
+        sentence = ngettext(
+            "{file} has one sheet, and no sheet {number}.",
+            "{file} has {count} sheets, and no sheet {number}.",
+            len(sheets),
+        )
         raise BadInputError(sentence.format(file=options.model, count=len(sheets), number=options.sheet))
     sheet: Sheet = sheets[options.sheet - 1]
     if sheet.scene is None:
@@ -117,7 +125,6 @@ def _mesh(options: argparse.Namespace) -> _Seen:
     camera = _chosen(options, camera_around(mesh.vertices, options.eye, options.look_at))
 
     def picture(size: tuple[int, int]) -> Any:
-        refuse_shading(options.shading)
         if options.shading == QUICK:
             return render_mesh(*mesh, camera, options.visibility, size)
         thing = Object("o1", MeshSolid(blob_of(mesh)), "m1")

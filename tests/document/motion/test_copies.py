@@ -7,8 +7,9 @@ import numpy as np
 from tests.document.motion.moving import HOUSE, still, track, with_tracks
 from workbench.document.building import moved_by
 from workbench.document.check import check
-from workbench.document.edits import add_moving_figures, duplicate_figures
+from workbench.document.edits import add_moving_figures, duplicate_figures, move_points
 from workbench.document.model import AnyFigure, Circle, Document
+from workbench.document.motion.auto_key import auto_key
 from workbench.document.motion.edits import set_key
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.tracks import motion_of
@@ -135,3 +136,21 @@ def test_an_object_takes_its_tracks_when_it_is_duplicated_or_pasted() -> None:
         rotation = moved.objects[-1].transforms[0]
         assert isinstance(rotation, Rotate3D)
         assert math.isclose(rotation.angle, 45.0)
+
+
+def test_a_figure_whose_colour_moves_is_duplicated_in_any_frame() -> None:
+    red, blue = (255.0, 0.0, 0.0), (0.0, 0.0, 255.0)
+    document = with_tracks(still(), track("f1/colour", (0, red), (8, blue)))
+    own = document.sheets[0].palette
+    for frame in range(10):
+        after = auto_key(duplicate_figures(["f1"]), "s1", frame, new_tracks=False)(document)
+        first, copy, *_others = after.sheets[0].figures
+        assert first == document.sheets[0].figures[0]
+        assert after.sheets[0].palette[: len(own)] == own
+        for later in range(10):
+            seen = {figure.id: figure for figure in at(after.sheets[0], later).figures}
+            assert seen[copy.id].colour == seen[first.id].colour
+        kept = auto_key(move_points({f"s1/{first.id}/p1/x": (3.0, 4.0)}), "s1", frame, new_tracks=False)(
+            document
+        )
+        assert kept.sheets[0].palette == own  # what no figure uses passes with the frame

@@ -121,3 +121,11 @@ def test_a_group_is_copied_pasted_ordered_and_removed_as_one(qtbot, session, pan
     qtbot.keyClick(panel.canvas, Qt.Key.Key_Delete)
     settle()
     assert [figure.group for figure in session.sheet.figures] == [0, 1, 1, 2, 2]
+
+
+def test_what_cannot_be_done_to_the_selection_is_left_to_the_window_to_say(session, panel, square):
+    before, line = session.document, square[2]
+    for chosen, undoable in (((), ("duplicate", "group", "ungroup")), ((line,), ("group", "ungroup"))):
+        session.update_state(selection=chosen)
+        assert [getattr(panel, f"{act}_selected")() for act in undoable] == [False] * len(undoable)
+    assert session.document is before

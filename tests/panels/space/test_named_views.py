@@ -129,3 +129,30 @@ def test_a_view_keeps_every_number_of_its_camera(qtbot: QtBot, page: ProjectionP
     settle(qtbot, page)
     page.named_views.go_to_next()
     assert page.looking.camera == oblique
+
+
+def test_views_of_one_camera_are_named_and_gone_through_one_by_one(
+    qtbot: QtBot, page: ProjectionPage
+) -> None:
+    views = page.named_views
+    for name in ("first", "second", "third"):  # nothing is turned in between
+        qtbot.keyClick(page.eye, Qt.Key.Key_N, SHIFT)
+        settle(qtbot, page)
+        type_name(qtbot, page, name)
+        page.eye.setFocus()
+    assert names(page) == ["first", "second", "third"]
+    for row in (0, 1, 2, 0):
+        qtbot.keyClick(page.eye, Qt.Key.Key_N)
+        settle(qtbot, page)
+        assert views.list.currentRow() == row
+
+
+def test_a_view_without_a_name_keeps_the_one_it_had(qtbot: QtBot, page: ProjectionPage) -> None:
+    said: list[str] = []
+    page.named_views.said.connect(said.append)
+    qtbot.keyClick(page.eye, Qt.Key.Key_N, SHIFT)
+    type_name(qtbot, page, "street")
+    page.named_views.rename_view()
+    type_name(qtbot, page, "   ")
+    assert names(page) == ["street"]
+    assert said == ["A view needs a name; this one keeps the name street."]

@@ -10,6 +10,7 @@ from workbench.document.model import Rectangle
 from workbench.document.scene.meshes import blob_of
 from workbench.document.scene.model import Camera, Light, Material, Object, Point3D, Scene
 from workbench.document.scene.solids import Box, MeshSolid, Sphere
+from workbench.engine.stopping import Stop, Stopped
 from workbench.geometry.meshes import Faces, Mesh, triangulated
 from workbench.rendering.scene import render_scene
 from workbench.rendering.scene.lit_triangles import blockers_of, lit_triangles
@@ -119,3 +120,14 @@ def test_a_mesh_of_one_triangle_from_behind_is_lit_there() -> None:
     for shading in LIT_SHADINGS:
         image, depth = shaded(seen, shading, SIZE, WINDOW)
         assert set(image[depth < 1].tolist()) == {0xFFFFFF}
+
+
+def test_light_of_corners_is_stopped_before_anything_is_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With shadows it takes seconds, for which a program that ends would wait."""
+    drawn: list[object] = []
+    monkeypatch.setattr("workbench.rendering.scene.shaded.gouraud_drawn", lambda *given: drawn.append(given))
+    stop = Stop()
+    stop.set()
+    with pytest.raises(Stopped):
+        shaded(scene(), gouraud.__name__, SIZE, WINDOW, Model(shadows=True), stop)
+    assert drawn == []

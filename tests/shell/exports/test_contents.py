@@ -83,7 +83,7 @@ def test_a_sheet_that_moves_is_a_gif_frames_and_a_sheet_of_frames(
     (tmp_path / "f-003.png").write_bytes(b"mine")
     type_name(qtbot, window, "f.png")
     assert "f-003.png" in window.messages.text  # which is asked about before it is replaced
-    window.messages.buttons[-1].click()
+    window.messages.buttons()[-1].click()
     written(qtbot, window)
     assert len(list(tmp_path.glob("f-*.png"))) == 12
     trigger(window, "export_contacts")

@@ -7,6 +7,7 @@ from msgspec.structs import replace
 
 from workbench.document.addresses import Address, changed, sheet_with
 from workbench.document.building import Edit, checked, with_sheet
+from workbench.document.laws import places_of
 from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.document.motion.edits import with_key
 from workbench.document.motion.evaluation import at
@@ -70,8 +71,7 @@ def _as_it_stands(
     own = {figure.id: figure for figure in base.figures}
     figures = tuple(figure if figure.id in touched else own[figure.id] for figure in result.figures)
     scene = base.scene if result.scene is seen.scene else result.scene
-    palette = base.palette if result.palette == seen.palette else result.palette
-    result = replace(result, figures=figures, scene=scene, palette=palette)
+    result = replace(result, figures=figures, scene=scene)
     for target in targets:
         before, group = group_of(base, target), group_of(result, target)
         if before is None or group is None:
@@ -81,7 +81,13 @@ def _as_it_stands(
         elif len(before.slots) == len(group.slots):
             for slot, other in zip(group.slots, before.slots, strict=True):
                 result = written(result, slot.path, read(base, other.path))
-    return result
+    return result if result.palette != seen.palette else _without_passing_colours(result, len(base.palette))
+
+
+def _without_passing_colours(sheet: Sheet, own: int) -> Sheet:
+    """``sheet`` with its ``own`` first colours, and of those of this frame alone what figures still use."""
+    used = (getattr(figure, name) for figure in sheet.figures for name, _list in places_of(type(figure)))
+    return replace(sheet, palette=sheet.palette[: max(own, max(used, default=0) + 1)])
 
 
 def _with_outline(base: Sheet, seen: Sheet, result: Sheet, name: str) -> Sheet:

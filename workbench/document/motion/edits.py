@@ -57,8 +57,8 @@ def set_key(
         seen = at(on, where) if type(where) is int else on
         group = group_of(seen, target)
         if group is None:
-            sentence = _("{target} cannot be keyed; choose a number, a point, a colour or an outline.")
-            raise DocumentError(target, sentence.format(target=target))
+            sentence = _("This cannot be keyed; choose a number, a point, a colour or an outline.")
+            raise DocumentError(target, sentence)
         numbers = value_of(seen, group) if value is None else tuple(map(number, value))
         return with_key(document, sheet, target, where, numbers, easing)
 
@@ -158,8 +158,8 @@ def scale_keys(sheet: str, keys: Collection[str], factor: float, about: int) -> 
         for track in motion_of(sheet_with(document, sheet)).tracks:
             frames = [scaled(key).frame for key in track.keys if key.id in chosen]
             if len(set(frames)) < len(frames):
-                sentence = _("Two keys of {target} would come to one frame; scale them less.")
-                raise DocumentError(track.target, sentence.format(target=track.target))
+                sentence = _("Two keys of one track would come to one frame; scale them less.")
+                raise DocumentError(track.target, sentence)
         return _changing(sheet, chosen, scaled)(document)
 
     return edit
@@ -215,8 +215,8 @@ def even_speed(sheet: str, target: str) -> Edit:
         on = sheet_with(document, sheet)
         track, group = track_on(on, target), group_of(on, target)
         if track is None or group is None or group.kind != "numbers" or len(track.keys) < 3:
-            sentence = _("{target} has no keys between its first and its last one; set some.")
-            raise DocumentError(target, sentence.format(target=target))
+            sentence = _("The track has no keys between its first and its last one; set some.")
+            raise DocumentError(target, sentence)
         first, last = track.keys[0].frame, track.keys[-1].frame
         keyed = np.array([key.frame for key in track.keys], np.float64)
         step = -(-(last - first) // _MOST_STRETCHES)
@@ -224,7 +224,7 @@ def even_speed(sheet: str, target: str) -> Edit:
         ways = np.diff(values_along(track, seen, group), axis=0)
         gone = np.append(0.0, np.cumsum(np.linalg.norm(ways, axis=1)))
         if gone[-1] == 0.0:
-            raise DocumentError(target, _("{target} does not move.").format(target=target))
+            raise DocumentError(target, _("The track does not move; give it keys that differ."))
         parts = (gone[np.searchsorted(seen, keyed)] / gone[-1]).tolist()
         frames = [first + round((last - first) * part) for part in parts]
         for place in range(1, len(frames) - 1):  # each key keeps a frame of its own
@@ -252,10 +252,10 @@ def keep_area(sheet: str, figure: str) -> Edit:
         tracked = [f"{figure}/{name}" for name in RADII if track_on(on, f"{figure}/{name}") is not None]
         free = [f"{figure}/{name}" for name in RADII if f"{figure}/{name}" not in tracked]
         if len(tracked) != 1:
-            sentence = _(
-                "{figure} needs keys on one of its two radii; set some, or remove those of the other."
+            raise DocumentError(
+                figure,
+                _("Just one of the two radii must have keys; set some, or remove those of the other."),
             )
-            raise DocumentError(figure, sentence.format(figure=figure))
         groups = [group_of(on, target) for target in (*tracked, *free)]
         (moving,), (still,) = (value_of(at(on, 0), group) for group in groups if group is not None)
         track = track_on(on, tracked[0])

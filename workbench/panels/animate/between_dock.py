@@ -31,12 +31,14 @@ from workbench.widgets.timeline.easing_curve import EasingCurve
 
 class BetweenDock(QScrollArea):
     """One interval of the chosen track. ``easing_wanted`` sends the name of an easing, ``handles_dragged``
-    those of a Bézier easing, ``handles_dropped`` that they were let go, ``stepping_wanted`` nothing more.
+    those of a Bézier easing, ``handles_dropped`` that they were let go, ``handles_put_back`` that all
+    is wanted as before, ``stepping_wanted`` nothing more.
     """
 
     easing_wanted = Signal(str)
     handles_dragged = Signal(float, float, float, float)
     handles_dropped = Signal()
+    handles_put_back = Signal()
     stepping_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -58,6 +60,7 @@ class BetweenDock(QScrollArea):
         self.curve = EasingCurve()
         self.curve.handles_dragged.connect(self.handles_dragged)
         self.curve.handles_dropped.connect(self.handles_dropped)
+        self.curve.handles_put_back.connect(self.handles_put_back)
         self.note = QLabel()
         self.note.setProperty("role", "muted")
         self.note.setWordWrap(True)

@@ -98,6 +98,7 @@ class AnimatePanel(SteppedPanel):
         between.easing_wanted.connect(lambda easing: self.keys.ease_interval(between.key, easing))
         between.handles_dragged.connect(lambda *handles: self.keys.bend(between.key, handles))
         between.handles_dropped.connect(self.keys.drop)
+        between.handles_put_back.connect(self.keys.take_back)
         between.curve.said.connect(self.hover_text)
         between.stepping_wanted.connect(self._step_track)
         self.morph.shift_wanted.connect(lambda shift: self.keys.turn_outline(self.morph.key, shift))

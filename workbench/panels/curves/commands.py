@@ -166,7 +166,7 @@ class CurveCommands(QObject):
         curve = self.focus.curve
         if curve is None or curve.spline not in B_SPLINES:
             return
-        if not self._pull.busy:
+        if not self._pull.begun:
             self._pull.begin()
             self._pulled = curve
         if knot not in {each.id for each in self._pulled.knots} and not knot.startswith("#"):
@@ -192,12 +192,12 @@ class CurveCommands(QObject):
         curve = self.focus.curve
         if curve is None or not 0 <= number < len(curve.points_world):
             return
-        if not self._pull.busy:
+        if not self._pull.begun:
             self._pull.begin()
         address = self.address(curve, curve.points_world[number].id, "weight")
         self._pull.show(set_weights({address: float(f"{weight:.4g}")}), _("Change weight"))
 
     def let_go(self) -> None:
         """End a pull, as one step of undo."""
-        if self._pull.busy:
+        if self._pull.begun:
             self._pull.commit()

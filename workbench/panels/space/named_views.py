@@ -103,7 +103,7 @@ class NamedViewsDock(QWidget):
     # Showing
 
     def show_scene(self, scene: Scene) -> None:
-        """List the views of a scene; the one that is seen now is the current one."""
+        """List the views of a scene; one that is seen now is the current one, and stays it."""
         self._showing = True
         stood_at = self.current
         if scene.named_views != self._shown:
@@ -117,8 +117,9 @@ class NamedViewsDock(QWidget):
                 self.list.addItem(row)
         seen = [view.camera == scene.camera for view in self._shown]
         kept = [stood_at is not None and view.id == stood_at.id for view in self._shown]
-        there = seen if any(seen) else kept
-        if any(there):
+        both = [is_seen and is_kept for is_seen, is_kept in zip(seen, kept, strict=True)]
+        there = next((rows for rows in (both, seen, kept) if any(rows)), None)
+        if there is not None:
             self.list.setCurrentRow(there.index(True))
         self.empty.set_empty(not self._shown)
         self._row.setVisible(bool(self._shown))
@@ -205,6 +206,8 @@ class NamedViewsDock(QWidget):
         name = row.text().strip()
         if view is None or name == view.name:
             return
+        if not name:
+            self.said.emit(_("A view needs a name; this one keeps the name {name}.").format(name=view.name))
         if not (name and self._apply(rename_thing(view.id, name), _("Rename"))):
             self._showing = True
             row.setText(view.name)

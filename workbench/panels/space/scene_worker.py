@@ -1,12 +1,16 @@
-"""Draws scenes on a thread of its own, one at a time; of those asked for meanwhile only the last is drawn."""
+"""Draws scenes on a thread of its own, one at a time; of those asked for meanwhile only the last is drawn.
+
+A picture that takes long gives way to the next one, so that nobody waits for what is no longer to be seen.
+"""
 
 import sys
 import threading
 from functools import partial
+from time import monotonic
 from typing import NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
@@ -17,6 +21,9 @@ from workbench.rendering.scene.shaded import Model, shaded
 from workbench.rendering.scene.shading import QUICK
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
 from workbench.session.answers import Answers
+
+PATIENCE_S = 1.0
+"""So long a picture is drawn although another one is asked for: of a scene that is turned some are seen."""
 
 
 class SceneJob(NamedTuple):
@@ -37,11 +44,19 @@ class SceneJob(NamedTuple):
 
 
 class SceneAnswer(NamedTuple):
-    """A job and its picture, or ``problem``, one sentence."""
+    """A job and its picture, or ``problem``, one sentence; neither where it was stopped."""
 
     job: SceneJob
     picture: EdgePicture | None = None
     problem: str = ""
+
+
+class _Turn:
+    """The drawing of one picture: ``since`` when, once it is its turn."""
+
+    def __init__(self) -> None:
+        self.stop = Stop()
+        self.since: float | None = None
 
 
 class SceneWorker(QObject):
@@ -52,30 +67,47 @@ class SceneWorker(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._drawing = self._left = False
+        self._turn: _Turn | None = None
+        self._left = False
         self._next: SceneJob | None = None
+        self._patience = QTimer(self, interval=round(PATIENCE_S * 1000), singleShot=True)
+        self._patience.timeout.connect(self._give_way)
         self._answers = Answers(self)
         self._answers.arrived.connect(self._take)
 
     @property
     def busy(self) -> bool:
         """Whether a picture is awaited."""
-        return self._drawing
+        return self._turn is not None
 
     def ask(self, job: SceneJob) -> None:
-        """Draw this, as soon as what is being drawn is done."""
-        if self._drawing:
+        """Draw this, as soon as what is being drawn is done, or has taken long enough."""
+        if self._turn is not None:
             self._next = job
+            if not self._patience.isActive():
+                self._patience.start()
         else:
-            self._drawing, stop = True, Stop()
-            self._answers.ask(partial(_draw, job, stop), "scene", stop.set)
+            self._turn = _Turn()
+            self._answers.ask(partial(_draw, job, self._turn), "scene", self._turn.stop.set)
+
+    def _give_way(self) -> None:
+        turn = self._turn
+        if turn is None or self._next is None:
+            return
+        if turn.since is not None and monotonic() - turn.since >= PATIENCE_S:
+            turn.stop.set()
+        else:
+            self._patience.start()
 
     def leave(self) -> None:
         """Nobody wants what is being drawn any more."""
-        self._left, self._next = self._drawing, None
+        self._left, self._next = self.busy, None
+        if self._turn is not None:
+            self._turn.stop.set()
 
     def _take(self, answer: SceneAnswer) -> None:
-        left, self._left, self._drawing = self._left, False, False
+        self._turn: _Turn | None = None
+        self._left = False
         if self._next is not None:
             following, self._next = self._next, None
             self.ask(following)
@@ -83,7 +115,7 @@ class SceneWorker(QObject):
             return
         if answer.picture is not None:
             self.drawn.emit(answer.job, answer.picture)
-        else:
+        elif answer.problem:
             self.failed.emit(answer.job, answer.problem)
 
 
@@ -99,12 +131,13 @@ def _picture(job: SceneJob, stop: Stop) -> EdgePicture:
     return EdgePicture(image_over_nothing(image, depth), none, nobody, none, nobody)
 
 
-def _draw(job: SceneJob, stop: Stop) -> SceneAnswer:
+def _draw(job: SceneJob, turn: _Turn) -> SceneAnswer:
     try:
         with _one_at_a_time:
-            return SceneAnswer(job, _picture(job, stop))
+            turn.since = monotonic()
+            return SceneAnswer(job, _picture(job, turn.stop))
     except Stopped:
-        return SceneAnswer(job)  # to nobody: the program ends
+        return SceneAnswer(job)  # to nobody: another one is wanted, or the program ends
     except ValueError as error:
         return SceneAnswer(job, problem=reason_of(error))
     except MemoryError:

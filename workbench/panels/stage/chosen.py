@@ -34,23 +34,30 @@ class ChosenFigures(PlainPanel):
         chosen = set(self.session.state.selection)
         return [figure for figure in self.session.frames.sheet.figures if figure.id in chosen]
 
-    def duplicate_selected(self) -> None:
-        """Copy the selected figures; the copies are selected then."""
+    def duplicate_selected(self) -> bool:
+        """Copy the selected figures; the copies are selected then. False where none are selected."""
         if ids := [figure.id for figure in self.selected()]:
             known = {figure.id for figure in self.session.sheet.figures}
             self.apply(duplicate_figures(ids), _("Duplicate"))
             made = [f.id for f in self.session.sheet.figures if f.id not in known]
             if made:
                 self.session.update_state(selection=tuple(made), active=made[-1])
+        return bool(ids)
 
     def shift_order(self, by: int) -> None:
         """Move the selected figures past what is next in front of them (or behind)."""
         self.apply(shift_order([figure.id for figure in self.selected()], by), _("Change order"))
 
-    def group_selected(self) -> None:
-        """Let the selected figures stay together from now on."""
-        self.apply(group_figures([figure.id for figure in self.selected()]), _("Group"))
+    def group_selected(self) -> bool:
+        """Let the selected figures stay together from now on; False where there are not two."""
+        ids = [figure.id for figure in self.selected()]
+        if len(ids) > 1:
+            self.apply(group_figures(ids), _("Group"))
+        return len(ids) > 1
 
-    def ungroup_selected(self) -> None:
-        """Let each figure of the selected groups go by itself again."""
-        self.apply(ungroup_figures([figure.id for figure in self.selected()]), _("Ungroup"))
+    def ungroup_selected(self) -> bool:
+        """Let each figure of the selected groups go by itself again; False where no group is selected."""
+        ids = [figure.id for figure in self.selected() if figure.group]
+        if ids:
+            self.apply(ungroup_figures(ids), _("Ungroup"))
+        return bool(ids)

@@ -45,6 +45,7 @@ class Gesture(QObject):
         self._before: Document | None = None
         self._shown: Document | None = None
         self._merge = ""
+        self._begun = False
         self.tag = ""
 
     @property
@@ -57,9 +58,15 @@ class Gesture(QObject):
         """Whether a gesture is under way."""
         return self._before is not None
 
+    @property
+    def begun(self) -> bool:
+        """Whether the hand has not let go yet, be the gesture over or not."""
+        return self._begun
+
     def begin(self) -> None:
         """What follows is one step of undo."""
         self.session.end_merge()
+        self._begun = True
         self._before = self._shown = self.session.document
         self._merge = f"gesture {next(_tokens)}"
 
@@ -84,12 +91,12 @@ class Gesture(QObject):
 
     def commit(self) -> None:
         """End the gesture, keeping what it made."""
-        self._before = None
+        self._before, self._begun = None, False
         self.session.end_merge()
 
     def cancel(self) -> None:
         """End the gesture as if it had not begun."""
-        if self._before is not None:
+        if self._begun:
             self.show(lambda document: document, "")
             self.commit()
 

@@ -184,7 +184,7 @@ class ChainBox(QObject):
         if not isinstance(last, AboutPivot):
             self._pivots[figure.id] = at if figure.matrix is None else _through(inverse_of(figure.matrix), at)
             return
-        if not self._gesture.busy:
+        if not self._moving_pivot:
             self._gesture.begin()
             self._moving_pivot = True
             self.held.emit(True)

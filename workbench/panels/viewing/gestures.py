@@ -3,14 +3,14 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 
-from workbench.document.building import Edit
 from workbench.document.errors import DocumentError
 from workbench.document.model import Rectangle, View
 from workbench.document.view_edits import set_clip, set_window
 from workbench.exchange.formulas.terms import displayed
 from workbench.language import _
+from workbench.panels.stage.gesture import Gesture
 from workbench.panels.viewing.rectangles import (
     SIDES,
     Named,
@@ -27,7 +27,6 @@ from workbench.rendering.subjects.window import Point, at_point, point_of, view_
 from workbench.session.session import Session
 
 POINT = "point"
-MERGE = "drag in View"
 _FINER = 10
 _SLACK = 0.5
 _CURSORS = {
@@ -63,20 +62,17 @@ def tools() -> tuple[Tool, ...]:
     )
 
 
-class Gesture(QObject):
+class ViewGesture(Gesture):
     """One drag. ``held`` names what is dragged, such as "window/left top" or "point"; empty without one.
 
-    ``failed`` sends the sentence of an edit that was refused; ``ended`` comes when it is over.
+    ``ended`` comes when it is over.
     """
 
-    failed = Signal(str)
     ended = Signal()
 
     def __init__(self, session: Session) -> None:
         super().__init__(session)
-        self.session = session
         self.held = ""
-        self.tag = ""
         self.before: View | None = None
         self._stage: Stage | None = None
         self._start: Point = (0.0, 0.0)
@@ -87,11 +83,6 @@ class Gesture(QObject):
         self._reach = 0.0
 
     @property
-    def busy(self) -> bool:
-        """Whether something is dragged."""
-        return bool(self.held)
-
-    @property
     def view(self) -> View:
         """The view that is worked on."""
         return view_of(self.session.sheet, self.session.subject)
@@ -100,6 +91,7 @@ class Gesture(QObject):
         self, stage: Stage, tool: str, x: float, y: float, grip: str, reach: float, grid: float
     ) -> None:
         """Take hold of what ``tool`` takes at a place (x, y) of a stage."""
+        self.begin()
         view = self.view
         self.before, self._stage, self._start, self._reach = view, stage, (x, y), reach
         self._step = grid / _FINER
@@ -135,7 +127,7 @@ class Gesture(QObject):
 
     def move(self, x: float, y: float) -> None:
         """Drag to a place of the stage."""
-        if not self.held or self.before is None or self._stage is None:
+        if not self.busy or self.overtaken:
             return
         if self._clicks and max(abs(x - self._start[0]), abs(y - self._start[1])) <= _SLACK * self._reach:
             return
@@ -203,15 +195,6 @@ class Gesture(QObject):
         self.show(named.edit(self.before.id, new), change_of(named))
         self.tag = extent(new)
 
-    def show(self, edit: Edit, name: str, merge: str = MERGE) -> bool:
-        """Do an edit as part of the drag; False where it was refused, which is said."""
-        try:
-            self.session.apply(edit, name, merge)
-        except DocumentError as problem:
-            self.failed.emit(problem.short)
-            return False
-        return True
-
     def release(self, x: float, y: float) -> None:
         """Let go; a click where nothing was dragged sends the point there."""
         if self._clicks and self.held:
@@ -220,21 +203,15 @@ class Gesture(QObject):
 
     def cancel(self) -> None:
         """Bring back what was dragged."""
-        if self.before is not None and self.held:
-            for named in rectangles().values():
-                old = named.of(self.before)
-                if old is not None and old != named.of(self.view):
-                    self.show(named.edit(self.before.id, old), change_of(named))
-            if self.before.clip_world is None and self.view.clip_world is not None:
-                self.show(set_clip(self.before.id, None), _("Draw the clip window"))
-            if self.held == POINT:
-                self.send(self._point)
+        super().cancel()
+        if self.held == POINT:
+            self.send(self._point)
         self._end()
 
     def _end(self) -> None:
         self.held = self.tag = ""
         self.before = None
-        self.session.end_merge(MERGE)
+        self.commit()
         self.ended.emit()
 
     def nudge(self, stage: Stage, dx: int, dy: int, resize: bool, step: float) -> None:
@@ -248,7 +225,10 @@ class Gesture(QObject):
             new = stretched(rectangle, "right top", x, y, step)
         else:
             new = moved(rectangle, dx * step, dy * step)
-        self.show(named.edit(self.view.id, new), change_of(named), f"nudge {stage.rectangle}")
+        try:
+            self.session.apply(named.edit(self.view.id, new), change_of(named), f"nudge {stage.rectangle}")
+        except DocumentError as problem:
+            self.failed.emit(problem.short)
 
     def shape(self, stage: Stage, tool: str, x: float, y: float, grip: str, reach: float) -> Qt.CursorShape:
         """The pointer's shape over a place of a stage."""

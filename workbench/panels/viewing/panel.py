@@ -29,7 +29,7 @@ from workbench.panels.stage.labels import clear_of
 from workbench.panels.viewing.actions import view_actions
 from workbench.panels.viewing.card import LEAST_PX, ViewCard, factors_of
 from workbench.panels.viewing.derivation import derivation
-from workbench.panels.viewing.gestures import Gesture, tools
+from workbench.panels.viewing.gestures import ViewGesture, tools
 from workbench.panels.viewing.matrices import Matrices
 from workbench.panels.viewing.paper import ViewOnPaper
 from workbench.panels.viewing.picture import StagePicture
@@ -71,7 +71,7 @@ class ViewingPanel(PlainPanel, QWidget):
         self._stages = {stage.slug: stage for stage in stages()}
         self._tools = {tool.name: tool for tool in tools()}
         self.tool = "select"
-        self.gesture = Gesture(session)
+        self.gesture = ViewGesture(session)
         self.strip = StageStrip(tuple(self._stages.values()))
         self.left = StagePicture(self._stages["window"])
         self.right = StagePicture(self._stages["viewport"])

@@ -124,12 +124,7 @@ def _rendered(
     shading: str,
     window: Rectangle | None,
 ) -> Picture:
-    if method not in METHODS:
-        raise ValueError(_none_called(method, tuple(METHODS)))
-    refuse_shading(shading)
-    if shading != QUICK:
-        sentence = _("{shading!r} goes through the depth buffer: choose {method!r}, or {quick!r}.")
-        raise ValueError(sentence.format(shading=shading, method=depth_buffer.__name__, quick=QUICK))
+    refuse_way(method, shading)
     device = device_triangles(parts, lights, camera, size, window)
     return METHODS[method](device.corners, device.triangles, device.colours, size)
 
@@ -164,14 +159,17 @@ def device_triangles(
     return DeviceTriangles(*map(np.concatenate, zip(*pieces, strict=True)))
 
 
-def refuse_shading(name: str) -> None:
-    """Raises: ValueError, a sentence, where no shading is called so."""
-    if name not in SHADINGS:
-        raise ValueError(_none_called(name, SHADINGS))
-
-
-def _none_called(name: str, names: Sequence[str]) -> str:
-    return _("There is no {name!r}; choose one of {names}.").format(name=name[:40], names=", ".join(names))
+def refuse_way(method: str, shading: str) -> None:
+    """Raises: ValueError, where there is no such method or shading, or they do not go together."""
+    if method not in METHODS:
+        sentence = _("There is no method for hidden surfaces {name!r}; choose one of {names}.")
+        raise ValueError(sentence.format(name=method[:40], names=", ".join(METHODS)))
+    if shading not in SHADINGS:
+        sentence = _("There is no shading {name!r}; choose one of {names}.")
+        raise ValueError(sentence.format(name=shading[:40], names=", ".join(SHADINGS)))
+    if shading != QUICK and method != depth_buffer.__name__:
+        sentence = _("{shading!r} goes through the depth buffer: choose {method!r}, or {quick!r}.")
+        raise ValueError(sentence.format(shading=shading, method=depth_buffer.__name__, quick=QUICK))
 
 
 def _checked(vertices: ArrayLike, faces: Any) -> Mesh:

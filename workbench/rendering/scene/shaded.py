@@ -45,7 +45,7 @@ def shaded(
     """
     lit, blockers = lit_triangles(scene, size, window), shadow_blockers(scene, model)
     if shading == gouraud.__name__:
-        lights = [_of_corners(lit, channel, model, blockers) for channel in range(3)]
+        lights = [_of_corners(lit, channel, model, blockers, stop) for channel in range(3)]
         return gouraud_drawn(lit.corners, lit.triangles, np.stack(lights, axis=1), size, stop)
     channels = [_channel(lit, shading, channel, size, model, blockers, stop) for channel in range(3)]
     packed = np.zeros(size[::-1], np.uint32)
@@ -89,15 +89,17 @@ def shading_call(
     return Call(entry, tuple(given[name] for name in entry.parameter_names))
 
 
-def _of_corners(lit: LitTriangles, channel: int | None, model: Model, blockers: Array) -> Array:
-    """The light (3 t,) of all corners."""
+def _of_corners(
+    lit: LitTriangles, channel: int | None, model: Model, blockers: Array, stop: Stop | None = None
+) -> Array:
+    """The light (3 t,) of all corners. Raises: Stopped."""
     from workbench.engine.compiled import collect
 
     materials, lights = (lit.materials, lit.lights) if channel is None else lit.in_channel(channel)
     of_corner = np.repeat(materials, 3, axis=0)
     rest = lit.eye, lights, model.by_halfway, blockers
     found: Array = collect(
-        corner_lights, lit.places, lit.normals, of_corner, *rest, compiling=channel is not None
+        corner_lights, lit.places, lit.normals, of_corner, *rest, stop=stop, compiling=channel is not None
     )
     return found[:, 0]
 

@@ -57,7 +57,8 @@ class KnotBar(ParameterBar):
         otherwise = self._selected if len(shown) == len(self._knots) else -1
         self._knots, self._movable = shown, movable
         self._selected = next((k for k, (name, _u) in enumerate(shown) if name == chosen), otherwise)
-        self._held = self._held if self._held < len(shown) else -1
+        if self._held >= len(shown):
+            self._let_go()
         self._say_tip()
         self.show_anew()
 
@@ -232,11 +233,14 @@ class KnotBar(ParameterBar):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Let go."""
-        held, self._held = self._held, -1
-        if 0 <= held < len(self._knots) and self._moved:
-            self.knot_released.emit(self._knots[held][0])
-        self._moved = False
+        self._let_go()
         super().mouseReleaseEvent(event)
+
+    def _let_go(self) -> None:
+        """A knot that is no longer there has no id."""
+        held, moved, self._held, self._moved = self._held, self._moved, -1, False
+        if held >= 0 and moved:
+            self.knot_released.emit(self._knots[held][0] if held < len(self._knots) else "")
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Ask for a new knot, within the curve."""

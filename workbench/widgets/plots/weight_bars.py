@@ -54,6 +54,8 @@ class WeightBars(ParameterBar):
             return
         self._weights, self._names, self._inks = *shown, colours
         self._lit = self._lit if self._lit < len(shown[0]) else -1
+        if self._held >= len(shown[0]):
+            self._let_go()
         if self._held < 0:
             self._fit()
         self.show_anew()
@@ -204,11 +206,14 @@ class WeightBars(ParameterBar):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Let go."""
-        held, self._held = self._held, -1
-        if 0 <= held < len(self._weights):
-            self.weight_released.emit(held)
+        if self._held >= 0:
+            self._let_go()
             self._fit()
             self.show_anew()
+
+    def _let_go(self) -> None:
+        held, self._held = self._held, -1
+        self.weight_released.emit(held)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Back to 1."""

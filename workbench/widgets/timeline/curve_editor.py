@@ -78,6 +78,8 @@ class CurveEditor(KeyEditor):
         if curve is not self._curve:
             self._curve = curve
             self._number = min(self._number, max(len(curve.names) - 1, 0))
+            if self._held is not None and self._ends(self._held) is None:
+                self._held = None
             self._keep_values()
             self._tell()
 
@@ -126,6 +128,11 @@ class CurveEditor(KeyEditor):
 
     def _key(self, name: str) -> CurveKey | None:
         return next((key for key in self._curve.keys if key.id == name), None)
+
+    def _ends(self, grip: Grip) -> tuple[CurveKey, CurveKey] | None:
+        """The keys between which a handle eases; None where it is no longer there."""
+        ways = pairwise(self._curve.keys)
+        return next((way for way in ways if way[0].id == grip[0] and way[0].handles is not None), None)
 
     def place(self, key: CurveKey, number: int) -> QPointF:
         """Where a key is painted on the line of a number."""
@@ -271,11 +278,11 @@ class CurveEditor(KeyEditor):
         return round(round(value / step) * step, 12)
 
     def drag(self, event: QMouseEvent) -> None:
-        """A handle, or as elsewhere."""
-        if self._doing == "handle":
-            self._drag_handle(event.position())
-        else:
+        """A handle, as long as it is there, or as elsewhere."""
+        if self._doing != "handle":
             super().drag(event)
+        elif self._held is not None and (ends := self._ends(self._held)) is not None:
+            self._drag_handle(self._held[1], *ends, event.position())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """The page goes up and down with the hand, too."""
@@ -305,13 +312,9 @@ class CurveEditor(KeyEditor):
         self._begun = {key.id: key.handles for key in keys if key is not None and key.handles is not None}
         self._tell()
 
-    def _drag_handle(self, place: QPointF) -> None:
-        assert self._held is not None
-        names = [key.id for key in self._curve.keys]
-        at = names.index(self._held[0])
-        key, following = self._curve.keys[at : at + 2]
+    def _drag_handle(self, side: int, key: CurveKey, following: CurveKey, place: QPointF) -> None:
         first, second = key.values[self._number], following.values[self._number]
-        x_was, y_was = self._begun[key.id][2 * self._held[1] : 2 * self._held[1] + 2]
+        x_was, y_was = self._begun[key.id][2 * side : 2 * side + 2]
         scale = self.scale
         x = (place.x() - scale.x(key.frame)) / ((following.frame - key.frame) * scale.pixels)
         y = (self._values.value(place.y()) - first) / (second - first) if second != first else y_was

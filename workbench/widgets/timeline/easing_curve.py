@@ -25,13 +25,14 @@ def stays_between() -> str:
 
 
 class EasingCurve(QWidget):
-    """The part of the way over the part of the time. ``handles_dragged`` sends x1, y1, x2, y2 as a hand wants
-    them, ``handles_dropped`` that it let go, ``said`` why one goes no farther; what is shown changes only by
-    ``show_easing``.
+    """The part of the way over the part of the time. ``handles_dragged`` sends x1, y1, x2, y2 as a hand
+    wants them, ``handles_dropped`` that it let go, ``handles_put_back`` that all is wanted as before,
+    ``said`` why one goes no farther; what is shown changes only by ``show_easing``.
     """
 
     handles_dragged = Signal(float, float, float, float)
     handles_dropped = Signal()
+    handles_put_back = Signal()
     said = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -159,7 +160,7 @@ class EasingCurve(QWidget):
         self.handles_dragged.emit(*(round(value, 3) for value in handles))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Arrows move the chosen handle, Page Up and Page Down choose the other."""
+        """Arrows move the chosen handle, Page Up and Page Down choose the other, Escape takes a drag back."""
         moves = {
             Qt.Key.Key_Left: (-_NUDGE, 0.0),
             Qt.Key.Key_Right: (_NUDGE, 0.0),
@@ -174,5 +175,7 @@ class EasingCurve(QWidget):
         elif key in (Qt.Key.Key_PageUp, Qt.Key.Key_PageDown):
             self._chosen = 1 - self._chosen
             self.update()
+        elif key == Qt.Key.Key_Escape and self._held >= 0:
+            self.handles_put_back.emit()
         else:
             super().keyPressEvent(event)
