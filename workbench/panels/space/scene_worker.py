@@ -3,7 +3,7 @@
 import sys
 import threading
 from functools import partial
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
@@ -13,10 +13,14 @@ from workbench.document.scene.model import Scene
 from workbench.engine.stopping import Stop, Stopped
 from workbench.language import _, reason_of
 from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture, image_over_nothing
+from workbench.rendering.scene.line_drawing import line_drawing, line_picture
 from workbench.rendering.scene.shaded import Model, shaded
 from workbench.rendering.scene.shading import QUICK
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
 from workbench.session.answers import Answers
+
+Draws = Literal["faces", "edges", "lines"]
+"""Faces with their edges, all edges, or edges without what faces hide."""
 
 
 class SceneJob(NamedTuple):
@@ -26,7 +30,7 @@ class SceneJob(NamedTuple):
     scene: Scene
     size: Size
     window: Rectangle
-    faces: bool
+    draws: Draws
     shading: str = QUICK
     model: Model = Model()
 
@@ -37,7 +41,8 @@ class SceneJob(NamedTuple):
 
 
 class SceneAnswer(NamedTuple):
-    """A job and its picture, or ``problem``, one sentence."""
+    """A job and its picture; ``problem``, one sentence, tells why there is none, or all edges instead of
+    those that are seen."""
 
     job: SceneJob
     picture: EdgePicture | None = None
@@ -77,7 +82,7 @@ class SceneWorker(QObject):
             self.ask(following)
         if answer.picture is not None:
             self.drawn.emit(answer.job, answer.picture)
-        else:
+        if answer.problem:
             self.failed.emit(answer.job, answer.problem)
 
 
@@ -85,18 +90,23 @@ _one_at_a_time = threading.Lock()
 """Two views of a scene take no longer one after the other, and half of the memory."""
 
 
-def _picture(job: SceneJob, stop: Stop) -> EdgePicture:
-    if job.shading == QUICK:
-        return edge_picture(job.scene, job.size, job.window, job.faces)
-    image, depth = shaded(job.scene, job.shading, job.size, job.window, job.model, stop)
+def _answer(job: SceneJob, stop: Stop) -> SceneAnswer:
     none, nobody = np.zeros((0, 4)), np.zeros(0, np.int64)
-    return EdgePicture(image_over_nothing(image, depth), none, nobody, none, nobody)
+    if job.draws == "lines":
+        try:
+            return SceneAnswer(job, line_picture(line_drawing(job.scene), *job[:3]))
+        except ValueError as error:
+            return SceneAnswer(job, edge_picture(*job[:3], faces=False), reason_of(error))
+    if job.shading == QUICK:
+        return SceneAnswer(job, edge_picture(*job[:3]))
+    image, depth = shaded(job.scene, job.shading, job.size, job.window, job.model, stop)
+    return SceneAnswer(job, EdgePicture(image_over_nothing(image, depth), none, nobody, none, nobody))
 
 
 def _draw(job: SceneJob, stop: Stop) -> SceneAnswer:
     try:
         with _one_at_a_time:
-            return SceneAnswer(job, _picture(job, stop))
+            return _answer(job, stop)
     except Stopped:
         return SceneAnswer(job)  # to nobody: the program ends
     except ValueError as error:
