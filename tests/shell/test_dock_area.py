@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt
 from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QTabBar, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QScrollArea, QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
 from workbench.document.samples.examples import example_document
@@ -324,3 +324,23 @@ def test_in_a_low_window_no_dock_lies_over_another(window: MainWindow, slug: str
     for k, dock in enumerate(docks):
         for other in docks[k + 1 :]:
             assert not dock.geometry().intersects(other.geometry()), (dock.objectName(), other.objectName())
+
+
+@pytest.mark.parametrize("size", [(1280, 680), (960, 540)])
+def test_docks_have_their_share_of_the_width_and_nothing_in_them_is_cut_off(
+    window: MainWindow, size: tuple[int, int]
+) -> None:
+    window.resize(*size)
+    never, right = Qt.ScrollBarPolicy.ScrollBarAlwaysOff, Qt.DockWidgetArea.RightDockWidgetArea
+    for slug in window.workspace_slugs:
+        window.go(slug)
+        settle()
+        docks = area(window)
+        for dock in (each for each in docks.docks if docks.dockWidgetArea(each) == right):
+            dock.raise_()
+            settle(2)
+            assert dock.width() >= 0.3 * size[0], (slug, dock.windowTitle())
+            for place in dock.findChildren(QScrollArea):
+                if place.isVisible() and place.horizontalScrollBarPolicy() == never:
+                    inner = place.widget().width()
+                    assert inner <= place.viewport().width(), (slug, dock.windowTitle())
