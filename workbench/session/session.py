@@ -233,6 +233,8 @@ class Session(QObject):
             known = {sheet.id for sheet in self.document.sheets}
             self.apply(add_sheet(chosen.document.sheets[0]), _("Open example"))
         self.show_sheet(next(s.id for s in self.document.sheets if s.id not in known))
+        if chosen.frame:
+            self.frames.show(chosen.frame)
 
     def show_sheet(self, sheet: str) -> None:
         """Make the sheet with this id the current one; raises DocumentError when there is none.

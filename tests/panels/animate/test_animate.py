@@ -5,8 +5,10 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
 from tests.panels.by_hand import LEFT, drag, settle
+from workbench.document.edits import add_sheet
 from workbench.document.model import Circle
 from workbench.document.motion.tracks import track_on
+from workbench.document.samples.examples import example
 from workbench.panels.animate.panel import AnimatePanel
 from workbench.panels.shared.inspector import InspectorPanel
 from workbench.shell.workspaces import join
@@ -383,3 +385,19 @@ def test_a_late_word_of_a_run_of_other_keys_moves_nothing(qtbot, panel: AnimateP
     panel.keys.drop()
     qtbot.waitUntil(lambda: session.run.number == 4, timeout=5000)
     assert session.frames.number == 34
+
+
+def test_on_a_sheet_shown_again_the_step_is_that_of_its_frame(qtbot, panel: AnimatePanel) -> None:
+    session = panel.session
+    ball = session.sheet.id
+    session.frames.show(34)
+    settle()
+    aimed_at = session.state.subject, session.state.step
+    assert aimed_at[1] == 7
+    session.apply(add_sheet(example("animate-pendulum").document.sheets[0]), "Open example")
+    session.show_sheet(next(sheet.id for sheet in session.document.sheets if sheet.id != ball))
+    settle()
+    session.show_sheet(ball)
+    settle()
+    assert session.frames.number == 34
+    assert (session.state.subject, session.state.step) == aimed_at

@@ -1,6 +1,7 @@
 """The Animate panel: the picture in a frame, and under it the timeline with its tracks."""
 
 from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent, QShowEvent
@@ -105,9 +106,16 @@ class AnimatePanel(SteppedPanel):
         self.morph.held.connect(self.session.hold_runs)
         self.turning.turning_wanted.connect(lambda way: self.keys.turn_by(self.turning.key, way))
         self.physics.area_wanted.connect(self.keys.keep_area)
+        for dock, slug in (
+            (self.morph, "animate-letter"),
+            (self.turning, "animate-turn"),
+            (self.physics, EXAMPLE),
+        ):
+            dock.example_wanted.connect(partial(self.session.open_example, slug))
         frames.played.connect(self.refresh_soon)
         frames.settled.connect(self._aim_run)
-        self.session.changed.connect(self._aim_run)
+        for told in (self.session.changed, self.session.opened):
+            told.connect(self._aim_run)
         run = self.session.run
         run.moved.connect(self._follow_run)
         for told in (run.asked, run.played):
