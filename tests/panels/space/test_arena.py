@@ -138,6 +138,23 @@ def test_the_panel_shows_the_page_that_is_stepped_and_measures_nothing_unseen(qt
     qtbot.waitUntil(lambda: page.worker.busy, timeout=5_000)
 
 
+def test_the_docks_forget_the_counts_of_a_scene_that_has_been_left(qtbot, session):
+    panel = SpacePanel(session)
+    keep_until_the_end(qtbot, panel)
+    panel.resize(820, 480)
+    panel.show()
+    panel.show_page("arena")
+    page = panel.page_of("arena")
+    until_run(qtbot, page)
+    assert any("comparisons here" in row.image_space for row in page.question.rows)
+    panel.show_page("space")
+    assert page.measures.runs
+    session.open_example("space-house")
+    QApplication.processEvents()
+    assert not page.measures.runs
+    assert not any("comparisons here" in row.image_space for row in page.question.rows)
+
+
 def test_keys_go_from_tile_to_tile(qtbot, page):
     first = page.grid.tiles["depth_buffer"]
     page.setFocus()

@@ -9,6 +9,8 @@ from workbench.document.transforms.names import title
 from workbench.language import _
 from workbench.panels.stage.card import kind_title
 
+_MOST_NUMBERS = 3
+
 
 def easing_titles() -> dict[str, str]:
     """The easings in the order of a menu."""
@@ -100,6 +102,13 @@ def value_text(sheet: Sheet, target: str) -> str:
         return "#" + "".join(f"{round(channel):02X}" for channel in value)
     if target.endswith(OUTLINE):
         return _("{n} points").format(n=len(value) // 2)
-    places = {1: 6, 2: 3}.get(len(value), 1)
-    numbers = ", ".join(f"{round(number, places):.6g}" for number in value[:3]).replace("-", "−")
-    return f"({numbers})" if len(value) > 1 else numbers
+    if group.kind == "turn":
+        angle, *axis = value
+        return f"{_rounded((angle,), 2)}° ({_rounded(axis, 1)})"
+    numbers = _rounded(value[:_MOST_NUMBERS], {1: 6, 2: 3}.get(len(value), 1))
+    more = ", …" if len(value) > _MOST_NUMBERS else ""
+    return f"({numbers}{more})" if len(value) > 1 else numbers
+
+
+def _rounded(numbers: Iterable[float], places: int) -> str:
+    return ", ".join(f"{round(number, places):.6g}" for number in numbers).replace("-", "−")
