@@ -58,6 +58,7 @@ class AnimatePanel(SteppedPanel):
         self.pages = TimelinePages(session)
         self.timeline, self.curves, self.keys = self.pages.tracks, self.pages.curves, self.pages.keys
         self.chosen = ""
+        self._active = ""
         self._steps = False
         self.keys.said.connect(self.hover_text)
         self.keys.done.connect(self.refresh_soon)
@@ -205,21 +206,24 @@ class AnimatePanel(SteppedPanel):
                 self.hover_text.emit(told)
 
     def _track(self) -> Track | None:
-        """The chosen track, or else one of the active figure, or the first."""
-        sheet = self.session.sheet
+        """The chosen track, until a figure that has others becomes the active one; then its first one."""
+        sheet, active = self.session.sheet, self._active_id
         tracks = motion_of(sheet).tracks
-        if (track := track_on(sheet, self.chosen)) is not None:
-            return track
+        own = next((each for each in tracks if active and each.target.startswith(f"{active}/")), None)
+        if own is None or active == self._active:
+            return track_on(sheet, self.chosen) or own or next(iter(tracks), None)
+        return own
+
+    @property
+    def _active_id(self) -> str:
         active = self.session.active_figure
-        own = f"{active.id}/" if active is not None else ""
-        first = next((each for each in tracks if each.target.startswith(own)), None)
-        return first or next(iter(tracks), None)
+        return "" if active is None else active.id
 
     def _choose_track(self, target: str) -> None:
-        self.chosen = target
         name = target.split("/")[0]
         if any(figure.id == name for figure in self.session.sheet.figures):
             self.session.update_state(active=name, selection=self.session.sheet.together((name,)))
+        self.chosen, self._active = target, self._active_id
         self._aim_run()
         self.refresh_soon()
 
@@ -247,7 +251,7 @@ class AnimatePanel(SteppedPanel):
             self.keys.even_speed(track.target)
 
     def _set_key(self, target: str, frame: int) -> None:
-        self.chosen = target
+        self.chosen, self._active = target, self._active_id
         self.keys.set(target, frame)
 
     # What is stepped
