@@ -75,7 +75,7 @@ def animate_examples() -> list[Example]:
             _("Two equal houses with equal keys: one turns by quaternion, the other by Euler's angles."),
             "animate",
             _turn(),
-            frame=8,
+            frame=24,
             dock="turning",
         ),
     ]

@@ -242,8 +242,9 @@ class Transport(QWidget):
         self._leaving.setVisible(self._stepping)
         for widget in self._moving:
             widget.setVisible(plays)
-        for widget in (self._a_second, self.rate, self.speed):
+        for widget in (self.rate, self.speed):
             widget.setVisible(plays and form.rates)
+        self._a_second.setVisible(plays and form.rates and form.words)
         self.mode.setVisible(plays and form.mode)
         style = Qt.ToolButtonStyle
         for button in self._worded:
