@@ -15,6 +15,7 @@ from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Drawing, Sentence
 from workbench.panels.space.arena import work
 from workbench.panels.space.arena.page import ArenaPage
+from workbench.panels.space.arena.tile import beside
 from workbench.panels.space.panel import SpacePanel
 from workbench.rendering.scene.growth import Growth
 from workbench.session.session import Session
@@ -318,3 +319,12 @@ def test_every_control_has_a_name_and_a_tip(page):
         assert tile.toolTip()
         assert tile.accessibleName()
         assert tile.button.accessibleName().startswith("Step ")
+
+
+@pytest.mark.parametrize(("more", "said"), [(20, "1,654,260 tests"), (-1, "1,654,260")])
+def test_a_large_count_does_not_run_into_the_time(page, more, said):
+    wide = page.fontMetrics().horizontalAdvance
+    room = wide("1,654,260 tests") + wide("about 5.11 s") + more
+    text = beside("1,654,260 tests", "about 5.11 s", page.fontMetrics(), room)
+    assert text == said
+    assert wide(text) + wide("about 5.11 s") < room

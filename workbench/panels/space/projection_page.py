@@ -192,8 +192,8 @@ class ProjectionPage(ViewCommands, QWidget):
         )
 
     def commands(self) -> Sequence[QAction]:
-        """All that the tools and the menu of the views have."""
-        return list(self._actions.values())
+        """All that the tools and the menus of views and objects have."""
+        return [*self._actions.values(), *self.objects.commands]
 
     def said(self) -> Said:
         """What is said in passing, and the scale."""
