@@ -5,10 +5,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
 from tests.panels.by_hand import LEFT, drag, settle
-from workbench.document.edits import add_sheet
-from workbench.document.model import Circle, Line
+from workbench.document.model import Circle
 from workbench.document.motion.tracks import track_on
-from workbench.document.samples.examples import example
 from workbench.panels.animate.panel import AnimatePanel
 from workbench.panels.shared.inspector import InspectorPanel
 from workbench.shell.workspaces import join
@@ -385,41 +383,3 @@ def test_a_late_word_of_a_run_of_other_keys_moves_nothing(qtbot, panel: AnimateP
     panel.keys.drop()
     qtbot.waitUntil(lambda: session.run.number == 4, timeout=5000)
     assert session.frames.number == 34
-
-
-def test_on_a_sheet_shown_again_the_step_is_that_of_its_frame(qtbot, panel: AnimatePanel) -> None:
-    session = panel.session
-    ball = session.sheet.id
-    session.frames.show(34)
-    settle()
-    aimed_at = session.state.subject, session.state.step
-    assert aimed_at[1] == 7
-    session.apply(add_sheet(example("animate-pendulum").document.sheets[0]), "Open example")
-    session.show_sheet(next(sheet.id for sheet in session.document.sheets if sheet.id != ball))
-    settle()
-    session.show_sheet(ball)
-    settle()
-    assert session.frames.number == 34
-    assert (session.state.subject, session.state.step) == aimed_at
-
-
-def test_a_pasted_figure_has_a_name_of_its_own_in_the_timeline_and_its_track_is_chosen(
-    qtbot, panel: AnimatePanel
-) -> None:
-    session = panel.session
-    panel.timeline.track_chosen.emit(target_of(panel, 0))
-    settle()
-    assert panel.copy()
-    assert panel.paste()
-    settle()
-    labels = [row.label for row in panel.timeline.shown.tracks]
-    assert len(set(labels)) == len(labels)
-    assert (labels[0], labels[5]) == ("Ball, y", "Ball 2, y")
-    assert panel.timeline.shown.chosen == target_of(panel, 5)
-    panel.timeline.track_chosen.emit(target_of(panel, 1))
-    settle()
-    assert panel.timeline.shown.chosen == target_of(panel, 1)
-    still = next(figure.id for figure in session.sheet.figures if isinstance(figure, Line))
-    session.update_state(active=still, selection=(still,))
-    settle()
-    assert panel.timeline.shown.chosen == target_of(panel, 1)
