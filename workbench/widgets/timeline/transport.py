@@ -95,7 +95,9 @@ class Transport(QWidget):
         self.auto_key.toggled.connect(lambda on: session.update_state(auto_key=on))
         self.curves = self._action(_("Curves"), "chart-line", None)
         self.curves.setCheckable(True)
-        self.curves.setToolTip(_("The values of the chosen track as a curve, or all tracks"))
+        self.curves.setToolTip(
+            _("The values of the chosen track as a curve, or all tracks (C on the timeline)")
+        )
         self.ghosts = self._action(_("Ghosts"), "stack", None)
         self.ghosts.setCheckable(True)
         self.ghosts.setChecked(True)
