@@ -7,10 +7,10 @@ from collections.abc import Iterator
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt
 from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QTabBar, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QScrollArea, QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
-from workbench.document.samples.examples import example_document
+from workbench.document.samples.examples import example, example_document, examples
 from workbench.panels.animate.panel import AnimatePanel
 from workbench.panels.shared.tube_dock import TubeDock
 from workbench.session.session import Session
@@ -324,3 +324,46 @@ def test_in_a_low_window_no_dock_lies_over_another(window: MainWindow, slug: str
     for k, dock in enumerate(docks):
         for other in docks[k + 1 :]:
             assert not dock.geometry().intersects(other.geometry()), (dock.objectName(), other.objectName())
+
+
+@pytest.mark.parametrize("size", [(1280, 680), (960, 540)])
+def test_docks_have_their_share_of_the_width_and_nothing_in_them_is_cut_off(
+    window: MainWindow, size: tuple[int, int]
+) -> None:
+    window.resize(*size)
+    never, right = Qt.ScrollBarPolicy.ScrollBarAlwaysOff, Qt.DockWidgetArea.RightDockWidgetArea
+    for slug in window.workspace_slugs:
+        window.go(slug)
+        settle()
+        docks = area(window)
+        for dock in (each for each in docks.docks if docks.dockWidgetArea(each) == right):
+            dock.raise_()
+            settle(2)
+            assert dock.width() >= 0.3 * size[0], (slug, dock.windowTitle())
+            for place in dock.findChildren(QScrollArea):
+                if place.isVisible() and place.horizontalScrollBarPolicy() == never:
+                    inner = place.widget().width()
+                    assert inner <= place.viewport().width(), (slug, dock.windowTitle())
+
+
+@pytest.mark.parametrize("slug", ["animate-letter", "animate-turn", "animate-ball", "shading-lamps"])
+def test_an_example_begins_in_its_frame_with_the_dock_that_tells_of_it(
+    qtbot: QtBot, window: MainWindow, slug: str
+) -> None:
+    chosen = example(slug)
+    window.open_example("animate-pendulum")
+    qtbot.waitUntil(lambda: window.place == "animate", timeout=60_000)
+    window.open_example(slug)
+    qtbot.waitUntil(lambda: window.place == chosen.workspace, timeout=60_000)
+    dock = area(window).dock(chosen.dock)
+    qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty(), timeout=10_000)
+    assert window.session.frames.number == chosen.frame
+
+
+def test_every_example_names_a_dock_that_its_workspace_has(window: MainWindow) -> None:
+    named = {(each.workspace, each.dock) for each in examples() if each.dock}
+    for slug in {workspace for workspace, _dock in named}:
+        window.go(slug)
+        settle()
+        has = {dock.objectName() for dock in area(window).docks}
+        assert {dock for workspace, dock in named if workspace == slug} <= has

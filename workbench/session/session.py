@@ -225,14 +225,14 @@ class Session(QObject):
 
     def open_example(self, slug: str) -> None:
         """Open a built-in example: as a document of its own, or as a sheet beside unsaved work."""
-        chosen = example(slug)
-        known: set[str] = set()
-        if not self.dirty:
-            self.new(chosen.document)
-        else:
-            known = {sheet.id for sheet in self.document.sheets}
+        chosen, before = example(slug), self.document.sheets if self.dirty else ()
+        if self.dirty:
             self.apply(add_sheet(chosen.document.sheets[0]), _("Open example"))
-        self.show_sheet(next(s.id for s in self.document.sheets if s.id not in known))
+        else:
+            self.new(chosen.document)
+        self.show_sheet(next(sheet.id for sheet in self.document.sheets if sheet not in before))
+        if chosen.frame:
+            self.frames.show(chosen.frame)
 
     def show_sheet(self, sheet: str) -> None:
         """Make the sheet with this id the current one; raises DocumentError when there is none.

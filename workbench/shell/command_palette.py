@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
 
 _WIDTH, _ROWS = 620, 10
-_BESIDE = 2.0
+_BESIDE, _WITHIN = 2.0, 2.0
 _PADDING_PX, _MARGIN_PX = 5, 10
 _OFFER = Qt.ItemDataRole.UserRole
 Index = QModelIndex | QPersistentModelIndex
@@ -48,38 +48,53 @@ class Offer:
 
 
 def match(letters: str, text: str) -> float | None:
-    """How well ``letters`` name ``text``, less being better; None when they do not occur in this order.
+    """How well ``letters`` name ``text``, less being better; None when they do not occur in this order, each
+    at the beginning of a word or further on in one that was begun.
 
     A text in which they begin a word as they were typed comes first; letters that begin words or follow each
     other count as near.
     """
-    low = text.lower()
-    if re.search(rf"(?<!\w){re.escape(letters.strip().lower())}", low):
+    low, typed = text.lower(), letters.strip().lower()
+    if _begins_a_word(typed, low):
         return 0.01 * len(text)
-    wanted = letters.lower().replace(" ", "")
-    cost, last = 0.0, -1
-    for letter in wanted:
-        places = [i for i in range(last + 1, len(low)) if low[i] == letter]
-        if not places:
+    if typed in low:
+        return _WITHIN + 0.01 * len(text)
+    costs: dict[int, float] | None = None  # of each place where the letter before can stand
+    for letter in typed.replace(" ", ""):
+        here: dict[int, float] = {}
+        for place in (i for i, each in enumerate(low) if each == letter):
+            begins = place == 0 or not low[place - 1].isalnum()
+            if costs is None:
+                ways = [0.5] if begins else []
+            else:
+                steps = ((cost, _step(low, last, place, begins)) for last, cost in costs.items())
+                ways = [cost + step for cost, step in steps if step is not None]
+            if ways:
+                here[place] = min(ways)
+        if not here:
             return None
-        begins = [i for i in places if i == 0 or not low[i - 1].isalnum()]
-        if last >= 0 and places[0] == last + 1:
-            found = places[0]
-        elif begins:
-            found = begins[0]
-            cost += 0.5
-        else:
-            found = places[0]
-            cost += 2 + 0.1 * (found - last)
-        last = found
-    return cost + 0.01 * len(text)
+        costs = here
+    return min((costs or {0: 0.0}).values()) + 0.01 * len(text)
+
+
+def _begins_a_word(typed: str, low: str) -> bool:
+    return re.search(rf"(?<!\w){re.escape(typed)}", low) is not None
+
+
+def _step(low: str, last: int, place: int, begins: bool) -> float | None:
+    """What it costs to go on from one letter to another; None where that lies inside of another word."""
+    if place == last + 1:
+        return 0.0
+    if place > last and begins:
+        return 0.5
+    return 2 + 0.1 * (place - last) if place > last and low[last + 1 : place].isalnum() else None
 
 
 def _rank(letters: str, offer: Offer) -> float | None:
-    """How well the letters name what is offered; a word beside its text has to have them as they are."""
-    cost = match(letters, offer.text)
-    beside = [word for word in offer.also if letters.strip().lower() in word.lower()]
-    if beside:
+    """How well the letters name what is offered; words beside its text have to have them as they are, at the
+    beginning of a word."""
+    cost, typed = match(letters, offer.text), letters.strip().lower()
+    if typed and any(_begins_a_word(typed, words.lower()) for words in offer.also):
         cost = min(_BESIDE, _BESIDE if cost is None else cost)
     return cost
 
@@ -96,6 +111,7 @@ def offers(window: "MainWindow") -> list[Offer]:
             command.text,
             key_text((*command.keys, command.focused_key)[0]),
             partial(window.do, command),
+            (command.tooltip,),
         )
         for command in commands()
         if window.menus.actions[command.id].isEnabled() and command.id != "palette"

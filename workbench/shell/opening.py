@@ -48,7 +48,7 @@ def _enter(window: MainWindow, workspace: str, chosen: Example, step: int | None
         window.panels(workspace)[0].show_page(chosen.page if workspace == chosen.workspace else "")
         if step is not None:
             window.session.update_state(step=step)
-        if dock:
-            window.arrangements.bring_forward(dock)
+        if dock or chosen.dock:
+            window.arrangements.bring_forward(dock or chosen.dock)
 
     window.enter(workspace, arrive)

@@ -190,3 +190,15 @@ def test_a_curve_between_two_is_the_mix_of_both_where_that_is_said(
 def de_boor_point(points, u: float) -> np.ndarray:
     """By SciPy, over even knots."""
     return BSpline(np.arange(8.0), np.array([(p.x, p.y) for p in points]), 3)(u)
+
+
+def test_what_has_no_outline_says_what_to_do_and_leads_to_an_example(qtbot, letter: AnimatePanel) -> None:
+    dock, session = letter.morph, letter.session
+    session.open_example("animate-ball")
+    settle()
+    assert dock.note.isVisible()
+    assert dock.note.text().startswith("Choose the track of an outline")
+    qtbot.mouseClick(dock.example, Qt.MouseButton.LeftButton)
+    settle()
+    assert session.sheet.name == "A letter becomes another"
+    assert (session.frames.number, dock.example.isVisible(), dock.picture.isVisible()) == (18, False, True)

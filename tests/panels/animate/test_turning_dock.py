@@ -90,6 +90,14 @@ def seen(panel: AnimatePanel, number: int) -> np.ndarray:
     return scene.objects[number].transforms[0].matrix
 
 
+def test_the_timeline_tells_a_turn_by_its_angle_and_its_axis(turning: AnimatePanel) -> None:
+    turning.session.frames.show(12)
+    settle()
+    values = turning.timeline.shown.values
+    first = turning.timeline.shown.tracks[0].target
+    assert values[first] == "67.5° (0, 1, 0)"  # three quarters of a quarter turn about y
+
+
 def test_where_the_rings_lock_that_is_said(turning: AnimatePanel) -> None:
     assert "0.0°, 90.0°, 0.0°" in turning.turning.note.text()
     assert "gimbal lock" in turning.turning.note.text()

@@ -15,6 +15,7 @@ from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Drawing, Sentence
 from workbench.panels.space.arena import work
 from workbench.panels.space.arena.page import ArenaPage
+from workbench.panels.space.arena.tile import beside
 from workbench.panels.space.panel import SpacePanel
 from workbench.rendering.scene.growth import Growth
 from workbench.session.session import Session
@@ -136,6 +137,23 @@ def test_the_panel_shows_the_page_that_is_stepped_and_measures_nothing_unseen(qt
     assert session.state.subject.entry == "bsp_tree"
     panel.show_page("arena")
     qtbot.waitUntil(lambda: page.worker.busy, timeout=5_000)
+
+
+def test_the_docks_forget_the_counts_of_a_scene_that_has_been_left(qtbot, session):
+    panel = SpacePanel(session)
+    keep_until_the_end(qtbot, panel)
+    panel.resize(820, 480)
+    panel.show()
+    panel.show_page("arena")
+    page = panel.page_of("arena")
+    until_run(qtbot, page)
+    assert any("comparisons here" in row.image_space for row in page.question.rows)
+    panel.show_page("space")
+    assert page.measures.runs
+    session.open_example("space-house")
+    QApplication.processEvents()
+    assert not page.measures.runs
+    assert not any("comparisons here" in row.image_space for row in page.question.rows)
 
 
 def test_keys_go_from_tile_to_tile(qtbot, page):
@@ -301,3 +319,12 @@ def test_every_control_has_a_name_and_a_tip(page):
         assert tile.toolTip()
         assert tile.accessibleName()
         assert tile.button.accessibleName().startswith("Step ")
+
+
+@pytest.mark.parametrize(("more", "said"), [(20, "1,654,260 tests"), (-1, "1,654,260")])
+def test_a_large_count_does_not_run_into_the_time(page, more, said):
+    wide = page.fontMetrics().horizontalAdvance
+    room = wide("1,654,260 tests") + wide("about 5.11 s") + more
+    text = beside("1,654,260 tests", "about 5.11 s", page.fontMetrics(), room)
+    assert text == said
+    assert wide(text) + wide("about 5.11 s") < room

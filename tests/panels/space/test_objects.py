@@ -221,3 +221,13 @@ def row_of(tables: PolygonTablesView, number: int) -> QModelIndex:
 
 def place_of(page: ProjectionPage, mesh: Mesh, number: int) -> QPointF:
     return QPointF(*page.eye.projected(mesh.vertices[[number]])[0].tolist())
+
+
+def test_every_solid_that_can_be_added_is_a_command(qtbot: QtBot, page: ProjectionPage) -> None:
+    commands = {action.text(): action for action in page.commands()}
+    for offer in offers():
+        commands[f"Add object: {offer.title}"].trigger()
+        settle(qtbot, page)
+        assert scene_of(page).objects[-1].solid == offer.solid
+    page.session.undo_stack.undo()
+    assert scene_of(page).objects[-1].solid == offers()[-2].solid

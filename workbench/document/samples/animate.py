@@ -33,6 +33,7 @@ def animate_examples() -> list[Example]:
             _("Four key frames a bounce: it leaves the ground fast and turns slowly, by its easing alone."),
             "animate",
             _ball(),
+            dock="between",
         ),
         Example(
             "animate-letter",
@@ -40,6 +41,8 @@ def animate_examples() -> list[Example]:
             _("An L of six corners becomes an E of twelve: its edges are cut until both have as many."),
             "animate",
             _letter(),
+            frame=18,
+            dock="morphing",
         ),
         Example(
             "animate-clock",
@@ -47,6 +50,7 @@ def animate_examples() -> list[Example]:
             _("Each hand is one angle with two keys; the long one goes round twelve times as often."),
             "animate",
             _clock(),
+            dock="between",
         ),
         Example(
             "animate-pendulum",
@@ -54,6 +58,8 @@ def animate_examples() -> list[Example]:
             _("Three keys swing it; easing in and out makes it slow at the ends and fast in the middle."),
             "animate",
             _pendulum(),
+            frame=6,
+            dock="physics",
         ),
         Example(
             "animate-drive",
@@ -61,6 +67,7 @@ def animate_examples() -> list[Example]:
             _("Two splines through a few keys move the eye and what it looks at."),
             "animate",
             _drive(),
+            dock="between",
         ),
         Example(
             "animate-turn",
@@ -68,6 +75,8 @@ def animate_examples() -> list[Example]:
             _("Two equal houses with equal keys: one turns by quaternion, the other by Euler's angles."),
             "animate",
             _turn(),
+            frame=24,
+            dock="turning",
         ),
     ]
 

@@ -29,7 +29,8 @@ Places = Sequence[tuple[float, float]]
 class Example:
     """A built-in document: ``slug`` names it in links, ``workspace`` is the one it opens in.
 
-    ``page`` is the one of that workspace's pages, where it has several and this is not the first.
+    ``page`` is the one of that workspace's pages, where it has several and this is not the first; ``frame``
+    is the one to begin in, ``dock`` the one that tells of what it is about.
     """
 
     slug: str
@@ -38,6 +39,8 @@ class Example:
     workspace: str
     document: Document
     page: str = ""
+    frame: int = 0
+    dock: str = ""
 
 
 def document_of(

@@ -24,6 +24,7 @@ def shading_examples() -> list[Example]:
             "space",
             _ball(),
             PAGE,
+            dock="lamps",
         ),
         Example(
             "shading-materials",
@@ -32,6 +33,7 @@ def shading_examples() -> list[Example]:
             "space",
             _materials(),
             PAGE,
+            dock="lamps",
         ),
         Example(
             "shading-lamps",
@@ -40,6 +42,7 @@ def shading_examples() -> list[Example]:
             "space",
             _lamps(),
             PAGE,
+            dock="lamps",
         ),
     ]
 

@@ -1,6 +1,7 @@
 """What a person calls what a track moves, and the easings."""
 
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Mapping
 
 from workbench.document.model import Sheet
 from workbench.document.motion.groups import CAMERA, OUTLINE, WHOLE, Group, group_of, read, value_of
@@ -8,6 +9,8 @@ from workbench.document.motion.model import EASINGS
 from workbench.document.transforms.names import title
 from workbench.language import _
 from workbench.panels.stage.card import kind_title
+
+_MOST_NUMBERS = 3
 
 
 def easing_titles() -> dict[str, str]:
@@ -27,28 +30,36 @@ def easing_titles() -> dict[str, str]:
     return dict(zip(EASINGS, titles, strict=True))
 
 
-def label_of(sheet: Sheet, target: str) -> str:
-    """What a target is called: of which figure, and what of it."""
+def owners_of(sheet: Sheet) -> dict[str, str]:
+    """What figures and things are called, by their ids; of those with one name all but the first have a
+    number, so that a copy and its original can be told apart."""
+    called: dict[str, str] = {}
+    for kind in (sheet.figures, sheet.things):
+        times: Counter[str] = Counter()
+        for each in kind:
+            name = getattr(each, "name", "") or (kind_title(each) if kind is sheet.figures else each.id)
+            times[name] += 1
+            called[each.id] = name if times[name] == 1 else f"{name} {times[name]}"
+    return called
+
+
+def label_of(sheet: Sheet, target: str, owners: Mapping[str, str] | None = None) -> str:
+    """What a target is called: of which figure, and what of it. ``owners`` are those of the sheet, where many
+    targets are asked for."""
     name, *_between, attribute = target.split("/") if "/" in target else ("", target)
-    return f"{_owner(sheet, name)}, {_what(sheet, group_of(sheet, target), attribute)}"
-
-
-def _owner(sheet: Sheet, name: str) -> str:
-    """What the figure or thing of this id is called; the camera has none."""
-    figure = next((each for each in sheet.figures if each.id == name), None)
-    thing = next((each for each in sheet.things if each.id == name), None)
-    own = getattr(thing, "name", "") or (kind_title(figure) if figure is not None else name)
-    return own or _("Camera")
+    owner = (owners_of(sheet) if owners is None else owners).get(name, name) or _("Camera")
+    return f"{owner}, {_what(sheet, group_of(sheet, target), attribute)}"
 
 
 def held_text(sheet: Sheet, held: Iterable[str]) -> str:
     """What is not as its track would have it in a frame: numbers at the end of their range, and figures,
     things or the camera that could not be drawn so; empty where all is."""
     numbers = [target for target in held if "/" in target or target.startswith(f"{CAMERA}.")]
-    things = [_owner(sheet, "" if each == CAMERA else each) for each in held if each not in numbers]
+    owners = {**owners_of(sheet), CAMERA: _("Camera")}
+    things = [owners.get(each, each) for each in held if each not in numbers]
     told = []
     if numbers:
-        what = ", ".join(label_of(sheet, target) for target in numbers)
+        what = ", ".join(label_of(sheet, target, owners) for target in numbers)
         told.append(_("{what}: held at the end of its range in this frame.").format(what=what))
     if things:
         what = ", ".join(dict.fromkeys(things))
@@ -100,6 +111,13 @@ def value_text(sheet: Sheet, target: str) -> str:
         return "#" + "".join(f"{round(channel):02X}" for channel in value)
     if target.endswith(OUTLINE):
         return _("{n} points").format(n=len(value) // 2)
-    places = {1: 6, 2: 3}.get(len(value), 1)
-    numbers = ", ".join(f"{round(number, places):.6g}" for number in value[:3]).replace("-", "−")
-    return f"({numbers})" if len(value) > 1 else numbers
+    if group.kind == "turn":
+        angle, *axis = value
+        return f"{_rounded((angle,), 2)}° ({_rounded(axis, 1)})"
+    numbers = _rounded(value[:_MOST_NUMBERS], {1: 6, 2: 3}.get(len(value), 1))
+    more = ", …" if len(value) > _MOST_NUMBERS else ""
+    return f"({numbers}{more})" if len(value) > 1 else numbers
+
+
+def _rounded(numbers: Iterable[float], places: int) -> str:
+    return ", ".join(f"{round(number, places):.6g}" for number in numbers).replace("-", "−")

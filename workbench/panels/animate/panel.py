@@ -1,6 +1,7 @@
 """The Animate panel: the picture in a frame, and under it the timeline with its tracks."""
 
 from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent, QShowEvent
@@ -57,6 +58,7 @@ class AnimatePanel(SteppedPanel):
         self.pages = TimelinePages(session)
         self.timeline, self.curves, self.keys = self.pages.tracks, self.pages.curves, self.pages.keys
         self.chosen = ""
+        self._active = ""
         self._steps = False
         self.keys.said.connect(self.hover_text)
         self.keys.done.connect(self.refresh_soon)
@@ -106,9 +108,16 @@ class AnimatePanel(SteppedPanel):
         self.morph.held.connect(self.session.hold_runs)
         self.turning.turning_wanted.connect(lambda way: self.keys.turn_by(self.turning.key, way))
         self.physics.area_wanted.connect(self.keys.keep_area)
+        for dock, slug in (
+            (self.morph, "animate-letter"),
+            (self.turning, "animate-turn"),
+            (self.physics, EXAMPLE),
+        ):
+            dock.example_wanted.connect(partial(self.session.open_example, slug))
         frames.played.connect(self.refresh_soon)
         frames.settled.connect(self._aim_run)
-        self.session.changed.connect(self._aim_run)
+        for told in (self.session.changed, self.session.opened):
+            told.connect(self._aim_run)
         run = self.session.run
         run.moved.connect(self._follow_run)
         for told in (run.asked, run.played):
@@ -198,21 +207,24 @@ class AnimatePanel(SteppedPanel):
                 self.hover_text.emit(told)
 
     def _track(self) -> Track | None:
-        """The chosen track, or else one of the active figure, or the first."""
-        sheet = self.session.sheet
+        """The chosen track, until a figure that has others becomes the active one; then its first one."""
+        sheet, active = self.session.sheet, self._active_id
         tracks = motion_of(sheet).tracks
-        if (track := track_on(sheet, self.chosen)) is not None:
-            return track
+        own = next((each for each in tracks if active and each.target.startswith(f"{active}/")), None)
+        if own is None or active == self._active:
+            return track_on(sheet, self.chosen) or own or next(iter(tracks), None)
+        return own
+
+    @property
+    def _active_id(self) -> str:
         active = self.session.active_figure
-        own = f"{active.id}/" if active is not None else ""
-        first = next((each for each in tracks if each.target.startswith(own)), None)
-        return first or next(iter(tracks), None)
+        return "" if active is None else active.id
 
     def _choose_track(self, target: str) -> None:
-        self.chosen = target
         name = target.split("/")[0]
         if any(figure.id == name for figure in self.session.sheet.figures):
             self.session.update_state(active=name, selection=self.session.sheet.together((name,)))
+        self.chosen, self._active = target, self._active_id
         self._aim_run()
         self.refresh_soon()
 
@@ -240,7 +252,7 @@ class AnimatePanel(SteppedPanel):
             self.keys.even_speed(track.target)
 
     def _set_key(self, target: str, frame: int) -> None:
-        self.chosen = target
+        self.chosen, self._active = target, self._active_id
         self.keys.set(target, frame)
 
     # What is stepped

@@ -9,7 +9,7 @@ from workbench.document.motion.groups import packed
 from workbench.document.motion.model import Key, Track
 from workbench.document.motion.tracks import group_moved, motion_of
 from workbench.language import _
-from workbench.panels.animate.names import easing_titles, label_of
+from workbench.panels.animate.names import easing_titles, label_of, owners_of
 from workbench.widgets.timeline.rows import KeyShown, Pace, TrackShown
 
 _SLOW_LEAVING = ("ease_in", "ease_in_out", "ease_in_cubic", "ease_in_out_cubic", "spline")
@@ -20,11 +20,14 @@ _SLOWER = 0.5
 @lru_cache(maxsize=4)
 def rows_of(sheet: Sheet) -> tuple[TrackShown, ...]:
     """The tracks of a sheet; they are the same in every frame."""
-    astray, titles = set(loose(sheet)), easing_titles()
-    return tuple(_row(sheet, track, track.target in astray, titles) for track in motion_of(sheet).tracks)
+    astray, titles, owners = set(loose(sheet)), easing_titles(), owners_of(sheet)
+    return tuple(
+        _row(sheet, track, label_of(sheet, track.target, owners), track.target in astray, titles)
+        for track in motion_of(sheet).tracks
+    )
 
 
-def _row(sheet: Sheet, track: Track, astray: bool, titles: dict[str, str]) -> TrackShown:
+def _row(sheet: Sheet, track: Track, label: str, astray: bool, titles: dict[str, str]) -> TrackShown:
     keys = []
     before: Key | None = None
     for key, following in pairwise((*track.keys, None)):
@@ -38,7 +41,7 @@ def _row(sheet: Sheet, track: Track, astray: bool, titles: dict[str, str]) -> Tr
     if group is not None and group.kind == "colour":
         colours = tuple(f"#{packed(*key.value):06X}" for key in track.keys)
     problem = _("nothing there") if astray else ""
-    return TrackShown(track.target, label_of(sheet, track.target), tuple(keys), colours, problem)
+    return TrackShown(track.target, label, tuple(keys), colours, problem)
 
 
 def leaving_pace(key: Key) -> Pace:

@@ -3,12 +3,13 @@
 from collections.abc import Iterable
 
 import numpy as np
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from workbench.algorithms.marks import Points
 from workbench.document.model import Sheet
 from workbench.document.motion.model import Key, Track
+from workbench.language import _
 from workbench.widgets.canvas.drawing import Drawn
 from workbench.widgets.canvas.overlay import Handle
 from workbench.widgets.canvas.plane import Box, Plane
@@ -39,7 +40,12 @@ class _Picture(PlaneView):
 
 
 class TrackDock(QScrollArea):
-    """One interval of the chosen track; ``key`` is the one that leads into it, None where there is none."""
+    """One interval of the chosen track; ``key`` is the one that leads into it, None where there is none.
+
+    ``example_wanted``: there is none, and a picture is asked for that has one.
+    """
+
+    example_wanted = Signal()
 
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -62,6 +68,10 @@ class TrackDock(QScrollArea):
         self.note.setWordWrap(True)
         for label in (self.title, self.sums, self.note):  # which have names of the user's
             label.setTextFormat(Qt.TextFormat.PlainText)
+        self.example = QPushButton(_("Show an example"))
+        self.example.setToolTip(_("Open a picture that already moves"))
+        self.example.clicked.connect(lambda: self.example_wanted.emit())
+        self.example.hide()
         inner = QWidget()
         self.setWidget(inner)
         self.setWidgetResizable(True)
@@ -78,6 +88,7 @@ class TrackDock(QScrollArea):
         column.addWidget(self.picture, 1)
         column.addWidget(self.sums)
         column.addWidget(self.note)
+        column.addWidget(self.example, 0, Qt.AlignmentFlag.AlignLeft)
         column.addLayout(self.layout_below)
         column.addStretch(0)
 
@@ -94,8 +105,13 @@ class TrackDock(QScrollArea):
         self.key = None
         self.title.setText(title)
         self.note.setText(note)
-        for widget in (self.picture, self.sums):
-            widget.hide()
+        for widget, there in (
+            (self.picture, False),
+            (self.sums, False),
+            (self.note, True),
+            (self.example, True),
+        ):
+            widget.setVisible(there)
 
     def show_drawn(
         self,
@@ -113,6 +129,7 @@ class TrackDock(QScrollArea):
         self.picture.set_plane(Plane(box, drawn=tuple(drawn), handles=tuple(handles), bare=True))
         self.sums.setText(lines if isinstance(lines, str) else "\n".join(lines))
         self.note.setText(note)
+        self.example.hide()
         for widget, full in ((self.picture, True), (self.sums, self.sums.text()), (self.note, note)):
             widget.setVisible(bool(full))
 

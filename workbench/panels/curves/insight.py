@@ -57,7 +57,7 @@ class CurveInsight(QScrollArea):
         column.setContentsMargins(12, 8, 8, 8)
         column.setSpacing(8)
         grid = QGridLayout()
-        grid.setHorizontalSpacing(12)
+        grid.setHorizontalSpacing(4)
         grid.setVerticalSpacing(4)
         self.boxes: dict[str, QCheckBox] = {}
         for k, (name, title, meaning) in enumerate(switches()):

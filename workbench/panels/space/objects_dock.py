@@ -4,7 +4,7 @@ from functools import partial
 
 from msgspec.structs import replace
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QKeySequence, QPixmap, QShortcut
+from PySide6.QtGui import QAction, QColor, QIcon, QKeySequence, QPixmap, QShortcut
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QListWidget,
@@ -77,8 +77,13 @@ class ObjectsDock(QWidget):
         self.add = QPushButton(_("Add object"))
         self.add.setToolTip(_("Put a solid into the scene"))
         menu = QMenu(self.add)
+        self.commands: list[QAction] = []
         for offer in offers():
             menu.addAction(offer.title, partial(self.add_solid, offer))
+            command = QAction(_("Add object: {what}").format(what=offer.title), self)
+            command.setToolTip(self.add.toolTip())
+            command.triggered.connect(lambda _checked=False, offer=offer: self.add_solid(offer))
+            self.commands.append(command)
         menu.addSeparator()
         self._swept = {
             "extrude": menu.addMenu(_("Extrude a figure")),

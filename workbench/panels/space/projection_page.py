@@ -30,6 +30,7 @@ from workbench.panels.space.objects_dock import ObjectsDock
 from workbench.panels.space.outside_view import OutsideView
 from workbench.panels.space.pointing import Pointing
 from workbench.panels.space.polygon_tables import PolygonTablesView
+from workbench.panels.space.scene_picture import sentence_of
 from workbench.panels.space.side_by_side import SideBySide
 from workbench.panels.space.solids_offered import offers
 from workbench.panels.space.stepped import clipped_so_far, vertex_on_its_way
@@ -193,8 +194,8 @@ class ProjectionPage(ViewCommands, QWidget):
         )
 
     def commands(self) -> Sequence[QAction]:
-        """All that the tools and the menu of the views have."""
-        return list(self._actions.values())
+        """All that the tools and the menus of views and objects have."""
+        return [*self._actions.values(), *self.objects.commands]
 
     def said(self) -> Said:
         """What is said in passing, and the scale."""
@@ -270,9 +271,10 @@ class ProjectionPage(ViewCommands, QWidget):
 
     def next_shows(self) -> None:
         """From faces and edges to edges, to edges without hidden lines, to faces, and back."""
-        following = {"both": "edges", "edges": "lines", "lines": "faces", "faces": "both"}[self.eye.shows]
+        following = self.eye.next_shows
         for view in (self.eye, self.outside):
-            view.set_shows(following)  # type: ignore[arg-type]
+            view.set_shows(following)
+        self.say(sentence_of(following))
 
     def next_mode(self) -> None:
         """Handles to move, to turn, to scale the chosen object, or none; the first object where none is."""

@@ -10,11 +10,11 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
 from workbench.geometry.meshes import Array
-from workbench.language import reason_of
-from workbench.panels.space.scene_worker import SceneJob, SceneWorker
+from workbench.language import _, reason_of
+from workbench.panels.space.scene_worker import Draws, SceneJob, SceneWorker
 from workbench.panels.space.strokes import lines
 from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture
-from workbench.rendering.scene.line_drawing import line_picture
+from workbench.rendering.scene.line_drawing import drawn_at_once, line_picture
 from workbench.rendering.scene.shaded import Model
 from workbench.rendering.scene.shading import QUICK
 from workbench.rendering.scene.viewpoint import Viewpoint
@@ -22,13 +22,24 @@ from workbench.widgets.look.tokens import colour, theme, tokens
 
 Shows = Literal["faces", "edges", "lines", "both"]
 """Faces, all edges, edges without what faces hide, or faces and edges."""
-_WITHOUT_FACES = ("edges", "lines")
+_NEXT: dict[Shows, Shows] = {"both": "edges", "edges": "lines", "lines": "faces", "faces": "both"}
+_DRAWS: dict[Shows, Draws] = {"faces": "faces", "both": "faces", "edges": "edges", "lines": "lines"}
 
 _MARGIN_PX = 44
 _LEAST_SCALE, _MOST_SCALE = 1e-6, 1e9
 _FINEST_PX = 0.3
 _PER_WIDTH = 8.0
 """An edge is at least so many times as long as wide, on average: a fine mesh is drawn in fine lines."""
+
+
+def sentence_of(shows: Shows) -> str:
+    """What is shown, in words."""
+    return {
+        "both": _("Faces and edges are shown."),
+        "edges": _("All edges are shown, hidden ones too."),
+        "lines": _("Edges are shown as far as no face hides them."),
+        "faces": _("Faces are shown without their edges."),
+    }[shows]
 
 
 def fine(width_px: float, length_px: float) -> float:
@@ -62,14 +73,15 @@ class ScenePicture(QWidget):
         self.keeps_fit = True
         self.dragging = False
         self.worker = SceneWorker(self)
-        self.worker.drawn.connect(self._take)
+        self.worker.drawn.connect(self._take_drawn)
         self.worker.failed.connect(self._refuse)
         self._job: SceneJob | None = None
         self._lit = QUICK, Model()
         self._picture: EdgePicture | None = None
         self._rows = np.zeros((0, 0), np.uint32)  # the image only refers to them
         self._image = QImage()
-        self._image_came = False
+        self._awaited: Draws | None = None
+        self._came: Draws | None = None
         self._viewpoint: Viewpoint | None = None
         self._device: Array = np.eye(3)
         theme.changed.connect(self.update)
@@ -105,6 +117,11 @@ class ScenePicture(QWidget):
             self.shows, self._job = shows, None
             self.redraw()
 
+    @property
+    def next_shows(self) -> Shows:
+        """What comes after what is shown: faces and edges, edges, edges without hidden lines, faces."""
+        return _NEXT[self.shows]
+
     def set_shading(self, shading: str, model: Model) -> None:
         """Show the scene in a shading, by its slug; a quick one has edges, too."""
         if (shading, model) != self._lit:
@@ -127,41 +144,51 @@ class ScenePicture(QWidget):
     def redraw(self) -> None:
         """Have the picture drawn anew."""
         if self.isVisible() and self.width() > 1 and self.height() > 1:
-            faces = self.shows not in _WITHOUT_FACES
-            job = SceneJob(self.scene, self.device_size, self.window_world, faces, *self._lit)
+            job = SceneJob(self.scene, self.device_size, self.window_world, _DRAWS[self.shows], *self._lit)
             if job != self._job:
-                self._job = job
-                if not (job.faces and self._image_came):  # until faces can be drawn, lines are
-                    self._take_lines(job)
-                if job.faces:
-                    self.worker.ask(job)
+                self._job, self._awaited = job, None
+                try:
+                    if (at_once := self._at_once(job)) is not None:
+                        self._take(job, at_once)
+                    else:
+                        self._await(job)
+                except ValueError as error:
+                    self._refuse(job, reason_of(error))
 
     def begin_anew(self) -> None:
         """Another document or sheet is open: nothing of the last one's picture is shown in its place."""
         self.worker.leave()
-        self._job, self._image_came = None, False
+        self._job = self._came = None
 
-    def _take_lines(self, job: SceneJob) -> None:
-        try:
-            lines = self.shows == "lines"
-            self._take(job, line_picture(*job[:3]) if lines else edge_picture(*job[:3], faces=False))
-        except ValueError as error:
-            self._refuse(job, reason_of(error))
+    def _at_once(self, job: SceneJob) -> EdgePicture | None:
+        """What need not be waited for. Raises: ValueError."""
+        if job.draws == "edges":
+            return edge_picture(*job[:3], faces=False)
+        lines = drawn_at_once(job.scene) if job.draws == "lines" else None
+        return None if lines is None else line_picture(lines, *job[:3])
+
+    def _await(self, job: SceneJob) -> None:
+        if self._came != job.draws:  # until the first of its kind is there, all edges are
+            self._take(job, edge_picture(*job[:3], faces=False))
+        self._awaited = job.draws
+        self.worker.ask(job)
 
     def _take(self, job: SceneJob, picture: EdgePicture) -> None:
-        if job.faces and self.shows in _WITHOUT_FACES and picture.pixels is not None:
-            return  # switched meanwhile
         self._picture, self._viewpoint = picture, job.viewpoint
         self._device = self._viewpoint.device
         self._image = QImage()
         if picture.pixels is not None:
-            self._image_came = True
             self._rows = np.ascontiguousarray(picture.pixels[::-1])
             height, width = self._rows.shape
             form = QImage.Format.Format_ARGB32_Premultiplied  # no pixel lets through a part only
             self._image = QImage(self._rows.data, width, height, width * 4, form)
         self.view_changed.emit(self.scale)
         self.update()
+
+    def _take_drawn(self, job: SceneJob, picture: EdgePicture) -> None:
+        if job.draws == self._awaited:  # else another kind is shown meanwhile
+            self._came = job.draws
+            self._take(job, picture)
 
     def _refuse(self, _job: SceneJob, sentence: str) -> None:
         self.failed.emit(sentence)

@@ -7,7 +7,7 @@ import sys
 import threading
 from functools import partial
 from time import monotonic
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -17,6 +17,7 @@ from workbench.document.scene.model import Scene
 from workbench.engine.stopping import Stop, Stopped
 from workbench.language import _, reason_of
 from workbench.rendering.scene.edge_picture import EdgePicture, edge_picture, image_over_nothing
+from workbench.rendering.scene.line_drawing import line_drawing, line_picture
 from workbench.rendering.scene.shaded import Model, shaded
 from workbench.rendering.scene.shading import QUICK
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
@@ -24,6 +25,9 @@ from workbench.session.answers import Answers
 
 PATIENCE_S = 1.0
 """So long a picture is drawn although another one is asked for: of a scene that is turned some are seen."""
+
+Draws = Literal["faces", "edges", "lines"]
+"""Faces with their edges, all edges, or edges without what faces hide."""
 
 
 class SceneJob(NamedTuple):
@@ -33,7 +37,7 @@ class SceneJob(NamedTuple):
     scene: Scene
     size: Size
     window: Rectangle
-    faces: bool
+    draws: Draws
     shading: str = QUICK
     model: Model = Model()
 
@@ -44,7 +48,8 @@ class SceneJob(NamedTuple):
 
 
 class SceneAnswer(NamedTuple):
-    """A job and its picture, or ``problem``, one sentence; neither where it was stopped."""
+    """A job and its picture; ``problem``, one sentence, tells why there is none, or all edges instead of
+    those that are seen. Neither where it was stopped."""
 
     job: SceneJob
     picture: EdgePicture | None = None
@@ -106,8 +111,8 @@ class SceneWorker(QObject):
             self._turn.stop.set()
 
     def _take(self, answer: SceneAnswer) -> None:
-        self._turn: _Turn | None = None
-        self._left = False
+        left, self._left, self._turn = self._left, False, None
+        self._patience.stop()
         if self._next is not None:
             following, self._next = self._next, None
             self.ask(following)
@@ -115,7 +120,7 @@ class SceneWorker(QObject):
             return
         if answer.picture is not None:
             self.drawn.emit(answer.job, answer.picture)
-        elif answer.problem:
+        if answer.problem:
             self.failed.emit(answer.job, answer.problem)
 
 
@@ -123,19 +128,24 @@ _one_at_a_time = threading.Lock()
 """Two views of a scene take no longer one after the other, and half of the memory."""
 
 
-def _picture(job: SceneJob, stop: Stop) -> EdgePicture:
-    if job.shading == QUICK:
-        return edge_picture(job.scene, job.size, job.window, job.faces)
-    image, depth = shaded(job.scene, job.shading, job.size, job.window, job.model, stop)
+def _answer(job: SceneJob, stop: Stop) -> SceneAnswer:
     none, nobody = np.zeros((0, 4)), np.zeros(0, np.int64)
-    return EdgePicture(image_over_nothing(image, depth), none, nobody, none, nobody)
+    if job.draws == "lines":
+        try:
+            return SceneAnswer(job, line_picture(line_drawing(job.scene), *job[:3]))
+        except ValueError as error:
+            return SceneAnswer(job, edge_picture(*job[:3], faces=False), reason_of(error))
+    if job.shading == QUICK:
+        return SceneAnswer(job, edge_picture(*job[:3]))
+    image, depth = shaded(job.scene, job.shading, job.size, job.window, job.model, stop)
+    return SceneAnswer(job, EdgePicture(image_over_nothing(image, depth), none, nobody, none, nobody))
 
 
 def _draw(job: SceneJob, turn: _Turn) -> SceneAnswer:
     try:
         with _one_at_a_time:
             turn.since = monotonic()
-            return SceneAnswer(job, _picture(job, turn.stop))
+            return _answer(job, turn.stop)
     except Stopped:
         return SceneAnswer(job)  # to nobody: another one is wanted, or the program ends
     except ValueError as error:

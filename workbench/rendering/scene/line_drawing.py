@@ -36,7 +36,7 @@ def line_drawing(scene: Scene) -> Segments:
     if pairs > MOST_PAIRS:
         said = _(
             "The scene has {edges:,} edges and {count:,} triangles, too many to compare each with each. Hide "
-            "some of its objects, or export the wireframe with all its lines."
+            "some of its objects, or take the wireframe with all its lines."
         )
         raise ValueError(said.format(edges=len(edges), count=len(triangles)))
     return _drawn(vertices, triangles, edges, owners, compiling=True)
@@ -52,18 +52,17 @@ def scene_strokes(sheet: Sheet) -> list[tuple[float, float, float, float, int]]:
     return list(_strokes(sheet.scene, sheet.first_view, (sheet.width_px, sheet.height_px)))
 
 
-def drawn_at_once(scene: Scene) -> Segments:
-    """The line drawing, or all edges where that would keep a person waiting. Raises: ValueError."""
+def drawn_at_once(scene: Scene) -> Segments | None:
+    """The line drawing, or None where it would keep a person waiting. Raises: ValueError."""
     vertices, triangles, edges, owners = _before_camera(scene)
     ready = at_hand(hidden_lines, "collect")
     if len(triangles) * len(edges) > (MOST_PAIRS_AT_ONCE if ready else MOST_PAIRS_PLAIN):
-        return Segments(vertices[edges][..., :2].reshape(-1, 4), owners)
+        return None
     return _drawn(vertices, triangles, edges, owners, compiling=False)
 
 
-def line_picture(scene: Scene, size: Size, window: Rectangle) -> EdgePicture:
-    """The line drawing in pixels as a picture without faces. Raises: ValueError."""
-    lines = drawn_at_once(scene)
+def line_picture(lines: Segments, scene: Scene, size: Size, window: Rectangle) -> EdgePicture:
+    """The line drawing of a scene in pixels as a picture without faces."""
     numbers = np.array([number for number, thing in enumerate(scene.objects) if thing.visible], np.int64)
     device = Viewpoint.of(scene.camera, size, window, np.zeros((0, 3))).device
     scale, start = np.tile(device.diagonal()[:2], 2), np.tile(device[:2, 2], 2)
@@ -74,7 +73,7 @@ def line_picture(scene: Scene, size: Size, window: Rectangle) -> EdgePicture:
 @lru_cache(maxsize=4)
 def _strokes(scene: Scene, view: View, size: Size) -> tuple[tuple[float, float, float, float, int], ...]:
     try:
-        lines = drawn_at_once(scene)
+        lines = drawn_at_once(scene) or _all_edges(scene)
     except ValueError:
         return ()  # said where the scene is shown
     if not len(lines.table):
@@ -87,6 +86,11 @@ def _strokes(scene: Scene, view: View, size: Size) -> tuple[tuple[float, float, 
     colours = [materials[thing.material] for thing in scene.objects if thing.visible]
     strokes = zip(seen.table.tolist(), seen.of.tolist(), strict=True)
     return tuple((x0, y0, x1, y1, colours[of]) for (x0, y0, x1, y1), of in strokes)
+
+
+def _all_edges(scene: Scene) -> Segments:
+    vertices, _triangles, edges, owners = _before_camera(scene)
+    return Segments(vertices[edges][..., :2].reshape(-1, 4), owners)
 
 
 def _drawn(vertices: Array, triangles: Index, edges: Index, owners: Index, compiling: bool) -> Segments:

@@ -1,8 +1,9 @@
 """The bar over a timeline: frame, playing, how it goes on, rate and length, auto-key, ghosts, zoom."""
 
 from collections.abc import Callable
+from typing import NamedTuple
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QWidget
 
@@ -17,7 +18,26 @@ from workbench.widgets.look.type_faces import code_font
 HEIGHT = 44
 _FIELD_PX = 52
 _SPEEDS = (0.25, 0.5, 1.0, 2.0)
-_NARROW_PX, _NARROWER_PX = 860, 700
+
+
+class _Form(NamedTuple):
+    """What of the bar is there beside its buttons and the frame."""
+
+    words: bool
+    zoom: bool
+    rates: bool
+    mode: bool
+
+
+_FORMS = (
+    _Form(words=True, zoom=True, rates=True, mode=True),
+    _Form(words=False, zoom=True, rates=True, mode=True),
+    _Form(words=False, zoom=False, rates=True, mode=True),
+    _Form(words=False, zoom=True, rates=False, mode=True),
+    _Form(words=False, zoom=True, rates=False, mode=False),
+    _Form(words=False, zoom=False, rates=False, mode=False),
+)
+"""From the widest to the narrowest; the first that fits is taken."""
 
 
 class Transport(QWidget):
@@ -75,7 +95,9 @@ class Transport(QWidget):
         self.auto_key.toggled.connect(lambda on: session.update_state(auto_key=on))
         self.curves = self._action(_("Curves"), "chart-line", None)
         self.curves.setCheckable(True)
-        self.curves.setToolTip(_("The values of the chosen track as a curve, or all tracks"))
+        self.curves.setToolTip(
+            _("The values of the chosen track as a curve, or all tracks (C on the timeline)")
+        )
         self.ghosts = self._action(_("Ghosts"), "stack", None)
         self.ghosts.setCheckable(True)
         self.ghosts.setChecked(True)
@@ -129,8 +151,9 @@ class Transport(QWidget):
             row.addWidget(button)
             row.addSpacing(4)
         row.addSpacing(8)
-        for action in (self.zoom_out, self.zoom_in):
-            row.addWidget(self._button(action))
+        self._zooming = [self._button(action) for action in (self.zoom_out, self.zoom_in)]
+        for button in self._zooming:
+            row.addWidget(button)
 
     def _button(self, action: QAction, words: bool = False) -> QToolButton:
         button = QToolButton()
@@ -193,8 +216,12 @@ class Transport(QWidget):
         self.auto_key.setChecked(self._session.state.auto_key)
         set_icon(self.auto_key, "record", "error" if self._session.state.auto_key else "text")
 
+    def minimumSizeHint(self) -> QSize:
+        """Narrower than all of it: what has no room goes, and the docks beside it keep theirs."""
+        return QSize(0, HEIGHT)
+
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """What has no room goes, first the rate, then what comes after the last frame and the words."""
+        """What has no room goes."""
         super().resizeEvent(event)
         self._fit()
 
@@ -204,16 +231,30 @@ class Transport(QWidget):
         self._fit()
 
     def _fit(self) -> None:
-        plays, wide = not self._stepping, self.width() >= _NARROWER_PX
+        layout = self.layout()
+        assert layout is not None
+        for form in _FORMS:
+            self._take_form(form)
+            layout.invalidate()
+            if layout.minimumSize().width() <= self.width():
+                break
+
+    def _take_form(self, form: _Form) -> None:
+        plays = not self._stepping
         self._leaving.setVisible(self._stepping)
         for widget in self._moving:
             widget.setVisible(plays)
-        for widget in (self._a_second, self.rate, self.speed):
-            widget.setVisible(plays and self.width() >= _NARROW_PX)
-        self.mode.setVisible(plays and wide)
+        for widget in (self.rate, self.speed):
+            widget.setVisible(plays and form.rates)
+        self._a_second.setVisible(plays and form.rates and form.words)
+        self.mode.setVisible(plays and form.mode)
         style = Qt.ToolButtonStyle
         for button in self._worded:
-            button.setToolButtonStyle(style.ToolButtonTextBesideIcon if wide else style.ToolButtonIconOnly)
+            button.setToolButtonStyle(
+                style.ToolButtonTextBesideIcon if form.words else style.ToolButtonIconOnly
+            )
+        for button in self._zooming:
+            button.setVisible(form.zoom)
 
     def _played(self, on: bool) -> None:
         set_icon(self.play, "pause" if on else "play")

@@ -191,8 +191,12 @@ class ArenaPage(QWidget):
         return self.session.state.workspace == SLUG and is_of_the_scene(self.session.subject)
 
     def refresh_soon(self, *_arguments: object) -> None:
-        """Show the session as it is when all that happens now has happened; unseen, when it is seen."""
-        if not self._waiting and self.isVisible():
+        """Show the session as it is when all that happens now has happened; unseen, when it is seen, but what
+        was measured of another scene is forgotten at once, since its docks stay beside other pages."""
+        if not self.isVisible():
+            if self._job is not None and self._job.scene is not self.session.sheet.scene:
+                self._begin(None)
+        elif not self._waiting:
             self._waiting = True
             self._due.emit()
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
     QFont,
+    QFontMetrics,
     QImage,
     QKeyEvent,
     QMouseEvent,
@@ -236,6 +237,7 @@ class MethodTile(QWidget):
             painter.drawText(self._line(0), left, _("not run yet"))
             return
         tests, time, divided, kept, differ = values
+        tests = beside(tests, time, painter.fontMetrics(), self._line(0).width())
         for line, side, value in ((0, left, tests), (0, right, time), (1, left, kept)):
             painter.drawText(self._line(line), side, value)
         font.setBold(bool(self.wrong))
@@ -311,6 +313,12 @@ class MethodTile(QWidget):
         """The ring goes."""
         super().focusOutEvent(event)
         self.update()
+
+
+def beside(count: str, other: str, metrics: QFontMetrics, room_px: float) -> str:
+    """How much of a count and its word has room on a line with another text: all, or the number alone."""
+    left = room_px - metrics.horizontalAdvance(other) - AIR_PX / 2
+    return count if metrics.horizontalAdvance(count) <= left else count.partition(" ")[0]
 
 
 def seconds_text(seconds: float, measured: bool = True) -> str:

@@ -71,7 +71,7 @@ class LitView(SceneView):
     def show_scene(self, scene: Scene, chosen: str = "") -> None:
         """Show a scene; until the picture of other objects has come, their edges."""
         if scene.objects != self.scene.objects:
-            self._image_came = False
+            self._came = None
         super().show_scene(scene, chosen)
 
     @property

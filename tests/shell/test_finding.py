@@ -1,0 +1,62 @@
+"""What is found by a few letters of it (Ctrl+K), and what is not."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pytestqt.qtbot import QtBot
+
+from workbench.document.samples.examples import example_document
+from workbench.session.session import Session
+from workbench.shell.command_palette import CommandPalette, match
+from workbench.shell.start import make_window
+
+SURFACES = "Question 7: Deciding what is hidden: surface against surface, or pixel by pixel?"
+
+
+@pytest.mark.parametrize(
+    ("letters", "text"),
+    [
+        ("GIF", SURFACES),  # g in Deciding, i of is, f in surface
+        ("letter", "Example: Two triangles that pierce"),
+        ("shading", "Question 6: How does a cathode-ray tube turn a beam of electrons into light?"),
+        ("turn", "Export the picture as PNG..."),
+    ],
+)
+def test_letters_out_of_the_middle_of_words_name_nothing(letters: str, text: str) -> None:
+    assert match(letters, text) is None
+
+
+@pytest.mark.parametrize(
+    ("letters", "text"),
+    [
+        ("expan", "Export the animation..."),
+        ("eta", "Export the animation..."),
+        ("brsnm", "Bresenham's line"),
+        ("line", "Polyline"),
+        ("surf px", SURFACES),
+        ("", "Undo"),
+    ],
+)
+def test_beginnings_of_words_and_what_follows_in_them_name_it(letters: str, text: str) -> None:
+    assert match(letters, text) is not None
+
+
+WORDS = st.lists(st.text("abcde", min_size=1, max_size=6), min_size=1, max_size=5)
+
+
+@given(WORDS, st.data())
+def test_any_choice_of_words_by_their_first_letters_is_found(words: list[str], data: st.DataObject) -> None:
+    chosen = data.draw(st.lists(st.sampled_from(range(len(words))), unique=True, min_size=1).map(sorted))
+    letters = "".join(words[k][: data.draw(st.integers(1, len(words[k])))] for k in chosen)
+    assert match(letters, " ".join(words)) is not None
+
+
+def test_a_command_is_found_by_what_its_tip_says(qtbot: QtBot) -> None:
+    window = make_window()
+    window.show()
+    window.attach(Session(window, example_document()))
+    palette = CommandPalette.open_over(window)
+    qtbot.keyClicks(palette.field, "gif")
+    rows = [palette.list.item(row).text() for row in range(palette.list.count())]
+    assert rows == ["Export this run...", "Export the animation..."]
+    window.close()
