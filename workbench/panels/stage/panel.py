@@ -75,7 +75,7 @@ class FigurePanel(ChosenFigures, QWidget):
         card.move(left + CARD_GAP_PX, CARD_GAP_PX)
         self._card = card
         self.leave_room(False)
-        self.empty = EmptyState(self.canvas, invitation, self._example_wanted)
+        self.empty = EmptyState(self.canvas, invitation, self.show_example)
         self._bar = QFrame()
         self._bar.setFixedWidth(TOOL_BAR_PX)
         column = QVBoxLayout(self._bar)
@@ -104,7 +104,7 @@ class FigurePanel(ChosenFigures, QWidget):
         """Bring everything that is shown up to date with the session."""
         raise NotImplementedError
 
-    def show_example(self) -> None:
+    def open_example(self) -> None:
         """Open the panel's own example."""
         raise NotImplementedError
 
@@ -130,10 +130,10 @@ class FigurePanel(ChosenFigures, QWidget):
     def clicked(self, x: int, y: int) -> None:
         """A cell was clicked."""
 
-    def _example_wanted(self) -> None:
-        """Open the example with what takes hold of it, rather than draw on it."""
+    def show_example(self) -> None:
+        """Open the panel's own example with what takes hold of it, rather than draw on it."""
         self.choose_tool("select")
-        self.show_example()
+        self.open_example()
 
     # What the window places
 
