@@ -48,9 +48,17 @@ class ChosenFigures(PlainPanel):
         self.apply(shift_order([figure.id for figure in self.selected()], by), _("Change order"))
 
     def group_selected(self) -> None:
-        """Let the selected figures stay together from now on."""
-        self.apply(group_figures([figure.id for figure in self.selected()]), _("Group"))
+        """Let the selected figures stay together from now on, and say so: the picture does not show it."""
+        figures = self.selected()
+        self.apply(group_figures([figure.id for figure in figures]), _("Group"))
+        self.hover_text.emit(
+            _("{n} figures are one group; hold Alt and click to select one of them.").format(n=len(figures))
+        )
 
     def ungroup_selected(self) -> None:
-        """Let each figure of the selected groups go by itself again."""
-        self.apply(ungroup_figures([figure.id for figure in self.selected()]), _("Ungroup"))
+        """Let each figure of the selected groups go by itself again, and say so."""
+        figures = self.selected()
+        groups = {figure.group for figure in figures} - {0}
+        freed = sum(figure.group in groups for figure in self.session.sheet.figures)
+        self.apply(ungroup_figures([figure.id for figure in figures]), _("Ungroup"))
+        self.hover_text.emit(_("Each of the {n} figures is by itself again.").format(n=freed))
