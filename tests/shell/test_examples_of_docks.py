@@ -53,3 +53,17 @@ def test_a_dock_without_a_run_opens_the_example_of_its_own_workspace(
     assert window.place == slug
     if isinstance(panels[0], FigurePanel):
         assert panels[0].tool.name == "select"
+
+
+@pytest.mark.parametrize("slug", ["fill", "clip", "draw"])
+def test_an_example_is_taken_hold_of_whatever_was_drawn_before(window: MainWindow, slug: str) -> None:
+    window.go(slug)
+    panel, session = window.panels(slug)[0], window.session
+    assert isinstance(panel, FigurePanel)
+    assert session is not None
+    drawing = panel.tool.name
+    assert drawing != "select"
+    session.open_example(OWN[slug])
+    assert panel.tool.name == "select"
+    session.new()
+    assert panel.tool.name == drawing

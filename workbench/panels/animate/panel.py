@@ -148,7 +148,7 @@ class AnimatePanel(SteppedPanel):
         if self.session.sheet.scene is None:
             super()._take_tool_when_empty()
 
-    def open_example(self) -> None:
+    def show_example(self) -> None:
         """Open the bouncing ball."""
         self.session.open_example(EXAMPLE)
 

@@ -45,7 +45,7 @@ class ClipPanel(SteppedPanel):
         """What a clipper works on."""
         return bool(clippers_of(figure))
 
-    def open_example(self) -> None:
+    def show_example(self) -> None:
         """Open the lines at a window."""
         self.session.open_example(EXAMPLE)
         self.session.update_state(active=self.session.sheet.figures[-1].id)

@@ -212,7 +212,7 @@ class CurvesPanel(SteppedPanel):
             self.refresh_soon()
         return super().eventFilter(watched, event)
 
-    def open_example(self) -> None:
+    def show_example(self) -> None:
         """Open a curve that is already drawn."""
         self.session.open_example(EXAMPLE)
         front = self.session.sheet.figures[-1].id

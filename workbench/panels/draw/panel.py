@@ -40,7 +40,7 @@ class DrawPanel(SteppedPanel):
         title = _("Distance")
         return [("distance", title, self.plot, Qt.DockWidgetArea.BottomDockWidgetArea)]
 
-    def open_example(self) -> None:
+    def show_example(self) -> None:
         """Open the picture with one line."""
         self.session.open_example("line")
         figures = self.session.sheet.figures

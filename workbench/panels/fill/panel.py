@@ -69,7 +69,7 @@ class FillPanel(SteppedPanel):
         """Areas, and fills from a seed."""
         return isinstance(figure, SeedFill) or figure.drawn_with in SPANS
 
-    def open_example(self) -> None:
+    def show_example(self) -> None:
         """Open the triangle of the course."""
         self.session.open_example("triangle")
         figures = self.session.sheet.figures

@@ -104,7 +104,7 @@ class FigurePanel(ChosenFigures, QWidget):
         """Bring everything that is shown up to date with the session."""
         raise NotImplementedError
 
-    def open_example(self) -> None:
+    def show_example(self) -> None:
         """Open the panel's own example."""
         raise NotImplementedError
 
@@ -129,11 +129,6 @@ class FigurePanel(ChosenFigures, QWidget):
 
     def clicked(self, x: int, y: int) -> None:
         """A cell was clicked."""
-
-    def show_example(self) -> None:
-        """Open the panel's own example with what takes hold of it, rather than draw on it."""
-        self.choose_tool("select")
-        self.open_example()
 
     # What the window places
 
@@ -173,7 +168,7 @@ class FigurePanel(ChosenFigures, QWidget):
                 signal.connect(self.refresh_soon)
         session.changed.connect(self._take_tool_when_empty)
         session.changed.connect(self._leave_overtaken)
-        session.opened.connect(self._end_gesture)
+        session.opened.connect(self._take_hold)
         session.path_changed.connect(self._take_run)
         canvas.pressed.connect(self._press)
         canvas.moved.connect(self._move)
@@ -242,6 +237,13 @@ class FigurePanel(ChosenFigures, QWidget):
         asks = self.isVisible() and not self.gesturing and not self.session.sheet.figures
         if asks and isinstance(self.tool, SelectTool):
             self.choose_tool(self.first_tool)
+
+    def _take_hold(self) -> None:
+        """What is opened is taken hold of; a tool that drew on something else would draw on it."""
+        self._end_gesture()
+        if self.tool.name != "select":
+            self.choose_tool("select")
+        self._take_tool_when_empty()
 
     def _press(self, x: float, y: float, modifiers: Modifiers) -> None:
         if self._answering:

@@ -167,7 +167,7 @@ class TransformPanel(SteppedPanel):
         chain = () if figure is None else figure.transforms
         return [(_("Points at every stage"), points_table(figure))] if figure is not None and chain else []
 
-    def open_example(self) -> None:
+    def show_example(self) -> None:
         """Open the triangle that is turned about a point, or in space the house about an axis."""
         if self.page == SPACE:
             self.space.show_example()
