@@ -57,9 +57,7 @@ def _refusal() -> str:
     """Why nothing is pasted, and what to do."""
     data = QGuiApplication.clipboard().mimeData()
     if data is not None and data.hasText() and data.text().strip():
-        return _(
-            "The text on the clipboard is not an SVG; go to Curves to paste points or path data."
-        )
+        return _("The text on the clipboard is not an SVG; go to Curves to paste points or path data.")
     return _("There are no figures on the clipboard; copy some first.")
 
 

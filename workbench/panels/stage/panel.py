@@ -56,9 +56,7 @@ class FigurePanel(ChosenFigures, QWidget):
         self.tools = list(tools)
         self.tool = self.tools[0]
         self.handle_drag = HandleDrag(session)
-        self._nudging = QTimer(self)
-        self._nudging.setSingleShot(True)
-        self._nudging.setInterval(NUDGING_MS)
+        self._nudging = QTimer(self, singleShot=True, interval=NUDGING_MS)
         self._nudging.timeout.connect(self._end_nudging)
         self.canvas = PixelCanvas()
         self._actions: dict[str, QAction] = {}
