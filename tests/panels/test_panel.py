@@ -33,7 +33,7 @@ def test_a_panel_answers_all_that_it_is_asked(qapp: object, name: str) -> None:
     session = Session(document=example_document())
     panel = panel_class(name)(session)
     given = {"point_at": (None,), "show_page": ("",), "offer_export": (QMenu(),)}
-    for asked in ASKED:
+    for asked in sorted(set(ASKED) - {"show_example"}):  # after which the sheet is another
         answer = getattr(panel, asked)
         if inspect.isfunction(vars(Panel)[asked]):
             answer = answer(*given.get(asked, ()))
@@ -49,6 +49,8 @@ def test_a_panel_answers_all_that_it_is_asked(qapp: object, name: str) -> None:
     assert panel_of([panel], type(panel)) is panel
     with pytest.raises(LookupError, match="no int here"):
         panel_of([panel], int)
+    panel.show_example()
+    assert (panel.example_wanted is not None) == name.endswith("InspectorPanel")
     for widget in (panel.center, *(dock for _name, _title, dock, _area in panel.docks())):
         widget.deleteLater()
     session.close()

@@ -1,13 +1,17 @@
 """The fill by crossings against exact fractions, and beside the fill with edge tables."""
 
+import re
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.polygons.exact import covered
+from tests.polygons.exact import covered, rings_of, winding_left_of
 from tests.polygons.test_scan_line_fill import Rings, coordinates, polygons, quarters
 from workbench.algorithms.polygons import scan_line_crossings, scan_line_fill
+from workbench.algorithms.polygons.scan_line_words import vertices_on
 
 far = st.one_of(st.integers(-(2**14), 2**14).map(float), quarters)
 
@@ -66,3 +70,53 @@ def test_the_triangle_of_the_course(closed):
 def test_less_than_a_polygon_ends(points):
     ends = [len(points)] if points else []
     assert all(left <= right for _y, left, right in spans((points, ends), True, False))
+
+
+STEP = [(1, 1), (7, 1), (7, 3), (9, 3), (9, 5), (5, 8), (1, 5)]
+TWO_FEET = [(0, 0), (2, 0), (4, 3), (6, 0), (8, 0), (4, 7)]
+
+
+@pytest.mark.parametrize(
+    ("ring", "y", "kind", "words"),
+    [
+        (STEP, 1, "bottom", "the level edge from (1, 1) to (7, 1)"),
+        (STEP, 3, "through", "the level edge from (7, 3) to (9, 3)"),
+        (STEP, 5, "through", "the vertices (9, 5), (1, 5)"),
+        (STEP, 8, "top", "the vertex (5, 8)"),
+        (STEP, 8, "bottom", ""),
+        (STEP, 4, "through", ""),
+        (
+            TWO_FEET,
+            0,
+            "bottom",
+            "the level edge from (0, 0) to (2, 0) and the level edge from (6, 0) to (8, 0)",
+        ),
+        (TWO_FEET, 3, "top", "the vertex (4, 3)"),
+        (TWO_FEET, 3, "bottom", ""),
+    ],
+)
+def test_what_a_row_has_is_named_whole(ring, y, kind, words):
+    ring = list(ring)
+    for turned in (ring, ring[2:] + ring[:2], ring[::-1]):
+        named = vertices_on(np.array(turned, np.float64), np.array([len(turned)], np.int64), y, kind)
+        assert _parts(named) == _parts(words)
+
+
+def _parts(words: str) -> list[str]:
+    """The places named, whatever their order round the ring."""
+    return sorted(re.findall(r"\([^)]*\)(?: to \([^)]*\))?", words))
+
+
+@given(polygons(st.integers(0, 6).map(float)), st.integers(0, 6))
+def test_both_ends_that_are_said_to_count_are_crossed(polygon, y):
+    """Of a place where edges begin, each end is a crossing of the row; where one goes on, one of its ends."""
+    points, ends = np.array(polygon[0], np.float64).reshape(-1, 2), np.array(polygon[1], np.int64)
+    crossed = {
+        x for x in range(7)
+        if winding_left_of(rings_of(*polygon), Fraction(x), Fraction(y))[1]
+        > winding_left_of(rings_of(*polygon), x - Fraction(1, 1000), Fraction(y))[1]
+    }  # fmt: skip
+    for place in _parts(vertices_on(points, ends, y, "bottom")):
+        assert {int(x) for x in re.findall(r"\((\d+),", place)} <= crossed
+    for place in _parts(vertices_on(points, ends, y, "through")):
+        assert {int(x) for x in re.findall(r"\((\d+),", place)} & crossed

@@ -154,11 +154,19 @@ def _point(number: int, line: str, separator: str, comma: bool) -> tuple[float, 
     cells = re.split(_SEPARATORS[separator], line.strip(" "))
     while len(cells) > 2 and not cells[-1].strip():
         cells.pop()
-    if len(cells) != 2:
+    if len(cells) < 2:
+        sentence = _("Line {line}: there is one value only; give x and y with {sign} between them.")
+        raise PointsError(sentence.format(line=number, sign=_name_of(separator)))
+    if len(cells) > 2:
         sentence = _("Line {line}: there are {count} values; give x and y, and nothing else.")
         raise PointsError(sentence.format(line=number, count=len(cells)))
     x, y = (_value(number, column, cell, comma) for column, cell in enumerate(cells, 1))
     return x, y
+
+
+def _name_of(separator: str) -> str:
+    names = {"\t": _("a tab"), ";": _("a semicolon"), ",": _("a comma"), " ": _("a blank")}
+    return names[separator]
 
 
 def _value(line: int, column: int, cell: str, comma: bool) -> float:

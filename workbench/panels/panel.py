@@ -60,6 +60,13 @@ class Panel(Protocol):
     def point_at(self, cell: Cell | None) -> None:
         """Show in the middle where such a pixel is."""
 
+    @property
+    def example_wanted(self) -> SignalInstance | None:
+        """Sent when one of its docks, with nothing to show, is asked for an example."""
+
+    def show_example(self) -> None:
+        """Open an example of what the workspace is about; asked of the panel in the middle."""
+
     def show_page(self, slug: str = "") -> None:
         """Show one of its pages, where it has several; an empty slug means the first."""
 
@@ -154,6 +161,14 @@ class PlainPanel:
 
     def point_at(self, cell: Cell | None) -> None:
         """There is nothing to show it on."""
+
+    @property
+    def example_wanted(self) -> SignalInstance | None:
+        """Nothing."""
+        return None
+
+    def show_example(self) -> None:
+        """It has none."""
 
     def show_page(self, slug: str = "") -> None:
         """There is but one."""

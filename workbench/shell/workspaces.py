@@ -1,6 +1,7 @@
 """The workspaces, in the order of the course: each an arrangement of panels over one session."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
@@ -72,14 +73,23 @@ def panel_class(panel: str) -> "Callable[[Session], Panel]":
 
 
 def join(panels: "Sequence[Panel]") -> None:
-    """Let the panel in the middle of a workspace point at the pixels that the others name, and say whether
-    their buttons step."""
+    """Let the panel in the middle of a workspace point at the pixels that the others name, open the example
+    that they are asked for, and say whether their buttons step.
+    """
     stepping = panels[0].stepping
     for panel in panels:
         if stepping is not None and panel.step_bar is not None:
             stepping.connect(panel.step_bar.show_buttons)
         if panel.pointing is not None:
             panel.pointing.connect(panels[0].point_at)
+        if panel.example_wanted is not None:
+            panel.example_wanted.connect(partial(_show_example, panels[0]))
+
+
+def _show_example(middle: "Panel") -> None:
+    # Workspaces share the panels beside the middle: only the one that is seen answers
+    if middle.center.isVisible():
+        middle.show_example()
 
 
 def panel_of(panels: "Sequence[Panel]", kind: type[P]) -> P:

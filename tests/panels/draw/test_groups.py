@@ -106,6 +106,28 @@ def test_group_and_ungroup_by_key_are_steps_of_undo(qtbot, session, panel, squar
     assert set(session.state.selection) == {fill, stroke}
 
 
+def test_grouping_is_said_and_the_card_tells_a_group_from_figures(qtbot, session, panel, square):
+    said = []
+    panel.hover_text.connect(said.append)
+    click(qtbot, panel, 20, 25)
+    assert panel.card.title.text() == "Group of 2 figures"
+    panel.canvas.setFocus()
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_A, CTRL)
+    settle()
+    assert panel.card.title.text() == "3 figures"
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_G, CTRL)
+    assert said[-1] == "3 figures are one group; hold Alt and click to select one of them."
+    settle()
+    assert panel.card.title.text() == "Group of 3 figures"
+    session.update_state(selection=tuple(square[:2]))
+    settle()
+    assert panel.card.title.text() == "2 figures"
+    qtbot.keyClick(panel.canvas, Qt.Key.Key_G, CTRL | SHIFT)
+    assert said[-1] == "Each of the 3 figures is by itself again."
+    settle()
+    assert panel.card.title.text() == "2 figures"
+
+
 def test_a_group_is_copied_pasted_ordered_and_removed_as_one(qtbot, session, panel, square):
     fill, stroke, line = square
     click(qtbot, panel, 20, 25)

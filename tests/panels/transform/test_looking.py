@@ -14,9 +14,10 @@ from workbench.document.transforms.chains import matrix_of
 from workbench.document.transforms.edits import add_transform
 from workbench.document.transforms.links import Affine, Reflect, Scale, Translate
 from workbench.exchange.writing import format_for, write
-from workbench.panels.stage.labels import clear_of, overlap, word_box
+from workbench.panels.stage.labels import clear_of, word_box
 from workbench.panels.stage.pages import formats_of
 from workbench.session.session import Session
+from workbench.widgets.canvas.label_places import hidden_area
 
 
 def test_the_products_are_stepped_cell_by_cell(qtbot, panel, session):
@@ -149,7 +150,7 @@ def test_a_label_goes_where_no_handle_is(panel):
     grips = panel.view.chain_box.box.places().values()
     near = [(x - 1.0 * unit, y, x + 1.0 * unit, y + 1.0 * unit) for x, y in grips]
     assert near
-    assert all(overlap(word_box(label, unit), spot) == 0.0 for spot in near)
+    assert hidden_area(word_box(label, unit), np.array(near)) == 0.0
 
 
 def test_the_card_stays_small_beside_twenty_links(panel, session):
@@ -175,7 +176,7 @@ def test_of_the_sides_of_a_point_the_free_one_is_taken(right, up):
     middles = [((a + c) / 2, (b + d) / 2) for (i, j), (a, b, c, d) in boxes.items() if (i, j) != (right, up)]
     (placed,) = clear_of([word], middles, 1.0)
     taken = {
-        side: sum(overlap(box, (x - 8, y - 8, x + 8, y + 8)) for x, y in middles)
+        side: hidden_area(box, np.array([(x - 8, y - 8, x + 8, y + 8) for x, y in middles]))
         for side, box in boxes.items()
     }
     assert taken[placed.right, placed.up] == min(taken.values())

@@ -15,8 +15,7 @@ from pytestqt.qtbot import QtBot
 from workbench.algorithms.curves import bernstein
 from workbench.widgets.canvas.drawing import Marker, PenStroke, Tint, paint_drawn
 from workbench.widgets.canvas.lines import paint_lines
-from workbench.widgets.canvas.marks import GRAB
-from workbench.widgets.canvas.overlay import Handle, Overlay
+from workbench.widgets.canvas.overlay import GRAB, Handle, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.look.tokens import DARK, LIGHT, theme
 

@@ -74,9 +74,9 @@ def _filled(when: str, sentence: str) -> View:
     return View(block=_FILL, when=when, sentence=sentence)
 
 
-def _vertices(kind: str, condition: str, sentence: str) -> View:
+def _vertices(kind: str, sentence: str) -> View:
     named = f"vertices_on(vertices, ring_ends, y, '{kind}')"
-    return _crossed(f"{condition}{named}", f"Row {{y}} has the vertex {{{named}}}: " + sentence)
+    return _crossed(named, f"Row {{y}} has {{{named}}}: " + sentence)
 
 
 COLUMNS = ("y", "x of the crossings", "pixels", "count")
@@ -101,12 +101,9 @@ VIEWS = (
         block="Find the lowest and the highest row",
         sentence="The polygon reaches from row {lowest} to row {highest}.",
     ),
-    _vertices(
-        "top", "closed and ", "both edges end there, so it is not crossed; closed fills the vertex itself."
-    ),
-    _vertices("top", "", "both edges end there, so it is not crossed: half-open leaves it out."),
-    _vertices("bottom", "", "both edges begin there, so it counts twice."),
-    _vertices("through", "", "one edge ends and the next goes on, so it counts once."),
+    _vertices("top", "the edges on both sides end there, so neither counts."),
+    _vertices("bottom", "the edges on both sides begin there, so both count."),
+    _vertices("through", "one edge ends and the next goes on, so only one counts."),
     _crossed("len(crossings) == 0", "Row {y} meets none of the {len(after)} edges."),
     _crossed("True", "Row {y} crosses {len(crossed(crossings))} of the {len(after)} edges."),
     View(block=_SORT, when="crossed(crossings)", sentence=f"From left to right: x = {{{_XS}}}."),

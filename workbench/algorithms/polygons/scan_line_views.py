@@ -54,7 +54,7 @@ def _changed(when: str, sentence: str) -> View:
 
 def _vertices(kind: str, condition: str, sentence: str) -> View:
     found = f"vertices_on(vertices, ring_ends, y, '{kind}')"
-    return _changed(f"{condition}{found}", f"Row {{y}} has the vertex {{{found}}}: " + sentence)
+    return _changed(f"{condition}{found}", f"Row {{y}} has {{{found}}}: " + sentence)
 
 
 COLUMNS = ("y", "x of the crossings", "pixels", "count")
@@ -76,15 +76,15 @@ VIEWS = (
     _vertices(
         "top",
         "closed and ",
-        "the edges on both sides end, so it counts twice. The two crossings are a pair, and closed fills it.",
+        "the edges on both sides end there, so both count. They are a pair, and closed fills it.",
     ),
     _vertices(
         "top",
         "",
-        "the edges on both sides end, so it counts twice. The pair is empty under half-open: it is left out.",
+        "the edges on both sides end there, so both count. Half-open leaves out the pair, which is empty.",
     ),
-    _vertices("bottom", "", "the edges on both sides begin, so it counts twice, as a pair."),
-    _vertices("through", "", "one edge ends and the next goes on, so it counts once."),
+    _vertices("bottom", "", "the edges on both sides begin there, so both count, as a pair."),
+    _vertices("through", "", "one edge ends and the next goes on, so only one counts."),
     _changed("len(active) == 0", "No edge is left."),
     _changed("True", "From row {y} on {len(active)} edges are active."),
     _filled(f"len({_SPANS}) == 0", _CROSSED + ": no pixel's centre lies between."),

@@ -104,11 +104,12 @@ def moves(active: Sequence[Crossing]) -> str:
 
 
 def vertices_on(vertices: NDArray[Any], ring_ends: NDArray[Any], y: int, kind: str) -> str:
-    """The vertices on row y at which the polygon turns back (``top``, ``bottom``) or goes on (``through``).
+    """Where on row y the polygon turns back (``top``, ``bottom``) or goes on (``through``), in words.
 
-    Vertices side by side on the row are one, and named by the first.
+    Vertices side by side on the row are one such place: the level edge between them.
     """
-    found: list[str] = []
+    corners: list[str] = []
+    levels: list[str] = []
     start = 0
     for end in ring_ends.tolist():
         ring = vertices[start:end, :2].tolist()
@@ -122,5 +123,11 @@ def vertices_on(vertices: NDArray[Any], ring_ends: NDArray[Any], y: int, kind: s
             if point[1] != y:
                 before, first = point, after
             elif after[1] != y and kind == _KINDS[(before[1] < y) + (after[1] < y)]:
-                found.append(f"({listed(first)})")
-    return listed(found)
+                (left, _y), (right, _y) = sorted((first, point))
+                if left == right:
+                    corners.append(f"({listed(point)})")
+                else:
+                    levels.append(f"the level edge from ({listed([left, y])}) to ({listed([right, y])})")
+    if corners:
+        levels.insert(0, f"the {'vertex' if len(corners) == 1 else 'vertices'} {listed(corners)}")
+    return " and ".join(levels[:_LISTED])

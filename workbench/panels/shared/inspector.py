@@ -20,15 +20,15 @@ class InspectorPanel(PlainPanel, QWidget):
     """Docks over the run of a session, and the step bar below the workspace.
 
     ``hover_text``: what is to be said in passing. ``pixel_pointed``: a pixel (x, y) that the sentence names
-    and that is pointed at or was clicked, None when no longer.
+    and that is pointed at or was clicked, None when no longer. ``example_asked``: for an example to inspect.
     """
 
     hover_text = Signal(str)
     pixel_pointed = Signal(object)
+    example_asked = Signal()
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._session = session
         run = session.run
         self._chosen: tuple[int, int] | None = None
         self.title = _("Inspector")
@@ -51,7 +51,7 @@ class InspectorPanel(PlainPanel, QWidget):
         self.source.refused.connect(self.hover_text)
         self.hand.copied.connect(self.hover_text)
         for view in (self.source, self.about, self.variables, self.hand):
-            view.example_wanted.connect(self.show_example)
+            view.example_wanted.connect(self.example_asked)
 
     def _show_variable(self, name: str) -> None:
         self.variables.point_at(name)
@@ -106,6 +106,7 @@ class InspectorPanel(PlainPanel, QWidget):
         """What was copied, and what cannot be run to."""
         return Said(self.hover_text)
 
-    def show_example(self, *_args: object) -> None:
-        """Open the line that is already drawn."""
-        self._session.open_example("line")
+    @property
+    def example_wanted(self) -> SignalInstance:
+        """A view without a run was asked for an example."""
+        return self.example_asked

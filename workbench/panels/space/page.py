@@ -3,8 +3,8 @@
 A page is one more row of ``pages()`` and a widget made with the session. Alt and its number in the table show
 it; the page switch at the top of the workspace has a button for it. What a page offers beside itself it says
 as a panel does, by ``docks()`` and ``commands()``; ``usual`` is the subject that is stepped on it at first,
-and each page has a position of its own. The scene as it is seen, with the camera of whoever looks around, is
-``seen_scene(session.state, session.sheet)``.
+``example`` what is opened where there is nothing to see, and each page has a position of its own. The scene
+as it is seen, with the camera of whoever looks around, is ``seen_scene(session.state, session.sheet)``.
 """
 
 from collections.abc import Callable, Sequence
@@ -26,6 +26,7 @@ class Page(Protocol):
     """What fills the workspace while it is chosen."""
 
     usual: Subject
+    example: str
 
     @property
     def widget(self) -> QWidget:

@@ -113,6 +113,10 @@ class SpacePanel(PlainPanel, QWidget):
         """Show on the page where a pixel is that the sentence names."""
         self._pages[self.page].point_at(cell)
 
+    def show_example(self) -> None:
+        """That of the page."""
+        self.session.open_example(self._pages[self.page].example)
+
     def tables(self) -> Sequence[tuple[str, Table]]:
         """Those of the page."""
         return self._pages[self.page].tables()

@@ -55,6 +55,7 @@ class ProjectionPage(ViewCommands, QWidget):
     _due = Signal()
 
     usual = Subject(KIND)
+    example = "space-house"
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)

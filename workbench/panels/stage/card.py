@@ -30,7 +30,7 @@ from workbench.document.model import (
     Sheet,
     WorldPoint,
 )
-from workbench.language import _, ngettext
+from workbench.language import _
 from workbench.panels.stage.chain_notes import ChainNotes
 from workbench.panels.stage.folding_card import FoldingCard, fill_choices
 from workbench.panels.stage.tools import FigureTool
@@ -157,8 +157,7 @@ class ParameterCard(FoldingCard):
         if one is not None:
             self.title.setText(one.name or kind_title(one))
         elif figures:
-            text = ngettext("{n} figure", "{n} figures", len(figures))
-            self.title.setText(text.format(n=len(figures)))
+            self.title.setText(_title_of_several(figures, sheet))
         else:
             new = _("New {what}").format(what=tool.title.lower()) if tool is not None else _("Sheet")
             self.title.setText(new)
@@ -284,3 +283,12 @@ class ParameterCard(FoldingCard):
 
     def _choose_compare(self, index: int) -> None:
         self._session.update_state(compare=self.compare.itemData(index))
+
+
+def _title_of_several(figures: Sequence[AnyFigure], sheet: Sheet) -> str:
+    """How many they are, and whether they are one whole group."""
+    groups = {figure.group for figure in figures}
+    one_group = len(groups) == 1 and groups != {0}
+    if one_group and len(sheet.together([figures[0].id])) == len(figures):
+        return _("Group of {n} figures").format(n=len(figures))
+    return _("{n} figures").format(n=len(figures))

@@ -49,15 +49,24 @@ class ChosenFigures(PlainPanel):
         self.apply(shift_order([figure.id for figure in self.selected()], by), _("Change order"))
 
     def group_selected(self) -> bool:
-        """Let the selected figures stay together from now on; False where there are not two."""
+        """Let the selected figures stay together from now on, and say so, which the picture does not; False
+        where there are not two."""
         ids = [figure.id for figure in self.selected()]
-        if len(ids) > 1:
-            self.apply(group_figures(ids), _("Group"))
-        return len(ids) > 1
+        if len(ids) < 2:
+            return False
+        self.apply(group_figures(ids), _("Group"))
+        self.hover_text.emit(
+            _("{n} figures are one group; hold Alt and click to select one of them.").format(n=len(ids))
+        )
+        return True
 
     def ungroup_selected(self) -> bool:
-        """Let each figure of the selected groups go by itself again; False where no group is selected."""
-        ids = [figure.id for figure in self.selected() if figure.group]
-        if ids:
-            self.apply(ungroup_figures(ids), _("Ungroup"))
-        return bool(ids)
+        """Let each figure of the selected groups go by itself again, and say so; False where there is none."""
+        figures = self.selected()
+        groups = {figure.group for figure in figures} - {0}
+        if not groups:
+            return False
+        freed = sum(figure.group in groups for figure in self.session.sheet.figures)
+        self.apply(ungroup_figures([figure.id for figure in figures]), _("Ungroup"))
+        self.hover_text.emit(_("Each of the {n} figures is by itself again.").format(n=freed))
+        return True

@@ -47,10 +47,18 @@ def paste_figures(session: Session, say: Callable[[str], object]) -> None:
     sheet = session.sheet
     job = _job_held(sheet)
     if job is None:
-        say(_("There are no figures on the clipboard; copy some first."))
+        say(_refusal())
         return
     take, prepare = partial(_take, session, sheet, say), partial(_placed, session.document, sheet)
     session.incoming.read(job, _("figures"), take, say, prepare)
+
+
+def _refusal() -> str:
+    """Why nothing is pasted, and what to do."""
+    data = QGuiApplication.clipboard().mimeData()
+    if data is not None and data.hasText() and data.text().strip():
+        return _("The text on the clipboard is not an SVG; go to Curves to paste points or path data.")
+    return _("There are no figures on the clipboard; copy some first.")
 
 
 def _job_held(sheet: Sheet) -> Job | None:

@@ -1,13 +1,15 @@
 """Labels go to that side of their points where they hide least of the handles, and of one another."""
 
-import math
 from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
 
 from workbench.algorithms.marks import Word
 from workbench.widgets.canvas.drawing import Drawn
+from workbench.widgets.canvas.label_places import Box, around, freest
 
 Place = tuple[float, float]
-Box = tuple[float, float, float, float]
 
 _LETTER_PX, _HIGH_PX, _AWAY_PX, _PAD_PX = 6.8, 18.0, 7.0, 6.0
 _GRIP_PX = 8.0
@@ -19,28 +21,23 @@ def clear_of(drawn: Iterable[Drawn], handles: Sequence[Place], unit: float) -> l
     side is the first choice. ``unit`` device units are one logical pixel.
     """
     reach = _GRIP_PX * unit
-    taken = [(x - reach, y - reach, x + reach, y + reach) for x, y in handles]
+    taken = around(np.array(handles, np.float64).reshape(-1, 2), reach)
     placed: list[Drawn] = []
     for each in drawn:
         if isinstance(each, Word) and each.carded:
             each, box = _freest(each, taken, unit)
-            taken.append(box)
+            taken = np.vstack([taken, box])
         placed.append(each)
     return placed
 
 
-def _freest(word: Word, taken: Sequence[Box], unit: float) -> tuple[Word, Box]:
+def _freest(word: Word, taken: NDArray[np.float64], unit: float) -> tuple[Word, Box]:
     """The word at its first side that is free, else at that where it hides least, and where it is then."""
-    best, least = (word, word_box(word, unit)), math.inf
-    for right, up in dict.fromkeys(((word.right, word.up), *_SIDES)):
-        turned = word._replace(right=right, up=up)
-        box = word_box(turned, unit)
-        hidden = sum(overlap(box, other) for other in taken)
-        if hidden < least:
-            best, least = (turned, box), hidden
-        if hidden == 0.0:
-            break
-    return best
+    sides = list(dict.fromkeys(((word.right, word.up), *_SIDES)))
+    turned = [word._replace(right=right, up=up) for right, up in sides]
+    boxes = [word_box(each, unit) for each in turned]
+    best = freest(boxes, taken)
+    return turned[best], boxes[best]
 
 
 def word_box(word: Word, unit: float) -> Box:
@@ -49,10 +46,3 @@ def word_box(word: Word, unit: float) -> Box:
     left = word.x + word.right * _AWAY_PX * unit - wide * (1 - word.right) / 2
     low = word.y + word.up * _AWAY_PX * unit - high * (1 - word.up) / 2
     return left, low, left + wide, low + high
-
-
-def overlap(a: Box, b: Box) -> float:
-    """The area that two boxes have in common."""
-    if a[0] >= b[2] or b[0] >= a[2] or a[1] >= b[3] or b[1] >= a[3]:
-        return 0.0
-    return (min(a[2], b[2]) - max(a[0], b[0])) * (min(a[3], b[3]) - max(a[1], b[1]))

@@ -56,9 +56,7 @@ class FigurePanel(ChosenFigures, QWidget):
         self.tools = list(tools)
         self.tool = self.tools[0]
         self.handle_drag = HandleDrag(session)
-        self._nudging = QTimer(self)
-        self._nudging.setSingleShot(True)
-        self._nudging.setInterval(NUDGING_MS)
+        self._nudging = QTimer(self, singleShot=True, interval=NUDGING_MS)
         self._nudging.timeout.connect(self._end_nudging)
         self.canvas = PixelCanvas()
         self._actions: dict[str, QAction] = {}
@@ -75,7 +73,7 @@ class FigurePanel(ChosenFigures, QWidget):
         card.move(left + CARD_GAP_PX, CARD_GAP_PX)
         self._card = card
         self.leave_room(False)
-        self.empty = EmptyState(self.canvas, invitation, self._example_wanted)
+        self.empty = EmptyState(self.canvas, invitation, self.show_example)
         self._bar = QFrame()
         self._bar.setFixedWidth(TOOL_BAR_PX)
         column = QVBoxLayout(self._bar)
@@ -130,11 +128,6 @@ class FigurePanel(ChosenFigures, QWidget):
     def clicked(self, x: int, y: int) -> None:
         """A cell was clicked."""
 
-    def _example_wanted(self) -> None:
-        """Open the example with what takes hold of it, rather than draw on it."""
-        self.choose_tool("select")
-        self.show_example()
-
     # What the window places
 
     @property
@@ -173,7 +166,7 @@ class FigurePanel(ChosenFigures, QWidget):
                 signal.connect(self.refresh_soon)
         session.changed.connect(self._take_tool_when_empty)
         session.changed.connect(self._leave_overtaken)
-        session.opened.connect(self._end_gesture)
+        session.opened.connect(self._take_hold)
         session.path_changed.connect(self._take_run)
         canvas.pressed.connect(self._press)
         canvas.moved.connect(self._move)
@@ -242,6 +235,13 @@ class FigurePanel(ChosenFigures, QWidget):
         asks = self.isVisible() and not self.gesturing and not self.session.sheet.figures
         if asks and isinstance(self.tool, SelectTool):
             self.choose_tool(self.first_tool)
+
+    def _take_hold(self) -> None:
+        """What is opened is taken hold of; a tool that drew on something else would draw on it."""
+        self._end_gesture()
+        if self.tool.name != "select":
+            self.choose_tool("select")
+        self._take_tool_when_empty()
 
     def _press(self, x: float, y: float, modifiers: Modifiers) -> None:
         if self._answering:

@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
+from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from workbench.rendering.comparing import BOTH, ONLY_FIRST, TIE_FIRST, TIE_SECOND
 from workbench.widgets.canvas.drawing import ink_of
+from workbench.widgets.canvas.handle_names import handle_names, paint_label
 from workbench.widgets.canvas.lines import on_screen
-from workbench.widgets.canvas.overlay import Cell, GripShape, Handle
-from workbench.widgets.look.tokens import colour
+from workbench.widgets.canvas.overlay import HANDLE, Cell, GripShape, Handle, handle_places
 
 if TYPE_CHECKING:
     from workbench.widgets.canvas.painter import Scene
 
-HANDLE, GRAB = 9, 24
 PATTERN_FROM = 10
-MOST_NAMED = 40
 
 GripKind = tuple[GripShape, str, bool]
 
@@ -118,24 +116,12 @@ def _snap(painter: QPainter, box: QRectF, scene: Scene) -> None:
     painter.drawLine(QPointF(middle.x(), middle.y() - arm), QPointF(middle.x(), middle.y() + arm))
 
 
-def handle_places(handles: Sequence[Handle]) -> NDArray[np.float64]:
-    """(n, 2) device points of handles."""
-    count = len(handles)
-    x = np.fromiter((handle.x for handle in handles), float, count)
-    y = np.fromiter((handle.y for handle in handles), float, count)
-    return np.stack([x, y], axis=1)
-
-
 def paint_handles(painter: QPainter, scene: Scene) -> None:
-    """Grips; each name stands on the side away from the other handles, clear of the figure.
-
-    Of many handles only those selected bear their names, as long as they are few.
-    """
+    """Grips, and the names of those for which there is room."""
     handles = scene.overlay.handles
     if not handles:
         return
-    places = handle_places(handles)
-    x, y = on_screen(scene, places)
+    x, y = on_screen(scene, handle_places(handles))
     area, side = scene.area, HANDLE * scene.unit
     seen = (x >= area.left - side) & (x <= area.right + side)
     seen &= (y >= area.top - side) & (y <= area.bottom + side)
@@ -145,18 +131,8 @@ def paint_handles(painter: QPainter, scene: Scene) -> None:
             _paint_grip(painter, scene, _kind(handles[number]), QPointF(x[number], y[number]))
     else:
         _set_down(painter, scene, [handles[k] for k in numbers.tolist()], x[seen], y[seen])
-    named = [k for k, handle in enumerate(handles) if handle.name]
-    middle_x, middle_y = (places[named] if named else places).mean(axis=0)
-    shown = named if len(named) <= MOST_NAMED else [k for k in named if handles[k].selected]
-    for number in shown if len(shown) <= MOST_NAMED else ():
-        handle = handles[number]
-        if seen[number]:
-            label = f"{handle.name} ({handle.x:g}, {handle.y:g})"
-            clear = side / 2 + max(side / 2, scene.view.cell / 2)
-            right = -1 if handle.x < middle_x else 1
-            up = -1 if handle.y < middle_y else 1
-            at = x[number] + right * clear, y[number] - up * clear
-            paint_label(painter, label, *at, scene, right, up)
+    for text, box in handle_names(scene):
+        paint_label(painter, text, box, scene)
 
 
 def _kind(handle: Handle) -> GripKind:
@@ -206,29 +182,6 @@ def _paint_grip(painter: QPainter, scene: Scene, kind: tuple[GripShape, str, boo
         more = 0.75 * unit if selected else 0.0  # its edge has the colour of the ground
         painter.drawEllipse(grip.adjusted(-more, -more, more, more))
     painter.setBrush(Qt.BrushStyle.NoBrush)
-
-
-def paint_label(
-    painter: QPainter, text: str, x: float, y: float, scene: Scene, right: int = 1, up: int = 1
-) -> None:
-    """A small card with text right (left: -1) of and above (below: -1) a point, kept in the area."""
-    font = scene.caption()
-    metrics = QFontMetricsF(font)
-    lines = text.split("\n")
-    pad = 4 * scene.unit
-    width = max(metrics.horizontalAdvance(line) for line in lines) + 2 * pad
-    height = len(lines) * metrics.height() + pad
-    area = scene.area
-    left = min(max(x if right > 0 else x - width, area.left + pad), area.right - width - pad)
-    top = min(max(y - height if up > 0 else y, area.top + pad), area.bottom - height - pad)
-    painter.setPen(QPen(QColor(scene.tokens.line), 1))
-    painter.setBrush(colour(scene.tokens.raised, 235))
-    painter.drawRoundedRect(QRectF(left, top, width, height), 3 * scene.unit, 3 * scene.unit)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setFont(font)
-    painter.setPen(QColor(scene.tokens.text))
-    for k, line in enumerate(lines):
-        painter.drawText(QPointF(left + pad, top + pad / 2 + metrics.ascent() + k * metrics.height()), line)
 
 
 def _paint_patterns(painter: QPainter, scene: Scene) -> None:

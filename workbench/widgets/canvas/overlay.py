@@ -1,5 +1,6 @@
 """What a pixel canvas shows over its picture. Everything is in device coordinates, as values."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -7,6 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.widgets.canvas.drawing import Drawn
+
+HANDLE, GRAB = 9, 24
+"""How wide a grip is, and where it can be grabbed, in logical pixels."""
 
 Cell = tuple[int, int]
 GripShape = Literal["round", "square", "diamond", "mark"]
@@ -28,6 +32,14 @@ class Handle:
     selected: bool = False
     shape: GripShape = "round"
     ink: str = "accent"
+
+
+def handle_places(handles: Sequence[Handle]) -> NDArray[np.float64]:
+    """(n, 2) device points of handles."""
+    count = len(handles)
+    x = np.fromiter((handle.x for handle in handles), float, count)
+    y = np.fromiter((handle.y for handle in handles), float, count)
+    return np.stack([x, y], axis=1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

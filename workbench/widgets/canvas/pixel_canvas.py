@@ -22,8 +22,7 @@ from PySide6.QtWidgets import QWidget
 
 from workbench.geometry.conventions import round_half_up
 from workbench.widgets.canvas.edge_scroll import EdgeScroll
-from workbench.widgets.canvas.marks import GRAB, handle_places
-from workbench.widgets.canvas.overlay import Cell, Handle
+from workbench.widgets.canvas.overlay import GRAB, Cell, Handle, handle_places
 from workbench.widgets.canvas.surface import CanvasSurface
 
 # Up to so far, in logical pixels, a press that trembles is a click, and drags nothing.

@@ -17,7 +17,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from workbench.widgets.canvas.marks import GRAB, paint_label
+from workbench.widgets.canvas.handle_names import paint_label, tag_box
+from workbench.widgets.canvas.overlay import GRAB
 from workbench.widgets.canvas.painter import Scene
 from workbench.widgets.canvas.plane import GRID_PX, Plane, grid_step, paint_plane, scene_of
 from workbench.widgets.canvas.view import Area
@@ -198,9 +199,8 @@ class PlaneView(QWidget):
         paint_plane(painter, self._plane, scene, small=False)
         if self._tag:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-            paint_label(
-                painter, self._tag, (self._pointer.x() + 14) * unit, (self._pointer.y() - 10) * unit, scene
-            )
+            at = self._pointer.x() * unit, self._pointer.y() * unit
+            paint_label(painter, self._tag, tag_box(self._tag, *at, scene), scene)
         if self.hasFocus():
             painter.setPen(QPen(QColor(tokens().accent), 2 * unit))
             painter.setBrush(Qt.BrushStyle.NoBrush)

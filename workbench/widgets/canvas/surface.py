@@ -11,7 +11,8 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPen, QRegion, 
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.language import _
-from workbench.widgets.canvas.marks import paint_label, ring
+from workbench.widgets.canvas.handle_names import label_box, label_size, paint_label, tag_box
+from workbench.widgets.canvas.marks import ring
 from workbench.widgets.canvas.overlay import Cell, Overlay, Still
 from workbench.widgets.canvas.painter import Picture, Scene, paint_over, paint_scene
 from workbench.widgets.canvas.rulers import Rulers, paint_rulers, ruler_sizes
@@ -322,8 +323,7 @@ class CanvasSurface(QWidget):
             self._paint_cursor(painter, scene)
         tag = self._tag or self._hover_text()
         if tag:
-            x, y = self._screen(self._pointer)
-            paint_label(painter, tag, x + 14 * unit, y - 10 * unit, scene)
+            paint_label(painter, tag, tag_box(tag, *self._screen(self._pointer), scene), scene)
         if self.hasFocus():
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QPen(QColor(scene.tokens.accent), 2 * unit))
@@ -357,7 +357,8 @@ class CanvasSurface(QWidget):
         assert self._cursor is not None
         left, top, side = self._paint_ring(painter, scene, self._cursor)
         if not self._tag and self._describe is not None:
-            paint_label(painter, self._describe(*self._cursor), left + side, top, scene)
+            text = self._describe(*self._cursor)
+            paint_label(painter, text, label_box(label_size(text, scene), left + side, top, scene), scene)
 
     def _paint_ring(self, painter: QPainter, scene: Scene, cell: Cell) -> tuple[float, float, float]:
         left, top, side = scene.view.cell_box(*cell)

@@ -53,6 +53,7 @@ class ArenaPage(QWidget):
     _due = Signal()
 
     usual = Subject(KIND, entry=painter.__name__)
+    example = READY[0]
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -82,7 +83,7 @@ class ArenaPage(QWidget):
         self.empty = EmptyState(
             self.grid,
             _("This sheet has no scene."),
-            partial(session.open_example, READY[0]),
+            partial(session.open_example, self.example),
             _("Show three bars in a ring"),
         )
         self.setFocusProxy(self.grid)

@@ -36,7 +36,7 @@ from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import theme_changed, tokens
 from workbench.widgets.stepping.step_bar import stepping_keys
 
-PAGE, EXAMPLE = "shading", "shading-ball"
+PAGE = "shading"
 
 
 class ShadingPage(QWidget):
@@ -47,6 +47,7 @@ class ShadingPage(QWidget):
     _due = Signal()
 
     usual = Subject(KIND, entry=LIT_SHADINGS[1], arguments={"columns": 24})
+    example = "shading-ball"
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -258,7 +259,7 @@ class ShadingPage(QWidget):
             self.hover_text.emit(_("Nothing is lit at ({x}, {y}).").format(x=x, y=y))
 
     def _show_example(self) -> None:
-        self.session.open_example(EXAMPLE)
+        self.session.open_example(self.example)
 
     def _arrow(self, dx: int, _dy: int, _modifiers: object) -> None:
         if dx > 0:

@@ -56,7 +56,6 @@ from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import theme_changed, tokens
 from workbench.widgets.stepping.step_bar import stepping_keys
 
-EXAMPLE = "overlapping-triangles"
 CARD_GAP_PX = 8
 _MOST_MARKED = 400
 
@@ -69,6 +68,7 @@ class VisibilityPage(QWidget):
     _due = Signal()
 
     usual = Subject(KIND)
+    example = "overlapping-triangles"
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -355,7 +355,7 @@ class VisibilityPage(QWidget):
             self.hover_text.emit(str(problem))
 
     def _show_example(self) -> None:
-        self.session.open_example(EXAMPLE)
+        self.session.open_example(self.example)
 
     def _arrow(self, dx: int, _dy: int, _modifiers: object) -> None:
         if dx > 0:

@@ -1,0 +1,69 @@
+"""A dock with nothing to show opens the example of the workspace that it stands in."""
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPushButton
+from pytestqt.qtbot import QtBot
+
+from workbench.document.samples.examples import blank_sheet, example
+from workbench.panels.shared.inspector import InspectorPanel
+from workbench.panels.stage.panel import FigurePanel
+from workbench.session.session import Session
+from workbench.shell.settings import Settings
+from workbench.shell.start import make_window
+from workbench.shell.window import MainWindow
+from workbench.shell.workspaces import panel_of
+
+OWN = {
+    "draw": "line",
+    "fill": "triangle",
+    "clip": "clip",
+    "space": "space-house",
+}
+
+
+@pytest.fixture
+def window(qtbot: QtBot) -> Iterator[MainWindow]:
+    window = make_window(Settings())
+    window.show()
+    window.resize(1280, 680)
+    window.attach(Session(window, blank_sheet()))
+    for slug in OWN:
+        window.go(slug)
+    yield window
+    window.close()
+    window.deleteLater()
+
+
+@pytest.mark.parametrize("slug", OWN)
+def test_a_dock_without_a_run_opens_the_example_of_its_own_workspace(
+    window: MainWindow, qtbot: QtBot, slug: str
+) -> None:
+    window.go(slug)
+    panels = window.panels(slug)
+    docks = panel_of(panels, InspectorPanel)
+    button = docks.source.findChild(QPushButton)
+    assert button is not None
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    session = window.session
+    assert session is not None
+    assert session.sheet == example(OWN[slug]).document.sheets[0]
+    assert window.place == slug
+    if isinstance(panels[0], FigurePanel):
+        assert panels[0].tool.name == "select"
+
+
+@pytest.mark.parametrize("slug", ["fill", "clip", "draw"])
+def test_an_example_is_taken_hold_of_whatever_was_drawn_before(window: MainWindow, slug: str) -> None:
+    window.go(slug)
+    panel, session = window.panels(slug)[0], window.session
+    assert isinstance(panel, FigurePanel)
+    assert session is not None
+    drawing = panel.tool.name
+    assert drawing != "select"
+    session.open_example(OWN[slug])
+    assert panel.tool.name == "select"
+    session.new()
+    assert panel.tool.name == drawing
