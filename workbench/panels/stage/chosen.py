@@ -61,7 +61,7 @@ class ChosenFigures(PlainPanel):
         return True
 
     def ungroup_selected(self) -> bool:
-        """Let each figure of the selected groups go by itself again, and say so; False where there is none."""
+        """Let each figure of the selected groups go by itself, and say so; False where there is none."""
         figures = self.selected()
         groups = {figure.group for figure in figures} - {0}
         if not groups:

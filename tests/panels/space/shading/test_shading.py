@@ -196,8 +196,8 @@ def test_the_picture_of_another_document_is_never_in_the_place_of_this_one(
     qtbot: QtBot, page: ShadingPage
 ) -> None:
     """Also where it was under way when the other one was opened."""
-    held, going_on = [], page.view._take
-    page.view.worker.drawn.disconnect(page.view._take)
+    held, going_on = [], page.view._take_drawn
+    page.view.worker.drawn.disconnect(page.view._take_drawn)
     page.view.worker.drawn.connect(lambda job, picture: (held.append(job.scene), going_on(job, picture)))
     page.view.set_shading("phong", page.view._lit[1])
     page.view.resize(page.view.width() - 3, page.view.height())
