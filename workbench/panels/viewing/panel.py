@@ -40,7 +40,14 @@ from workbench.rendering.emissions import emitted
 from workbench.rendering.extent import world_extent
 from workbench.rendering.mapping import Box
 from workbench.rendering.subjects.registry import calls_of
-from workbench.rendering.subjects.window import KIND, Point, parted, point_of, view_of
+from workbench.rendering.subjects.window import (
+    KIND,
+    Point,
+    is_through_a_window,
+    parted,
+    point_of,
+    view_of,
+)
 from workbench.session.session import Session
 from workbench.widgets.look.tokens import theme_changed, tokens
 
@@ -223,10 +230,9 @@ class ViewingPanel(PlainPanel, QWidget):
         self.empty.setVisible(not sheet.figures and not self.gesture.busy)
 
     def _stepping(self) -> bool:
-        run = self.session.run
-        return (
-            run.subject == self.session.subject and run.step is not None and (run.number > 0 or run.waiting)
-        )
+        run, subject = self.session.run, self.session.subject
+        own = is_through_a_window(subject) and run.subject == subject  # else another workspace is entered
+        return own and run.step is not None and (run.number > 0 or run.waiting)
 
     def marks(self) -> tuple[Mark, ...]:
         """What the step, or the point that was clicked, draws in world and device."""
@@ -243,6 +249,8 @@ class ViewingPanel(PlainPanel, QWidget):
 
     def _number(self) -> int | None:
         """Which of the points is looked at."""
+        if not is_through_a_window(self.session.subject):
+            return None
         if self._stepping():
             own = self.session.run.own_call()
             return None if own is None else own.number

@@ -42,6 +42,11 @@ def in_view(subject: Subject, view: str) -> Subject:
     return replace(subject, arguments={**subject.arguments, "view": view})
 
 
+def is_through_a_window(subject: Subject) -> bool:
+    """Whether what is stepped is the way of points through a view."""
+    return subject.kind == KIND
+
+
 def point_of(subject: Subject) -> Point | None:
     """The point (world) that a subject sends through; None where it sends those of a figure."""
     if not subject.arguments.get("clicked"):
