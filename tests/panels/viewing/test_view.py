@@ -248,3 +248,14 @@ def test_the_picture_of_pixels_in_the_strip_waits_for_the_end_of_a_drag(qtbot, s
     qtbot.mouseRelease(plane, LEFT, NO_KEYS, places[-1])
     settle()
     assert tiles["device"].plane is not before["device"]
+
+
+def test_while_a_figure_of_another_workspace_is_stepped_it_shows_no_point(qtbot, panel, session):
+    session.new(example("triangle").document)
+    session.update_state(workspace="fill", active=session.sheet.figures[0].id)
+    recorded(qtbot, session)
+    session.run.go_to_number(3)
+    panel.refresh()
+    assert session.run.entry.topic == "polygons"
+    assert panel._point_now() is None
+    assert panel.marks() == ()
