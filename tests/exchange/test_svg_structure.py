@@ -5,6 +5,7 @@ import pytest
 
 from tests.exchange.svg_texts import SHEET, cubics, seen, svg
 from workbench.document.model import Circle, Curve, Line, Polygon, Polyline
+from workbench.document.samples.examples import blank_sheet
 from workbench.document.transforms.links import Affine, Rotate, Scale, Translate
 from workbench.exchange.svg_paths import SvgError, read_svg
 
@@ -143,3 +144,41 @@ def test_css_transforms_have_units_and_an_origin() -> None:
         svg('<line x2="9" stroke="red" style="transform:scaleY(2)translateX(3px)"/>'), SHEET
     ).figures
     assert np.allclose(seen(line), [[3, 0], [12, 0]])
+
+
+@pytest.mark.parametrize(
+    ("style", "told"),
+    [
+        ("", False),
+        ("stroke-width: 1", False),
+        ("stroke-width: 2", False),
+        ("stroke-width: 3", True),
+        ("stroke-dasharray: 4 2", True),
+        ("stroke-dasharray: none", False),
+    ],
+)
+@pytest.mark.parametrize("around", ['<g stroke="red" style="{}">', '<g style="stroke: red; {}">'])
+def test_a_line_that_loses_its_width_or_dashes_is_told_of(style: str, told: bool, around: str) -> None:
+    inside = around.format(style) + '<line x2="9" y2="9"/></g>'
+    assert any("one pixel wide" in each for each in _notes(inside)) == told
+
+
+def test_a_shape_that_a_gradient_filled_is_told_of() -> None:
+    shapes = [f'<rect width="9" height="9" fill="{fill}"/>' for fill in ("url(#a)", "red")]
+    assert [any("Gradients" in each for each in _notes(shape)) for shape in shapes] == [True, False]
+
+
+def _notes(inside: str) -> tuple[str, ...]:
+    width, height = SHEET.width_px, SHEET.height_px
+    view = f'viewBox="0 0 {width} {height}" xmlns="http://www.w3.org/2000/svg"'
+    return read_svg(f"<svg {view}>{inside}</svg>", blank_sheet(width, height).sheets[0]).notes
+
+
+@pytest.mark.parametrize("between", [";", "; ", " ;\n\t", ";;", "; /* so */ "])
+def test_declarations_stand_apart_in_any_way(between: str) -> None:
+    style = between.join(["fill: none", "stroke: #ff0000", "stroke-width: 9", "stroke-opacity: 1"])
+    found = read_svg(svg(f'<circle r="3" style="{style}{between}"/>'), SHEET)
+    (figure,) = found.figures
+    assert isinstance(figure, Circle)
+    assert (found.palette or SHEET.palette)[figure.colour] == 0xFF0000
+    assert any("one pixel wide" in each for each in found.notes)

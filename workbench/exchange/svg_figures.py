@@ -33,6 +33,7 @@ Array = NDArray[np.float64]
 
 MOST_PIECES = (Curve.most_points - 1) // 3
 # The handles of a circle of radius 1 in quarters: no point of it is outside of them.
+_WIDE_PX = 2.0  # a line that is drawn narrower by more than a pixel is told of
 _HANDLE = 4.0 / 3.0 * (math.sqrt(2.0) - 1.0)
 _ROUND = np.array([(s * x, t * y) for s in (1, -1) for t in (1, -1) for x, y in ((1, _HANDLE), (_HANDLE, 1))])
 
@@ -127,6 +128,21 @@ class Shape:
         alpha = paint.alpha * (share(self.style.get(f"{name}-opacity", "1")) or 0.0)
         alpha *= float(self.style.get("opacity", 1.0))
         return paint._replace(alpha=alpha) if alpha > 0 else None
+
+
+def losses(shape: Shape, scale: float) -> list[str]:
+    """What of a shape's look no figure has, in sentences; ``scale`` is the pixels of the sheet in a unit."""
+    said: list[str] = []
+    style = shape.style
+    if any(style.get(name, "").strip().startswith("url(") for name in ("fill", "stroke")):
+        said.append(_("Gradients and patterns are left out; what they fill gets one colour."))
+    if shape.stroke is None:
+        return said
+    width = pixels(style.get("stroke-width", "1"), 100.0)
+    size = math.sqrt(abs(float(np.linalg.det(shape.placing.matrix[:, :2])))) * scale
+    if style.get("stroke-dasharray", "none").strip() not in ("", "none") or width * size > _WIDE_PX:
+        said.append(_("Lines are drawn one pixel wide and without dashes, along the middle of theirs."))
+    return said
 
 
 @dataclass(slots=True)

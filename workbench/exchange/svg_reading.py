@@ -27,7 +27,7 @@ from workbench.document.storage.content import Progress, part, silent
 from workbench.document.transforms.chains import matrix_of
 from workbench.exchange.path_data import MOST_POINTS, TooManyPointsError
 from workbench.exchange.svg_colours import Colours
-from workbench.exchange.svg_figures import Made, Shape, figures_of
+from workbench.exchange.svg_figures import Made, Shape, figures_of, losses
 from workbench.exchange.svg_frames import Box, fitted, stated_frame
 from workbench.exchange.svg_originals import fault_in, first_fault, moved, original
 from workbench.exchange.svg_outlines import length_of
@@ -83,7 +83,8 @@ def read_svg(
     stated = stated_frame(root)
     shapes, notes, unread = drawing_of(root, stated and stated[2:], part(progress, 0.2, 0.5))
     frame = _frame(sheet, _shown(root, stated or _drawn(shapes)))
-    within = tolerance or _TOLERANCE_PX / max(abs(v) for v in device_map(sheet)[:2])
+    pixel = 1.0 / max(abs(v) for v in device_map(sheet)[:2])
+    within, scale = tolerance or _TOLERANCE_PX * pixel, abs(float(frame[0, 0])) / pixel
     colours = Colours(sheet)
     figures: list[AnyFigure] = []
     sources: list[Element] = []
@@ -106,7 +107,7 @@ def read_svg(
                 continue
             figures += (replace(figure, group=shape.group) for figure in made.figures)
             approximated += [(made.name, made.error)] if made.error else []
-            notes += made.notes
+            notes += [*made.notes, *losses(shape, scale)]
         points += sum(len(figure.points_world) for figure in figures[len(sources) :])
         sources += [shape.element] * (len(figures) - len(sources))
         if points > MOST_POINTS:

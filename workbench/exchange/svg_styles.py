@@ -141,7 +141,8 @@ class _Declarations:
     def said(self, text: str) -> Said:
         """What one attribute says. Raises: StyleError where all of them are too much."""
         said: Said = {}
-        for part in text.split(";") if _PLAIN.fullmatch(text) else [text]:
+        parts = text.split(";") if _PLAIN.fullmatch(text) else [text]
+        for part in map(str.strip, parts):
             if part not in self._parsed:
                 self._characters += len(part)
                 if self._characters > MOST_DIFFERENT:
@@ -262,7 +263,7 @@ def _declared(content: list[Any]) -> Said:
     import tinycss2
 
     said: Said = {}
-    if content and content[0].type not in ("declaration", "at-rule", "error"):
+    if not any(item.type in ("declaration", "at-rule", "error") for item in content):  # tokens, so far
         content = tinycss2.parse_blocks_contents(content)
     for item in content:
         if item.type != "declaration" or item.lower_name not in PROPERTIES:

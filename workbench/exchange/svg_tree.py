@@ -30,6 +30,7 @@ INHERITED = (
     "fill-opacity",
     "fill-rule",
     "stroke",
+    "stroke-dasharray",
     "stroke-opacity",
     "stroke-width",
     "visibility",
