@@ -375,3 +375,22 @@ def test_each_chord_of_a_curve_is_accepted_clipped_or_rejected():
     assert counted["clipped"] == 2
     assert counted["rejected"] > 1
     assert sum(counted.values()) == len(segments_of(sheet, sheet.figures[0]))
+
+
+def test_what_is_said_of_the_cell_follows_the_window(qtbot, panel, session):
+    said = []
+    panel.hover_text.connect(said.append)
+    panel.canvas.hovered.emit(40, 20)
+    before = said[-1]
+    view = session.sheet.first_view
+    session.apply(set_clip(view.id, Rectangle(2.0, 2.0, 6.0, 6.0)), "Drag")
+    settle()
+    assert said[-1] != before
+    assert "outside" in said[-1]
+    session.apply(set_clip(view.id, view.clip_world), "Back")
+    settle()
+    assert said[-1] == before
+    panel.canvas.hover_left.emit()
+    session.apply(set_clip(view.id, Rectangle(2.0, 2.0, 6.0, 6.0)), "Unseen")
+    settle()
+    assert said[-1] == ""

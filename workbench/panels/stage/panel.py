@@ -17,6 +17,7 @@ from workbench.panels.stage.chosen import ChosenFigures
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.gesture import HandleDrag, Modifiers, Tool
 from workbench.panels.stage.outline import figure_at, prepare
+from workbench.panels.stage.pointed import Pointed
 from workbench.panels.stage.tools import FigureTool, SelectTool
 from workbench.rendering import device_map
 from workbench.session.session import Session
@@ -176,9 +177,7 @@ class FigurePanel(ChosenFigures, QWidget):
         canvas.handle_released.connect(self._release_handle)
         canvas.cell_clicked.connect(self.clicked)
         canvas.double_clicked.connect(lambda x, y, _modifiers: self.pick_alone(x, y))
-        canvas.hovered.connect(lambda x, y: self.hover_text.emit(self.describe(x, y)))
-        canvas.hover_left.connect(lambda: self.hover_text.emit(""))
-        canvas.cursor_moved.connect(lambda x, y: self.hover_text.emit(self.describe(x, y)))
+        self._pointed = Pointed(canvas, self.describe, self.hover_text)
         canvas.arrow.connect(self._arrow)
         canvas.cancelled.connect(self.let_go)
         canvas.view_changed.connect(self.refresh_soon)
@@ -224,6 +223,7 @@ class FigurePanel(ChosenFigures, QWidget):
             self._actions[name].setEnabled(bool(chosen))
         self._actions["group"].setEnabled(len(chosen) > 1)
         self._actions["ungroup"].setEnabled(any(figure.group for figure in chosen))
+        self._pointed.refresh()
 
     def _take_run(self) -> None:
         """Step what is stepped here, when this panel comes to be seen, or another document under it."""
