@@ -42,7 +42,7 @@ BODIES = [
     "<style>@media print { rect { fill: red } } rect { fill: teal }</style>" + rect(""),
     rect(' style="opacity: 0.5; fill: red; fill-opacity: 0.5"'),
     rect(' style="/* kept */ fill: teal ;  stroke : none ;"'),
-    rect(' style=" ; fill: red; fill: blue"'),
+    rect(' style=" fill: red;  fill: blue; "'),
     "<style> rect { fill : red ; fill-opacity : .5 ; } </style>" + rect(""),
     '<path fill="red" d="M10 10H90V90H10Z"/>',
     PATH.format('fill="red" fill-rule="evenodd"', "H70V70H30"),
