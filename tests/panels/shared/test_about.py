@@ -137,7 +137,9 @@ def test_without_a_figure_it_offers_an_example(about: AboutView, session: Sessio
     assert not about.state.empty
     session.apply(remove_figures([session.sheet.figures[0].id]), "Delete")
     qtbot.waitUntil(lambda: about.state.empty)
-    qtbot.mouseClick(about.state.button, Qt.MouseButton.LeftButton)
+    with qtbot.waitSignal(about.example_wanted):  # which the workspace that is seen opens
+        qtbot.mouseClick(about.state.button, Qt.MouseButton.LeftButton)
+    session.open_example("line")
     qtbot.waitUntil(lambda: bool(session.sheet.figures))
     session.update_state(active=session.sheet.figures[0].id)
     qtbot.waitUntil(lambda: not about.state.empty)

@@ -34,8 +34,7 @@ def names(page: ProjectionPage) -> list[str]:
 
 def type_name(qtbot: QtBot, page: ProjectionPage, text: str) -> None:
     """Into the editor that has come up in the list."""
-    editor = page.named_views.list.findChild(QLineEdit)
-    assert editor is not None
+    (editor,) = (each for each in page.named_views.list.findChildren(QLineEdit) if each.isVisible())
     editor.selectAll()
     qtbot.keyClicks(editor, text)
     qtbot.keyClick(editor, Qt.Key.Key_Return)
