@@ -115,7 +115,7 @@ class ProjectionPage(ViewCommands, QWidget):
         whole.addWidget(self.tools)
         whole.addLayout(right, 1)
         self.setFocusProxy(self.eye)
-        KeysWhileSeen(self, self._actions.values())
+        KeysWhileSeen(self, [*self._actions.values(), *self.objects.commands])
 
     @property
     def _beside(self) -> tuple[QWidget, ...]:
