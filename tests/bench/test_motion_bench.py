@@ -72,6 +72,8 @@ def scene() -> Document:
 
 def play(qtbot, benchmark, title: str, document: Document, allowed: int) -> None:
     session = Session(document=document)
+    for figure in session.sheet.figures[:1]:  # as the program has it before it is asked for
+        load(figure.drawn_with, lambda: False)
     panel = AnimatePanel(session)
     qtbot.addWidget(panel)
     panel.resize(1280, 680)
