@@ -82,10 +82,15 @@ def compose(
     compared: str,
     now: Tokens,
     side_by_side: bool = False,
+    outlined: bool = True,
 ) -> Composition:
-    """The sheet with the run of ``active`` at ``progress``; ``compared`` names a second algorithm."""
+    """The sheet with the run of ``active`` at ``progress``; ``compared`` names a second algorithm.
+
+    ``outlined``: with the ideal lines of all figures.
+    """
     background = packed(now.canvas)
-    overlay = Overlay(ideal=tuple(curve for f in sheet.figures if f.visible for curve in outline(sheet, f)))
+    seen = [figure for figure in sheet.figures if figure.visible and outlined]
+    overlay = Overlay(ideal=tuple(curve for figure in seen for curve in outline(sheet, figure)))
     if progress is not None:
         overlay = replace(
             overlay, candidates=progress.candidates, rejected=progress.rejected, current=progress.current

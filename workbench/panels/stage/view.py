@@ -66,7 +66,9 @@ class FigureView:
         sheet, active = self.sheet, self.active
         progress = None if tool.busy or drag.busy else self.progress()
         compared = self.compared()
-        made = compose(sheet, active, progress, compared, tokens(), self.card.side_by_side.isChecked())
+        still = not session.frames.playing  # ideal lines of another frame every 16 ms are seen by nobody
+        beside = self.card.side_by_side.isChecked()
+        made = compose(sheet, active, progress, compared, tokens(), beside, outlined=still)
         made = self.completed(made, progress)
         self.comparison = made.comparison
         chosen = set(session.state.selection)
