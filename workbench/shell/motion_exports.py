@@ -33,7 +33,7 @@ def export_animation(window: MainWindow) -> None:
         count = ngettext("{n} frame", "{n} frames", content.parts).format(n=content.parts)
         paths = file_format.paths(writing.proposed(_("animation"), file_format.suffix), content.parts)
         names = paths[0].name if len(paths) == 1 else f"{paths[0].name} … {paths[-1].name}"
-        return _("{count} of its own: {names}").format(count=count, names=names)
+        return _("{count} at its own rate: {names}").format(count=count, names=names)
 
     def then(file_format: FileFormat, width: int, seconds: float) -> None:
         height = max(round(width * content.sheet.height_px / content.sheet.width_px), 1)

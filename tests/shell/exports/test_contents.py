@@ -67,7 +67,7 @@ def test_a_sheet_that_moves_is_a_gif_frames_and_a_sheet_of_frames(
     card = window.files.exports.writing.card
     trigger(window, "export_animation")
     assert card.speed.currentText() == "24 frames a second"
-    assert card.note.text().startswith("61 frames of its own: ")
+    assert card.note.text().startswith("61 frames at its own rate: ")
     card.width_px.setCurrentIndex(card.width_px.findData(480))
     card.go.click()
     type_name(qtbot, window, "a")
