@@ -341,7 +341,7 @@ def test_a_curve_that_is_cut_or_joined_looks_as_before() -> None:
 
 @given(st.lists(chains("f1", most=8), min_size=1, max_size=9))
 def test_many_chains_at_once_are_what_each_is_by_itself(some: list[Chain]) -> None:
-    many = [some[k % len(some)] for k in range(70)]
+    many = [(*some[k % len(some)],) for k in range(70)]  # equal, but not the same
     figures = [line_at((0, 0), (4, 2), chain=chain) for chain in many]
     matrices = matrices_of(figures)
     for figure, matrix, chain in zip(figures, matrices, many, strict=True):
@@ -363,6 +363,15 @@ def test_links_of_many_chains_are_not_worked_out_one_by_one(monkeypatch: pytest.
     angles = np.array([sum(range(figure, figure + 50)) for figure in range(400)])
     expected = np.cos(np.radians(angles))
     assert np.allclose([figure.matrix[0, 0] for figure in figures if figure.matrix is not None], expected)
+
+
+@pytest.mark.parametrize("shared", [1, 80])
+def test_a_chain_that_many_figures_share_is_worked_out_once(shared: int) -> None:
+    some = [tuple(Rotate(f"t{k}", angle=float(number + k)) for k in range(50)) for number in range(shared)]
+    figures = [line_at((0, 0), (1, 1), chain=some[k % shared]) for k in range(1_000)]
+    matrices_of(figures)
+    assert len({id(figure.matrix) for figure in figures}) == shared
+    assert np.array_equal(figures[-1].matrix, matrix_of(some[999 % shared]))  # type: ignore[arg-type]
 
 
 def test_a_chain_too_large_is_refused_wherever_its_figure_stands() -> None:

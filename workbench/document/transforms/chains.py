@@ -106,14 +106,22 @@ def matrices_of(figures: Sequence[Transformed]) -> Matrix:
 
 def _evaluate(figures: Iterable[Transformed]) -> None:
     """Let each figure keep the matrix of its chain; many that have none yet are worked out together."""
-    waiting = [figure for figure in figures if figure.transforms and "matrix" not in figure.__dict__]
+    waiting: dict[int, list[Transformed]] = {}  # those that share a chain, as copies do, by what it is
+    for figure in figures:
+        if figure.transforms and "matrix" not in figure.__dict__:
+            waiting.setdefault(id(figure.transforms), []).append(figure)
     if len(waiting) < _MANY:
+        for first, *others in waiting.values():
+            for other in others:
+                other.__dict__["matrix"] = first.matrix
         return
-    for start in range(0, len(waiting), _AT_ONCE):
-        figures = waiting[start : start + _AT_ONCE]
-        chains = [[link for link in figure.transforms if link.on] for figure in figures]
-        for figure, acting, matrix in zip(figures, chains, _products(chains), strict=True):
-            figure.__dict__["matrix"] = matrix if acting else None
+    sharing = list(waiting.values())
+    for start in range(0, len(sharing), _AT_ONCE):
+        groups = sharing[start : start + _AT_ONCE]
+        chains = [[link for link in group[0].transforms if link.on] for group in groups]
+        for group, acting, matrix in zip(groups, chains, _products(chains), strict=True):
+            for figure in group:
+                figure.__dict__["matrix"] = matrix if acting else None
 
 
 def _products(chains: Sequence[Sequence[AnyLink]]) -> Matrix:
