@@ -202,7 +202,8 @@ class NamedViewsDock(QWidget):
     def _take_name(self, row: QListWidgetItem) -> None:
         if self._showing:
             return
-        view = next((each for each in self._shown if each.id == row.data(_ID)), None)
+        views = (self._looking.scene or Scene()).named_views  # as they are, not as they were listed
+        view = next((each for each in views if each.id == row.data(_ID)), None)
         name = row.text().strip()
         if view is None or name == view.name:
             return
