@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -33,3 +34,37 @@ def test_memory_of_large_arrays_goes_back() -> None:
     text = FILL_AND_LEAVE.format(before=GIVE_BACK)
     done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
     assert float(done.stdout) < 40  # of which 19 are still held
+
+
+COUNT_HEAPS = """
+import ctypes, sys, threading
+{before}
+together, kept = threading.Barrier(8), []
+def work():
+    together.wait()
+    kept.append([bytes(2000) for _ in range(500)])
+    together.wait()
+threads = [threading.Thread(target=work) for _ in range(8)]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+libc = ctypes.CDLL(None)
+libc.fopen.restype = ctypes.c_void_p
+file = ctypes.c_void_p(libc.fopen(sys.argv[1].encode(), b"w"))
+libc.malloc_info(0, file)
+libc.fclose(file)
+print(open(sys.argv[1]).read().count("<heap nr="))
+"""
+
+
+@pytest.mark.skipif(
+    sys.platform != "linux", reason="the heaps of a process are counted by the library of GNU"
+)
+def test_threads_share_two_heaps(tmp_path: Path) -> None:
+    counts = []
+    for before in ("", GIVE_BACK):
+        text = COUNT_HEAPS.format(before=before)
+        command = [sys.executable, "-c", text, str(tmp_path / "heaps.xml")]
+        counts.append(int(subprocess.run(command, capture_output=True, text=True, check=True).stdout))
+    assert counts[1] <= 2 < counts[0]

@@ -3,17 +3,20 @@
 import ctypes
 import sys
 
-_MMAP_THRESHOLD = -3  # M_MMAP_THRESHOLD of malloc.h
+_MMAP_THRESHOLD, _ARENA_MAX = -3, -8  # M_MMAP_THRESHOLD and M_ARENA_MAX of malloc.h
 _LARGE = 2 * 2**20
+_HEAPS = 2
 
 
 def give_back_large_arrays() -> None:
-    """Take every array of 2 MB or more from the system itself, and not from heaps.
+    """Take every array of 2 MB or more from the system itself, and the others from two heaps for all threads.
 
     The C library of GNU raises that limit to 32 MB as it goes, and keeps a heap for each thread, in which
-    what is freed between two arrays stays. Elsewhere nothing happens.
+    what is freed between two arrays stays: an hour of threads that come and go leaves tens of megabytes.
+    Elsewhere nothing happens.
     """
     if sys.platform == "linux":
         mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
         if mallopt is not None:
             mallopt(_MMAP_THRESHOLD, _LARGE)
+            mallopt(_ARENA_MAX, _HEAPS)
