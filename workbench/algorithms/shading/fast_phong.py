@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry, Law, View
 from workbench.algorithms.shading.directions import middle_of
 from workbench.algorithms.shading.normal_corners import normal_corners_of
+from workbench.algorithms.shading.pixel_views import pixel_view
 from workbench.algorithms.shading.series import bend_of
 from workbench.algorithms.shading.shaded_scene import PARAMETERS, shaded_scene
 from workbench.algorithms.shading.shine import RowShine, light_of, next_shine, on_row, shine_of
@@ -90,27 +91,14 @@ def difference_rows(shines: list[RowShine]) -> tuple[tuple[object, ...], ...]:
     )
 
 
-_PIXEL = "((x, y),)"
 _LIGHT = "Light the pixel where the triangle is nearer"
 _TABLES = {"Differences": ("difference_rows(ahead)", ("light", "cosine", "value", "first", "second"))}
-_OPTIONS = "('nearer: it is lit', 'hidden: nothing is written')"
 _FIRST = "ahead[0].scattered.value if len(ahead) else 0.0"
 
 
 def _pixel_view(when: str, written: bool, sentence: str) -> View:
-    return View(
-        block=_LIGHT,
-        when=when,
-        candidates=_PIXEL,
-        chosen=_PIXEL if written else "()",
-        rejected="()" if written else _PIXEL,
-        row=f"(x, y, {_FIRST}, here, {int(written)})",
-        considers="(x, y)",
-        tables=_TABLES,
-        options=_OPTIONS,
-        answer="'nearer: it is lit'" if written else "'hidden: nothing is written'",
-        sentence=sentence,
-    )
+    row = f"(x, y, {_FIRST}, here, {int(written)})"
+    return pixel_view(_LIGHT, row, when, written, sentence, _TABLES)
 
 
 ENTRY = Entry(

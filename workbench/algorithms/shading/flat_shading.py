@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry, Law, View
 from workbench.algorithms.shading.directions import cross_product, middle_of, minus
 from workbench.algorithms.shading.illumination import light_at
+from workbench.algorithms.shading.pixel_views import pixel_view
 from workbench.algorithms.shading.shaded_scene import PARAMETERS, shaded_scene
 from workbench.algorithms.shading.triangle_marks import marks
 from workbench.algorithms.visibility.back_faces import dot_product, vector_of
@@ -70,22 +71,10 @@ def flat_shading(
                     yield x, y, here
 
 
-_PIXEL = "((x, y),)"
-_OPTIONS = "('nearer: it is lit', 'hidden: nothing is written')"
-
-
 def _pixel_view(when: str, written: bool, sentence: str) -> View:
-    return View(
-        block="Give each pixel that light, where the triangle is nearer",
-        when=when,
-        candidates=_PIXEL,
-        chosen=_PIXEL if written else "()",
-        rejected="()" if written else _PIXEL,
-        row=f"(face, x, y, z, stored, here, {int(written)})",
-        considers="(x, y)",
-        options=_OPTIONS,
-        answer="'nearer: it is lit'" if written else "'hidden: nothing is written'",
-        sentence=sentence,
+    row = f"(face, x, y, z, stored, here, {int(written)})"
+    return pixel_view(
+        "Give each pixel that light, where the triangle is nearer", row, when, written, sentence
     )
 
 

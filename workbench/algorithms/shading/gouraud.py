@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law, Parameter, View
 from workbench.algorithms.shading.lit_corners import LitPlace, lit_corners_of, lit_row_ends
+from workbench.algorithms.shading.pixel_views import pixel_view
 from workbench.algorithms.shading.triangle_marks import marks
 from workbench.algorithms.visibility.scene import SCENE, scene
 from workbench.algorithms.visibility.surfaces import surface_of
@@ -74,26 +75,13 @@ def edge_rows(start: LitPlace, end: LitPlace) -> tuple[tuple[str, float, float],
 
 
 _BY_NAME = {parameter.name: parameter for parameter in SCENE}
-_PIXEL = "((x, y),)"
 _SPREAD = "Spread it along the scan line, where the triangle is nearer"
 _TABLES = {"Ends of the scan line": ("edge_rows(start, end)", ("edge", "x", "light"))}
-_OPTIONS = "('nearer: it is lit', 'hidden: nothing is written')"
 
 
 def _pixel_view(when: str, written: bool, sentence: str) -> View:
-    return View(
-        block=_SPREAD,
-        when=when,
-        candidates=_PIXEL,
-        chosen=_PIXEL if written else "()",
-        rejected="()" if written else _PIXEL,
-        row=f"(x, y, start.light, end.light, step, here, {int(written)})",
-        considers="(x, y)",
-        tables=_TABLES,
-        options=_OPTIONS,
-        answer="'nearer: it is lit'" if written else "'hidden: nothing is written'",
-        sentence=sentence,
-    )
+    row = f"(x, y, start.light, end.light, step, here, {int(written)})"
+    return pixel_view(_SPREAD, row, when, written, sentence, _TABLES)
 
 
 ENTRY = Entry(

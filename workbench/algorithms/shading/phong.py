@@ -20,6 +20,7 @@ from workbench.algorithms.shading.normal_corners import (
     normal_on_row,
     normal_row_ends,
 )
+from workbench.algorithms.shading.pixel_views import pixel_view
 from workbench.algorithms.shading.shaded_scene import MISSED, PARAMETERS, shaded_scene
 from workbench.algorithms.shading.triangle_marks import marks
 from workbench.algorithms.visibility.surfaces import depth_at, end_row, first_row, surface_of
@@ -80,26 +81,14 @@ def normal_rows(start: NormalPlace, end: NormalPlace) -> tuple[tuple[object, ...
     )
 
 
-_PIXEL = "((x, y),)"
+_SPREAD = "Spread them along the scan line, and light the pixel if nearer"
+_HIDDEN = "'hidden'"
 _TABLES = {"Ends of the scan line": ("normal_rows(start, end)", ("edge", "x", "place", "normal"))}
-_OPTIONS = "('nearer: it is lit', 'hidden: nothing is written')"
 
 
 def _pixel_view(when: str, written: bool, sentence: str) -> View:
-    light = "here" if written else "'hidden'"
-    return View(
-        block="Spread them along the scan line, and light the pixel if nearer",
-        when=when,
-        candidates=_PIXEL,
-        chosen=_PIXEL if written else "()",
-        rejected="()" if written else _PIXEL,
-        row=f"(x, y, tuple(at.place), tuple(at.normal), {light})",
-        considers="(x, y)",
-        tables=_TABLES,
-        options=_OPTIONS,
-        answer="'nearer: it is lit'" if written else "'hidden: nothing is written'",
-        sentence=sentence,
-    )
+    row = f"(x, y, tuple(at.place), tuple(at.normal), {'here' if written else _HIDDEN})"
+    return pixel_view(_SPREAD, row, when, written, sentence, _TABLES)
 
 
 ENTRY = Entry(

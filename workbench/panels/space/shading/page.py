@@ -24,6 +24,7 @@ from workbench.panels.space.shading.lit_view import LitView
 from workbench.panels.space.shading.run import greys, light_so_far
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.picture import packed
+from workbench.panels.stage.pointed import Pointed
 from workbench.rendering.scene.shading import LIT_SHADINGS
 from workbench.rendering.subjects.registry import marks_on_device
 from workbench.rendering.subjects.shading import KIND, call_of, model_of, shading_of
@@ -118,9 +119,7 @@ class ShadingPage(QWidget):
         session.run.moved.connect(lambda: canvas.point_at(None))
         canvas.cell_clicked.connect(self._clicked)
         canvas.arrow.connect(self._arrow)
-        for told in (canvas.hovered, canvas.cursor_moved):
-            told.connect(lambda x, y: self.hover_text.emit(self.describe(x, y)))
-        canvas.hover_left.connect(lambda: self.hover_text.emit(""))
+        self._pointed = Pointed(canvas, self.describe, self.hover_text)
         canvas.view_changed.connect(self.refresh_soon)
         canvas.set_describer(self.describe)
         self.lamps.said.connect(self.hover_text)
