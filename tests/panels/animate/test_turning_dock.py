@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from PySide6.QtCore import Qt
 from scipy.spatial.transform import Rotation, Slerp
 
 from tests.panels.by_hand import settle
@@ -138,3 +139,7 @@ def test_a_swinging_angle_is_shown_beside_its_entries(turning: AnimatePanel) -> 
     turning.session.open_example("animate-ball")
     settle()
     assert turning.turning.title.text() == "Nothing turns here"
+
+
+def test_the_numbers_are_a_table_and_not_its_markup(panel: AnimatePanel) -> None:
+    assert panel.turning.sums.textFormat() != Qt.TextFormat.PlainText

@@ -66,7 +66,7 @@ class TrackDock(QScrollArea):
         self.note = QLabel()
         self.note.setProperty("role", "muted")
         self.note.setWordWrap(True)
-        for label in (self.title, self.sums, self.note):  # which have names of the user's
+        for label in (self.title, self.note):  # which have names of the user's
             label.setTextFormat(Qt.TextFormat.PlainText)
         self.example = QPushButton(_("Show an example"))
         self.example.setToolTip(_("Open a picture that already moves"))

@@ -158,7 +158,9 @@ class ScenePicture(QWidget):
     def begin_anew(self) -> None:
         """Another document or sheet is open: nothing of the last one's picture is shown in its place."""
         self.worker.leave()
-        self._job = self._came = None
+        self._job = self._came = self._picture = None
+        self._image = QImage()
+        self.update()
 
     def _at_once(self, job: SceneJob) -> EdgePicture | None:
         """What need not be waited for. Raises: ValueError."""
