@@ -12,7 +12,7 @@ from tests.panels.curves.by_hand import click, curve_through, hover, opened
 from workbench.document.edits import add_figure, remove_figures, set_algorithm, set_sheet_size
 from workbench.document.model import Circle, Line, WorldPoint
 from workbench.document.samples.examples import blank_sheet
-from workbench.panels.display.panel import DisplayPanel
+from workbench.panels.display.tubes_page import TubesPage
 from workbench.panels.draw.panel import DrawPanel
 from workbench.panels.fill.panel import FillPanel
 from workbench.panels.shared.compare import CompareView
@@ -52,7 +52,7 @@ def show(qtbot: QtBot, widget: QWidget) -> None:
 def test_the_probe_stays_on_a_picture_that_shrinks(
     qtbot: QtBot, session: Session, tube: str, corner: tuple[int, int]
 ) -> None:
-    panel = DisplayPanel(session)
+    panel = TubesPage(session)
     show(qtbot, panel)
     view = getattr(panel, tube)
     glass = view._glass

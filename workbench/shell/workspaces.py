@@ -195,8 +195,11 @@ def workspaces() -> tuple[Workspace, ...]:
         Workspace(
             "display",
             _("Display"),
-            _("The picture on a cathode-ray tube"),
+            _("Cathode-ray tubes: what the beam does, raster and random scan, and what the eye sees of it"),
             "monitor",
-            ("workbench.panels.display.panel:DisplayPanel",),
+            ("workbench.panels.display.panel:DisplayPanel", inspector),
+            steps=True,
+            topics=("scanning",),
+            lower=("hand_table", "source", "variables", "about"),
         ),
     )

@@ -15,7 +15,7 @@ from workbench.document.edits import remove_figures
 from workbench.document.state import SessionState
 from workbench.document.storage.files import read
 from workbench.panels.display.instruments import span_text
-from workbench.panels.display.panel import DisplayPanel
+from workbench.panels.display.tubes_page import TubesPage
 from workbench.panels.shared.tube_dock import TubeDock
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
@@ -32,8 +32,8 @@ def session() -> Iterator[Session]:
 
 
 @pytest.fixture
-def panel(qtbot: QtBot, session: Session) -> DisplayPanel:
-    made = DisplayPanel(session)
+def panel(qtbot: QtBot, session: Session) -> TubesPage:
+    made = TubesPage(session)
     keep_until_the_end(qtbot, made)
     made.resize(1100, 560)
     with qtbot.waitExposed(made):
@@ -41,14 +41,14 @@ def panel(qtbot: QtBot, session: Session) -> DisplayPanel:
     return made
 
 
-def test_both_tubes_show_the_sheet(panel: DisplayPanel) -> None:
+def test_both_tubes_show_the_sheet(panel: TubesPage) -> None:
     for tube in (panel.raster, panel.vector):
         assert tube.isVisible()
         assert tube.driver is not None
         assert max(float(light.max()) for light in tube.driver.lights) > 0.3
 
 
-def test_an_edit_reaches_the_tubes(panel: DisplayPanel, session: Session) -> None:
+def test_an_edit_reaches_the_tubes(panel: TubesPage, session: Session) -> None:
     figures = [figure.id for figure in session.sheet.figures]
     session.apply(remove_figures(figures), "Delete")
     session.flush()
@@ -58,7 +58,7 @@ def test_an_edit_reaches_the_tubes(panel: DisplayPanel, session: Session) -> Non
     assert not panel.vector.driver.beam.energy_per_frame().any()
 
 
-def test_a_tube_does_not_tell_what_is_asked_for(panel: DisplayPanel, session: Session, qtbot: QtBot) -> None:
+def test_a_tube_does_not_tell_what_is_asked_for(panel: TubesPage, session: Session, qtbot: QtBot) -> None:
     session.open_example("line")
     session.flush()
     qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
@@ -79,7 +79,7 @@ def test_a_tube_does_not_tell_what_is_asked_for(panel: DisplayPanel, session: Se
     qtbot.waitUntil(lit)
 
 
-def test_controls_change_the_session_and_follow_it(panel: DisplayPanel, session: Session) -> None:
+def test_controls_change_the_session_and_follow_it(panel: TubesPage, session: Session) -> None:
     controls = panel.controls
     controls.phosphor.setCurrentIndex(controls.phosphor.findData("P7"))
     controls.phosphor.activated.emit(controls.phosphor.currentIndex())
@@ -98,7 +98,7 @@ def test_controls_change_the_session_and_follow_it(panel: DisplayPanel, session:
     assert panel.instruments.tube is panel.vector
 
 
-def test_steps_go_to_the_next_line_and_pixel(panel: DisplayPanel, session: Session) -> None:
+def test_steps_go_to_the_next_line_and_pixel(panel: TubesPage, session: Session) -> None:
     assert panel.raster.driver is not None
     beam = panel.raster.driver.beam
     assert isinstance(beam, RasterBeam)
@@ -114,7 +114,7 @@ def test_steps_go_to_the_next_line_and_pixel(panel: DisplayPanel, session: Sessi
     assert panel.raster.seconds() - first == beam.timing.line_s + beam.timing.pixel_s
 
 
-def test_calm_says_what_it_holds_still(qtbot: QtBot, panel: DisplayPanel, session: Session) -> None:
+def test_calm_says_what_it_holds_still(qtbot: QtBot, panel: TubesPage, session: Session) -> None:
     session.update_state(tube=replace(session.state.tube, slow_motion=6.0))
     session.flush()
     assert "10 times a second" in panel.note.text()
@@ -124,7 +124,7 @@ def test_calm_says_what_it_holds_still(qtbot: QtBot, panel: DisplayPanel, sessio
 
 
 def test_the_flicker_meter_says_that_calm_holds_it_still_and_has_the_switch(
-    panel: DisplayPanel, session: Session
+    panel: TubesPage, session: Session
 ) -> None:
     session.update_state(tube=replace(session.state.tube, refresh_hz=20.0))
     session.flush()
@@ -143,7 +143,7 @@ def test_the_flicker_meter_says_that_calm_holds_it_still_and_has_the_switch(
     assert controls.calm.isChecked()
 
 
-def test_instruments_measure_the_probed_pixel(qtbot: QtBot, panel: DisplayPanel, session: Session) -> None:
+def test_instruments_measure_the_probed_pixel(qtbot: QtBot, panel: TubesPage, session: Session) -> None:
     session.update_state(tube=replace(session.state.tube, slow_motion=2000.0, paused=True))
     session.flush()
     panel.instruments.refresh()
@@ -155,20 +155,20 @@ def test_instruments_measure_the_probed_pixel(qtbot: QtBot, panel: DisplayPanel,
     assert "dark" in panel.instruments.light.accessibleDescription()
 
 
-def test_an_unknown_phosphor_of_a_file_becomes_the_usual_one(panel: DisplayPanel, session: Session) -> None:
+def test_an_unknown_phosphor_of_a_file_becomes_the_usual_one(panel: TubesPage, session: Session) -> None:
     session.update_state(tube=replace(session.state.tube, phosphor="P77"))
     session.flush()
     assert panel.raster.setup.phosphor == "P31"
 
 
-def test_every_control_has_a_name_and_a_tooltip(panel: DisplayPanel) -> None:
+def test_every_control_has_a_name_and_a_tooltip(panel: TubesPage) -> None:
     for kind in (QAbstractButton, QComboBox, QSlider):
         for control in panel.controls.findChildren(kind):
             assert control.toolTip(), control.accessibleName()
             assert control.accessibleName(), control.toolTip()
 
 
-def test_the_strip_does_not_hold_the_window_wide(panel: DisplayPanel) -> None:
+def test_the_strip_does_not_hold_the_window_wide(panel: TubesPage) -> None:
     assert panel.minimumSizeHint().width() <= 960
 
 
@@ -186,7 +186,7 @@ def test_the_dock_follows_the_session_and_swaps_its_tube(qtbot: QtBot, session: 
 
 
 def test_the_time_of_the_tube_is_saved_and_restored_and_never_undone(
-    qtbot: QtBot, panel: DisplayPanel, session: Session, tmp_path: Path
+    qtbot: QtBot, panel: TubesPage, session: Session, tmp_path: Path
 ) -> None:
     session.update_state(tube=replace(session.state.tube, paused=True, slow_motion=2000.0))
     session.flush()
@@ -197,7 +197,7 @@ def test_the_time_of_the_tube_is_saved_and_restored_and_never_undone(
     assert not session.undo_stack.canUndo()
     assert load_state(tmp_path / "house.gwb").tube.time_s == stored
     other = Session()
-    shown = DisplayPanel(other)
+    shown = TubesPage(other)
     keep_until_the_end(qtbot, shown)
     with qtbot.waitExposed(shown):
         shown.show()
