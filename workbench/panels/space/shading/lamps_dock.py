@@ -5,7 +5,8 @@ from functools import partial
 from typing import Any
 
 from msgspec.structs import replace
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QCheckBox,
     QColorDialog,
@@ -220,12 +221,18 @@ class LampsDock(QScrollArea):
             self._apply(remove_thing(self.chosen.id), _("Remove a light"))
 
     def ask_colour(self) -> None:
-        """Have another colour chosen for the light or the material."""
+        """Have another colour chosen for the light or the material that is shown now."""
         thing = self.chosen
         if thing is None:
             return
-        colour = QColorDialog.getColor(f"#{thing.colour:06x}", self, _("Colour"))
-        if colour.isValid():
+        dialog = QColorDialog(f"#{thing.colour:06x}", self)
+        dialog.setWindowTitle(_("Colour"))
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.colorSelected.connect(partial(self._colour, thing.id))
+        dialog.open()  # exec() would hold whatever else goes on, and what it was asked for may go meanwhile
+
+    def _colour(self, identity: str, colour: QColor) -> None:
+        if self.chosen is not None and self.chosen.id == identity:
             self._change({"colour": colour.rgb() & 0xFFFFFF})
 
     def _apply(self, edit: Edit, name: str, merge: str = "") -> bool:
