@@ -1,4 +1,4 @@
-"""No panel or widget waits in a loop of its own: what it asks for may go while the rest of the program runs."""
+"""No panel or widget waits in a loop of its own: what it asks for may go while the program runs on."""
 
 import ast
 from pathlib import Path
