@@ -302,6 +302,11 @@ def test_the_two_spaces_are_exported_as_a_labelled_page(qtbot, page):
     assert any(f"{wrong} of 176 pixels are wrong" in text for text in said)
     assert sum(isinstance(block, Drawing) for block in made.blocks) == 4
     assert "<svg" in write_diagram(made)
+    seen_by_none = {each: grown(each)._replace(by_polygons=()) for each in page.grid.tiles}
+    page.measures = page.measures._replace(growth=seen_by_none)
+    made = page.derivation()
+    assert made is not None
+    assert sum(isinstance(block, Drawing) for block in made.blocks) == 3
 
 
 def test_every_control_has_a_name_and_a_tip(page):
