@@ -141,7 +141,7 @@ def test_of_a_construction_the_drawing_of_its_curve_is_compared() -> None:
     ("subject", "said"),
     [
         (Subject("flea circus"), "“flea circus” is nothing that this version of the program can step."),
-        (Subject("curve", entry="dda_line"), "choose one of de_casteljau"),
+        (Subject("curve", entry="dda_line"), "choose one of hermite_blend"),
         (Subject("curve", arguments={"u": 1.5}), "between 0 and 1"),
         (Subject("curve", arguments={"u": True}), "finite number"),
         (Subject("figure", arguments={"u": 0.5}), "u = 0.5 is nothing that can be given here."),

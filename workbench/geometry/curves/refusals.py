@@ -27,6 +27,26 @@ def refuse_bezier(points: NDArray[Any], u: float) -> None:
         raise ValueError("A coordinate or the parameter is not a finite number; give it a value.")
 
 
+def refuse_hermite(points: NDArray[Any], tangents: NDArray[Any], u: float) -> None:
+    """Raise ValueError unless there are two points with a tangent each, and every number is finite."""
+    if len(points) != 2 or len(tangents) != 2:
+        raise ValueError("A Hermite piece has two points and two tangents; give it as many.")
+    if not_finite(points) > 0 or not_finite(tangents) > 0 or not math.isfinite(u):
+        raise ValueError("A coordinate or the parameter is not a finite number; give it a value.")
+
+
+def refuse_interpolation(points: NDArray[Any], knots: NDArray[Any]) -> None:
+    """Raise ValueError unless there are two points or more, each with a knot above the one before it."""
+    if len(points) < 2:
+        raise ValueError("A curve through points needs two points or more; add points.")
+    if len(knots) != len(points):
+        raise ValueError("There must be one knot for each point; add knots, or take some away.")
+    if not_finite(points) > 0 or not_finite(knots) > 0:
+        raise ValueError("A coordinate or a knot is not a finite number; give it a value.")
+    if len([i for i in range(len(knots) - 1) if not knots[i] < knots[i + 1]]) > 0:
+        raise ValueError("The knots do not ascend; make each larger than the one before it.")
+
+
 def refuse_pieces(
     knots: NDArray[Any], points: NDArray[Any], weights: NDArray[Any], degree: int, x: float, y: float
 ) -> None:
