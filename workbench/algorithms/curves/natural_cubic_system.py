@@ -1,4 +1,4 @@
-"""The tangents of the natural cubic spline, from a system of equations with three diagonals.
+"""The tangents of the natural cubic spline, from a tridiagonal system of equations.
 
 t           where in the parameter the curve passes each point
 n           number of the last point
@@ -146,7 +146,7 @@ ENTRY = Entry(
     function=natural_cubic_system,
     topic="curves",
     title="Natural cubic spline, its system",
-    summary="Writes an equation for the tangent of each point, and solves the system of three diagonals.",
+    summary="Writes an equation for the tangent at each point, and solves the tridiagonal system.",
     parameters=THROUGH,
     arguments=points_to_pass,
     constructs=("natural_cubic",),

@@ -17,7 +17,12 @@ BEZIER_POINTS = Parameter(
 )
 U = Parameter("u", "u", "float", 0.5, low=0, high=1, meaning="where on the curve, from 0 to 1")
 TOLERANCE = Parameter(
-    "tolerance", "tolerance", "float", 0.05, low=1e-9, meaning="how far the chain may be off"
+    "tolerance",
+    "tolerance",
+    "float",
+    0.05,
+    low=1e-9,
+    meaning="how far the chain of lines may be from the curve",
 )
 B_SPLINE = (
     Parameter(
@@ -32,7 +37,7 @@ B_SPLINE = (
         "t_i",
         "floats",
         np.array([0, 0, 0, 0, 1, 2, 3, 3, 3, 3], np.float64),
-        meaning="the knots, ascending, as many as points and degree + 1 more",
+        meaning="the knots, ascending, degree + 1 more than there are points",
     ),
     Parameter(
         "degree", "p", "int", 3, low=1, high=7, meaning="degree of the curve; the course's d is one more"
