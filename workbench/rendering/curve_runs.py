@@ -57,7 +57,10 @@ def construction_fault(curve: Curve, slug: str) -> str:
     if "knots" in takes and curve.spline not in B_SPLINES and curve.spline not in entry.constructs:
         return _("This curve is not a B-spline and has no knots; step de Casteljau's construction instead.")
     if curve.spline == "nurbs" and "weights" not in takes and np.ptp(weights_of(curve)) > 0:
-        return _("This takes no weights, and those of the curve differ; step its own construction instead.")
+        return _(
+            "This algorithm has no weights, but those of the curve differ; step the curve's "
+            "own construction instead."
+        )
     fault = fault_of(curve)
     if "tangents" in takes and not fault and pieces_of(curve).degree != _CUBIC:
         return _("The pieces of this curve are not cubic; step de Casteljau's construction instead.")
