@@ -302,5 +302,5 @@ def test_a_new_kind_of_part_needs_no_word_outside_its_struct() -> None:
         edits.set_attribute(f"s1/{figure.id}/m6/at", 1.5)(document)
     assert refusal.value.field == "sheets[0].figures[0].marks[1].at"
     twice: Any = replace(figure, marks=(*figure.marks, figure.marks[0]))  # type: ignore[attr-defined, call-arg]
-    with pytest.raises(DocumentError, match=r"marks\[2\]\.id is 'm5', which another has too"):
+    with pytest.raises(DocumentError, match=r"marks\[2\]\.id is 'm5', which another one already has"):
         check(_with(document, ("sheets", 0, "figures", 0), twice), document)

@@ -101,9 +101,9 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
         (CSV, "read_points('1,2' + ',3' * 4_000)", "there are 4002 values"),
         (CSV, "read_points('1.5 2\\n' * 100_000)", "read"),
         (CSV, "read_points('\\n' * 5_000_000)", "There are no points"),
-        (CSV, "read_points('1 2\\n' * 25_000_000)", "100,000,000 characters, and at most 16,777,216"),
-        (GWB, "gwb(3, sheet + b'[' + b'1,' * 100_000_000)", "bytes, and at most 134,217,728"),
-        (GWB, "gwb(3, sheet + b'[' + b'1,' * 30_000_000)", "values, and at most 2,000,000"),
+        (CSV, "read_points('1 2\\n' * 25_000_000)", "100,000,000 characters, but at most 16,777,216"),
+        (GWB, "gwb(3, sheet + b'[' + b'1,' * 100_000_000)", "bytes, but at most 134,217,728"),
+        (GWB, "gwb(3, sheet + b'[' + b'1,' * 30_000_000)", "values, but at most 2,000,000"),
         (
             GWB,
             """gwb(3, sheet + b'[1],"figures":[' + b'{"id":"p1","x":0.125,"y":1.25},' * 450_000)""",

@@ -140,11 +140,11 @@ def test_of_a_construction_the_drawing_of_its_curve_is_compared() -> None:
 @pytest.mark.parametrize(
     ("subject", "said"),
     [
-        (Subject("flea circus"), "“flea circus” is nothing that this version of the program can step."),
-        (Subject("curve", entry="dda_line"), "choose one of de_casteljau"),
+        (Subject("flea circus"), "This version of the program cannot step “flea circus”."),
+        (Subject("curve", entry="dda_line"), "choose one of hermite_blend"),
         (Subject("curve", arguments={"u": 1.5}), "between 0 and 1"),
         (Subject("curve", arguments={"u": True}), "finite number"),
-        (Subject("figure", arguments={"u": 0.5}), "u = 0.5 is nothing that can be given here."),
+        (Subject("figure", arguments={"u": 0.5}), "u = 0.5 cannot be given here."),
     ],
 )
 def test_what_cannot_be_run_is_refused(subject: Subject, said: str) -> None:

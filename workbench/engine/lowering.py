@@ -366,7 +366,7 @@ def _binding(text: Text, name: str, value: Any) -> str:
         value = value.item()
     if isinstance(value, type) and issubclass(value, tuple) and hasattr(value, "_fields"):
         if value.__module__ == "__main__" or "<" in value.__qualname__:
-            raise text.error(_("the record {name} must stand at the head of a file").format(name=name))
+            raise text.error(_("the record {name} must be at the top level of a file").format(name=name))
         fields = " ".join(value._fields)
         return f"from {value.__module__} import {value.__name__} as {name}  # {fields}"
     if inspect.isbuiltin(value) and getattr(value, "__module__", "") == "math":
@@ -375,7 +375,7 @@ def _binding(text: Text, name: str, value: Any) -> str:
         return f"{name} = float({str(value)!r})"
     if _plain(value):
         return f"{name} = {value!r}"
-    raise text.error(_("{name} is neither a number, a tuple, an array nor a record").format(name=name))
+    raise text.error(_("{name} is not a number, a tuple, an array or a record").format(name=name))
 
 
 def _plain(value: Any) -> bool:

@@ -91,7 +91,7 @@ def write_svg(sheet: Sheet, tolerance: float | None = None) -> Exported:
         body.append((figure.group, f"  <{tag} {_joined(said)}>{title}</{tag}>"))
     view = sheet.first_view
     if len(sheet.views) > 1:
-        notes.append(_("Only the first view is in the SVG; export a picture to have them all."))
+        notes.append(_("Only the first view is in the SVG; export a picture to get them all."))
     head = {
         "xmlns": SVG,
         "xmlns:workbench": OWN,

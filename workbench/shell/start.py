@@ -134,9 +134,7 @@ def start(argv: Sequence[str]) -> int:
     """Open the window, with the file named on the command line if there is one; the exit status."""
     words = [word for word in argv if word != QUIT_AFTER_FIRST_FRAME]
     if len(words) > 1 or (words and words[0].startswith("-")):
-        sys.stderr.write(
-            _("Give one picture to open, or nothing: {words}").format(words=" ".join(words)) + "\n"
-        )
+        sys.stderr.write(_("Give one picture to open, or none: {words}").format(words=" ".join(words)) + "\n")
         return 2
     path = Path(words[0]).absolute() if words else None
     if path is not None:

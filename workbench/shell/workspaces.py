@@ -135,7 +135,7 @@ def workspaces() -> tuple[Workspace, ...]:
         Workspace(
             "clip",
             _("Clip"),
-            _("What of lines, polygons and points a window keeps"),
+            _("What a window keeps of lines, polygons and points"),
             "crop",
             ("workbench.panels.clip.panel:ClipPanel", inspector, compare, why, tube),
             steps=True,

@@ -214,12 +214,12 @@ def test_a_wrong_pixel_that_is_asked_about_tells_what_was_painted_there(qtbot, s
     qtbot.waitUntil(lambda: told.list.count() >= 2)
     assert f"({x}, {y})" in told.caption.text()
     last = told.list.item(told.list.count() - 1).text()
-    assert "painted, and stands" in last
+    assert "painted, and remains" in last
     assert "over what is nearer" in last
     page.grid.point_at(None)
     assert {tile.ring for tile in page.grid.tiles.values()} == {(x, y)}
     qtbot.mouseClick(page.grid.tiles["depth_buffer"], LEFT, pos=QPoint(20, 10))
-    qtbot.waitUntil(lambda: "fragments came to it" in told.caption.text())
+    qtbot.waitUntil(lambda: "fragments reached it" in told.caption.text())
 
 
 def test_a_pixel_that_the_pictures_do_not_have_is_not_ringed(page, session):

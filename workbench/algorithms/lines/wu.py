@@ -69,7 +69,8 @@ ENTRY = Entry(
     function=wu_line,
     topic="lines",
     title="Wu's antialiased line",
-    summary="Lights the two pixels on either side of the line, each as much as it is near; stairs melt away.",
+    summary="Lights the two pixels on either side of the line, the nearer one more; the staircase "
+    "melts away.",
     parameters=END_POINTS,
     draws=DRAWS,
     emits="coverage",

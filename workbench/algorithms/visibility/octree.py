@@ -44,7 +44,7 @@ def octree(
     z; faces (m, 3); colours (m,). Emits: (x, y, surface) of each pixel.
     Source: Hearn and Baker, Computer Graphics, C Version, section 13-9.
     """
-    # Begin with a cell that holds all
+    # Begin with a cell that holds everything
     height, width = image.shape
     surfaces = surfaces_of(vertices, faces)
     painted = np.zeros((height, width), np.bool_)

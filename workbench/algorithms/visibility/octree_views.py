@@ -45,7 +45,7 @@ def _cell_view(number: int, sentence: str) -> View:
 
 VIEWS = (
     View(
-        block="Begin with a cell that holds all",
+        block="Begin with a cell that holds everything",
         sentence="One cell holds {len(waiting[0].members)} surfaces.",
     ),
     _cell_view(0, "all its pixels are painted by what is nearer, so it is hidden."),

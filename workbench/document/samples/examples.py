@@ -66,7 +66,7 @@ def examples() -> list[Example]:
         Example(
             "circles",
             _("Circle and ellipse"),
-            _("The midpoint circle plots eight points at a time, the ellipse changes region half-way."),
+            _("The midpoint circle plots eight points at a time; the ellipse changes region on the way."),
             "draw",
             _circles(),
         ),

@@ -30,7 +30,7 @@ def visibility_examples() -> list[Example]:
         Example(
             "piercing-planes",
             _("Piercing planes"),
-            _("Three squares through one another: no order of painting is right, the depth buffer is."),
+            _("Three squares through one another: no painting order is right, but the depth buffer is."),
             "space",
             _piercing_planes(),
             PAGE,
@@ -38,7 +38,10 @@ def visibility_examples() -> list[Example]:
         Example(
             "almost-one-plane",
             _("Two faces almost in one plane"),
-            _("A box lies a little before a wall: with few bits for depth their surfaces fight."),
+            _(
+                "A box just in front of a wall: with few bits of depth their surfaces flicker into "
+                "each other."
+            ),
             "space",
             _almost_one_plane(),
             PAGE,

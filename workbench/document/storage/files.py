@@ -145,13 +145,13 @@ def decode(data: bytes) -> Stored:
 
 def _refuse_too_much(data: bytes) -> None:
     if len(data) > MAX_BYTES:
-        sentence = _("The file has {size:,} bytes, and at most {most:,} can be opened; choose a smaller one.")
+        sentence = _("The file has {size:,} bytes, but at most {most:,} can be opened; choose a smaller one.")
         raise DocumentError("", sentence.format(size=len(data), most=MAX_BYTES))
     # Every value but the first in a list or an object follows a comma; those in texts are counted too.
     values = sum(data.count(sign) for sign in (b",", b"[", b"{"))
     if values > MAX_VALUES:
         sentence = _(
-            "The file has {count:,} values, and at most {most:,} can be opened; choose a smaller one."
+            "The file has {count:,} values, but at most {most:,} can be opened; choose a smaller one."
         )
         raise DocumentError("", sentence.format(count=values, most=MAX_VALUES))
 
@@ -211,7 +211,7 @@ def upgraded(
         try:
             raw = upgrades[version](raw)
         except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
-            problem = _("is {value}, but the file does not hold what such a file must; open another copy")
+            problem = _("is {value}, but the file lacks what such a file must contain; open another copy")
             raise refuse("version", problem.format(value=version)) from error
         version += 1
     return {**raw, "version": newest}

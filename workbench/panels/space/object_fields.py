@@ -71,7 +71,7 @@ class ObjectFields(QScrollArea):
     def _add_fields(self, column: QVBoxLayout, thing: Object) -> None:
         if thing.solid.equation:
             equation = QLabel(thing.solid.equation)
-            equation.setToolTip(_("The equation of the surface that the faces come near to"))
+            equation.setToolTip(_("The equation of the surface that the faces approximate"))
             equation.setAccessibleName(_("Equation: {equation}").format(equation=thing.solid.equation))
             equation.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             equation.setWordWrap(True)
@@ -86,8 +86,8 @@ class ObjectFields(QScrollArea):
             title.setStyleSheet("font-weight: 600;")
             remove = QToolButton()
             set_icon(remove, "trash", "muted")
-            remove.setToolTip(_("Take this transform away"))
-            remove.setAccessibleName(_("Take this transform away"))
+            remove.setToolTip(_("Remove this transform"))
+            remove.setAccessibleName(_("Remove this transform"))
             edit, name = remove_link(thing.id, link.id), _("Remove the transform")
             remove.clicked.connect(partial(self._apply, edit, name))
             head.addWidget(title, 1)
@@ -98,7 +98,7 @@ class ObjectFields(QScrollArea):
                 label = number.symbol or number.label
                 grid.addWidget(self._field(f"{link.id}/{name}", number, label), at // 2, at % 2)
         add = QPushButton(_("Add a transform"))
-        add.setToolTip(_("Move, turn or stretch the object, after what is there already"))
+        add.setToolTip(_("Move, rotate or scale the object, after the transforms it already has"))
         menu = QMenu(add)
         for title_, link in links():
             menu.addAction(title_, partial(self._add, thing.id, link))

@@ -80,7 +80,7 @@ class ProjectionPage(ViewCommands, QWidget):
         self.derived = DerivationDock()
         self.empty = EmptyState(
             self.eye,
-            _("Nothing to look at."),
+            _("There is nothing to look at yet."),
             partial(self.objects.add_solid, offers()[0]),
             _("Add a house"),
             _("Put a house into the scene"),

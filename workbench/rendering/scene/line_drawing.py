@@ -35,7 +35,8 @@ def line_drawing(scene: Scene) -> Segments:
     pairs = len(triangles) * len(edges)
     if pairs > MOST_PAIRS:
         said = _(
-            "The scene has {edges:,} edges and {count:,} triangles, too many to compare each with each. Hide "
+            "The scene has {edges:,} edges and {count:,} triangles, too many to compare each with "
+            "every other. Hide "
             "some of its objects, or take the wireframe with all its lines."
         )
         raise ValueError(said.format(edges=len(edges), count=len(triangles)))

@@ -59,7 +59,7 @@ def shadow_blockers(scene: Scene, model: Model) -> Array:
     blockers = blockers_of(scene) if model.shadows else np.zeros((0, 3))
     if len(blockers) > 3 * MOST_BLOCKERS:
         sentence = _(
-            "Shadows are cast by up to {most:,} triangles, and there are {count:,}; hide some objects."
+            "Shadows are cast by up to {most:,} triangles, but there are {count:,}; hide some objects."
         )
         raise ValueError(sentence.format(most=MOST_BLOCKERS, count=len(blockers) // 3))
     return blockers

@@ -140,7 +140,7 @@ def kind_of(subject: Subject) -> SubjectKind:
 def checked(subject: Subject) -> Subject:
     """``subject`` itself when its kind, entry and arguments are known; raises DocumentError."""
     if not known(subject.kind):
-        problem = _("“{kind}” is nothing that this version of the program can step.")
+        problem = _("This version of the program cannot step “{kind}”.")
         raise DocumentError("kind", problem.format(kind=subject.kind))
     how = kind_of(subject)
     if subject.entry and subject.entry not in how.entries:
@@ -149,7 +149,7 @@ def checked(subject: Subject) -> Subject:
     for name, value in subject.arguments.items():
         given = how.arguments.get(name)
         if given is None or (given.number is None and type(value) is not type(given.usual)):
-            problem = _("{name} = {value} is nothing that can be given here.")
+            problem = _("{name} = {value} cannot be given here.")
             raise DocumentError(name, problem.format(name=name, value=shown(value)))
         if given.number is not None and (problem := number_problem(given.number, value)):
             raise DocumentError(name, f"{name} {problem}.")

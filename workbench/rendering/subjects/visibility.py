@@ -109,7 +109,9 @@ def _fault(scene: Scene) -> str:
     except ValueError as problem:
         return str(problem)
     if count > MOST_TRIANGLES:
-        said = _("The scene has {count:,} triangles; up to {most:,} are stepped. Hide some of its objects.")
+        said = _(
+            "The scene has {count:,} triangles; at most {most:,} can be stepped. Hide some of its objects."
+        )
         return said.format(count=count, most=MOST_TRIANGLES)
     return ""
 

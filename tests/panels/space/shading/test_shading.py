@@ -168,7 +168,7 @@ def test_what_is_wrong_with_a_light_is_said_in_place(qtbot: QtBot, page: Shading
     assert word() == ""
     page.session.apply(remove_thing(light.id), "remove")
     settle(qtbot, page)
-    assert page.lamps.word.text() == "The scene has no light of its own: it is lit from above the eye."
+    assert page.lamps.word.text() == "The scene has no light of its own, so it is lit from above the eye."
 
 
 def test_a_scene_without_polygons_says_so_and_keeps_its_lights(qtbot: QtBot, page: ShadingPage) -> None:

@@ -50,7 +50,7 @@ class LampsDock(QScrollArea):
         self.fields: dict[str, NumberField] = {}
         self.choice = QComboBox()
         self.choice.setAccessibleName(_("Light or material"))
-        self.choice.setToolTip(_("Whose numbers are shown"))
+        self.choice.setToolTip(_("The light or material whose numbers are shown"))
         self.choice.activated.connect(lambda _index: self._choose())
         self.add = self._button(_("Add light"), "plus", self.add_light, _("Put a light above the scene"))
         self.remove = self._button(_("Remove"), "trash", self.delete, _("Remove this light"))
@@ -148,7 +148,7 @@ class LampsDock(QScrollArea):
                 self.fields[name].setEnabled(not thing.distant)
         word = word_of(thing, scene) if isinstance(thing, Light) else ""
         if not scene.lights:
-            word = _("The scene has no light of its own: it is lit from above the eye.")
+            word = _("The scene has no light of its own, so it is lit from above the eye.")
         self.word.setText(word)
         self.word.setVisible(bool(word))
 

@@ -67,7 +67,7 @@ class VisibilityCard(FoldingCard):
         self.bits.activated.connect(lambda k: self._give("bits", self.bits.itemData(k)))
         self._add_shown()
         self.backwards = QCheckBox(_("Last surface first"))
-        self.backwards.setToolTip(_("Draw the surfaces in the other order: is the picture another one?"))
+        self.backwards.setToolTip(_("Draw the surfaces in the opposite order: does the picture change?"))
         self.backwards.clicked.connect(lambda on: self._give("backwards", on))
         self.body.addWidget(self.backwards)
         self.planes: dict[str, NumberField] = {}
@@ -97,7 +97,7 @@ class VisibilityCard(FoldingCard):
             (
                 "writes",
                 _("Overdraw"),
-                _("How often each pixel was written: once would be enough"),
+                _("How often each pixel was written; once would be enough"),
             ),
         )
         for k, (shown, title, tip) in enumerate(each):

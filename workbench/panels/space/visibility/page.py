@@ -87,7 +87,7 @@ class VisibilityPage(QWidget):
             _("No surface covers a pixel."),
             self.frame_scene,
             _("Frame the scene"),
-            _("Move the camera so far that all of the scene is before it"),
+            _("Move the camera back until the whole scene is in front of it"),
         )
         self.fragments = FragmentList(session)
         self.cost = CostView()
@@ -329,7 +329,7 @@ class VisibilityPage(QWidget):
             return
         self.session.update_state(pixel=(x, y))
         if not self.session.run.waiting and not self.session.run.run_to_pixel(x, y):
-            said = _("No fragment comes to ({x}, {y}).")
+            said = _("No fragment reaches ({x}, {y}).")
             if not self._keeps_depths:
                 said = _("Nothing is painted at ({x}, {y}).")
             self.hover_text.emit(said.format(x=x, y=y))
@@ -338,7 +338,9 @@ class VisibilityPage(QWidget):
         """List what came to the pixel that is pointed at."""
         cell = self.canvas.pointed_cell
         if self._tests_faces:
-            self.hover_text.emit(_("Back faces are told of faces, not of pixels: choose another method."))
+            self.hover_text.emit(
+                _("Back-face removal decides about faces, not pixels: choose another method.")
+            )
         elif cell is None:
             self.hover_text.emit(_("Point at a pixel first, then ask why it is as it is."))
         else:
