@@ -53,7 +53,7 @@ def table_fault(bits: int, table: Table) -> str:
         return _("The colour table is empty, so every pixel would be black: load a ramp, or add a colour.")
     if len(table) > 1 << bits:
         return _(
-            "{bits} bits tell only {most} entries apart, and the table has {count}: those beyond are left out."
+            "{bits} bits tell {most} entries apart, and the table has {count}: those beyond are left out."
         ).format(bits=bits, most=1 << bits, count=len(table))
     return ""
 
@@ -84,14 +84,14 @@ class Loss(NamedTuple):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FrameBuffer:
-    """A picture as it is stored: ``bits`` (h, w), int64, row 0 at the bottom; the table, and what that shows.
+    """A picture as it is stored: ``bits`` (h, w), row 0 at the bottom; the table, and what that shows.
 
     ``shown`` is (h, w), 0xRRGGBB.
     """
 
     depth: int
     table: Table
-    bits: NDArray[np.int64]
+    bits: NDArray[np.uint32]
     shown: NDArray[np.uint32]
     loss: Loss
 
@@ -112,7 +112,7 @@ def stored(image: NDArray[np.uint32], depth: int, table: Table) -> FrameBuffer:
         entries = _nearest(colours, kept)
         made = kept[entries]
     lengths = np.diff(np.append(begins, flat.size))
-    bits = np.repeat(entries[which], lengths).reshape(image.shape)
+    bits = np.repeat(entries[which], lengths).astype(np.uint32).reshape(image.shape)
     shown = np.repeat(made[which], lengths).astype(np.uint32).reshape(image.shape)
     errors = np.abs(channels_of(colours) - channels_of(made))
     pixels = np.bincount(which, lengths, len(colours))

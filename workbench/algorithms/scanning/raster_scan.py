@@ -92,9 +92,9 @@ _TABLE = np.array([0x000000, 0x00FF00, 0xFF8800, 0xFFFFFF])
 
 
 def _small_picture(chance: Random) -> tuple[Any, ...]:
-    """A frame buffer of one pixel or more, some of it or all of it dark, with retraces, fields, a table or not.
+    """A frame buffer of one pixel or more, some of it or all of it dark, with retraces or without.
 
-    The table may be too short, or have dark entries.
+    The table may be empty, too short, or have dark entries.
     """
     height, width, colours = chance.randint(1, 6), chance.randint(1, 8), chance.randint(0, 3)
     rows = [[chance.randint(0, colours) for _column in range(width)] for _row in range(height)]
