@@ -20,6 +20,9 @@ Light = NDArray[np.float32]
 VISIBLE = 1.0 / 500.0
 """A change of luminance below this share of white is not seen."""
 
+INSTANT = Fraction(1000)
+"""So few ticks that the light does not change meanwhile."""
+
 SAFE_HZ = 3.0
 """Full-screen changes faster than this can harm; they are averaged unless asked for."""
 
@@ -92,6 +95,15 @@ class TubeDriver:
         if self._settled:
             self.lights = self._steady()
         self._averaged_before = averaged
+
+    def hold_at(self, phase: Fraction) -> None:
+        """Go on to a time since the start of a picture, as if this one had always been shown.
+
+        The light is that of this instant.
+        """
+        self.tube.skip((phase - self.tube.seconds) % self.beam.frame_s / self.tube.tick)
+        self._averaged_before = True
+        self.advance(INSTANT, False)
 
     def _collect(self, seconds: float) -> None:
         rate = np.float32(1.0 / seconds)
