@@ -9,7 +9,7 @@ Point = tuple[float, float]
 
 
 class Stretch(NamedTuple):
-    """A straight part of the way, in pixels from the upper left corner of the picture; fields count from 0."""
+    """A straight part of the way, in pixels from the picture's upper left corner; fields count from 0."""
 
     kind: Kind
     field: int

@@ -52,6 +52,13 @@ NUMBERS: dict[str, Number] = {
     "clock_mhz": _number(_("pixel clock"), 0.0, 1000.0, "MHz"),
     **{name: _count(name) for name in COUNTS},
     "depth": _number(_("bits per pixel"), 1, DIRECT, "bits", whole=True),
+    "sum_width": _number(_("width"), 0, 65536, "px", whole=True),
+    "sum_height": _number(_("height"), 0, 65536, "px", whole=True),
+    "sum_bits": _number(_("bits per pixel"), 0, 64, "bits", whole=True),
+    "sum_hz": _number(_("refresh"), 0.0, 1000.0, "Hz"),
+    "sum_h_us": _number(_("horizontal retrace"), 0.0, 1e6, "\N{MICRO SIGN}s"),
+    "sum_v_us": _number(_("vertical retrace"), 0.0, 1e6, "\N{MICRO SIGN}s"),
+    "sum_kbits": _number(_("line"), 0.001, 1e9, "kbit/s"),
 }
 
 ARGUMENTS: dict[str, Given] = {
@@ -64,6 +71,14 @@ ARGUMENTS: dict[str, Given] = {
     "clock_mhz": Given(float(_VGA.pixel_clock_hz) / 1e6, NUMBERS["clock_mhz"]),
     **{name: Given(getattr(_VGA, name), NUMBERS[name]) for name in COUNTS},
     "depth": Given(DIRECT, NUMBERS["depth"]),
+    "sums_typed": Given(False),
+    "sum_width": Given(_VGA.h_active, NUMBERS["sum_width"]),
+    "sum_height": Given(_VGA.v_active, NUMBERS["sum_height"]),
+    "sum_bits": Given(DIRECT, NUMBERS["sum_bits"]),
+    "sum_hz": Given(USUAL_HZ, NUMBERS["sum_hz"]),
+    "sum_h_us": Given(5.0, NUMBERS["sum_h_us"]),
+    "sum_v_us": Given(500.0, NUMBERS["sum_v_us"]),
+    "sum_kbits": Given(100.0, NUMBERS["sum_kbits"]),
 }
 
 

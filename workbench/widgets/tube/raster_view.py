@@ -88,8 +88,9 @@ class RasterView(TubeView):
         self._hold()
 
     @property
-    def _beam_is_seen(self) -> bool:
-        return self.held or super()._beam_is_seen
+    def beam_is_seen(self) -> bool:
+        """Whether the beam is somewhere: it is held, or runs slowly enough."""
+        return self.held or super().beam_is_seen
 
     def _place(self, column: float, row: float) -> QPointF:
         """Where a place of the picture is, in pixels of the scan from its upper left corner."""

@@ -1,4 +1,4 @@
-"""One line and one frame of a raster mode over time: what is seen, porches, sync; and where the beam is now."""
+"""One line and one frame of a raster mode over time: picture, porches, sync, and where the beam is now."""
 
 from collections.abc import Sequence
 from typing import NamedTuple

@@ -357,7 +357,8 @@ class TubeView(QWidget):
             super().keyPressEvent(event)
 
     @property
-    def _beam_is_seen(self) -> bool:
+    def beam_is_seen(self) -> bool:
+        """Whether it runs so slowly that the beam is somewhere."""
         return self._slow >= _BEAM_SEEN_FROM and (self._paused or not self.averaged)
 
     def _paint_over(self, painter: QPainter) -> None:
@@ -381,7 +382,7 @@ class TubeView(QWidget):
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Plus)
             painter.drawImage(self._glass, self._shown)
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceOver)
-            if self._beam_is_seen and self.driver is not None:
+            if self.beam_is_seen and self.driver is not None:
                 state = self.driver.state()
                 paint_beam(painter, self._to_widget(state.x_mm, state.y_mm), self._glass.width(), state)
             self._paint_over(painter)
@@ -390,8 +391,8 @@ class TubeView(QWidget):
         if self._case.bottom() - self._glass.bottom() >= _PLATE_PX:
             name = _("RASTER") if self.kind == "raster" else _("VECTOR")
             rate = f"{self._setup.phosphor}   {self.refresh_hz:.4g} Hz"
-            top = self._case.bottom() - _PLATE_PX - 3
-            plate = QRectF(self._glass.left(), top, self._glass.width(), _PLATE_PX)
+            plate = self._glass.translated(0, self._case.bottom() - _PLATE_PX - 3 - self._glass.top())
+            plate.setHeight(_PLATE_PX)
             paint_plate(painter, plate, name, rate)
         if self.hasFocus():
             painter.setPen(QPen(colour(tokens().accent), 2))
