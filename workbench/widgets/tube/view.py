@@ -236,7 +236,8 @@ class TubeView(QWidget):
             return
         packed = self._screen.picture(self.driver.lights)
         rows, columns = packed.shape
-        self._shown = QImage(packed.tobytes(), columns, rows, 4 * columns, QImage.Format.Format_RGB32).copy()
+        self._packed = packed  # what the image looks at
+        self._shown = QImage(packed.data, columns, rows, 4 * columns, QImage.Format.Format_RGB32)
         self.update(self._glass.toAlignedRect())
         self.advanced.emit()
 
