@@ -124,16 +124,25 @@ def _current(level: int, gamma: float) -> float:
 
 
 def raster_tube(
-    image: NDArray[np.uint32], size_px: tuple[int, int], setup: TubeSetup, precision: Any = np.float32
+    image: NDArray[np.uint32],
+    size_px: tuple[int, int],
+    setup: TubeSetup,
+    precision: Any = np.float32,
+    timing: RasterTiming | None = None,
+    picture_px: tuple[int, int] | None = None,
 ) -> tuple[Tube, RasterBeam]:
-    """A tube with ``size_px`` pixels that scans ``image`` (h, w); a white field is a little above 1."""
+    """A tube with ``size_px`` pixels that scans ``image`` (h, w); a white field is a little above 1.
+
+    Without a ``timing`` it is blanked as VGA and refreshed as set up. ``picture_px`` is the picture that
+    gives the face its shape, where the image has more or fewer pixels than that.
+    """
     height, width = image.shape
-    picture = width, height
+    picture = picture_px or (width, height)
     left, bottom, right, top = area_mm(picture)
     size_mm = face_mm(picture)
     spot = max(_SPOT_OF_LINE_PITCH * (top - bottom) / height, 0.4 * size_mm[1] / size_px[1])
     tube = Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
-    timing = RasterTiming.synthesised(width, height, setup.refresh)
+    timing = timing or RasterTiming.synthesised(width, height, setup.refresh)
     pixel = tube.pitch_mm[0] * tube.pitch_mm[1]
     share = (right - left) * (top - bottom) / (width * height) / pixel
     beam = RasterBeam(

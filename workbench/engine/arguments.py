@@ -192,6 +192,8 @@ def _kind_of(value: Any) -> Kind:
     if isinstance(value, float | np.floating):
         return "float"
     array = np.asarray(value)
+    if array.dtype == np.float32 and array.ndim == 2:
+        return "image"  # as it is: it would be twice as large
     if array.dtype.kind == "f":
         return "points"
     return "image" if array.ndim == 2 and isinstance(value, np.ndarray) else "ints"

@@ -40,7 +40,7 @@ class TubeFeed(QObject):
     def __init__(self, session: Session, views: list[TubeView], parent: QObject) -> None:
         super().__init__(parent)
         self._session, self._views = session, views
-        self._fed: dict[TubeView, tuple[Sheet, AnyFigure | None]] = {}
+        self._fed: dict[TubeView, tuple[Sheet, AnyFigure | None, object]] = {}
         self._refusals = {view: Refusal(view) for view in views}
         self._times = dict.fromkeys(views, 0.0)
         self._resting = QTimer(self)
@@ -75,9 +75,21 @@ class TubeFeed(QObject):
         session = self._session
         return session.shown_figure if session.run.ask_first and not session.run.ended else None
 
+    @property
+    def _scanned(self) -> object:
+        """What beside the sheet decides what a raster tube is given, to be compared."""
+        return None
+
+    def _scan(self, view: TubeView, sheet: Sheet) -> None:
+        """Give a raster tube the picture of a sheet."""
+        refused = too_many_pixels((sheet.width_px, sheet.height_px))
+        self._refusals[view].say(refused)
+        view.set_image(_NOTHING if refused else frame_buffer(sheet))
+
     def feed(self) -> None:
         """Bring every visible view up to date."""
         sheet, settings, asked = self._session.shown, self._session.state.tube, self._asked
+        scanned = self._scanned
         setup = setup_of(settings)
         for view in self._views:
             if not view.sight.now:
@@ -89,14 +101,12 @@ class TubeFeed(QObject):
             view.set_slow_motion(settings.slow_motion)
             view.set_paused(settings.paused)
             fed = self._fed.get(view)
-            if fed is not None and fed[0] is sheet and fed[1] is asked:
+            if fed is not None and fed[0] is sheet and fed[1] is asked and fed[2] == scanned:
                 continue
-            self._fed[view] = sheet, asked
+            self._fed[view] = sheet, asked, scanned
             shown = sheet if asked is None else without(sheet, asked)
             if view.kind == "raster":
-                refused = too_many_pixels((sheet.width_px, sheet.height_px))
-                self._refusals[view].say(refused)
-                view.set_image(_NOTHING if refused else frame_buffer(shown))
+                self._scan(view, shown)
             else:
                 strokes = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(shown)]
                 strokes += scene_strokes(shown)

@@ -39,7 +39,7 @@ from workbench.display.setup import (
     vector_beam,
     vector_tube,
 )
-from workbench.display.tube import PICOSECOND
+from workbench.display.tube import PICOSECOND, Tube
 from workbench.language import _
 from workbench.widgets.canvas.pixel_canvas import ARROWS
 from workbench.widgets.look.comfort import comfort
@@ -50,6 +50,7 @@ from workbench.widgets.tube.glass import (
     cabinet_pixmap,
     fitted,
     glass_path,
+    lit_near_the_middle,
     nearest_pixel,
     pixel_at,
     reflection_pixmap,
@@ -235,7 +236,8 @@ class TubeView(QWidget):
             return
         packed = self._screen.picture(self.driver.lights)
         rows, columns = packed.shape
-        self._shown = QImage(packed.tobytes(), columns, rows, 4 * columns, QImage.Format.Format_RGB32).copy()
+        self._packed = packed  # what the image looks at
+        self._shown = QImage(packed.data, columns, rows, 4 * columns, QImage.Format.Format_RGB32)
         self.update(self._glass.toAlignedRect())
         self.advanced.emit()
 
@@ -254,12 +256,7 @@ class TubeView(QWidget):
         size = self._face_px()
         if self.driver is not None:
             self._seconds = self.driver.tube.seconds
-        beam: Beam
-        if self.kind == "raster":
-            tube, beam = raster_tube(self._image, size, self._setup)
-        else:
-            tube = vector_tube(self._picture, size, self._setup)
-            beam = vector_beam(tube, self._strokes, self._picture, self._setup)
+        tube, beam = self._made(size)
         tube.skip(self._seconds / PICOSECOND)
         self.driver = TubeDriver(tube, beam)
         self.driver.settle()
@@ -270,6 +267,13 @@ class TubeView(QWidget):
         self._refresh()
         self._wake()
         self.update()
+
+    def _made(self, size: tuple[int, int]) -> tuple[Tube, Beam]:
+        """A tube with so many pixels, and the beam that shows the picture."""
+        if self.kind == "raster":
+            return raster_tube(self._image, size, self._setup)
+        tube = vector_tube(self._picture, size, self._setup)
+        return tube, vector_beam(tube, self._strokes, self._picture, self._setup)
 
     def _layout(self) -> None:
         face = face_mm(self._picture)
@@ -318,12 +322,7 @@ class TubeView(QWidget):
 
     def lit_pixel(self) -> tuple[int, int] | None:
         """The lit pixel of the frame buffer that is nearest to its middle; None for a dark picture."""
-        rows, columns = np.nonzero(self._image)
-        if len(rows) == 0:
-            return None
-        height, width = self._image.shape
-        nearest = int(np.argmin((columns - width / 2) ** 2 + (rows - height / 2) ** 2))
-        return int(columns[nearest]), int(rows[nearest])
+        return lit_near_the_middle(self._image)
 
     def probe_mm(self) -> tuple[float, float] | None:
         """Where on the face the probe sits, in millimetres."""
@@ -359,8 +358,14 @@ class TubeView(QWidget):
             super().keyPressEvent(event)
 
     @property
-    def _beam_is_seen(self) -> bool:
+    def beam_is_seen(self) -> bool:
+        """Whether it runs so slowly that the beam is somewhere."""
         return self._slow >= _BEAM_SEEN_FROM and (self._paused or not self.averaged)
+
+    def _paint_over(self, painter: QPainter) -> None:
+        """What lies over the light and under the glass: the probe."""
+        if self._probe is not None:
+            paint_probe(painter, self._to_widget(*self._probe_mm(self._probe)))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Cabinet, light, beam, glass."""
@@ -378,18 +383,17 @@ class TubeView(QWidget):
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Plus)
             painter.drawImage(self._glass, self._shown)
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceOver)
-            if self._beam_is_seen and self.driver is not None:
+            if self.beam_is_seen and self.driver is not None:
                 state = self.driver.state()
                 paint_beam(painter, self._to_widget(state.x_mm, state.y_mm), self._glass.width(), state)
-            if self._probe is not None:
-                paint_probe(painter, self._to_widget(*self._probe_mm(self._probe)))
+            self._paint_over(painter)
         painter.restore()
         painter.drawPixmap(0, 0, self._reflection)
         if self._case.bottom() - self._glass.bottom() >= _PLATE_PX:
             name = _("RASTER") if self.kind == "raster" else _("VECTOR")
             rate = f"{self._setup.phosphor}   {self.refresh_hz:.4g} Hz"
-            top = self._case.bottom() - _PLATE_PX - 3
-            plate = QRectF(self._glass.left(), top, self._glass.width(), _PLATE_PX)
+            plate = self._glass.translated(0, self._case.bottom() - _PLATE_PX - 3 - self._glass.top())
+            plate.setHeight(_PLATE_PX)
             paint_plate(painter, plate, name, rate)
         if self.hasFocus():
             painter.setPen(QPen(colour(tokens().accent), 2))
