@@ -60,7 +60,7 @@ def test_a_frame_is_the_sum_of_its_stroke_times_on_every_display(name, ends, lin
 @settings(max_examples=12, deadline=None)
 def test_test_lines_take_the_time_of_one_of_them_times_their_number(name, count, length) -> None:
     timing, units = VectorTiming.named(name), 14.4
-    program = program_of(equal_lines(count, length, SIZE, 0xFFFFFF))
+    program = program_of(equal_lines(count, length, SIZE))
     assert program.moves == count
     table = rows_of(program.rows, units, *timing.numbers_us, 0.0)
     one = LineTime.of(timing, length * units)

@@ -11,6 +11,9 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from workbench.language import _
 from workbench.paths import resource
 
@@ -87,6 +90,19 @@ class VectorTiming:
         if distance == 0.0:
             return max(self.start_ps, self.dwell_ps, 1)
         return max(1, self.start_ps + round(self.ps_per_unit * max(distance - self.knee_units, 0.0)))
+
+    def strokes_ps(self, distances: NDArray[Any]) -> NDArray[np.int64]:
+        """As ``stroke_ps`` for many strokes, given the longer of the two ways of each in units, (n,)."""
+        ramp = self.start_ps + np.rint(self.ps_per_unit * np.maximum(distances - self.knee_units, 0.0))
+        point = max(self.start_ps, self.dwell_ps, 1)
+        return np.where(distances == 0.0, point, np.maximum(ramp, 1)).astype(np.int64)
+
+    def jumps_ps(self, distances: NDArray[Any]) -> NDArray[np.int64]:
+        """As ``jump_ps`` for many movements, likewise; without the settling."""
+        ramp = self.jump_start_ps + np.rint(
+            self.jump_ps_per_unit * np.maximum(distances - self.knee_units, 0.0)
+        )
+        return np.where(distances == 0.0, 0, ramp).astype(np.int64)
 
     def jump_ps(self, dx_units: float, dy_units: float) -> int:
         """Time for a blanked movement; none when the beam is there already."""

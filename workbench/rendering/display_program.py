@@ -82,8 +82,8 @@ def strokes_of(sheet: Sheet) -> Strokes:
     return Strokes(table[:, :4].reshape(-1, 2, 2), table[:, 4].astype(np.int64), table[:, 5].astype(np.int64))
 
 
-def equal_lines(count: int, length: float, picture_px: tuple[int, int], colour: int) -> Strokes:
-    """``count`` lines ``length`` pixels long, each as far from the end of the one before it as it is long.
+def equal_lines(count: int, length: float, picture_px: tuple[int, int]) -> Strokes:
+    """``count`` white lines ``length`` pixels long, each that far from the end of the one before it.
 
     The last is as far from the first, so that all take the same time, jump included.
     """
@@ -94,7 +94,7 @@ def equal_lines(count: int, length: float, picture_px: tuple[int, int], colour: 
     ends = np.empty((count, 2, 2))
     ends[:, 0, 0], ends[:, 1, 0] = left, left + length
     ends[:, :, 1] = y[::-1, None]
-    return Strokes(ends, np.full(count, colour, np.int64), np.full(count, -1, np.int64))
+    return Strokes(ends, np.full(count, 0xFFFFFF, np.int64), np.full(count, -1, np.int64))
 
 
 def nearest_first(strokes: Strokes) -> Strokes:

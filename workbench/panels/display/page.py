@@ -13,4 +13,10 @@ def pages() -> tuple[PageRow, ...]:
             _("The picture on a raster tube and on a vector tube, side by side, with instruments"),
             "workbench.panels.display.tubes_page:TubesPage",
         ),
+        PageRow(
+            "vector",
+            _("Random scan"),
+            _("A display list, run instruction by instruction, and how many lines it takes to flicker"),
+            "workbench.panels.display.vector.page:VectorPage",
+        ),
     )

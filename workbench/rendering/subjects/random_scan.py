@@ -80,8 +80,7 @@ def own_strokes(sheet: Sheet, subject: Subject) -> Strokes:
     if not count:
         return _strokes(sheet)
     size = sheet.width_px, sheet.height_px
-    colour = next((each for each in sheet.palette[1:] if each), 0xFFFFFF)
-    return equal_lines(count, length_of(sheet, subject), size, colour)
+    return equal_lines(count, length_of(sheet, subject), size)
 
 
 def program_for(sheet: Sheet, subject: Subject) -> DisplayProgram:
