@@ -26,7 +26,7 @@ PICTURE_SHARE = 0.9
 
 COLOUR_TUBE = "P22"
 _SPOT_OF_LINE_PITCH = 0.36
-_VECTOR_SPOT_MM = 0.5
+VECTOR_SPOT_MM = 0.5
 _LEAST_SPOT_PX = 0.7
 _WHITE = 1.5
 """Luminance of a white field: lines one pixel wide, which the spot spreads, then come out near 1."""
@@ -164,7 +164,7 @@ def vector_tube(
 ) -> Tube:
     """A tube for a display list of a picture of ``picture_px`` pixels; ``vector_beam`` makes its beam."""
     size_mm = face_mm(picture_px)
-    spot = max(_VECTOR_SPOT_MM, _LEAST_SPOT_PX * size_mm[0] / size_px[0])
+    spot = max(VECTOR_SPOT_MM, _LEAST_SPOT_PX * size_mm[0] / size_px[0])
     return Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
 
 

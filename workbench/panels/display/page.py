@@ -19,4 +19,10 @@ def pages() -> tuple[PageRow, ...]:
             _("A display list, run instruction by instruction, and how many lines it takes to flicker"),
             "workbench.panels.display.vector.page:VectorPage",
         ),
+        PageRow(
+            "comparison",
+            _("Raster or random"),
+            _("One picture on both kinds of display: stairs, areas, memory, and time"),
+            "workbench.panels.display.comparison.page:ComparisonPage",
+        ),
     )

@@ -12,7 +12,7 @@ from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.formulas.typesetting import paint_primitives, typesetter_of
 from workbench.widgets.look.tokens import colour, theme, tokens
 
-_LEAST_WIDE, _LEAST_HIGH = 450.0, 60.0
+_LEAST_WIDE, _LEAST_HIGH = 450.0, 200.0
 
 
 class DrawingView(QWidget):
@@ -51,8 +51,8 @@ class DrawingView(QWidget):
             return
         inks = {name: ink_of(now, name) for name in INKS} | {"canvas": now.surface}
         # Where there is little room all of it is smaller, the words too, so that none lies on another
-        shrunk = min(self.width() / _LEAST_WIDE, 1.0)
-        height = max(self.height() / shrunk - 2 * MARGIN_PT, _LEAST_HIGH)
+        shrunk = min(self.width() / _LEAST_WIDE, self.height() / _LEAST_HIGH, 1.0)
+        height = self.height() / shrunk - 2 * MARGIN_PT
         page = Derivation("", [self._drawn(height)], inks, self.width() / shrunk)
         setter = typesetter_of(self.font())
         laid = lay_out_derivation(page, setter)

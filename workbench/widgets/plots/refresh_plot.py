@@ -18,13 +18,15 @@ _WIDE_PX = 2.0
 
 class RefreshCurve(NamedTuple):
     """``line_s`` is the time of one line, ``shortest_s`` that of the shortest picture. Below ``fusion_hz``
-    pictures flicker; ``most`` lines do not yet (None: any number).
+    pictures flicker; ``most`` lines do not yet (None: any number). ``raster_hz`` is that of a raster beside
+    it, which no line slows down; None for none.
     """
 
     line_s: float
     shortest_s: float
     fusion_hz: float
     most: int | None
+    raster_hz: float | None = None
 
     def hz(self, lines: float) -> float:
         """Pictures a second with so many lines."""
@@ -45,6 +47,7 @@ class RefreshPlot(Plot):
         self._curve: Any = None
         self._fusion: Any = None
         self._limit: Any = None
+        self._raster: Any = None
         self._grip: Any = None
         self._placing = False
 
@@ -79,10 +82,11 @@ class RefreshPlot(Plot):
         self._curve = self._plot.plot([], [], antialias=True)
         self._fusion = pyqtgraph.InfiniteLine(angle=0)
         self._limit = pyqtgraph.InfiniteLine(angle=90)
+        self._raster = pyqtgraph.InfiniteLine(angle=0)
         self._grip = pyqtgraph.InfiniteLine(angle=90, movable=True)
         self._grip.addMarker("v", 0.94, 12)
         self._grip.sigDragged.connect(self._dragged)
-        self._lay(self._fusion, self._limit, self._grip)
+        self._lay(self._raster, self._fusion, self._limit, self._grip)
         self._plot.setMouseEnabled(x=False, y=False)
 
     def _dragged(self, line: Any) -> None:
@@ -93,6 +97,7 @@ class RefreshPlot(Plot):
         now = tokens()
         self._label_axes(_("Hz"), _("lines"))
         self._curve.setPen(pen_of(now.data[0], _WIDE_PX))
+        self._raster.setPen(pen_of(now.data[1], _WIDE_PX, Qt.PenStyle.DashDotLine))
         self._fusion.setPen(pen_of(now.error, 0, Qt.PenStyle.DashLine))
         self._limit.setPen(pen_of(now.error, 0, Qt.PenStyle.DotLine))
         self._grip.setPen(pen_of(QColor(now.accent), _WIDE_PX))
@@ -116,9 +121,11 @@ class RefreshPlot(Plot):
         rates = 1.0 / np.maximum(lines * curve.line_s, curve.shortest_s)
         self._curve.setData(lines, rates)
         self._fusion.setValue(curve.fusion_hz)
+        self._raster.setVisible(curve.raster_hz is not None)
+        self._raster.setValue(curve.raster_hz or 0.0)
         self._limit.setVisible(curve.most is not None)
         self._limit.setValue(curve.most or 0)
-        top = 1.15 * max(float(rates.max()), curve.fusion_hz)
+        top = 1.15 * max(float(rates.max()), curve.fusion_hz, curve.raster_hz or 0.0)
         self._plot.setRange(xRange=(0.0, right), yRange=(0.0, top), padding=0.0)
         self._placing = True
         self._grip.setValue(self._lines)

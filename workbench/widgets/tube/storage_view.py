@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.display.exposure import Screen
 from workbench.display.phosphor import Phosphor
-from workbench.display.setup import DeviceStroke, area_mm, currents_of_colour, face_mm
+from workbench.display.setup import DeviceStroke, area_mm, face_mm
 from workbench.display.storage_tube import StorageTube, Written
 from workbench.display.vector_timing import VectorTiming
 from workbench.language import _
@@ -21,7 +21,6 @@ from workbench.widgets.tube.marks import paint_plate
 from workbench.widgets.tube.stroke_picking import nearest_stroke
 
 _FRAME_MS, _PLATE_PX, _WIDEST_PX = 33, 22, 520
-_GAMMA = 2.2
 
 Ends = NDArray[np.float64]
 MmStrokes = list[tuple[tuple[float, float], tuple[float, float], float]]
@@ -124,13 +123,14 @@ class StorageView(QWidget):
     # The tube
 
     def _in_mm(self, strokes: Sequence[DeviceStroke]) -> MmStrokes:
+        """Places on the face; the beam is on or off, since what is stored has one brightness."""
         left, bottom, right, _top = area_mm(self._picture)
         pitch = (right - left) / self._picture[0]
         return [
             (
                 (left + (x0 + 0.5) * pitch, bottom + (y0 + 0.5) * pitch),
                 (left + (x1 + 0.5) * pitch, bottom + (y1 + 0.5) * pitch),
-                max(currents_of_colour(packed, 1, _GAMMA)[0], 0.6 if packed else 0.0),
+                1.0 if packed else 0.0,
             )
             for x0, y0, x1, y1, packed in strokes
         ]

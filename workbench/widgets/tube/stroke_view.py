@@ -9,7 +9,6 @@ from PySide6.QtCore import QLineF, QPointF, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from workbench.display.setup import area_mm
 from workbench.widgets.look.tokens import CAPTION_PX
 from workbench.widgets.tube.glass import glass_path
 from workbench.widgets.tube.stroke_picking import nearest_stroke
@@ -58,12 +57,6 @@ class StrokeView(TubeView):
     def set_ends(self, ends: Floats) -> None:
         """The strokes (n, 2, 2) that can be clicked, device coordinates."""
         self._ends = ends
-
-    def position(self, x: float, y: float) -> QPointF:
-        """Where in the widget a place of the picture lies."""
-        left, bottom, right, _top = area_mm(self._picture)
-        pitch = (right - left) / self._picture[0]
-        return self._to_widget(left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch)
 
     def _positions(self, places: Floats) -> Floats:
         """As ``position`` for places (..., 2)."""

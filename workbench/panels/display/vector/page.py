@@ -2,7 +2,9 @@
 
 from collections.abc import Sequence
 from dataclasses import replace as replace_setup
+from functools import partial
 
+import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QResizeEvent, QShowEvent
@@ -19,7 +21,7 @@ from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
 from workbench.language import _
-from workbench.panels.display.vector.architecture import architecture, told
+from workbench.panels.display.vector.architecture import Working, architecture, told
 from workbench.panels.display.vector.bar import VectorBar
 from workbench.panels.display.vector.derivation import derivation
 from workbench.panels.display.vector.list_changes import ListChanges
@@ -70,6 +72,8 @@ class VectorPage(PlainPage, QWidget):
             _("Architecture of a random-scan system"),
             _("Which parts work in this instruction; it is exported with the derivation of this page"),
         )
+        idle = Working(-1, -1, (0.0, 0.0), np.empty((0, 2, 2)), np.empty((0, 2, 2)), (4, 3), np.empty((0, 4)))
+        self.architecture.show_drawing(partial(architecture, idle), told(idle))
         self.sums = QLabel()
         self.note = QLabel()
         self._lay_out()
@@ -222,7 +226,7 @@ class VectorPage(PlainPage, QWidget):
         for part in (self.note, self.plot):
             part.setVisible(not run.stores)
         self.plot.show_curve(run.curve, run.budget.lines, MOST_LINES)
-        self.architecture.show_drawing(lambda height: architecture(run.working, height), told(run.working))
+        self.architecture.show_drawing(partial(architecture, run.working), told(run.working))
 
     def _show_tube(self, run: VectorRun) -> None:
         self.glass.setCurrentIndex(int(run.stores))
