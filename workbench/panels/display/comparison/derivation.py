@@ -27,8 +27,8 @@ def derivation(facts: Facts, image: NDArray[np.uint32]) -> Derivation:
         Sentence(
             _(
                 "The picture is a grid of pixels in a frame buffer. The video controller reads it row by "
-                "row, and the beam sweeps the whole screen from the top left to the bottom right, brighter or "
-                "darker as each pixel says. After each row it flies back dark to the left (horizontal "
+                "row, and the beam sweeps the whole screen from the top left to the bottom right, brighter "
+                "or darker as each pixel says. After each row it flies back dark to the left (horizontal "
                 "retrace), after the last one to the top (vertical retrace), and begins anew."
             )
         ),
