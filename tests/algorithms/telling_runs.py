@@ -143,6 +143,7 @@ FURTHER: dict[str, tuple[Run, ...]] = {
     ),
     "closest_point": ((np.array([0.0, 1, 2]), LOOPED, np.ones(8), 3, 4.0, 3.5),),
     "raster_scan": ((np.array([[0, 9], [9, 0], [9, 9]]), np.array([0]), 1, 2, 2, 4.0, 6.0),),
+    "random_scan": ((*catalogue.get("random_scan").example[:-1], 10.0),),
     "beam_spot": ((1.0, 1.0, 3.0, 2.0, 1.0, 0.4),),
     "project_point": (
         (*_SEEN_FROM_FRONT[:2], cavalier(0.5), *_SEEN_FROM_FRONT[3:]),

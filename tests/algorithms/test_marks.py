@@ -61,6 +61,8 @@ def frame_of(entry: Entry, run: tuple[Any, ...], rows: NDArray[Any]) -> tuple[ND
         value = values[parameter.name]
         if parameter.kind == "points":
             places += [(float(x), float(y)) for x, y, *_z in value]
+        elif parameter.name == "program":
+            places += [(x, y) for _operation, x, y, _intensity in value.tolist()]
         elif parameter.name == "point":
             places.append((float(value[0]), float(value[1])))
         elif parameter.kind == "image":

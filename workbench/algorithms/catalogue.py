@@ -69,6 +69,7 @@ _TEACHING_ORDER = (
     "animation.slerp",
     "scanning.raster_scan",
     "scanning.random_scan",
+    "scanning.stroke_order",
     "scanning.beam_spot",
     "scanning.phosphor_decay",
 )

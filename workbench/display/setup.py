@@ -26,7 +26,7 @@ PICTURE_SHARE = 0.9
 
 COLOUR_TUBE = "P22"
 _SPOT_OF_LINE_PITCH = 0.36
-_VECTOR_SPOT_MM = 0.5
+VECTOR_SPOT_MM = 0.5
 _LEAST_SPOT_PX = 0.7
 _WHITE = 1.5
 """Luminance of a white field: lines one pixel wide, which the spot spreads, then come out near 1."""
@@ -42,6 +42,7 @@ DeviceStroke = tuple[float, float, float, float, int]
 class TubeSetup:
     """What can be chosen: phosphor (or the colour tube), refresh rate, persistence factor, vector display.
 
+    ``timing`` are the speeds of a display of one's own, which go before those of ``vector_display``.
     ``gamma`` is the exponent of the gun: its current is the drive, 0 to 1, to this power.
     """
 
@@ -50,6 +51,12 @@ class TubeSetup:
     persistence: float = 1.0
     vector_display: str = "teaching"
     gamma: float = 2.2
+    timing: VectorTiming | None = None
+
+    @property
+    def speeds(self) -> VectorTiming:
+        """Those of the vector display. Raises LookupError where it is not known."""
+        return self.timing or VectorTiming.named(self.vector_display)
 
     def guns(self) -> tuple[Phosphor, ...]:
         """One gun, or red, green and blue of a colour tube. Raises LookupError for an unknown phosphor."""
@@ -59,7 +66,7 @@ class TubeSetup:
     def check(self) -> None:
         """Raises LookupError when the phosphor or the vector display is not known."""
         self.guns()
-        VectorTiming.named(self.vector_display)
+        self.speeds  # noqa: B018 - looked up, or refused
 
     @property
     def refresh(self) -> Fraction:
@@ -96,6 +103,12 @@ def area_mm(picture_px: tuple[int, int]) -> tuple[float, float, float, float]:
     pitch = PICTURE_SHARE * min(width / picture_px[0], height / picture_px[1])
     half_x, half_y = 0.5 * pitch * picture_px[0], 0.5 * pitch * picture_px[1]
     return width / 2 - half_x, height / 2 - half_y, width / 2 + half_x, height / 2 + half_y
+
+
+def units_per_px(picture_px: tuple[int, int], timing: VectorTiming) -> float:
+    """Units of a vector display's deflection, which has ``timing.grid`` across the face, per pixel."""
+    left, _bottom, right, _top = area_mm(picture_px)
+    return (right - left) / picture_px[0] * timing.grid / face_mm(picture_px)[0]
 
 
 def currents_of_image(image: NDArray[np.uint32], guns: int, gamma: float) -> NDArray[np.float64]:
@@ -160,7 +173,7 @@ def vector_tube(
 ) -> Tube:
     """A tube for a display list of a picture of ``picture_px`` pixels; ``vector_beam`` makes its beam."""
     size_mm = face_mm(picture_px)
-    spot = max(_VECTOR_SPOT_MM, _LEAST_SPOT_PX * size_mm[0] / size_px[0])
+    spot = max(VECTOR_SPOT_MM, _LEAST_SPOT_PX * size_mm[0] / size_px[0])
     return Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
 
 
@@ -177,7 +190,7 @@ def vector_beam(
     def place(x: float, y: float) -> tuple[float, float]:
         return left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch
 
-    timing = VectorTiming.named(setup.vector_display)
+    timing = setup.speeds
     margin = tube.reach * tube.spot_mm
     lit = -margin, -margin, tube.size_mm[0] + margin, tube.size_mm[1] + margin
     drawn = [

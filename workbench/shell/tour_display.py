@@ -1,4 +1,4 @@
-"""The pictures of Display for the tour."""
+"""The pictures of the pages of Display for the tour."""
 
 from __future__ import annotations
 
@@ -21,6 +21,10 @@ def display_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
             "display-raster-interlaced",
             lambda window: _raster(window, 30, "raster_mode", mode="ntsc-525i", path=True),
         ),
+        ("display-random-scan", _random_scan),
+        ("display-overloaded", _overloaded),
+        ("display-storage", _storage),
+        ("display-raster-or-random", _raster_or_random),
     ]
 
 
@@ -66,3 +70,51 @@ def _raster_beam(window: MainWindow) -> None:
         page.catch_beam()
 
     QTimer.singleShot(250, catch)
+
+
+def _page(window: MainWindow, slug: str, example: str, arrive: Callable[[], object]) -> None:
+    """A page of Display over an example."""
+
+    def on_page() -> None:
+        window.panels("display")[0].show_page(slug)
+        arrive()
+
+    window.open_example(example)
+    window.enter("display", on_page)
+
+
+def _random_scan(window: MainWindow) -> None:
+    """A frame half drawn, the beam on its way in the dark."""
+
+    def arrive() -> None:
+        window.session.update_state(step=15)
+        window.arrangements.bring_forward("random_scan_architecture")
+
+    _page(window, "vector", "house", arrive)
+
+
+def _overloaded(window: MainWindow) -> None:
+    """A list that takes three times as long as the eye will wait."""
+    from workbench.document.subjects import Subject
+
+    def arrive() -> None:
+        window.session.update_state(subject=Subject("random_scan"), step=0)
+        window.arrangements.bring_forward("random_scan_architecture")
+
+    _page(window, "vector", "overloaded-list", arrive)
+
+
+def _storage(window: MainWindow) -> None:
+    """The same list, written once."""
+    from workbench.document.subjects import Subject
+
+    def arrive() -> None:
+        window.session.update_state(subject=Subject("random_scan", arguments={"storage": True}), step=0)
+
+    _page(window, "vector", "overloaded-list", arrive)
+
+
+def _raster_or_random(window: MainWindow) -> None:
+    from workbench.shell.questions import questions
+
+    window.open_question(next(each for each in questions() if each.number == 10))

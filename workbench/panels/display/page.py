@@ -19,4 +19,16 @@ def pages() -> tuple[PageRow, ...]:
             _("From the frame buffer to the beam, line by line: modes, timing, colour table, exam sums"),
             "workbench.panels.display.raster.page:RasterPage",
         ),
+        PageRow(
+            "vector",
+            _("Random scan"),
+            _("A display list, run instruction by instruction, and how many lines it takes to flicker"),
+            "workbench.panels.display.vector.page:VectorPage",
+        ),
+        PageRow(
+            "comparison",
+            _("Raster or random"),
+            _("One picture on both kinds of display: stairs, areas, memory, and time"),
+            "workbench.panels.display.comparison.page:ComparisonPage",
+        ),
     )

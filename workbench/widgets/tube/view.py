@@ -305,6 +305,16 @@ class TubeView(QWidget):
             self._glass.bottom() - y_mm / height * self._glass.height(),
         )
 
+    def position(self, x: float, y: float) -> QPointF:
+        """Where in the widget a place of the picture lies."""
+        left, bottom, right, _top = area_mm(self._picture)
+        pitch = (right - left) / self._picture[0]
+        return self._to_widget(left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch)
+
+    def pixel_under(self, position: QPointF) -> tuple[int, int] | None:
+        """The pixel of the picture at a position of the widget; None beside the picture."""
+        return pixel_at(position, self._glass, self._picture)
+
     @property
     def probe(self) -> tuple[int, int] | None:
         """The picture's pixel whose light is measured, in device coordinates."""
