@@ -6,23 +6,17 @@ import numpy as np
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
+from workbench.display.flicker import light_of_hits
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.vector_beam import VectorBeam
-from workbench.display.waveforms import Waveforms, light_of_hits, nearest_pass, waveforms
+from workbench.display.waveforms import Waveforms, nearest_pass, waveforms
 from workbench.language import _
+from workbench.widgets.look.spans import span_text
 from workbench.widgets.plots.trace_plot import TracePlot
 from workbench.widgets.tube.view import TubeView
 
 _REFRESH_MS = 90
 _LINES_SHOWN = 2
-
-
-def span_text(seconds: float) -> str:
-    """A time with the unit that keeps it readable."""
-    for factor, unit in ((1 / 3600, "h"), (1 / 60, "min"), (1.0, "s"), (1e3, "ms"), (1e6, "us"), (1e9, "ns")):
-        if seconds * factor >= 1.0:
-            return f"{seconds * factor:.3g} {unit}".replace("us", "\N{MICRO SIGN}s")
-    return f"{seconds * 1e12:.3g} ps"
 
 
 class TubeInstruments(QWidget):

@@ -13,4 +13,10 @@ def pages() -> tuple[PageRow, ...]:
             _("The picture on a raster tube and on a vector tube, side by side, with instruments"),
             "workbench.panels.display.tubes_page:TubesPage",
         ),
+        PageRow(
+            "flicker",
+            _("Flicker"),
+            _("Refresh rate against phosphor: flickers, steady or smears, in numbers and on the tube"),
+            "workbench.panels.display.flicker.page:FlickerPage",
+        ),
     )

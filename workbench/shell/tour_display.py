@@ -1,0 +1,40 @@
+"""The pictures of Display in the tour."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from workbench.document.subjects import Argument
+    from workbench.shell.window import MainWindow
+
+
+def display_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
+    """Name of each picture, and what brings the window there."""
+    return [
+        ("display-flicker", _flicker),
+        ("display-flicker-trail", _trail),
+    ]
+
+
+def _page(window: MainWindow, example: str, slug: str, step: int = 0, **arguments: Argument) -> None:
+    """A page of Display over an example, with some of its numbers set."""
+    from msgspec.structs import replace
+
+    window.open_example(example)
+    window.go("display")
+    window.panels("display")[0].show_page(slug)
+    subject = window.session.state.subject
+    changed = replace(subject, arguments={**subject.arguments, **arguments})
+    window.session.update_state(subject=changed, step=step)
+
+
+def _flicker(window: MainWindow) -> None:
+    """A fast phosphor refreshed too seldom."""
+    _page(window, "house", "flicker", 4, refresh_hz=45.0)
+
+
+def _trail(window: MainWindow) -> None:
+    """A spot that moves over a slow phosphor."""
+    _page(window, "house", "flicker", 0, phosphor="P39", figure="spot")
