@@ -32,7 +32,7 @@ from workbench.session.variables import same_value
 
 PACKAGE = Path(__file__).resolve().parents[2] / "workbench"
 KINDS = sorted({module.name for module in pkgutil.iter_modules(subjects.__path__)} - {"registry"})
-OF_A_TUBE = {"colour", "flicker"}  # what is run of them is set on the tube, whatever the sheet
+OF_A_TUBE = {"colour_model", "flicker"}  # what is run of them is set on the tube, whatever the sheet
 SHEETS = [sheet for one in examples() for sheet in one.document.sheets]
 
 

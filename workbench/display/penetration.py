@@ -28,7 +28,10 @@ class Named(NamedTuple):
     kilovolts: float
 
 
-COLOURS = (Named("red", 6.0), Named("orange", 7.0), Named("yellow", 8.5), Named("green", 12.0))
+_HUES = {"red": 0.0, "orange": 30.0, "yellow": 60.0, "green": 120.0}
+_LEAST_SATURATION = 0.2
+
+COLOURS = (Named("red", 6.0), Named("orange", 6.3), Named("yellow", 7.0), Named("green", 12.0))
 
 
 def energy_left_kv(kilovolts: float) -> float:
@@ -45,3 +48,27 @@ def shares(kilovolts: float) -> tuple[float, float]:
     """
     green = energy_left_kv(kilovolts) / kilovolts
     return 1.0 - green, green
+
+
+def power(kilovolts: float) -> float:
+    """Power of the beam at a given current, of what it is at the voltage of green."""
+    return kilovolts / COLOURS[-1].kilovolts
+
+
+def coded_layers(kilovolts: float, gamma: float) -> int:
+    """0xRRGGBB whose red and green channels drive two guns as the two layers glow, blue none.
+
+    ``gamma`` is the exponent of the guns. Raises ValueError unless above 0 kV.
+    """
+    red, green = (
+        int((min(share * power(kilovolts), 1.0)) ** (1.0 / gamma) * 255.0 + 0.5)
+        for share in shares(kilovolts)
+    )
+    return red << 16 | green << 8
+
+
+def nearest_named(hue: float, saturation: float) -> Named:
+    """The colour of the tube that is nearest to a hue in degrees; yellow, the palest, for what has none."""
+    if saturation < _LEAST_SATURATION:
+        return COLOURS[2]
+    return min(COLOURS, key=lambda one: abs((hue - _HUES[one.name] + 180.0) % 360.0 - 180.0))

@@ -15,6 +15,9 @@ def display_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
     return [
         ("display-flicker", _flicker),
         ("display-flicker-trail", _trail),
+        ("display-colour-models", _models),
+        ("display-shadow-mask", _mask),
+        ("display-penetration", _penetration),
     ]
 
 
@@ -38,3 +41,18 @@ def _flicker(window: MainWindow) -> None:
 def _trail(window: MainWindow) -> None:
     """A spot that moves over a slow phosphor."""
     _page(window, "house", "flicker", 0, phosphor="P39", figure="spot")
+
+
+def _models(window: MainWindow) -> None:
+    """An orange in three solids, half-way to its hue."""
+    _page(window, "house", "colour", 3, part="models", red=0.95, green=0.55, blue=0.2)
+
+
+def _mask(window: MainWindow) -> None:
+    """A shadow mask close up."""
+    _page(window, "colour-bars", "colour", 0, part="mask", pitch_mm=0.6, width_mm=14.0)
+
+
+def _penetration(window: MainWindow) -> None:
+    """Each stroke in the colour of its voltage."""
+    _page(window, "house", "colour", 0, part="penetration", by_stroke=True, kilovolts=6.3)

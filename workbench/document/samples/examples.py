@@ -4,6 +4,7 @@ from workbench.document.model import AnyFigure, Circle, Document, Ellipse
 from workbench.document.samples.animate import animate_examples
 from workbench.document.samples.arena import arena_examples
 from workbench.document.samples.clip import clip_examples
+from workbench.document.samples.colour import colour_examples
 from workbench.document.samples.curves import curve_examples
 from workbench.document.samples.figures import (
     PALETTE,
@@ -94,6 +95,7 @@ def examples() -> list[Example]:
         *shading_examples(),
         *arena_examples(),
         *animate_examples(),
+        *colour_examples(),
     ]
 
 

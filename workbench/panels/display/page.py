@@ -19,4 +19,10 @@ def pages() -> tuple[PageRow, ...]:
             _("Refresh rate against phosphor: flickers, steady or smears, in numbers and on the tube"),
             "workbench.panels.display.flicker.page:FlickerPage",
         ),
+        PageRow(
+            "colour",
+            _("Colour"),
+            _("Colour models, the mask of a colour tube close up, and colour by accelerating voltage"),
+            "workbench.panels.display.colour.page:ColourPage",
+        ),
     )

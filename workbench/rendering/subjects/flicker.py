@@ -36,6 +36,11 @@ ARGUMENTS = {
 }
 
 
+def is_of_a_phosphor(subject: Subject | None) -> bool:
+    """Whether the light between two refreshes is what is stepped."""
+    return subject is not None and subject.kind == KIND
+
+
 def given(subject: Subject, name: str) -> Argument:
     """An argument of the subject, or what it usually is."""
     return subject.arguments.get(name, ARGUMENTS[name].usual)

@@ -134,6 +134,11 @@ class ColourView(QWidget):
         self._wake()
 
     @property
+    def image(self) -> NDArray[np.uint32]:
+        """The frame buffer that is shown."""
+        return self._image
+
+    @property
     def averaged(self) -> bool:
         """Whether whole pictures are averaged now, so that no beam is seen."""
         return must_average(self._setup.refresh_hz, self._slow, comfort.calm)

@@ -31,7 +31,7 @@ from workbench.panels.display.flicker.phosphor_table import PhosphorTable
 from workbench.panels.panel import DockPart, Said
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering import frame_buffer
-from workbench.rendering.subjects.flicker import KIND, given, number, phosphor_of, setup_of
+from workbench.rendering.subjects.flicker import KIND, given, is_of_a_phosphor, number, phosphor_of, setup_of
 from workbench.session.answers import Answers
 from workbench.session.session import Session
 from workbench.widgets.plots.flicker_map import FlickerMap
@@ -293,8 +293,8 @@ class FlickerPage(PlainPage, QWidget):
 
     def _show_steps(self) -> None:
         """Ring what the run has stepped."""
-        run, subject = self.session.run, self.subject
-        if not self.isVisible() or run.subject is None or not subject.is_of(run.subject):
+        run = self.session.run
+        if not self.isVisible() or not is_of_a_phosphor(run.subject):
             self.light.show_steps(_NOTHING)
             return
         spots = [(mark.x, mark.y) for mark in run.marks() if isinstance(mark, Spot)]

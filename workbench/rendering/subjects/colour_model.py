@@ -16,7 +16,7 @@ from workbench.language import _
 from workbench.rendering.mapping import Call
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
-KIND = "colour"
+KIND = "colour_model"
 TO_CMY, TO_HSV, TO_RGB = (text.__name__ for text in (rgb_to_cmy, rgb_to_hsv, hsv_to_rgb))
 Triple = tuple[float, float, float]
 
@@ -43,8 +43,14 @@ ARGUMENTS = {
     "width_mm": Given(12.0, WIDTH_MM),
     "slow_motion": Given(1.0, SLOW),
     "kilovolts": Given(12.0, KILOVOLTS),
+    "by_stroke": Given(False),
     **{name: Given(0.0, ERROR_MM) for name in ERRORS},
 }
+
+
+def is_of_a_colour(subject: Subject | None) -> bool:
+    """Whether a colour on its way to another model is what is stepped."""
+    return subject is not None and subject.kind == KIND
 
 
 def given(subject: Subject, name: str) -> Argument:
