@@ -35,13 +35,13 @@ def _bars() -> Document:
         _("Blue"),
         _("Orange"),
     )
-    bars = [polygon([_bar(number)], number + 1, name) for number, name in enumerate(names)]
+    bars = [polygon([_bar(number)], number + 1, name, closed=True) for number, name in enumerate(names)]
     document = document_of(_("Colour bars"), _WIDTH, _HEIGHT, bars)
     return replace(document, sheets=(replace(document.sheets[0], palette=_PALETTE),))
 
 
 def _bar(number: int) -> list[tuple[float, float]]:
-    """From half a pixel outside to half a pixel inside, so that bars meet without a gap."""
-    left, right = _BAR * number - 0.5, _BAR * (number + 1) - 0.5
-    low, high = 3.5, _HEIGHT - 4.5
+    """Its corners are pixels, which belong to it."""
+    left, right = float(_BAR * number), float(_BAR * (number + 1) - 1)
+    low, high = 4.0, _HEIGHT - 5.0
     return [(left, low), (right, low), (right, high), (left, high)]
