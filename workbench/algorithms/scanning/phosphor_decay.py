@@ -117,6 +117,10 @@ ENTRY = Entry(
             "What was given off and what is stored make the energy of the hit, at every step.",
             "scanning/test_scanning.py::test_what_was_given_off_and_what_is_stored_make_the_energy_of_the_hit",
         ),
+        Law(
+            "From what all hits before have left it steps the closed form of a steady refresh.",
+            "display/test_flicker.py::test_the_text_steps_the_light_of_a_steady_refresh",
+        ),
     ),
     questions=(6,),
     labs=("Phosphor and persistence",),
