@@ -26,8 +26,8 @@ def test_a_mask_changes_no_mean(kind, pitch: float) -> None:
     window = (0.0, 0.0, 2 * across * pitch, high * up * pitch)
     size = 2 * across * 16, round(high * up * 16)
     for one in mask_maps(kind, pitch, window, size):
-        assert abs(float(one.mean()) - 1.0) < 0.02
-        assert math.isclose(float(one.max()), 1.0 / lit_share(kind), rel_tol=1e-5)
+        assert abs(float(one.mean()) - 1.0) < 0.005
+        assert math.isclose(float(one.max()), 1.0 / lit_share(kind), rel_tol=0.01)
 
 
 @pytest.mark.parametrize("kind", MASKS)

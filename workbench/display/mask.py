@@ -69,10 +69,11 @@ def mask_maps(kind: Kind, pitch_mm: float, window_mm: Window, size_px: tuple[int
     x = np.array((left + (np.arange(columns) + 0.5) * pixel) / pitch_mm, np.float64)
     y = np.array((bottom + (np.arange(rows) + 0.5) * ((top - bottom) / rows)) / pitch_mm, np.float64)
     soft = pixel / pitch_mm
+    # A ramp as wide as a pixel adds a twelfth of its square to that of the radius of a round dot
+    share = math.pi * (_DOT_RADIUS**2 + soft**2 / 12.0) / _HALF_ROOT_3 if kind == "delta" else lit_share(kind)
     cover = {"delta": _dots, "in_line": _slots, "grille": _stripes}[kind]
     red, green, blue = (
-        (cover(x[None, :], y[:, None], gun, soft) / lit_share(kind)).astype(np.float32)
-        for gun in (RED, GREEN, BLUE)
+        (cover(x[None, :], y[:, None], gun, soft) / share).astype(np.float32) for gun in (RED, GREEN, BLUE)
     )
     return red, green, blue
 
