@@ -20,6 +20,7 @@ def colour_examples() -> list[Example]:
             _("White, the three pairs of beams, each beam alone, and orange: for the mask close up."),
             "display",
             _bars(),
+            page="colour",
         ),
     ]
 

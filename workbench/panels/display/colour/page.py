@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from workbench.display.colour_tube import as_levels
 from workbench.display.setup import DeviceStroke, too_many_pixels
 from workbench.document.model import Sheet
+from workbench.document.state import Look, as_seen
 from workbench.document.subjects import Argument, Position, Subject
 from workbench.exchange.tables import Table
 from workbench.language import _
@@ -27,7 +28,8 @@ from workbench.panels.display.colour.models_view import ModelsView, coordinates
 from workbench.panels.display.colour.penetration_view import PenetrationView
 from workbench.panels.panel import KeysWhileSeen, Said
 from workbench.panels.stage.plain_page import PlainPage
-from workbench.rendering import display_list, frame_buffer
+from workbench.rendering import display_list
+from workbench.rendering.scene.backdrop import can_be_lit, whole_picture
 from workbench.rendering.scene.line_drawing import scene_strokes
 from workbench.rendering.subjects.colour_model import (
     KIND,
@@ -62,7 +64,7 @@ class ColourPage(PlainPage, QWidget):
         self.session = session
         self.models, self.masked, self.penetration = ModelsView(), MaskView(), PenetrationView()
         self._refusals = [Refusal(view) for view in (self.masked.whole, self.masked.magnified)]
-        self._sheet: Sheet | None = None
+        self._drawn: tuple[Sheet, Look | None, bool] | None = None
         self.stack = QStackedWidget()
         self.switch = QButtonGroup(self)
         self.picked = QLabel()
@@ -202,7 +204,7 @@ class ColourPage(PlainPage, QWidget):
         elif PARTS[number] == MASK:
             self._show_mask(subject, sheet)
         else:
-            self.penetration.show_subject(subject, self._strokes(sheet), size)
+            self.penetration.show_subject(subject, self._strokes(as_seen(self.session.state, sheet)), size)
 
     def _show_mask(self, subject: Subject, sheet: Sheet) -> None:
         size = sheet.width_px, sheet.height_px
@@ -212,8 +214,10 @@ class ColourPage(PlainPage, QWidget):
             refusal.say(refused)
         if refused:
             return
-        image = self.masked.whole.image if sheet is self._sheet else frame_buffer(sheet)
-        self._sheet = sheet
+        drawn = sheet, self.session.state.looks.get(sheet.id), can_be_lit(sheet)
+        same = self._drawn is not None and self._drawn[0] is sheet and self._drawn[1:] == drawn[1:]
+        image = self.masked.whole.image if same else whole_picture(as_seen(self.session.state, sheet))
+        self._drawn = drawn
         for view in (self.masked.whole, self.masked.magnified):
             view.show_picture(image, setup_of(subject))
 

@@ -20,6 +20,7 @@ from workbench.display.flicker import (
 )
 from workbench.display.light_probe import ProbedLight, probed_light
 from workbench.display.setup import too_many_pixels
+from workbench.document.state import as_seen
 from workbench.document.subjects import Argument, Position, Subject
 from workbench.exchange.tables import Table
 from workbench.language import _
@@ -30,7 +31,7 @@ from workbench.panels.display.flicker.measures import MeasuresView
 from workbench.panels.display.flicker.phosphor_table import PhosphorTable
 from workbench.panels.panel import DockPart, Said
 from workbench.panels.stage.plain_page import PlainPage
-from workbench.rendering import frame_buffer
+from workbench.rendering.scene.backdrop import whole_picture
 from workbench.rendering.subjects.flicker import KIND, given, is_of_a_phosphor, number, phosphor_of, setup_of
 from workbench.session.answers import Answers
 from workbench.session.session import Session
@@ -215,7 +216,7 @@ class FlickerPage(PlainPage, QWidget):
             self._column = -1
             self._move()
         else:
-            self.tube.set_image(frame_buffer(sheet))
+            self.tube.set_image(whole_picture(as_seen(self.session.state, sheet)))
         self._probe_something()
         self._let_move()
         self._measure()
