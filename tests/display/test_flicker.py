@@ -13,7 +13,7 @@ from workbench.display.flicker import (
     critical_frequency_hz,
     fusion_hz,
     in_closed_form,
-    light_of_hits,
+    light_over_refresh,
     measured,
     modulation,
     refreshed_terms,
@@ -30,6 +30,15 @@ DOT = np.zeros((48, 64), np.uint32)
 DOT[24, 30] = 0xFFFFFF
 
 
+def light_of_hits(phosphor: Phosphor, period: float, seconds: np.ndarray) -> np.ndarray:
+    """All hits there ever were, added up in closed form; 1 is the mean."""
+    light = np.zeros_like(seconds)
+    for term, share in zip(phosphor.terms, phosphor.energy_fractions, strict=True):
+        kept = np.exp(-np.mod(seconds, period) / term.tau_s) / -math.expm1(-period / term.tau_s)
+        light += share * period / term.tau_s * kept
+    return light
+
+
 @given(names, periods, st.integers(1, 30))
 @settings(max_examples=60)
 def test_the_text_steps_the_light_of_a_steady_refresh(name: str, period: float, steps: int) -> None:
@@ -38,6 +47,7 @@ def test_the_text_steps_the_light_of_a_steady_refresh(name: str, period: float, 
     rows = list(phosphor_decay(terms, period / steps, steps))
     light = light_of_hits(phosphor, period, np.array([t for t, _light in rows[:-1]]))
     assert np.allclose([each for _t, each in rows[:-1]], light, rtol=1e-9)
+    assert np.allclose(light_over_refresh(phosphor, period, steps), rows, rtol=1e-12)
     # One more hit makes up for what has faded: the light is then as it was after the hit before
     fresh = sum(
         share * period / term.tau_s

@@ -11,7 +11,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.scanning.phosphor_decay import phosphor_decay
 from workbench.display.phosphor import Phosphor
+from workbench.engine.compiled import collect
 
 Floats = NDArray[np.float64]
 
@@ -61,16 +63,13 @@ def refreshed_terms(phosphor: Phosphor, period_s: float) -> tuple[tuple[float, f
     )
 
 
-def light_of_hits(phosphor: Phosphor, period_s: float, seconds: Floats) -> Floats:
-    """Light at times after a hit that is repeated every ``period_s``, over its mean: 1 is the mean.
+def light_over_refresh(phosphor: Phosphor, period_s: float, steps: int) -> Floats:
+    """Seconds after a hit that is repeated every ``period_s``, and the light then, over its mean: (n + 1, 2).
 
-    The closed form of what the text ``phosphor_decay`` steps from the refreshed terms on.
+    The text ``phosphor_decay`` is what steps it, from the refreshed terms on.
     """
-    within = np.mod(seconds, period_s)
-    light = np.zeros_like(seconds)
-    for fresh, tau_s in refreshed_terms(phosphor, period_s):
-        light += fresh * np.exp(-within / tau_s)
-    return light
+    terms = np.array(refreshed_terms(phosphor, period_s))
+    return collect(phosphor_decay, terms, period_s / steps, steps, compiling=False)
 
 
 def _light(phosphor: Phosphor, period_s: float, t: float) -> float:

@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
-from workbench.display.flicker import light_of_hits
+from workbench.display.flicker import light_over_refresh
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.vector_beam import VectorBeam
 from workbench.display.waveforms import Waveforms, nearest_pass, waveforms
@@ -17,6 +17,7 @@ from workbench.widgets.tube.view import TubeView
 
 _REFRESH_MS = 90
 _LINES_SHOWN = 2
+_LIGHT_STEPS = 240
 
 
 class TubeInstruments(QWidget):
@@ -122,8 +123,11 @@ class TubeInstruments(QWidget):
         if hit is None:
             self.light.show_words(_("The beam is dark at ({x}, {y}).").format(x=pixel[0], y=pixel[1]))
             return
-        seconds = np.linspace(0.0, float(period), 240)
-        light = light_of_hits(tube.driver.tube.guns[0], float(period), seconds - hit)
+        # From hit to hit, cut where the picture begins
+        after, light = light_over_refresh(tube.driver.tube.guns[0], float(period), _LIGHT_STEPS)[:-1].T
+        seconds = np.mod(after + hit, float(period))
+        order = np.argsort(seconds)
+        seconds, light = seconds[order], light[order]
         span = _("({x}, {y}), 1 picture, {time}").format(
             x=pixel[0], y=pixel[1], time=span_text(float(period))
         )

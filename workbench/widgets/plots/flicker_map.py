@@ -152,7 +152,9 @@ class FlickerMap(Plot):
     def _ask_for(self, refresh_hz: float, seconds: float) -> None:
         if self._zones.seconds:
             low, high = self._zones.seconds[0], self._zones.seconds[-1]
-            self.moved.emit(min(max(refresh_hz, 1.0), 240.0), min(max(seconds, low), high))
+            self._point = min(max(refresh_hz, 1.0), 240.0), min(max(seconds, low), high)
+            self._mark()
+            self.moved.emit(*self._point)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """A left press or drag takes the point there."""

@@ -14,7 +14,7 @@ from workbench.display.flicker import (
     Flicker,
     critical_frequency_hz,
     in_closed_form,
-    light_of_hits,
+    light_over_refresh,
     measured,
     zones,
 )
@@ -272,11 +272,11 @@ class FlickerPage(PlainPage, QWidget):
     def _show_light(self) -> None:
         subject = self.subject
         phosphor, period = phosphor_of(subject), 1.0 / setup_of(subject).refresh_hz
-        near = np.geomspace(1e-5, 1.0, _SAMPLES // 2, endpoint=False)
-        within = np.concatenate([[0.0], near, np.linspace(0.5, 1.0, _SAMPLES // 2, endpoint=False)])
-        once = np.unique(within) * period
-        over = np.concatenate([once + k * period for k in range(_PERIODS)])
-        formula = Trace(1e3 * over, light_of_hits(phosphor, period, over))
+        once = light_over_refresh(phosphor, period, _SAMPLES)[:-1]
+        formula = Trace(
+            1e3 * np.concatenate([once[:, 0] + k * period for k in range(_PERIODS)]),
+            np.tile(once[:, 1], _PERIODS),
+        )
         dots, words = _NOTHING, _("{name}, {n} refreshes of {ms:.4g} ms")
         if self._probed is not None:
             mean = self._probed.energies.sum() / period
