@@ -72,6 +72,9 @@ _TEACHING_ORDER = (
     "scanning.stroke_order",
     "scanning.beam_spot",
     "scanning.phosphor_decay",
+    "colour.rgb_to_cmy",
+    "colour.rgb_to_hsv",
+    "colour.hsv_to_rgb",
 )
 
 _ENTRIES: tuple[Entry, ...] = tuple(

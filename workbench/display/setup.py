@@ -28,7 +28,7 @@ COLOUR_TUBE = "P22"
 _SPOT_OF_LINE_PITCH = 0.36
 VECTOR_SPOT_MM = 0.5
 _LEAST_SPOT_PX = 0.7
-_WHITE = 1.5
+WHITE = 1.5
 """Luminance of a white field: lines one pixel wide, which the spot spreads, then come out near 1."""
 
 _LINE_PEAK = 1.6
@@ -143,27 +143,39 @@ def raster_tube(
     precision: Any = np.float32,
     timing: RasterTiming | None = None,
     picture_px: tuple[int, int] | None = None,
+    *,
+    window_mm: tuple[float, float, float, float] | None = None,
+    gun: int | None = None,
+    shift_mm: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[Tube, RasterBeam]:
     """A tube with ``size_px`` pixels that scans ``image`` (h, w); a white field is a little above 1.
 
     Without a ``timing`` it is blanked as VGA and refreshed as set up. ``picture_px`` is the picture that
     gives the face its shape, where the image has more or fewer pixels than that.
+    ``window_mm`` (left, bottom, right, top) is the part of the face that is looked at, by default all of it.
+    With ``gun`` that gun of a colour tube is there alone; its picture lies ``shift_mm`` beside its place.
     """
     height, width = image.shape
     picture = picture_px or (width, height)
     left, bottom, right, top = area_mm(picture)
-    size_mm = face_mm(picture)
+    face = window_mm or (0.0, 0.0, *face_mm(picture))
+    size_mm = face[2] - face[0], face[3] - face[1]
     spot = max(_SPOT_OF_LINE_PITCH * (top - bottom) / height, 0.4 * size_mm[1] / size_px[1])
-    tube = Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
+    guns = setup.guns()
+    currents = currents_of_image(image, len(guns), setup.gamma)
+    if gun is not None:
+        guns, currents = guns[gun : gun + 1], currents[gun : gun + 1]
+    tube = Tube(size_px, size_mm, guns, spot_mm=spot, reach=4.0, precision=precision)
     timing = timing or RasterTiming.synthesised(width, height, setup.refresh)
     pixel = tube.pitch_mm[0] * tube.pitch_mm[1]
     share = (right - left) * (top - bottom) / (width * height) / pixel
+    x, y = shift_mm[0] - face[0], shift_mm[1] - face[1]
     beam = RasterBeam(
         tube,
         timing,
-        currents_of_image(image, len(tube.guns), setup.gamma),
-        (left, bottom, right, top),
-        power=float(_WHITE * timing.clocks_per_frame * share),
+        currents,
+        (left + x, bottom + y, right + x, top + y),
+        power=float(WHITE * timing.clocks_per_frame * share),
     )
     return tube, beam
 

@@ -101,6 +101,12 @@ def seen_scene(state: SessionState, sheet: Sheet) -> Scene | None:
     return replace(scene, camera=look.camera)
 
 
+def as_seen(state: SessionState, sheet: Sheet) -> Sheet:
+    """``sheet`` with its scene seen as it is now; itself where nobody looks around in it."""
+    scene = seen_scene(state, sheet)
+    return sheet if scene is sheet.scene else replace(sheet, scene=scene)
+
+
 def with_look(state: SessionState, sheet: Sheet, camera: Camera | None) -> dict[str, Look]:
     """The looks of ``state``, with ``camera`` at the scene of this sheet, or with None the scene's own."""
     kept = {name: look for name, look in state.looks.items() if name != sheet.id}

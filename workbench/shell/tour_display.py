@@ -25,6 +25,11 @@ def display_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("display-overloaded", _overloaded),
         ("display-storage", _storage),
         ("display-raster-or-random", _raster_or_random),
+        ("display-flicker", _flicker),
+        ("display-flicker-trail", _trail),
+        ("display-colour-models", _models),
+        ("display-shadow-mask", _mask),
+        ("display-penetration", _penetration),
     ]
 
 
@@ -118,3 +123,40 @@ def _raster_or_random(window: MainWindow) -> None:
     from workbench.shell.questions import questions
 
     window.open_question(next(each for each in questions() if each.number == 10))
+
+
+def _numbers(window: MainWindow, example: str, slug: str, step: int = 0, **arguments: Argument) -> None:
+    """A page of Display over an example, with some of its numbers set."""
+    from msgspec.structs import replace
+
+    window.open_example(example)
+    window.go("display")
+    window.panels("display")[0].show_page(slug)
+    subject = window.session.state.subject
+    changed = replace(subject, arguments={**subject.arguments, **arguments})
+    window.session.update_state(subject=changed, step=step)
+
+
+def _flicker(window: MainWindow) -> None:
+    """A fast phosphor refreshed too seldom."""
+    _numbers(window, "house", "flicker", 4, refresh_hz=45.0)
+
+
+def _trail(window: MainWindow) -> None:
+    """A spot that moves over a slow phosphor."""
+    _numbers(window, "house", "flicker", 0, phosphor="P39", figure="spot")
+
+
+def _models(window: MainWindow) -> None:
+    """An orange in three solids, half-way to its hue."""
+    _numbers(window, "house", "colour", 3, part="models", red=0.95, green=0.55, blue=0.2)
+
+
+def _mask(window: MainWindow) -> None:
+    """A shadow mask close up."""
+    _numbers(window, "colour-bars", "colour", 0, part="mask", pitch_mm=0.6, width_mm=14.0)
+
+
+def _penetration(window: MainWindow) -> None:
+    """Each stroke in the colour of its voltage."""
+    _numbers(window, "house", "colour", 0, part="penetration", by_stroke=True, kilovolts=6.3)

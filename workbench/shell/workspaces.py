@@ -199,7 +199,7 @@ def workspaces() -> tuple[Workspace, ...]:
             "monitor",
             ("workbench.panels.display.panel:DisplayPanel", inspector),
             steps=True,
-            topics=("scanning",),
-            lower=("hand_table", "source", "variables", "about"),
+            topics=("scanning", "colour", "visibility"),
+            lower=("hand_table", "source", "variables", "about", "phosphors"),
         ),
     )

@@ -31,4 +31,16 @@ def pages() -> tuple[PageRow, ...]:
             _("One picture on both kinds of display: stairs, areas, memory, and time"),
             "workbench.panels.display.comparison.page:ComparisonPage",
         ),
+        PageRow(
+            "flicker",
+            _("Flicker"),
+            _("Refresh rate against phosphor: flickers, steady or smears, in numbers and on the tube"),
+            "workbench.panels.display.flicker.page:FlickerPage",
+        ),
+        PageRow(
+            "colour",
+            _("Colour"),
+            _("Colour models, the mask of a colour tube close up, and colour by accelerating voltage"),
+            "workbench.panels.display.colour.page:ColourPage",
+        ),
     )
