@@ -65,6 +65,7 @@ _TEACHING_ORDER = (
     "animation.slerp",
     "scanning.raster_scan",
     "scanning.random_scan",
+    "scanning.electron_beam",
     "scanning.beam_spot",
     "scanning.phosphor_decay",
 )
