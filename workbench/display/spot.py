@@ -20,6 +20,7 @@ DWELL = 1e-4
 """A stroke shorter than this many standard deviations is a dwell, a round spot; that is 4e-10 off."""
 
 _NEGLIGIBLE = 1e-9
+_NEAR = 4.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,6 +117,24 @@ def across_rows(centres: NDArray[Any], edges: NDArray[Any], spot: float) -> Floa
     """Share of rows at ``centres`` (n,) that falls between ``edges`` (m + 1,): (m, n); one unit for all."""
     scaled = (edges[:, None] - centres[None, :]) / (math.sqrt(2.0) * spot)
     return np.diff(0.5 * erf(scaled), axis=0)
+
+
+def near_shares(
+    centres: NDArray[Any], weights: NDArray[Any], count: int, pitch: float, spot: float, kind: Any
+) -> NDArray[Any]:
+    """Share of each hit that falls on each of ``count`` equal pixels from 0 on, times its weight: (count, n).
+
+    Beyond ``_NEAR`` standard deviations nothing is counted.
+    """
+    wide = math.ceil(2.0 * _NEAR * spot / pitch) + 1
+    first = np.floor((centres - _NEAR * spot) / pitch).astype(np.int64)
+    edges = (first[None, :] + np.arange(wide + 1)[:, None]) * pitch
+    shares = np.diff(0.5 * erf((edges - centres[None, :]) / (math.sqrt(2.0) * spot)), axis=0) * weights
+    pixels = first[None, :] + np.arange(wide)[:, None]
+    inside = (pixels >= 0) & (pixels < count)
+    whole = np.zeros((count, len(centres)), kind)
+    whole[pixels[inside], np.nonzero(inside)[1]] = shares[inside]
+    return whole
 
 
 def along_row(cuts: NDArray[Any], edges: NDArray[Any], spot: float) -> Floats:
