@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, NoReturn
 from workbench.language import _
 from workbench.shell.tour_animate import animate_scenes
 from workbench.shell.tour_curves import curve_scenes
+from workbench.shell.tour_display import display_scenes
 from workbench.shell.tour_space import space_scenes
 from workbench.shell.tour_transform import transform_scenes
 from workbench.shell.tour_viewing import viewing_scenes
@@ -199,6 +200,7 @@ def scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         *space_scenes(),
         ("display", _display),
         ("display-beam", _beam),
+        *display_scenes(),
         ("palette", _palette),
         ("settings", lambda window: window.go("settings")),
         ("keys", lambda window: window.go("keys")),

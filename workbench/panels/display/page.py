@@ -13,4 +13,10 @@ def pages() -> tuple[PageRow, ...]:
             _("The picture on a raster tube and on a vector tube, side by side, with instruments"),
             "workbench.panels.display.tubes_page:TubesPage",
         ),
+        PageRow(
+            "gun",
+            _("Gun"),
+            _("The tube cut open: heater, grid, focus, acceleration, deflection, and the spot they make"),
+            "workbench.panels.display.gun.page:GunPage",
+        ),
     )

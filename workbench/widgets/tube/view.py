@@ -92,7 +92,7 @@ class TubeView(LiveTube):
         if self.kind != "raster":
             return
         if same_size and self.driver is not None and isinstance(self.driver.beam, RasterBeam):
-            drive = currents_of_image(image, len(self.driver.tube.guns), self._setup.gamma)
+            drive = currents_of_image(image, len(self.driver.tube.guns), self._setup)
             self.driver.show(self.driver.beam.with_drive(drive))
             self._wake()
         else:
