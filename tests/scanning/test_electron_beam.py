@@ -103,7 +103,7 @@ def test_the_grid_passes_nothing_from_its_cut_off_and_all_at_zero(v_cut, peak, g
 def test_focus_changes_the_width_of_the_spot_and_nothing_else(factor, volts) -> None:
     sharp, other = beam((0.0, volts)), beam((0.0, volts), v_focus=420.0 * factor)
     assert [place[:3] for place in sharp] == [place[:3] for place in other]
-    assert sharp[-1][3] == pytest.approx(0.45)
+    assert sharp[-1][3] == pytest.approx(0.6)
     assert other[-1][3] >= sharp[-1][3]
     wider = beam(v_focus=420.0 * (factor + 0.2 if factor > 1.0 else factor - 0.2))
     assert wider[-1][3] >= beam(v_focus=420.0 * factor)[-1][3]

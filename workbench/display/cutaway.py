@@ -46,6 +46,8 @@ STEPS: tuple[tuple[Part, ...], ...] = (
 _FOOT, _NECK, _WALL = -20.0, 17.0, 5.0
 _BULGE = 5.0
 _AXIS_ENDS = 6.0
+_YOKE = 8.0
+_SHIFTS = 24
 _ROUND = 9
 MARGIN = 8.0
 
@@ -60,10 +62,14 @@ class Shape(NamedTuple):
 
 
 class Label(NamedTuple):
-    """What a part is called and set to, where it is pointed at, and whether that is done from above."""
+    """What a part is called and set to, where it is pointed at, and whether that is done from above.
+
+    ``short`` is what it is called where there is no room for its title.
+    """
 
     part: Part
     title: str
+    short: str
     value: str
     anchor: tuple[float, float]
     above: bool
@@ -101,7 +107,7 @@ def parts_of(gun: Gun) -> tuple[Part, ...]:
 def window_of(gun: Gun) -> Box:
     """What the drawing needs of the plane."""
     half = FACE_MM[1] / 2.0
-    return _FOOT - MARGIN, -half - 3.5 * MARGIN, gun.screen + _BULGE + MARGIN, half + MARGIN
+    return _FOOT - MARGIN, -half - 2.5 * MARGIN, gun.screen + _BULGE + MARGIN, half + 1.7 * MARGIN
 
 
 def neck_of(gun: Gun) -> float:
@@ -144,7 +150,7 @@ def shapes(gun: Gun) -> tuple[Shape, ...]:
         ]
     if gun.coils:
         for side in (1.0, -1.0):
-            box = _box(PLATES_MM, side * (neck + 1.5), PLATES_MM + gun.length, side * (neck + 8.0))
+            box = _box(PLATES_MM, side * (neck + 1.5), PLATES_MM + gun.length, side * (neck + _YOKE))
             drawn.append(Shape("coils", "coil", box))
         return tuple(drawn)
     second = gun.screen - gun.reach_x - gun.length / 2.0
@@ -197,7 +203,7 @@ def spans(gun: Gun) -> tuple[Span, ...]:
     half = FACE_MM[1] / 2.0
     middle = gun.screen - gun.reach_y
     return (
-        Span(f"l = {gun.length:g} mm", PLATES_MM, PLATES_MM + gun.length, -half + 2.0 * MARGIN),
+        Span(f"l = {gun.length:g} mm", PLATES_MM, PLATES_MM + gun.length, -half + MARGIN),
         Span(f"D = {gun.reach_y:g} mm", middle, gun.screen, -half - 1.5 * MARGIN),
     )
 
@@ -213,29 +219,28 @@ def labels(gun: Gun, seconds: float | None = None) -> tuple[Label, ...]:
     first = PLATES_MM + gun.length / 2.0
     second = gun.screen - gun.reach_x
     if gun.coils:
-        strength = math.hypot(way_x, way_y)
-        bent = [
-            Label("coils", _("deflection coils"), f"B = {_volts(strength, 'mT')}", (first, neck + 5.0), True)
-        ]
+        field = f"B = {_volts(math.hypot(way_x, way_y), 'mT')}"
+        bent = [Label("coils", _("deflection coils"), _("coils"), field, (first, neck + 5.0), True)]
     else:
-        up, across = _volts(way_y, "V"), _volts(way_x, "V")
+        up, across = f"V_y = {_volts(way_y, 'V')}", f"V_x = {_volts(way_x, 'V')}"
+        above, within = (first, gun.gap / 2.0 + 1.0), (second, 4.0)
         bent = [
-            Label(
-                "plates_y", _("vertical deflection plates"), f"V_y = {up}", (first, gun.gap / 2 + 1.0), True
-            ),
-            Label("plates_x", _("horizontal deflection plates"), f"V_x = {across}", (second, 4.0), True),
+            Label("plates_y", _("vertical deflection plates"), _("Y plates"), up, above, True),
+            Label("plates_x", _("horizontal deflection plates"), _("X plates"), across, within, True),
         ]
     beyond = (flare[0][0] + gun.screen) / 2.0
     return (
-        Label("heater", _("heater"), "6.3 V", (-8.5, 3.0), True),
-        Label("grid", _("control grid"), _volts(gun.grid, "V"), (GRID_MM, 9.0), True),
-        Label("anode", _("accelerating anode"), _volts(gun.anode, "V"), (ANODE_MM - 4.0, 9.0), True),
+        Label("heater", _("heater"), _("heater"), "6.3 V", (-8.5, 3.0), True),
+        Label("grid", _("control grid"), _("grid"), _volts(gun.grid, "V"), (GRID_MM, 9.0), True),
+        Label(
+            "anode", _("accelerating anode"), _("anode"), _volts(gun.anode, "V"), (ANODE_MM - 4.0, 9.0), True
+        ),
         *bent,
-        Label("screen", _("phosphor-coated screen"), gun.phosphor, face(gun, 0.86), True),
-        Label("cathode", _("cathode"), "0 V", (-1.5, -6.0), False),
-        Label("focus", _("focusing anode"), _volts(gun.focus, "V"), (LENS_MM, -8.5), False),
-        Label("beam", _("electron beam"), "", (beyond, 0.0), False),
-        Label("coating", _("conductive coating"), "", (coat[0], 3.0 - coat[1]), False),
+        Label("screen", _("phosphor-coated screen"), _("screen"), gun.phosphor, face(gun, 0.86), True),
+        Label("cathode", _("cathode"), _("cathode"), "0 V", (-1.5, -6.0), False),
+        Label("focus", _("focusing anode"), _("focus"), _volts(gun.focus, "V"), (LENS_MM, -8.5), False),
+        Label("beam", _("electron beam"), _("beam"), "", (beyond, 0.0), False),
+        Label("coating", _("conductive coating"), _("coating"), "", (coat[0], 3.0 - coat[1]), False),
     )
 
 
@@ -247,32 +252,34 @@ def _volts(value: float, unit: str) -> str:
 def place_labels(
     wanted: Iterable[Label], gun: Gun, size_of: Callable[[Label], tuple[float, float]], gap: float
 ) -> tuple[PlacedLabel, ...]:
-    """Put every label into the nearest row above or below the neck where it keeps ``gap`` to the others.
+    """Put every label as near to its part as it can be, ``gap`` clear of the neck and of the others.
 
-    ``size_of`` gives width and height of its box.
+    ``size_of`` gives width and height of its box. Where there is no room left, labels lie over one another.
     """
     left_end, low, right_end, high = window_of(gun)
+    free = neck_of(gun) + 2.0 * gap + (_YOKE if gun.coils else 0.0)
+    taken = [(span.start, span.y - gap / 2.0, span.end, span.y + gap / 2.0) for span in spans(gun)]
     placed: list[PlacedLabel] = []
     for label in wanted:
         wide, tall = size_of(label)
-        left = min(max(label.anchor[0] - wide / 2.0, left_end), right_end - wide)
-        row = 0
-        while True:
-            start = neck_of(gun) + 2.0 * gap + (8.0 if gun.coils else 0.0) + row * (tall + gap)
-            box = (
-                (left, start, left + wide, start + tall)
-                if label.above
-                else (left, -start - tall, left + wide, -start)
-            )
-            if label.above and box[3] > high:
-                box = (left, high - tall, left + wide, high)
-            if not label.above and box[1] < low:
-                box = (left, low, left + wide, low + tall)
-            if row > 5 or not any(_touch(box, each.box, gap) for each in placed):
-                break
-            row += 1
-        placed.append(PlacedLabel(label, box))
+        rows = max(int(((high if label.above else -low) - free + gap) // (tall + gap)), 1)
+        middle = label.anchor[0] - wide / 2.0
+        shifts = sorted((shift * gap for shift in range(-_SHIFTS, _SHIFTS + 1)), key=abs)
+        lefts = [min(max(middle + shift, left_end), right_end - wide) for shift in shifts]
+        starts = [free + row * (tall + gap) for row in range(rows)]
+        boxes = [(left, start, left + wide, start + tall) for start in starts for left in lefts]
+        if not label.above:
+            boxes = [(left, -top, right, -bottom) for left, bottom, right, top in boxes]
+        clear = (box for box in boxes if not any(_touch(box, other, gap) for other in taken))
+        placed.append(PlacedLabel(label, next(clear, boxes[0])))
+        taken.append(placed[-1].box)
     return tuple(placed)
+
+
+def crowded(placed: Sequence[PlacedLabel]) -> bool:
+    """Whether any two labels lie over one another."""
+    boxes = [each.box for each in placed]
+    return any(_touch(one, other, 0.0) for k, one in enumerate(boxes) for other in boxes[:k])
 
 
 def _touch(one: Box, other: Box, gap: float) -> bool:

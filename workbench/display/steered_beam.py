@@ -23,7 +23,7 @@ Floats = NDArray[np.floating[Any]]
 EXPOSED_UA = 45.0
 """The picture is exposed so that a sharp trace of this current is well seen."""
 
-_PEAK = 1.5
+_PEAK, _DOT = 1.5, 6.0
 _FEWEST, _MOST = 16, 3000
 _PROBES = 512
 
@@ -46,7 +46,7 @@ class SteeredBeam:
         self._across = near_shares(y + FACE_MM[1] / 2, reached, rows, pitch_y, gun.spot, self._kind)
         pixel = pitch_x * pitch_y
         wide = math.sqrt(2.0 * math.pi) * SPOT
-        self.power = _PEAK * wide * (length + wide) / pixel * gun.beam_current / EXPOSED_UA
+        self.power = _PEAK * wide * (length + _DOT * wide) / pixel * gun.beam_current / EXPOSED_UA
         self._frames: Floats | None = None
 
     def _length_and_count(self, period: float) -> tuple[float, int]:

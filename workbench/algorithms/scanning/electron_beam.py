@@ -31,7 +31,7 @@ GRID_MM, LENS_MM, ANODE_MM, PLATES_MM = 8.0, 32.0, 58.0, 66.0
 """Where grid, middle of the focusing anode and accelerating anode are, and where the first plates begin."""
 
 FOCUS_SHARE = 0.21
-LENS_RADIUS, SPOT = 3.0, 0.45
+LENS_RADIUS, SPOT = 3.0, 0.6
 """A thin lens, for teaching: it brings the beam together at the screen when V_f is this share of V_a."""
 
 FACE_MM = 140.0, 120.0

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QSlider, QWidget
 from workbench.widgets.fields.number_field import NumberField
 
 _STEPS = 1000
-_LABEL_PX = 42
+_LABEL_PX, _UNIT_PX = 30, 16
 _LEAST_SLIDER_PX = 40
 
 
@@ -42,6 +42,7 @@ class SliderField(QWidget):
         self._showing = False
         self.number = NumberField(label, unit, low=low, high=high, step=step, meaning=meaning)
         self.number.label.setMinimumWidth(_LABEL_PX)
+        self.number.unit.setMinimumWidth(_UNIT_PX)
         self.number.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.slider = QSlider(Qt.Orientation.Horizontal)
         self.slider.setRange(0, _STEPS)
@@ -53,7 +54,7 @@ class SliderField(QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(8)
         row.addWidget(self.number)
-        row.addWidget(self.slider, 1, Qt.AlignmentFlag.AlignTop)
+        row.addWidget(self.slider, 1)
         self.setFocusProxy(self.number)
         self.slider.valueChanged.connect(self._slid)
         self.slider.sliderReleased.connect(self.ended)

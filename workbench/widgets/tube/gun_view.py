@@ -30,6 +30,7 @@ from workbench.display.cutaway import (
     Shape,
     Span,
     beam_outline,
+    crowded,
     ends_on_face,
     labels,
     parts_of,
@@ -49,8 +50,6 @@ _PADDING_PX, _GAP_PX = 6.0, 6.0
 _NEAR_PX, _SPOT_PX = 14.0, 5.0
 _FAINTEST, _STRONGEST = 50, 235
 _STEP_MM, _FAR_MM = 1.0, 10.0
-_SHORT_PX = 1.45
-"""Below so many pixels a millimetre labels have one line."""
 
 
 class GunView(QWidget):
@@ -73,10 +72,11 @@ class GunView(QWidget):
         self._dragging = False
         self._shapes: tuple[Shape, ...] = shapes(self._gun)
         self._placed: tuple[PlacedLabel, ...] = ()
+        self._wording = "whole"
         self._spans: tuple[Span, ...] = ()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
-        self.setMinimumSize(300, 170)
+        self.setMinimumSize(300, 110)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setAccessibleName(_("Cut-away drawing of the tube"))
         theme.changed.connect(self.update)
@@ -303,8 +303,8 @@ class GunView(QWidget):
             painter.drawPolyline(outline)
 
     def _glow(self) -> QColor:
-        """The phosphor's colour, as its tube shows it."""
-        linear = np.max([gun.colours[0][1] for gun in self._gun.phosphors], axis=0)
+        """The phosphor's colour, of several layers that which lasts."""
+        linear = np.max([gun.colours[-1][1] for gun in self._gun.phosphors], axis=0)
         red, green, blue = (round(255 * float(value)) for value in srgb_encoded(linear))
         shown = QColor(red, green, blue)
         return shown if tokens().dark else shown.darker(150)
@@ -341,7 +341,11 @@ class GunView(QWidget):
         for tip, way in ((start, 1.0), (end, -1.0)):
             painter.drawLine(tip + QPointF(0, -4), tip + QPointF(0, 4))
             painter.drawPolyline(QPolygonF([tip + QPointF(5 * way, -3), tip, tip + QPointF(5 * way, 3)]))
-        self._paint_words(painter, span.name, (start + end) / 2.0, tokens().text)
+        wide = QFontMetricsF(painter.font()).horizontalAdvance(span.name)
+        middle = (start + end) / 2.0
+        if wide + 30.0 > end.x() - start.x():
+            middle = end + QPointF(wide / 2.0 + 8.0, 0.0)
+        self._paint_words(painter, span.name, middle, tokens().text)
 
     def _paint_height(self, painter: QPainter) -> None:
         """y, from the axis to the spot."""
@@ -349,7 +353,7 @@ class GunView(QWidget):
         if z < self._gun.screen or abs(y) * self._scale < 12.0:
             return
         foot, tip = self.place_px(z - 9.0, 0.0), self.place_px(z - 9.0, y)
-        painter.setPen(QPen(self._glow(), 1.2))
+        painter.setPen(QPen(colour(tokens().text), 1.2))
         painter.drawLine(foot, tip)
         for end, way in ((foot, -1.0), (tip, 1.0)):
             up = way * (1.0 if y > 0 else -1.0)
@@ -375,14 +379,21 @@ class GunView(QWidget):
         return wide / self._scale, (len(lines) * metrics.height() + _PADDING_PX) / self._scale
 
     def _lines(self, label: Label) -> list[str]:
-        if self._scale < _SHORT_PX:
-            return [label.title]
-        return [line for line in (label.title, label.value) if line]
+        if self._wording == "short":
+            return [label.short]
+        return [line for line in (label.title, label.value) if line][: 2 if self._wording == "whole" else 1]
+
+    def _place_labels(self, metrics: QFontMetricsF) -> None:
+        """With what parts are set to, or where that is too much, with their names alone, or short ones."""
+        told, gap = labels(self._gun, self._seconds), _GAP_PX / self._scale
+        for self._wording in ("whole", "names", "short"):
+            self._placed = place_labels(told, self._gun, partial(self._size_of, metrics), gap)
+            if not crowded(self._placed):
+                break
 
     def _paint_labels(self, painter: QPainter, metrics: QFontMetricsF) -> None:
         now = tokens()
-        told = labels(self._gun, self._seconds)
-        self._placed = place_labels(told, self._gun, partial(self._size_of, metrics), _GAP_PX / self._scale)
+        self._place_labels(metrics)
         for placed in self._placed:
             lit = self._is_lit(placed.label.part)
             painter.setPen(QPen(colour(now.accent if lit else now.muted), 1))
@@ -398,8 +409,23 @@ class GunView(QWidget):
             at = box.adjusted(_PADDING_PX, _PADDING_PX / 2, 0, 0)
             for number, line in enumerate(self._lines(placed.label)):
                 painter.setPen(colour(now.muted if number else now.text))
-                row = QRectF(at.left(), at.top() + number * metrics.height(), at.width(), metrics.height())
-                painter.drawText(row, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, line)
+                base = at.top() + number * metrics.height() + metrics.ascent()
+                _draw_lowered(painter, QPointF(at.left(), base), line)
+
+
+def _draw_lowered(painter: QPainter, at: QPointF, line: str) -> None:
+    """Draw a line of words from its base line; what follows an underscore is small and lowered."""
+    font, small = painter.font(), QFont(painter.font())
+    small.setPixelSize(round(0.8 * font.pixelSize()))
+    head, mark, tail = line.partition("_")
+    painter.drawText(at, head)
+    if mark:
+        beside = at + QPointF(QFontMetricsF(font).horizontalAdvance(head), 0.0)
+        painter.setFont(small)
+        painter.drawText(beside + QPointF(0.0, 2.0), tail[:1])
+        after = beside + QPointF(QFontMetricsF(small).horizontalAdvance(tail[:1]) + 1.0, 0.0)
+        painter.setFont(font)
+        painter.drawText(after, tail[1:])
 
 
 def _is_at(shape: Shape, z: float, y: float, near: float) -> bool:

@@ -21,7 +21,7 @@ def current_line(gun: Gun) -> str:
 
 def focus_line(gun: Gun) -> str:
     """The spot, and the voltage at which it would be sharp."""
-    words = _("spot σ = {spot}, sharp at {volts} V")
+    words = _("σ = {spot}, sharp at {volts} V")
     return words.format(spot=_strong(f"{gun.spot:.2g} mm"), volts=_short(gun.best_focus))
 
 

@@ -1,6 +1,7 @@
 """The bar above the drawing: plates or coils, phosphor, labels, examples, saving; below it the time."""
 
 from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -9,7 +10,6 @@ from PySide6.QtWidgets import (
     QMenu,
     QSizePolicy,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -22,6 +22,8 @@ from workbench.panels.display.gun.presets import presets
 from workbench.widgets.fields.slider_field import SliderField
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tips import tell_choice
+
+_NARROW_PX = 700
 
 
 class GunBar(QWidget):
@@ -63,9 +65,14 @@ class GunBar(QWidget):
             action.triggered.connect(lambda _on=False, slug=each.slug: self.preset_wanted.emit(slug))
         self.examples.setMenu(menu)
         self.save = QToolButton()
+        self.save.setText(_("Save drawing"))
+        self.save.setAccessibleName(_("Save drawing"))
+        self.save.setToolTip(_("Save the tube as SVG or PDF, with its labels or without"))
         self.save.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        row = QHBoxLayout()
+        set_icon(self.save, "download-simple")
+        row = QHBoxLayout(self)
         row.setSpacing(8)
+        self._titles = []
         for title, box, meaning in (
             (_("Deflection"), self.bent_by, _("What bends the beam: an electric or a magnetic field")),
             (_("Phosphor"), self.phosphor, _("What the screen is coated with, and its persistence to 10 %")),
@@ -73,6 +80,7 @@ class GunBar(QWidget):
             label = QLabel(title)
             label.setProperty("role", "muted")
             label.setBuddy(box)
+            self._titles.append(label)
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
             box.setMinimumContentsLength(9 if box is self.bent_by else 13)
             box.setAccessibleName(title)
@@ -84,18 +92,16 @@ class GunBar(QWidget):
             row.addWidget(part)
         row.addStretch(1)
         row.addWidget(self.save)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(4)
-        whole.addLayout(row)
-        whole.addWidget(self._time_row())
+        row.setContentsMargins(0, 0, 0, 0)
+        self._make_time()
         self.bent_by.activated.connect(lambda _row: self.edited.emit({"coils": self.bent_by.currentData()}))
         self.phosphor.activated.connect(
             lambda _row: self.edited.emit({"phosphor": self.phosphor.currentData()})
         )
         self.labels.toggled.connect(self.labelled)
 
-    def _time_row(self) -> QWidget:
+    def _make_time(self) -> None:
+        """A row of its own, which stands where the cards do."""
         self.time = QWidget()
         self.pause = QToolButton()
         self.pause.setText(_("Pause"))
@@ -123,13 +129,17 @@ class GunBar(QWidget):
         self.pause.clicked.connect(self.paused)
         self.slow.edited.connect(self.slowed)
         self.moment.edited.connect(self.moment_wanted)
-        return self.time
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where it is narrow the boxes stand without their names, which they tell as tooltips."""
+        super().resizeEvent(event)
+        for title in self._titles:
+            title.setVisible(event.size().width() >= _NARROW_PX)
 
     def show_gun(self, gun: Gun, tube: TubeSettings) -> None:
         """Show what is set."""
         self.bent_by.setCurrentIndex(int(gun.coils))
         self.phosphor.setCurrentIndex(max(self.phosphor.findData(gun.phosphor), 0))
-        self.time.setVisible(gun.swings)
         if gun.swings:
             self.pause.setChecked(tube.paused)
             self.slow.set_value(max(tube.slow_motion, 1.0))

@@ -1,10 +1,9 @@
 """The cards below the drawing: the beam's voltages, both ways of deflecting it, the knobs of a monitor."""
 
-from collections.abc import Mapping
-
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QButtonGroup,
     QComboBox,
     QFrame,
@@ -23,7 +22,8 @@ from workbench.panels.display.gun.arithmetic import current_line, deflection_lin
 from workbench.rendering.subjects.gun import NUMBERS
 from workbench.widgets.fields.slider_field import SliderField
 
-_NARROW_PX = 780
+_NARROW_PX = 700
+_LINES = 2
 _SPANS = {
     "grid": (-80.0, 0.0),
     "volts": (-700.0, 700.0),
@@ -55,7 +55,8 @@ class GunCard(QFrame):
         self.line.setTextFormat(Qt.TextFormat.RichText)
         self.line.setWordWrap(True)
         self.line.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.line.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.line.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.line.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.head = QHBoxLayout()
         self.head.addWidget(self.title, 1)
         self.rows = QVBoxLayout()
@@ -65,8 +66,15 @@ class GunCard(QFrame):
         whole.setSpacing(4)
         whole.addLayout(self.head)
         whole.addLayout(self.rows)
-        whole.addStretch(1)
         whole.addWidget(self.line)
+        whole.addStretch(1)
+
+    def lie_down(self, flat: bool) -> None:
+        """Let the sliders stand beside one another, over a line of arithmetic."""
+        way = QBoxLayout.Direction.LeftToRight if flat else QBoxLayout.Direction.TopToBottom
+        self.rows.setDirection(way)
+        self.rows.setSpacing(12 if flat else 2)
+        self.line.setFixedHeight((1 if flat else _LINES) * self.fontMetrics().lineSpacing() + 2)
 
     def slider(self, name: str, label: str = "") -> SliderField:
         """A slider for the setting of this name, below those before."""
@@ -103,6 +111,7 @@ class BeamCard(GunCard):
             field.set_value(getattr(gun, name))
         self.cut_off.setText(_("cut-off {volts} V").format(volts=f"{gun.cut_off:g}".replace("-", "\u2212")))
         self.line.setText(f"{current_line(gun)}<br>{focus_line(gun)}")
+        self.line.setToolTip(_("The lens is a model for teaching: its focal length grows with V_f / V_a"))
 
 
 class DeflectionCard(GunCard):
@@ -129,9 +138,9 @@ class DeflectionCard(GunCard):
         way = getattr(gun, self.way)
         up = self.way == "y"
         if gun.coils:
-            self.title.setText(_("Coils, upwards") if up else _("Coils, across"))
+            self.title.setText(_("Upwards") if up else _("Across"))
         else:
-            self.title.setText(_("Vertical plates") if up else _("Horizontal plates"))
+            self.title.setText(_("Vertical") if up else _("Horizontal"))
         self.wave.setCurrentIndex(max(self.wave.findData(way.wave), 0))
         swings = way.wave != OFF
         seen = {
@@ -149,21 +158,26 @@ class DeflectionCard(GunCard):
 
 
 class GunCards(QWidget):
-    """All cards beside one another, or where that is too narrow one at a time. ``edited`` sends settings."""
+    """All cards beside one another below the ``time``, or where that is too narrow one at a time.
+
+    ``edited`` sends settings.
+    """
 
     edited = Signal(dict)
 
-    def __init__(self, monitor: QWidget, parent: QWidget | None = None) -> None:
+    def __init__(self, monitor: QWidget, time: QWidget, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.beam, self.up, self.across = BeamCard(), DeflectionCard("y"), DeflectionCard("x")
-        self.monitor = monitor
+        self.monitor, self.time = monitor, time
         self._cards = (self.beam, self.up, self.across, monitor)
         self._narrow: bool | None = None
+        self._swings = False
         self.buttons = QButtonGroup(self)
         self._switch = QWidget()
         switch = QHBoxLayout(self._switch)
         switch.setContentsMargins(0, 0, 0, 0)
-        titles = (_("Beam"), _("Vertical"), _("Horizontal"), _("Monitor"))
+        switch.setSpacing(0)
+        titles = (_("Beam"), _("Vertical"), _("Horizontal"), _("Monitor"), _("Time"))
         for number, title in enumerate(titles):
             button = QPushButton(title)
             button.setCheckable(True)
@@ -173,46 +187,60 @@ class GunCards(QWidget):
             switch.addWidget(button)
         switch.addStretch(1)
         self.buttons.button(0).setChecked(True)
-        self.buttons.idClicked.connect(self._show_card)
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setSpacing(8)
-        grid.addWidget(self._switch, 0, 0, 1, len(self._cards))
-        for column, card in enumerate(self._cards):
-            grid.addWidget(card, 1, column)
-            grid.setColumnStretch(column, 4 if column < 3 else 3)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Maximum)
+        self.buttons.idClicked.connect(lambda _number: self._arrange())
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(8)
+        self._grid.setVerticalSpacing(4)
+        self._grid.addWidget(self._switch, 0, 0, 1, len(self._cards))
+        for column in range(len(self._cards)):
+            self._grid.setColumnStretch(column, 4 if column < 3 else 3)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         for card in (self.beam, self.up, self.across):
             card.edited.connect(self.edited)
+        self._lay_out(False)
 
     def show_gun(self, gun: Gun, seconds: float | None = None) -> None:
         """Show what the tube is set to, and where its beam is at a time."""
         self.beam.show_gun(gun)
         self.up.show_gun(gun, seconds)
         self.across.show_gun(gun, seconds)
+        if gun.swings != self._swings:
+            self._swings = gun.swings
+            self._arrange()
 
     def light(self, step: int) -> None:
         """Mark the cards that a step of the run is about."""
-        about: Mapping[QWidget, bool] = {
-            self.beam: 2 <= step <= 4,
-            self.up: step == 5,
-            self.across: step == 5,
-        }
-        for card, lit in about.items():
-            assert isinstance(card, GunCard)
+        for card, lit in ((self.beam, 2 <= step <= 4), (self.up, step == 5), (self.across, step == 5)):
             if card.title.property("here") != lit:
                 card.title.setProperty("here", lit)
                 card.title.style().polish(card.title)
 
-    def _show_card(self, number: int) -> None:
-        for each, card in enumerate(self._cards):
-            card.setVisible(not self._narrow or each == number)
+    def _lay_out(self, narrow: bool) -> None:
+        """Cards in a row, or each over the whole width with its sliders beside one another."""
+        if narrow == self._narrow:
+            return
+        self._narrow = narrow
+        whole = len(self._cards)
+        for column, card in enumerate(self._cards):
+            self._grid.addWidget(card, 2, 0 if narrow else column, 1, whole if narrow else 1)
+        self._grid.addWidget(self.time, 2 if narrow else 1, 0, 1, whole)
+        for each in (self.beam, self.up, self.across):
+            each.lie_down(narrow)
+        self._arrange()
+
+    def _arrange(self) -> None:
+        chosen = self.buttons.checkedId()
+        if chosen == len(self._cards) and not self._swings:
+            self.buttons.button(0).setChecked(True)
+            chosen = 0
+        self._switch.setVisible(bool(self._narrow))
+        self.buttons.button(len(self._cards)).setVisible(self._swings)
+        for number, card in enumerate(self._cards):
+            card.setVisible(not self._narrow or number == chosen)
+        self.time.setVisible(self._swings and (not self._narrow or chosen == len(self._cards)))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """One card at a time where there is room for no more."""
         super().resizeEvent(event)
-        narrow = event.size().width() < _NARROW_PX
-        if narrow != self._narrow:
-            self._narrow = narrow
-            self._switch.setVisible(narrow)
-            self._show_card(self.buttons.checkedId())
+        self._lay_out(event.size().width() < _NARROW_PX)

@@ -1,7 +1,7 @@
 """The knobs of a monitor as a card: what they do to the grid here, and to the pictures of the page Tubes."""
 
 from msgspec.structs import replace
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDial, QFrame, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from workbench.display.gun import Gun
@@ -10,10 +10,10 @@ from workbench.document.fields import Number, numbers_of
 from workbench.document.state import TubeSettings
 from workbench.language import _
 from workbench.session.session import Session
-from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.fields.number_field import NumberField, lowered
 
 _STEPS = 200
-_KNOB_PX = 44
+_KNOB_PX = 42
 
 
 class Knob(QWidget):
@@ -32,12 +32,18 @@ class Knob(QWidget):
         self.dial.setFixedSize(_KNOB_PX, _KNOB_PX)
         self.dial.setAccessibleName(title)
         self.dial.setToolTip(meaning)
-        self.number = NumberField(title, low=self._low, high=self._high, step=0.01, meaning=meaning)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.dial, 0, Qt.AlignmentFlag.AlignHCenter)
-        column.addWidget(self.number)
+        self.number = NumberField("", low=self._low, high=self._high, step=0.01, meaning=meaning)
+        self.title = QLabel(title)
+        self.title.setBuddy(self.number)
+        beside = QVBoxLayout()
+        beside.setSpacing(0)
+        beside.addWidget(self.title)
+        beside.addWidget(self.number)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(6)
+        row.addWidget(self.dial)
+        row.addLayout(beside, 1)
         self.dial.valueChanged.connect(self._turn)
         for signal in (self.number.edited, self.number.scrubbed):
             signal.connect(self._give)
@@ -69,7 +75,7 @@ class MonitorCard(QFrame):
         self._session = session
         self._gun = Gun()
         numbers = numbers_of(TubeSettings)
-        self.title = QLabel(_("Knobs of a monitor"))
+        self.title = QLabel(_("Monitor"))
         self.title.setProperty("role", "section")
         self.brightness = Knob(
             _("Brightness"),
@@ -86,19 +92,14 @@ class MonitorCard(QFrame):
         )
         self.line = QLabel()
         self.line.setProperty("role", "muted")
-        self.line.setWordWrap(True)
-        self.line.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        row = QHBoxLayout()
-        row.setSpacing(10)
-        row.addWidget(self.brightness)
-        row.addWidget(self.contrast)
+        self.line.setToolTip(_("The voltage of the grid, from black to white; at the cut-off it is dark"))
+        self.line.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(10, 6, 10, 6)
-        whole.setSpacing(4)
-        whole.addWidget(self.title)
-        whole.addLayout(row)
+        whole.setSpacing(2)
+        for part in (self.title, self.brightness, self.contrast, self.line):
+            whole.addWidget(part)
         whole.addStretch(1)
-        whole.addWidget(self.line)
         self.brightness.turned.connect(lambda value: self._turn(brightness=value))
         self.contrast.turned.connect(lambda value: self._turn(contrast=value))
 
@@ -122,7 +123,5 @@ class MonitorCard(QFrame):
         self.brightness.set_value(knobs.brightness)
         self.contrast.set_value(knobs.contrast)
         black, white = (grid_voltage(level, knobs, gun.cut_off) for level in (0.0, 1.0))
-        words = _("V_g of black {black} V, of white {white} V").format(
-            black=f"{black:.3g}", white=f"{white:.3g}"
-        )
-        self.line.setText(words.replace("-", "\u2212"))
+        words = _("V_g {black:.3g} to {white:.3g} V").format(black=black, white=white)
+        self.line.setText(lowered(words.replace("-", "\u2212")))

@@ -45,7 +45,7 @@ class GunPage(PlainPage, QWidget):
         self.bar = GunBar()
         self.drawing_view, self.tube = GunView(), SteeredTube()
         self.monitor = MonitorCard(session)
-        self.cards = GunCards(self.monitor)
+        self.cards = GunCards(self.monitor, self.bar.time)
         self.part = PartDock()
         self.note = QLabel()
         self.note.setWordWrap(True)
@@ -151,7 +151,7 @@ class GunPage(PlainPage, QWidget):
             view.addAction(menu.menuAction())
         for action in menu.actions():
             if action.objectName() == "export_tube":
-                self.bar.save.setDefaultAction(action)
+                self.bar.save.clicked.connect(action.trigger)
 
     # The hand
 

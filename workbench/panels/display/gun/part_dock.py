@@ -1,7 +1,8 @@
 """The dock This part: what the chosen part is for, its settings, and its numbers."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFormLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFormLayout, QLabel, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
 
 from workbench.display.cutaway import Part, parts_of
 from workbench.display.gun import Gun
@@ -9,7 +10,7 @@ from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.display.gun.parts import numbers_of, part_texts
 from workbench.rendering.subjects.gun import NUMBERS, settings_of
-from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.fields.number_field import NumberField, lowered
 
 
 class PartDock(QScrollArea):
@@ -34,7 +35,7 @@ class PartDock(QScrollArea):
         self.numbers.setHorizontalSpacing(16)
         self.numbers.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         inner = QWidget()
-        column = QVBoxLayout(inner)
+        self.column = column = QVBoxLayout(inner)
         column.setContentsMargins(12, 10, 12, 10)
         column.setSpacing(10)
         column.addWidget(self.title)
@@ -54,7 +55,8 @@ class PartDock(QScrollArea):
             self.part = chosen
             self._offer(text.settings)
         self.title.setText(text.title)
-        self.words.setText(text.words)
+        self.words.setText(lowered(text.words))
+        self._make_room()
         settings = settings_of(gun)
         for name, field in self._fields.items():
             value = settings[name]
@@ -67,13 +69,24 @@ class PartDock(QScrollArea):
             for name, value in rows:
                 said = QLabel(value)
                 said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-                self.numbers.addRow(name, said)
+                self.numbers.addRow(lowered(name), said)
         for row, (_name, value) in enumerate(rows):
             item = self.numbers.itemAt(row, QFormLayout.ItemRole.FieldRole)
             shown = None if item is None else item.widget()
             if isinstance(shown, QLabel):
                 shown.setText(value)
         self._rows = rows
+
+    def _make_room(self) -> None:
+        """A layout knows no least height of words that wrap."""
+        margins = self.column.contentsMargins()
+        wide = self.viewport().width() - margins.left() - margins.right()
+        self.words.setMinimumHeight(max(self.words.heightForWidth(max(wide, 1)), 0))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The words wrap anew."""
+        super().resizeEvent(event)
+        self._make_room()
 
     def table(self, gun: Gun) -> Table:
         """The numbers of every part, for an answer or a report."""
@@ -97,5 +110,6 @@ class PartDock(QScrollArea):
             field = NumberField(symbol, number.unit, low=number.low, high=number.high, meaning=meaning)
             field.edited.connect(lambda value, n=name: self.edited.emit(n, value))
             field.scrubbed.connect(lambda value, n=name: self.edited.emit(n, value))
+            field.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
             self._fields[name] = field
             self.fields.addWidget(field)
