@@ -75,7 +75,24 @@ _EDGES_ON_CENTRES = _surfaces(
     *((0.0, 2, 0.5), (2, 0, 0.5), (2, 4, 0.1)),
 )
 
+
+def _beam(number: int, value: object) -> Run:
+    """The electron beam of the example with another argument."""
+    return tuple(
+        value if k == number else each for k, each in enumerate(catalogue.get("electron_beam").example)
+    )
+
+
 FURTHER: dict[str, tuple[Run, ...]] = {
+    "electron_beam": (
+        _beam(0, -60.0),
+        _beam(1, 300.0),
+        _beam(1, 500.0),
+        _beam(4, np.array([0.0, 700.0])),
+        _beam(4, np.array([0.0, 600.0])),
+        (*_beam(3, True)[:4], np.array([0.5, 1.0]), *_beam(0, 0.0)[5:]),
+        (*_beam(3, True)[:4], np.array([0.0, 5.0]), *_beam(0, 0.0)[5:]),
+    ),
     "dda_line": (STEEP_LEFTWARDS,),
     "dda_line_single": (STEEP_LEFTWARDS,),
     "dda_line_fixed": ((*STEEP_LEFTWARDS, 3),),

@@ -67,6 +67,7 @@ _TEACHING_ORDER = (
     "animation.spline_tween",
     "animation.morph",
     "animation.slerp",
+    "scanning.electron_beam",
     "scanning.raster_scan",
     "scanning.random_scan",
     "scanning.stroke_order",

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.clipping.liang_barsky import liang_barsky
+from workbench.display.monitor import BLANKING, IN_THE_MIDDLE, Knobs, level_current
 from workbench.display.phosphor import Phosphor, names
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.timings import RasterTiming
@@ -43,7 +44,8 @@ class TubeSetup:
     """What can be chosen: phosphor (or the colour tube), refresh rate, persistence factor, vector display.
 
     ``timing`` are the speeds of a display of one's own, which go before those of ``vector_display``.
-    ``gamma`` is the exponent of the gun: its current is the drive, 0 to 1, to this power.
+    ``gamma`` is the exponent of the gun: its current is the drive, 0 to 1, to this power. ``knobs`` are those
+    of a monitor.
     """
 
     phosphor: str = "P31"
@@ -51,6 +53,7 @@ class TubeSetup:
     persistence: float = 1.0
     vector_display: str = "teaching"
     gamma: float = 2.2
+    knobs: Knobs = IN_THE_MIDDLE
     timing: VectorTiming | None = None
 
     @property
@@ -67,6 +70,15 @@ class TubeSetup:
         """Raises LookupError when the phosphor or the vector display is not known."""
         self.guns()
         self.speeds  # noqa: B018 - looked up, or refused
+
+    def current(self, level: int) -> float:
+        """The beam current of a channel, 0 to 255, by the law of the gun: 1 for white at the usual knobs."""
+        return level_current(level / 255.0, self.knobs, self.gamma)
+
+    @property
+    def blanked_current(self) -> float:
+        """What the beam still has while it is blanked: nothing, unless brightness is turned up."""
+        return level_current(BLANKING, self.knobs, self.gamma)
 
     @property
     def refresh(self) -> Fraction:
@@ -111,12 +123,12 @@ def units_per_px(picture_px: tuple[int, int], timing: VectorTiming) -> float:
     return (right - left) / picture_px[0] * timing.grid / face_mm(picture_px)[0]
 
 
-def currents_of_image(image: NDArray[np.uint32], guns: int, gamma: float) -> NDArray[np.float64]:
+def currents_of_image(image: NDArray[np.uint32], guns: int, setup: TubeSetup) -> NDArray[np.float64]:
     """Beam currents (guns, rows, columns), 0 to 1, of a picture 0xRRGGBB, whose channels drive the grid.
 
     A single gun follows the strongest channel, so that every colour stays readable on one phosphor.
     """
-    levels = np.array([_current(v, gamma) for v in range(256)])
+    levels = np.array([setup.current(v) for v in range(256)])
     red, green, blue = (((image >> shift) & 0xFF).astype(np.uint8) for shift in (16, 8, 0))
     if guns == 3:
         return np.stack([levels[channel] for channel in (red, green, blue)])
@@ -125,15 +137,10 @@ def currents_of_image(image: NDArray[np.uint32], guns: int, gamma: float) -> NDA
     return strongest[None]
 
 
-def currents_of_colour(colour: int, guns: int, gamma: float) -> tuple[float, ...]:
+def currents_of_colour(colour: int, guns: int, setup: TubeSetup) -> tuple[float, ...]:
     """Beam currents of one colour 0xRRGGBB."""
-    currents = tuple(_current((colour >> shift) & 0xFF, gamma) for shift in (16, 8, 0))
+    currents = tuple(setup.current((colour >> shift) & 0xFF) for shift in (16, 8, 0))
     return currents if guns == 3 else (max(currents),)
-
-
-def _current(level: int, gamma: float) -> float:
-    """The law of the gun, cut off at level 0 (MonitorGamma of Psychtoolbox-3; television takes 2.2)."""
-    return float((level / 255.0) ** gamma)
 
 
 def raster_tube(
@@ -162,7 +169,7 @@ def raster_tube(
     size_mm = face[2] - face[0], face[3] - face[1]
     spot = max(_SPOT_OF_LINE_PITCH * (top - bottom) / height, 0.4 * size_mm[1] / size_px[1])
     guns = setup.guns()
-    currents = currents_of_image(image, len(guns), setup.gamma)
+    currents = currents_of_image(image, len(guns), setup)
     if gun is not None:
         guns, currents = guns[gun : gun + 1], currents[gun : gun + 1]
     tube = Tube(size_px, size_mm, guns, spot_mm=spot, reach=4.0, precision=precision)
@@ -206,7 +213,7 @@ def vector_beam(
     margin = tube.reach * tube.spot_mm
     lit = -margin, -margin, tube.size_mm[0] + margin, tube.size_mm[1] + margin
     drawn = [
-        MmStroke((ax, ay), (bx, by), currents_of_colour(colour, len(tube.guns), setup.gamma))
+        MmStroke((ax, ay), (bx, by), currents_of_colour(colour, len(tube.guns), setup))
         for x0, y0, x1, y1, colour in strokes
         for ax, ay, bx, by in liang_barsky(*place(x0, y0), *place(x1, y1), *lit)
     ]

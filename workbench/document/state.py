@@ -28,6 +28,7 @@ class TubeSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """How the tubes are driven; ``slow_motion`` times slower than life, ``time_s`` on the tube's clock.
 
     ``persistence`` stretches the phosphor's decay, ``vector_display`` names the speeds of the vector tube.
+    ``brightness`` and ``contrast`` are a monitor's knobs: where black lies, and how far white is from it.
     """
 
     shown: Literal["both", "raster", "vector"] = "both"
@@ -38,6 +39,8 @@ class TubeSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     vector_display: str = "teaching"
     paused: bool = False
     time_s: Annotated[float, _drive(_("time"), 0.0, LONGEST_TIME_S, "s")] = 0.0
+    brightness: Annotated[float, _drive(_("brightness"), -0.5, 0.5)] = 0.0
+    contrast: Annotated[float, _drive(_("contrast"), 0.0, 2.0)] = 1.0
 
 
 class Look(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -66,6 +66,16 @@ def export_commands() -> tuple[Command, ...]:
             "document",
         ),
         Command(
+            "export_tube",
+            _("Export the drawing of the tube..."),
+            lambda w: w.files.exports.tube(),
+            (),
+            "television-simple",
+            _("The tube of the page Gun cut open, with its labels or without, as SVG or PDF"),
+            "export",
+            "document",
+        ),
+        Command(
             "export_hand",
             _("Export the hand table..."),
             lambda w: w.files.exports.hand_table(),

@@ -122,6 +122,14 @@ class Exports(QObject):
         else:
             self.writing.ask("derivation", _("derivation"), lambda: made)
 
+    def tube(self) -> None:
+        """The drawing of the tube, with labels or without."""
+        made = next((page for panel in self._panels() if (page := panel.drawing()) is not None), None)
+        if made is None:
+            self._window.say_status(_("Go to the page Gun of Display first, where the tube is cut open."))
+        else:
+            self.writing.ask("derivation", _("tube"), lambda: made)
+
     def hand_table(self) -> None:
         """The hand table of the run."""
         if not self._hand_rows():

@@ -14,6 +14,12 @@ def pages() -> tuple[PageRow, ...]:
             "workbench.panels.display.tubes_page:TubesPage",
         ),
         PageRow(
+            "gun",
+            _("Gun"),
+            _("The tube cut open: heater, grid, focus, acceleration, deflection, and the spot they make"),
+            "workbench.panels.display.gun.page:GunPage",
+        ),
+        PageRow(
             "raster",
             _("Raster"),
             _("From the frame buffer to the beam, line by line: modes, timing, colour table, exam sums"),

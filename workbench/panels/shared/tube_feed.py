@@ -1,11 +1,13 @@
 """Keeps tubes showing what a session holds: its sheet, and the tube's settings."""
 
+from dataclasses import replace as replace_field
 from fractions import Fraction
 
 import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer
 
+from workbench.display.monitor import Knobs
 from workbench.display.setup import TubeSetup, too_many_pixels
 from workbench.document.model import AnyFigure, Sheet
 from workbench.document.state import LONGEST_TIME_S, Look, TubeSettings, as_seen
@@ -24,12 +26,19 @@ _NOTHING = np.zeros((3, 4), np.uint32)
 
 def setup_of(settings: TubeSettings) -> TubeSetup:
     """The settings of a session as the display takes them; a name that is not known becomes the usual one."""
-    wanted = TubeSetup(settings.phosphor, settings.refresh_hz, settings.persistence, settings.vector_display)
+    asked = TubeSetup(
+        settings.phosphor,
+        settings.refresh_hz,
+        settings.persistence,
+        settings.vector_display,
+        knobs=Knobs(settings.brightness, settings.contrast),
+    )
     try:
-        wanted.check()
+        asked.check()
     except LookupError:
-        return TubeSetup(refresh_hz=settings.refresh_hz, persistence=settings.persistence)
-    return wanted
+        usual = TubeSetup()
+        return replace_field(asked, phosphor=usual.phosphor, vector_display=usual.vector_display)
+    return asked
 
 
 class TubeFeed(QObject):

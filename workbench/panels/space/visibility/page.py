@@ -31,6 +31,7 @@ from workbench.panels.space.visibility.picture import (
 )
 from workbench.panels.space.visibility.surface_run import SurfaceRun, surface_run
 from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.depth_measures import differing
 from workbench.rendering.scene.fragments import NOTHING
@@ -60,7 +61,7 @@ CARD_GAP_PX = 8
 _MOST_MARKED = 400
 
 
-class VisibilityPage(QWidget):
+class VisibilityPage(PlainPage, QWidget):
     """``hover_text``: what is under the pointer or said in passing; ``zoom_text``: the scale."""
 
     hover_text = Signal(str)
