@@ -47,6 +47,18 @@ def test_records_constants_and_aliases(count: int) -> None:
     assert interpreted(texts.corners) == list(texts.corners())
 
 
+def test_an_empty_list_has_the_type_that_it_says() -> None:
+    text = lower(texts.gathered).text
+    assert "stack = [(0, 0) for _none in range(0)]" in text
+    assert "rows = [[0.0 for _none in range(0)] for _none in range(0)]" in text
+    assert "spans = [Span(Edge(0.0, 0.0), (0, 0), False) for _none in range(0)]" in text
+    assert "from tests.engine.written_texts import Edge as Edge" in text
+    emitted = [tuple(row) for row in texts.gathered(4)]
+    assert emitted[-1] == (2, 3, 3.5, 1)
+    assert interpreted(texts.gathered, 4) == emitted
+    assert compiled.collect(texts.gathered, 4).tolist() == [list(row) for row in emitted]
+
+
 def test_self_recursion_is_noticed_and_read_as_python() -> None:
     assert lower(texts.downwards).recursive
     assert compiled.collect(texts.downwards, 3).tolist() == [[3, 0], [2, 0], [1, 0], [0, 0]]
@@ -60,6 +72,8 @@ def test_self_recursion_is_noticed_and_read_as_python() -> None:
         (texts.taking, "take it with yield from"),
         (texts.silent, "nothing is emitted"),
         (texts.unknown, "nowhere is not known here"),
+        (texts.of_anything, "Any does not say what the list is of"),
+        (texts.of_no_list, "does not say what the list is of"),
     ],
 )
 def test_what_cannot_be_lowered_names_line_and_reason(function: Callable[..., Any], words: str) -> None:

@@ -1,8 +1,8 @@
 """The only rewriter: from the text that is shown to one that emits into a sink.
 
 ``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; numbers that
-are never negative are marked so (``places``), branches that write items become ``choices``; nothing else of
-what runs is touched.
+are never negative are marked so (``places``), branches that write items become ``choices``, empty lists get
+the type that they say (``empty_lists``); nothing else of what runs is touched.
 Everything that the function calls is found by its global name and written, callees first, into one text that
 stands alone: constants as literals, records imported.
 
@@ -25,6 +25,7 @@ import numpy as np
 
 from workbench.engine.blocks import blocks
 from workbench.engine.choices import CHOSEN, bounded, choices
+from workbench.engine.empty_lists import is_empty_list, typed_empty_list
 from workbench.engine.parsing import parse_expression
 from workbench.engine.places import BESIDE, PLACE, counted_up, met, unsigned
 from workbench.engine.texts import SINK, VISIT, Text, arity, gather, parameters, parse, recursive
@@ -190,7 +191,10 @@ class _Rewriter(ast.NodeTransformer):
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.stmt:
         if node.value is None:
             return ast.Pass()
-        return ast.Assign([self.visit(node.target)], self.visit(node.value))
+        value = node.value
+        if is_empty_list(node):
+            value = typed_empty_list(node, self.text.function.__globals__)
+        return ast.Assign([self.visit(node.target)], self.visit(value))
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
         if node.id in self.text.callees:

@@ -12,6 +12,7 @@ from typing import Any
 from workbench.engine.blocks import blocks
 from workbench.engine.choices import CHOSEN, TAKEN
 from workbench.engine.dialect import DialectError, refusals
+from workbench.engine.empty_lists import empty_lists, records_in
 from workbench.engine.parsing import parse_expression, parse_module
 from workbench.engine.places import BESIDE, PLACE
 from workbench.language import _
@@ -99,6 +100,11 @@ def _read(function: FunctionType, considers: Mapping[str, tuple[str, ...]]) -> T
         if block.title in considers
     }
     callees, constants = _globals(function, tree, [item for found in probed.values() for item in found])
+    for node in empty_lists(tree):
+        try:
+            constants |= records_in(node, function.__globals__)
+        except TypeError as error:
+            raise DialectError(function.__name__, node.lineno, str(error)) from error
     emits = inspect.isgeneratorfunction(function)
     return Text(function, source, first, tree, emits, callees, constants, probed)
 
