@@ -51,6 +51,7 @@ CHOSEN = {
         "boundary_fill_recursive",
         "midpoint_circle",
         "midpoint_ellipse",
+        "scan_line_crossings",
     },
     "shell/tour.py": {
         "boundary_fill_4",

@@ -30,7 +30,8 @@ from workbench.algorithms.polygons.active_edges import (
 from workbench.algorithms.polygons.edges import NUDGE, SLACK, all_whole, edge_table
 from workbench.algorithms.polygons.parameters import CLOSED, NONZERO, POLYGON, polygon_and_rules
 from workbench.algorithms.polygons.scan_line_marks import marks
-from workbench.algorithms.polygons.scan_line_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
+from workbench.algorithms.polygons.scan_line_views import VIEW_FUNCTIONS, VIEWS
+from workbench.algorithms.polygons.scan_line_words import COLUMNS
 
 FAR_LEFT = -(1 << 40)
 
@@ -100,8 +101,8 @@ def scan_line_exact(
 ENTRY = Entry(
     function=scan_line_exact,
     topic="polygons",
-    title="Scan-line polygon fill",
-    summary="Fills row by row between the edges, whose crossings move by 1/m from one row to the next.",
+    title="Scan-line fill, exact",
+    summary="Adds up 1/m as the course does, and puts x right wherever its rounding could decide a pixel.",
     parameters=(*POLYGON, CLOSED, NONZERO),
     arguments=polygon_and_rules,
     draws=("polygon",),
