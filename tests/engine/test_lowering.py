@@ -72,8 +72,8 @@ def test_self_recursion_is_noticed_and_read_as_python() -> None:
         (texts.taking, "take it with yield from"),
         (texts.silent, "nothing is emitted"),
         (texts.unknown, "nowhere is not known here"),
-        (texts.of_anything, "Any does not say what the list is of"),
-        (texts.of_no_list, "does not say what the list is of"),
+        (texts.of_anything, "does not say what it is of"),
+        (texts.of_no_list, "does not say what it is of"),
     ],
 )
 def test_what_cannot_be_lowered_names_line_and_reason(function: Callable[..., Any], words: str) -> None:

@@ -61,6 +61,8 @@ CHOSEN = {
         "liang_barsky",
     },
     "shell/tour_space.py": {"depth_buffer"},
+    # What older files call by another name
+    "document/storage/exact_fills.py": {"scan_line_exact", "scan_line_fill"},
     # What a command does unless it is told otherwise
     "cli/commands.py": {"depth_buffer"},
     # Which text answers a question

@@ -40,7 +40,7 @@ def records_in(node: ast.AnnAssign, scope: Mapping[str, Any]) -> dict[str, type]
     """
     kind = _type_of(node.annotation, scope)
     if typing.get_origin(kind) is not list:
-        raise _unknown(ast.unparse(node.annotation))
+        raise _unknown()
     _example(kind)
     return {record.__name__: record for record in _records(kind)}
 
@@ -54,7 +54,7 @@ def _type_of(node: ast.expr, scope: Mapping[str, Any]) -> Any:
             return list[_type_of(item, scope)]  # type: ignore[misc]
         case ast.Subscript(value=ast.Name(id="tuple"), slice=ast.Tuple(elts=items)):
             return tuple[tuple(_type_of(item, scope) for item in items)]  # type: ignore[misc]
-    raise _unknown(ast.unparse(node))
+    raise _unknown()
 
 
 def _example(kind: Any) -> str:
@@ -68,7 +68,7 @@ def _example(kind: Any) -> str:
         return f"({', '.join(map(_example, items))},)"
     if _is_record(kind):
         return f"{kind.__name__}({', '.join(map(_example, typing.get_type_hints(kind).values()))})"
-    raise _unknown(getattr(kind, "__name__", str(kind)))
+    raise _unknown()
 
 
 def _records(kind: Any) -> Iterator[type]:
@@ -82,6 +82,7 @@ def _is_record(kind: Any) -> bool:
     return isinstance(kind, type) and issubclass(kind, tuple) and hasattr(kind, "_fields")
 
 
-def _unknown(name: str) -> TypeError:
-    sentence = _("{name} does not say what the list is of; name numbers, tuples, named tuples or lists")
-    return TypeError(sentence.format(name=name))
+def _unknown() -> TypeError:
+    return TypeError(
+        _("this empty list does not say what it is of; name numbers, tuples, named tuples or lists of these")
+    )

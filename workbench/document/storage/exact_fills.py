@@ -2,7 +2,8 @@
 
 from typing import Any
 
-_BEFORE, _NOW = "scan_line_fill", "scan_line_exact"
+_BEFORE = "scan_line_fill"
+_NOW = "scan_line_exact"
 
 
 def with_exact_fills(raw: dict[str, Any]) -> dict[str, Any]:
