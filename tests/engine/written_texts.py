@@ -131,6 +131,32 @@ def of_no_list(count: int) -> Iterator[tuple[int, int]]:
     yield count, len(things)
 
 
+def item(image: NDArray[Any], x: int, y: int, outside: int) -> int:
+    """One item, or what is outside."""
+    if 0 <= x < image.shape[1] and 0 <= y < image.shape[0]:
+        return np.int64(image[y, x])  # type: ignore[return-value]
+    return outside
+
+
+def item_below(image: NDArray[Any], x: int, y: int) -> int:
+    return np.int64(image[y - LIMIT, x])  # type: ignore[return-value]
+
+
+def items(image: NDArray[Any], count: int) -> Iterator[tuple[int, int]]:
+    """Items by name, by a sum and with a name that means something else here."""
+    left, y = -1, LIMIT
+    for x in range(count):
+        yield item(image, x, y, left), item(image, x + 1, y, -2)
+        yield item_below(image, x, y), 0
+
+
+def items_hidden(image: NDArray[Any], count: int) -> Iterator[tuple[int, int]]:
+    LIMIT = 1
+    for x in range(count):
+        y = LIMIT + 2
+        yield item_below(image, x, y), y
+
+
 def silent(k: int) -> int:
     return k
 

@@ -119,12 +119,7 @@ def _globals(
     function: FunctionType, tree: ast.FunctionDef, further: list[ast.expr]
 ) -> tuple[dict[str, FunctionType], dict[str, Any]]:
     """What the global names of a text stand for: functions to lower, and everything else."""
-    bound = {argument.arg for argument in parameters(tree)}
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            bound.add(node.id)
-        elif isinstance(node, ast.MatchAs | ast.MatchStar) and node.name:
-            bound.add(node.name)
+    bound = bound_names(tree)
     for name in bound & RESERVED:
         raise DialectError(function.__name__, tree.lineno, _("the name {name} is taken").format(name=name))
     callees: dict[str, FunctionType] = {}
@@ -141,6 +136,17 @@ def _globals(
         elif not hasattr(builtins, name):
             raise DialectError(function.__name__, line, _("{name} is not known here").format(name=name))
     return callees, constants
+
+
+def bound_names(tree: ast.FunctionDef) -> set[str]:
+    """The names of a function's own: its parameters and all that it assigns."""
+    bound = {argument.arg for argument in parameters(tree)}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            bound.add(node.id)
+        elif isinstance(node, ast.MatchAs | ast.MatchStar) and node.name:
+            bound.add(node.name)
+    return bound
 
 
 def parameters(tree: ast.FunctionDef) -> list[ast.arg]:
