@@ -112,10 +112,7 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
 
 
 class _Rewriter(ast.NodeTransformer):
-    """Rewrites one function; ``sinks`` are the functions that take a sink as their first argument.
-
-    Of the functions in ``helpers`` those that only read an item are written where they are called.
-    """
+    """Rewrites one function; ``sinks`` take a sink first, what only reads an item in ``helpers`` is inlined."""
 
     def __init__(
         self, text: Text, sinks: set[FunctionType], helpers: Mapping[FunctionType, ast.FunctionDef]
@@ -175,7 +172,8 @@ class _Rewriter(ast.NodeTransformer):
             )
         if callee is not None and callee in self.sinks:
             return self._with_sink(node, callee)
-        if callee in self.helpers and (written := item_read(node, self.helpers[callee], self.bound)):
+        helper = None if callee is None else self.helpers.get(callee)
+        if helper is not None and (written := item_read(node, helper, self.bound)):
             return self.visit(written)  # type: ignore[no-any-return]
         if isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Name):
             module = self.text.constants.get(node.func.value.id)
