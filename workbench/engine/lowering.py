@@ -112,7 +112,7 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
 
 
 class _Rewriter(ast.NodeTransformer):
-    """Rewrites one function; ``sinks`` take a sink first, what only reads an item in ``helpers`` is inlined."""
+    """Rewrites one function; ``sinks`` take a sink first, ``helpers`` may be written in their place."""
 
     def __init__(
         self, text: Text, sinks: set[FunctionType], helpers: Mapping[FunctionType, ast.FunctionDef]
