@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 from numpy.typing import NDArray
 
+from workbench.algorithms.polygons.row_crossings import corner
 from workbench.algorithms.polygons.sides import Side, sides
 
 
@@ -31,8 +32,8 @@ def edge_table(vertices: NDArray[Any], ring_ends: NDArray[Any], closed: bool) ->
 
 def edge_of(vertices: NDArray[Any], side: Side) -> Edge:
     """An edge as it enters the table: 1/m, and x on its first row."""
-    x_low, y_low = float(vertices[side.low, 0]), float(vertices[side.low, 1])
-    x_high, y_high = float(vertices[side.high, 0]), float(vertices[side.high, 1])
+    x_low, y_low = corner(vertices, side.low)
+    x_high, y_high = corner(vertices, side.high)
     if side.winding == 0:
         x, width = min(x_low, x_high), abs(x_high - x_low)
         return Edge(side.y_start, side.y_end, x, 0.0, 0, width, side.low, side.high)

@@ -29,6 +29,11 @@ class Crossing(NamedTuple):
     winding: int
 
 
+def corner(vertices: NDArray[Any], k: int) -> tuple[float, float]:
+    """x and y of a vertex."""
+    return float(vertices[k, 0]), float(vertices[k, 1])
+
+
 def rows_of(vertices: NDArray[Any]) -> tuple[int, int]:
     """The lowest and the highest row of pixels of a polygon; the second is lower where it has none."""
     if len(vertices) == 0:

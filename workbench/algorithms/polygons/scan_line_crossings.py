@@ -20,6 +20,7 @@ from workbench.algorithms.polygons.parameters import CLOSED, NONZERO, POLYGON, p
 from workbench.algorithms.polygons.row_crossings import (
     FAR_LEFT,
     Crossing,
+    corner,
     last_pixel,
     next_vertices,
     rows_of,
@@ -50,8 +51,8 @@ def scan_line_crossings(
         # Find all crossings of the row with the edges
         crossings: list[Crossing] = []
         for k in range(len(after)):
-            x0, y0 = float(vertices[k, 0]), float(vertices[k, 1])
-            x1, y1 = float(vertices[after[k], 0]), float(vertices[after[k], 1])
+            x0, y0 = corner(vertices, k)
+            x1, y1 = corner(vertices, after[k])
             if y0 <= y < y1 or y1 <= y < y0:
                 x = x0 + (y - y0) * (x1 - x0) / (y1 - y0)
                 crossings.append(Crossing(x, x, 1 if y0 < y1 else -1))
