@@ -20,6 +20,10 @@ LETTER_M = np.array([[1.0, 1], [9, 1], [9, 7], [7, 7], [5, 3], [3, 7], [1, 7]])
 STAR = np.array([[1.0, 5], [9, 5], [2, 0], [5, 8], [8, 0]])
 SLIVER = np.array([[1.3, 1.0], [1.7, 1.0], [1.5, 4.0]])
 BETWEEN_ROWS = np.array([[1.0, 1.2], [6.0, 1.2], [3.0, 1.8]])
+THIRDS = np.array([[1.0, 1], [1, 3], [3, 7]])
+PEAKS = np.array([[1.0, 1], [9, 1], [7, 7], [5, 2], [3, 5]])
+FLAT = np.array([[1.0, 2], [6, 2], [3, 2]])
+BETWEEN_CENTRES = np.array([[1.0, 0.5], [6, 0.5], [3, 3.5]])
 TWO_RINGS = np.array([[1.0, 1], [5, 1], [3, 2], [1, 4], [3, 5], [5, 4]])
 LOOPED = np.array([[0.0, 0], [10, 8], [-2, 8], [8, 0], [8, 0], [30, 0], [30, 9], [40, 9]])
 STEPPED = np.array([[1.0, 1], [6, 1], [8, 3], [6, 5], [4, 5], [4, 8], [1, 8]])
@@ -118,6 +122,31 @@ FURTHER: dict[str, tuple[Run, ...]] = {
         (TWO_RINGS, np.array([3, 6]), True, False),
     ),
     "scan_line_fill": (
+        _filled(STEPPED, False, False),
+        _filled(LETTER_M, True, False),
+        _filled(STAR, True, True),
+        _filled(SLIVER, False, False),
+        _filled(THIRDS, True, False),
+        (TWO_RINGS, np.array([3, 6]), True, False),
+        _filled(PEAKS, False, False),
+        _filled(FLAT, True, False),
+        _filled(BETWEEN_CENTRES, True, False),
+    ),
+    "scan_line_integer": (
+        _filled(STEPPED, False, False),
+        _filled(LETTER_M, True, False),
+        _filled(STAR, True, True),
+        _filled(SLIVER, False, False),
+        _filled(THIRDS, True, False),
+        _filled(PEAKS, False, False),
+        _filled(FLAT, True, False),
+        _filled(BETWEEN_CENTRES, True, False),
+        (TWO_RINGS, np.array([3, 6]), True, False),
+    ),
+    "scan_line_exact": (
+        _filled(PEAKS, False, False),
+        _filled(FLAT, True, False),
+        _filled(BETWEEN_CENTRES, True, False),
         _filled(STEPPED, False, False),
         _filled(LETTER_M, False, False),
         _filled(STAR, True, True),

@@ -314,6 +314,7 @@ def numbers(text: str) -> list[float]:
     return [float(part.replace("−", "-")) for part in text.split(", ") if part not in ("", "…")]
 
 
+@pytest.mark.parametrize("slug", ["scan_line_fill", "scan_line_exact"])
 @pytest.mark.parametrize("closed", [True, False])
 @settings(max_examples=20, deadline=None)
 @given(
@@ -323,8 +324,10 @@ def numbers(text: str) -> list[float]:
         max_size=6,
     )
 )
-def test_the_scan_lines_marks_are_its_row(closed: bool, corners: list[tuple[float, float]]) -> None:
-    entry = catalogue.get("scan_line_fill")
+def test_the_scan_lines_marks_are_its_row(
+    slug: str, closed: bool, corners: list[tuple[float, float]]
+) -> None:
+    entry = catalogue.get(slug)
     run = (np.array(corners, float), np.array([len(corners)]), closed, False)
     for step, found in steps_and_marks(entry, run):
         y, crossings, spans, _count = step.row

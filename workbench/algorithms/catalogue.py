@@ -19,6 +19,8 @@ _TEACHING_ORDER = (
     "polygons.inside_outside",
     "polygons.scan_line_crossings",
     "polygons.scan_line_fill",
+    "polygons.scan_line_integer",
+    "polygons.scan_line_exact",
     "polygons.circle_fill",
     "polygons.ellipse_fill",
     "seed_fill.boundary_fill_recursive",

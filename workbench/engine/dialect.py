@@ -190,6 +190,7 @@ def _empty_lists(function: ast.FunctionDef) -> Iterator[Refusal]:
                 yield Refusal(
                     node.lineno,
                     _(
-                        "nothing is appended to {name} in this function; write other[:0] for an empty list"
+                        "nothing is appended to {name} in this function; say what it is a list of, as in "
+                        "{name}: list[int] = []"
                     ).format(name=name),
                 )

@@ -18,7 +18,8 @@ Rings = list[list[tuple[float, float]]]
 
 def fill_examples() -> list[Example]:
     """In the order of the list that a person sees."""
-    triangle = polygon([[(2, 1), (8, 1), (5, 7)]], 1, _("Triangle"), closed=True)
+    first_rung = "scan_line_crossings"
+    triangle = polygon([[(2, 1), (8, 1), (5, 7)]], 1, _("Triangle"), closed=True, algorithm=first_rung)
     return [
         Example(
             "triangle",

@@ -1,6 +1,6 @@
 """The `.gwb` file: one readable, versioned JSON text; ``saving`` puts it on the disk.
 
-    {"format": "graphics-workbench", "version": 7, "document": ..., "session": ..., "blobs": {...}}
+    {"format": "graphics-workbench", "version": 8, "document": ..., "session": ..., "blobs": {...}}
 
 Blobs (large meshes, pictures) are base64 by the SHA-256 of their content. Whatever is wrong with a file is
 told as a DocumentError that names the field.
@@ -28,7 +28,7 @@ from workbench.document.storage.upgrades import UPGRADES, Upgrade
 from workbench.language import _, legible
 
 FORMAT = "graphics-workbench"
-VERSION = 7
+VERSION = 8
 # What is opened, and so what is saved: a few of the largest blobs, and fewer values than memory is there for.
 MAX_BYTES = 128 * 2**20
 MAX_VALUES = 2_000_000  # numbers, texts, lists and objects together
