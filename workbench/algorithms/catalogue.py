@@ -53,6 +53,7 @@ _TEACHING_ORDER = (
     "visibility.area_subdivision",
     "visibility.octree",
     "visibility.ray_casting",
+    "visibility.ray_casting_boxes",
     "visibility.hidden_lines",
     "shading.illuminate",
     "shading.flat_shading",
