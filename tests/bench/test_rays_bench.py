@@ -121,3 +121,32 @@ def test_rays_beside_embree(benchmark, make):
     print(f"  octree: {(cells[0] + cells[1]) * 1e3:.0f} ms, {ratios['octree']:.2f} of both (at most 8)")
     benchmark.extra_info.update(ratios)
     benchmark.pedantic(lambda: None)
+
+
+def test_shadows_through_boxes(benchmark):
+    """A ball, 3,480 triangles, in a light, each corner and each pixel tried with boxes and without."""
+    from workbench.document.scene.model import Camera, Light, Material, Object, Point3D, Scene
+    from workbench.document.scene.solids import Sphere
+    from workbench.rendering.scene import shaded
+
+    if benchmark.disabled:
+        pytest.skip("measured with --benchmark-enable only")
+    light = Light("l1", Point3D(2.0, 2.0, 3.0), distant=False)
+    camera = Camera(eye=Point3D(1.0, 2.0, 6.0))
+    scene = Scene((Object("o1", Sphere(1.0, 60, 30), "m1"),), (Material("m1"),), (light,), camera)
+
+    def draw(size):
+        return shaded.shaded(scene, "phong", size, None, shaded.Model(shadows=True))[0]
+
+    draw((8, 8))
+    size = 160, 120
+    boxed, picture = best(lambda: draw(size), time.process_time)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(shaded, "_boxed", lambda blockers, _stop: blockers)
+        begun = time.process_time()
+        plain_picture = draw(size)
+        plain = time.process_time() - begun
+    assert np.array_equal(picture, plain_picture)
+    print(f"\nshadows at 160 x 120: {boxed * 1e3:.0f} ms, without boxes {plain * 1e3:.0f} ms")
+    benchmark.extra_info.update(ratio=plain / boxed)
+    benchmark.pedantic(lambda: None)
