@@ -43,6 +43,8 @@ _TEACHING_ORDER = (
     "curves.closest_point",
     "projection.project_point",
     "projection.clip_to_view_volume",
+    "solids.octree_of_solid",
+    "solids.octree_combined",
     "visibility.back_faces",
     "visibility.depth_buffer",
     "visibility.a_buffer",
