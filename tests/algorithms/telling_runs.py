@@ -246,6 +246,10 @@ FURTHER: dict[str, tuple[Run, ...]] = {
     "bsp_tree": (_LAYERS, _ONE_PLANE),
     "area_subdivision": (_LAYERS, _EDGES_ON_CENTRES),
     "octree": (_LAYERS,),
+    # Five in one place
+    "ray_casting_boxes": (
+        (np.zeros((2, 2), np.int64), _TRIANGLES[:3], np.array([[0, 1, 2]] * 5), np.arange(1, 6)),
+    ),
     "depth_buffer": (
         (
             np.zeros((4, 6), np.int64),

@@ -20,7 +20,7 @@ NAMES = {
     "algorithms.projection": "orthographic oblique cavalier cabinet axonometric isometric perspective "
     "perspective_from_plane perspective_depth vanishing_points project_point",
     "algorithms.visibility": "back_faces depth_buffer painter depth_sort bsp_tree scan_line_surfaces "
-    "area_subdivision octree ray_casting a_buffer hidden_lines",
+    "area_subdivision octree ray_casting ray_casting_boxes a_buffer hidden_lines",
     "algorithms.shading": "illuminate flat_shading gouraud phong fast_phong",
     "algorithms.catalogue": "entries get",
     "engine.compiled": "collect paint paint_many",

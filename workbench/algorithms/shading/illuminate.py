@@ -151,6 +151,10 @@ ENTRY = Entry(
             "shading/test_illuminate.py::test_what_is_between_takes_the_light_away",
         ),
         Law(
+            "Boxes in boxes around what may be in the way leave all shadows as they are.",
+            "shading/test_shadow_boxes.py::test_the_same_places_are_in_shadow",
+        ),
+        Law(
             "Several lights add up: their order does not matter.",
             "shading/test_illuminate.py::test_lights_add_up",
         ),
