@@ -77,5 +77,5 @@ def beside_corner(x: float, corner: float, y: float, x0: float, y0: float, x1: f
     if side == 0.0:
         return corner
     if (side > 0.0) == (y1 > y0):
-        return min(x, np.nextafter(corner, -math.inf))
-    return max(x, np.nextafter(corner, math.inf))
+        return min(x, float(np.nextafter(corner, -math.inf)))
+    return max(x, float(np.nextafter(corner, math.inf)))
