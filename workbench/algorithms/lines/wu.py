@@ -9,7 +9,7 @@ k           number of the step, from 0
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, Law, View
-from workbench.algorithms.lines.axes import pixel
+from workbench.algorithms.lines.axes import pixel, starts
 from workbench.algorithms.lines.ends import DRAWS, END_POINTS
 
 
@@ -78,7 +78,7 @@ ENTRY = Entry(
     columns=("k", "e_{k+1}", "near", "coverage", "far", "coverage"),
     view_functions=(pixel,),
     views=(
-        View(
+        *starts(
             block="Plot the first end point",
             chosen="(pixel(x, y, steep),)",
             sentence="Start at {pixel(x, y, steep)}, covered in full.",

@@ -82,7 +82,9 @@ def _gain(edge: AnyEdge) -> float | str:
 
 
 def _mixed(whole: int, part: int, of: int) -> float | str:
-    return f"{numeral(whole)} + {part}/{of}" if part else whole
+    if not part:
+        return whole
+    return f"{numeral(whole)} + {part}/{of}" if whole else f"{part}/{of}"
 
 
 def _text(value: float | str) -> str:

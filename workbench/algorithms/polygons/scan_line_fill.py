@@ -43,7 +43,7 @@ def scan_line_fill(
     lowest, highest = rows_of(vertices)
 
     for y in range(lowest, highest + 1):
-        # Bring the active edge table to this row: x += 1/m
+        # Update the active edge table: x += 1/m
         drop_ended(active, y)
         for k in range(len(active)):
             active[k] = at(active[k], active[k].x + active[k].slope)
@@ -84,9 +84,7 @@ ENTRY = Entry(
     emits="spans",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
-    views=fill_views(
-        "scan_line_fill", "vertices", "Bring the active edge table to this row: x += 1/m", rounds=True
-    ),
+    views=fill_views("scan_line_fill", "vertices", "Update the active edge table: x += 1/m", rounds=True),
     view_functions=VIEW_FUNCTIONS,
     laws=(
         _AS_EXACT,

@@ -55,7 +55,7 @@ def scan_line_integer(
     lowest, highest = rows_of(corners)
 
     for y in range(lowest, highest + 1):
-        # Bring the active edge table to this row: x and counter
+        # Update the active edge table: x and counter
         drop_ended(active, y)
         for k in range(len(active)):
             edge = active[k]
@@ -92,7 +92,7 @@ _AS_EXACT = Law(
 ENTRY = Entry(
     function=scan_line_integer,
     topic="polygons",
-    title="Scan-line fill in whole numbers",
+    title="Scan-line fill in integers",
     summary="Keeps each crossing as a whole part and a counter over Δy: it only adds and compares.",
     parameters=(*POLYGON, CLOSED, NONZERO),
     arguments=polygon_and_rules,
@@ -102,7 +102,7 @@ ENTRY = Entry(
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=fill_views(
-        "scan_line_integer", "corners", "Bring the active edge table to this row: x and counter", rounds=False
+        "scan_line_integer", "corners", "Update the active edge table: x and counter", rounds=False
     ),
     view_functions=VIEW_FUNCTIONS,
     laws=(

@@ -87,7 +87,7 @@ class SentenceView(QLabel):
         """What the run says, and what it asks."""
         run = self._run
         if run.entry is None:
-            return (Part(run.invitation, None),)
+            return (Part(run.before() or run.invitation, None),)
         if run.waiting:
             score = _("Which pixel comes next? Click it. {right} right, {wrong} wrong.")
             if run.options:
