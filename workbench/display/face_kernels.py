@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.engine.at_hand import at_hand as known
+
 Array = NDArray[Any]
 
 LOWEST = np.float32(1e-6)
@@ -177,18 +179,10 @@ def print_picture(
 
 TEXTS = spread_rows, gather_rows, refresh_face, shrink_rows, print_picture
 
-_found: list[bool] = []
-
 
 def at_hand() -> bool:
-    """Whether all of them are compiled, so that they can be used without a wait."""
-    if not _found:
-        from workbench.engine.compiled import ready
-
-        if not all(ready(text, "run") for text in TEXTS):
-            return False
-        _found.append(True)
-    return True
+    """Whether all of them have run compiled in this process, so that they can be used without a wait."""
+    return all(known(text, "run") for text in TEXTS)
 
 
 def run(text: Any, written: Array, *arguments: Any) -> None:
@@ -199,7 +193,7 @@ def run(text: Any, written: Array, *arguments: Any) -> None:
 
 
 def compile_all() -> None:
-    """Run each on next to nothing, which compiles it."""
+    """Run each on next to nothing, which compiles it, or loads what was compiled before."""
     ones, counts = np.ones((2, 2), np.float32), np.array([(0, 2), (0, 2)])
     run(spread_rows, ones.copy(), ones, ones[:1].copy(), ones, counts)
     run(gather_rows, ones.copy(), ones, 0, ones[:1].copy(), ones, counts)

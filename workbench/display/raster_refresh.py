@@ -48,11 +48,14 @@ class RasterRefresh:
 
     def spread(self, drive: Drive, gun: int) -> Array:
         """A gun's picture (rows, columns) along the face, for all energy and each term: one block a term."""
-        given = np.ascontiguousarray(drive, np.float32)
+        begins = np.concatenate(([True], (drive[1:] != drive[:-1]).any(axis=1)))
+        given = np.ascontiguousarray(drive[begins], np.float32)
         aging = self._aging[gun]
         made = np.empty((len(aging) * len(given), self._along.shape[1]), np.float32)
         run(spread_rows, made, given, aging, self._along, self._reach)
-        return made
+        which = np.cumsum(begins) - 1  # rows alike that follow each other are spread once
+        block: Array = made[(np.arange(len(aging))[:, None] * len(given) + which).ravel()]
+        return block
 
     def energy(self, spread: Array, hit: float) -> Array:
         """What a whole frame leaves, (face rows, face columns)."""
@@ -75,15 +78,26 @@ class RasterRefresh:
     ) -> None:
         """Let ``dt`` seconds pass for one gun; ``kept`` (1 + terms, rows): what fell and is left of rows."""
         stored, light = tube.blocks(gun)
-        factors, layers = tube.factors(gun, dt)
-        run(refresh_face, stored, light, spread, kept, self._across, self._bands, factors, layers, _LOWEST)
-        rows = kept.shape[1]
-        energy = float((spread[:rows].sum(axis=1) * kept[0]) @ self._column_sums)
-        tube.count(energy)
+        factors, layers, shares = tube.factors(gun, dt)
+        lit = spread[: kept.shape[1]].sum(axis=1)
+        kept[:, lit == 0.0] = 0.0  # a dark row leaves nothing
+        run(
+            refresh_face,
+            stored,
+            light,
+            spread,
+            kept,
+            self._across,
+            self._bands,
+            factors,
+            layers,
+            shares,
+            _LOWEST,
+        )
+        tube.count(float((lit * kept[0]) @ self._column_sums))
         for part in parts:
-            shares = self._part(part, drive, gun)
             across = self._across[part.face, part.row]
-            given, *left = (np.outer(across, share) for share in shares)
+            given, *left = (np.outer(across, share) for share in self._part(part, drive))
             tube.deposit_aged(given, left, gun, (part.face, slice(None)))
 
     def settle(
@@ -91,16 +105,16 @@ class RasterRefresh:
     ) -> None:
         """Bring one gun to the luminances that ``kept`` (1 + terms, rows) of each row make."""
         stored, _light = tube.blocks(gun)
-        factors, _layers = tube.factors(gun, 0.0)
+        factors, _layers, _shares = tube.factors(gun, 0.0)
         rows = len(self._across)
         for term, over in enumerate(factors[:, 2]):
             face = stored[term * rows : (term + 1) * rows]
             self._gathered(face, spread, term + 1, kept[term + 1 : term + 2] * over)
             for part in parts:
-                share = self._part(part, drive, gun)[term + 1]
+                share = self._part(part, drive)[term + 1]
                 face[part.face] += np.outer(self._across[part.face, part.row], share * over)
 
-    def _part(self, part: PartOfARow, drive: Drive, gun: int) -> Array:
+    def _part(self, part: PartOfARow, drive: Drive) -> Array:
         """Some pixels of a row along the face, (ages, face columns)."""
         along = np.empty((len(part.kept), self._along.shape[1]), np.float32)
         one = np.ascontiguousarray(drive[part.row][None], np.float32)

@@ -237,15 +237,19 @@ class Tube:
         columns, _rows = self.size_px
         return self.stored[gun].reshape(-1, columns), self._light[gun].reshape(-1, columns)
 
-    def factors(self, gun: int, dt: float) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
+    def factors(
+        self, gun: int, dt: float
+    ) -> tuple[NDArray[np.float32], NDArray[np.int64], NDArray[np.float32]]:
         """For each term (terms, 4): what ``dt`` seconds leave, what they give off, luminance for stored
-        energy, share of the energy; and its layer (terms,).
+        energy, energy for stored luminance. Its layer (terms,); and the share of each layer (layers, 1).
         """
         rows = []
-        for term, share in zip(self.guns[gun].terms, self._shares[gun], strict=True):
-            fading = -float(np.expm1(-dt / term.tau_s))
-            rows.append((1.0 - fading, term.tau_s * fading, share / term.tau_s, share))
-        return np.array(rows, np.float32), np.array(self._layers[gun], np.int64)
+        shares = np.zeros((len(self.guns[gun].colours), 1), np.float32)
+        for k, term in enumerate(self.guns[gun].terms):
+            share, fading = self._shares[gun][k], -float(np.expm1(-dt / term.tau_s))
+            shares[self._layers[gun][k], 0] += share
+            rows.append((1.0 - fading, term.tau_s * fading, share / term.tau_s, term.tau_s))
+        return np.array(rows, np.float32), np.array(self._layers[gun], np.int64), shares
 
     def count(self, energy: float) -> None:
         """So much energy fell on the face, put there by who calls this."""
