@@ -115,8 +115,8 @@ class TimingDiagram(QWidget):
         else:
             across = None if now is None else now[1]
             down = None if now is None else now[0] + now[1] / timing.h_total
-            line = _Strip(_("One line"), _("clocks"), float(timing.pixel_s), line_segments(timing), across)
-            title = _("One frame, two fields") if timing.interlaced else _("One frame")
+            line = _Strip(_("Line"), _("clocks"), float(timing.pixel_s), line_segments(timing), across)
+            title = _("Frame, two fields") if timing.interlaced else _("Frame")
             frame = _Strip(title, _("lines"), float(timing.line_s), frame_segments(timing), down)
             self.strips = (line, frame)
         said = []

@@ -110,7 +110,13 @@ def _memory(n: Numbers) -> list[Sum]:
             _("Address of ({x}, {y})").format(x=x, y=y),
             "y (x_max + 1) + x",
             f"{y} \u00b7 {n.width} + {x}",
-            _("{address:,}, in byte {byte:,}, bit {bit}").format(address=address, byte=byte, bit=bit),
+            f"{address:,}",
+        ),
+        Sum(
+            _("Where its bits begin"),
+            "address \u00b7 b / 8",
+            f"{address} \u00b7 {n.bits} / 8",
+            _("byte {byte:,}, bit {bit}").format(byte=byte, bit=bit),
         ),
         Sum(
             _("Loading over the line"),

@@ -208,8 +208,10 @@ class SumsDock(QWidget):
                 numbers.setText(
                     f"{each.formula} = {each.numbers}" + (f": {each.fault}" if each.fault else "")
                 )
-                numbers.setProperty("role", "error" if each.fault else "muted")
-                numbers.style().polish(numbers)
+                role = "error" if each.fault else "muted"
+                if numbers.property("role") != role:
+                    numbers.setProperty("role", role)
+                    numbers.style().polish(numbers)
 
     def _add_row(self) -> None:
         title, result, numbers = QLabel(), QLabel(), QLabel()
