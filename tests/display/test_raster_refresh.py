@@ -1,6 +1,5 @@
 """The compiled way of the raster tube gives the light of the NumPy way."""
 
-from collections.abc import Iterator
 from fractions import Fraction
 
 import numpy as np
@@ -19,10 +18,9 @@ TICKS = 10**12
 
 
 @pytest.fixture(scope="module", autouse=True)
-def _compiled() -> Iterator[None]:
+def _compiled() -> None:
     face_kernels.compile_all()
     assert face_kernels.at_hand()
-    yield
 
 
 def picture(seed: int, dark: float = 0.4) -> np.ndarray:
