@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QSlider
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
+from tests.panels.display.strips import cut_texts, lies_whole
 from workbench.document.storage.files import read
 from workbench.exchange.diagrams import Drawing
 from workbench.panels.display.panel import DisplayPanel
@@ -286,17 +287,8 @@ def test_no_text_of_the_strip_is_cut(page: RasterPage, qtbot: QtBot, width: int)
     keep_until_the_end(qtbot, bar)
     bar.resize(width, bar.heightForWidth(width))
     bar.show()
-    for box in bar.findChildren(QComboBox):
-        if box.isVisible():
-            room = box.width() - 34
-            assert box.fontMetrics().horizontalAdvance(box.currentText()) <= room, box.currentText()
-    rows = [
-        child.geometry() for child in bar.children() if hasattr(child, "geometry") and hasattr(child, "show")
-    ]
-    assert max(each.right() for each in rows) < width
-    assert max(each.bottom() for each in rows) < bar.height()
-    for a in range(len(rows)):
-        assert not any(rows[a].intersects(other) for other in rows[:a])
+    assert cut_texts(bar) == []
+    assert lies_whole(bar)
 
 
 def test_the_timing_diagram_tells_its_parts(page: RasterPage, qtbot: QtBot) -> None:
