@@ -39,7 +39,9 @@ class RasterBar(QWidget):
         super().__init__()
         self._setting = setting
         self._showing = False
-        self._flow = flowing(self, 14, 6)
+        self._flow = flowing(self, 10, 6)
+        self._labels: list[QLabel] = []
+        self._buttons: list[QToolButton] = []
         self.mode = self._box(
             _("Mode"), _("The timing of the beam: a mode that was sold, or numbers of yours")
         )
@@ -62,6 +64,7 @@ class RasterBar(QWidget):
         label = QLabel(name)
         label.setProperty("role", "muted")
         label.setBuddy(box)
+        self._labels.append(label)
         group = QWidget()
         row = QHBoxLayout(group)
         row.setContentsMargins(0, 0, 0, 0)
@@ -77,6 +80,7 @@ class RasterBar(QWidget):
         button.setIconSize(QSize(16, 16))
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         button.setAccessibleName(action.text())
+        self._buttons.append(button)
         self._flow.addWidget(button)
 
     def _make_time(self) -> None:
@@ -89,16 +93,25 @@ class RasterBar(QWidget):
         self.slow = QSlider(Qt.Orientation.Horizontal)
         self.slow.setRange(0, 6 * _PER_DECADE)
         self.slow.setPageStep(_PER_DECADE)
-        self.slow.setMinimumWidth(120)
+        self.slow.setMinimumWidth(90)
         self.slow.setAccessibleName(_("Slow motion"))
         self.slow.setToolTip(_("How many times slower the tube runs, from 1 to 1,000,000"))
         label.setBuddy(self.slow)
+        self._labels.append(label)
         self.factor = QLabel()
         self.factor.setMinimumWidth(self.fontMetrics().horizontalAdvance("1 : 1,000,000"))
         for widget in (label, self.slow, self.factor):
             row.addWidget(widget)
         self.slow.valueChanged.connect(lambda value: self._set(slow_motion=10.0 ** (value / _PER_DECADE)))
         self._flow.addWidget(group)
+
+    def be_compact(self, on: bool) -> None:
+        """Do without the names of what has a tooltip, where there is little room."""
+        styles = Qt.ToolButtonStyle
+        for label in self._labels:
+            label.setVisible(not on)
+        for button in self._buttons:
+            button.setToolButtonStyle(styles.ToolButtonIconOnly if on else styles.ToolButtonTextBesideIcon)
 
     def _set(self, **changes: object) -> None:
         if not self._showing:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
 
 from workbench.display.colour_table import table_fault
@@ -27,11 +27,13 @@ from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.subjects.raster import KIND
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.flow_layout import FlowArea
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.stepping.step_bar import stepping_keys
 from workbench.widgets.tube.raster_view import RasterView
 from workbench.widgets.tube.timing_diagram import TimingDiagram
 
+_LOW_PX, _NARROW_PX, _SIDE_PX = 400, 640, 12
 _BEFORE_THE_END = Fraction(1, 4)
 _CAUGHT = 0.62, 0.45
 """How far down the picture, and along the line, the beam is caught."""
@@ -53,7 +55,7 @@ class RasterPage(PlainPage, QWidget):
         super().__init__(parent)
         self.session = session
         self.setting = RasterSetting(session)
-        self._waiting = self._following = False
+        self._waiting = self._following = self._small = False
         self.tube, self.system, self.diagram = RasterView(), SystemView(), TimingDiagram()
         self.sums, self.mode = SumsDock(self.setting), ModeDock(self.setting)
         self.buffer = BufferDock(self.setting)
@@ -69,9 +71,10 @@ class RasterPage(PlainPage, QWidget):
             beside.setStretchFactor(beside.count() - 1, 1)
         beside.setSizes([1000, 900])
         whole = QVBoxLayout(self)
-        whole.setContentsMargins(12, 8, 12, 8)
+        whole.setContentsMargins(_SIDE_PX, 8, _SIDE_PX, 8)
         whole.setSpacing(8)
-        whole.addWidget(self.bar)
+        self.strip = FlowArea(self.bar)
+        whole.addWidget(self.strip)
         whole.addWidget(beside, 1)
         whole.addWidget(self.note)
         whole.addWidget(self.diagram)
@@ -89,7 +92,7 @@ class RasterPage(PlainPage, QWidget):
         self.shows_system.setToolTip(_("Show the raster-scan system beside the tube (Shift+S)"))
         self.shows_system.setCheckable(True)
         self.shows_system.setChecked(True)
-        self.shows_system.toggled.connect(self.system.setVisible)
+        self.shows_system.toggled.connect(lambda _on: self._show_parts())
         self.caught = self._action("catch", _("Catch the beam"), "crosshair", "Shift+B")
         self.caught.setToolTip(_("Slow the tube down and stop the beam in the middle of a line (Shift+B)"))
         self.caught.triggered.connect(lambda _checked=False: self.catch_beam())
@@ -124,6 +127,24 @@ class RasterPage(PlainPage, QWidget):
         self.tube.probed.connect(self._probed)
         for dock in (self.sums, self.buffer):
             dock.said.connect(self.hover_text)
+
+    def _show_parts(self) -> None:
+        """Tube and system beside each other, or one of them where there is little room."""
+        system = self.shows_system.isChecked()
+        self.system.setVisible(system)
+        self.tube.setVisible(not (system and self._small))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """On a small page names and legends go, and the system takes the place of the tube."""
+        super().resizeEvent(event)
+        small = event.size().height() < _LOW_PX
+        if small != self._small:
+            self._small = small
+            self.diagram.be_low(small)
+            self.shows_system.setChecked(not small)
+            self._show_parts()
+        self.bar.be_compact(event.size().width() < _NARROW_PX)
+        self.strip.fit(event.size().width() - 2 * _SIDE_PX, event.size().height())
 
     # What Display asks of a page
 
