@@ -136,10 +136,10 @@ def drawing(scan: Scan | None, now: Numbers, changed: Collection[str]) -> Drawin
         step = min(15.0, (top - bottom) / (len(lines) + 0.4))
         for number, line in enumerate(lines):
             y = top - step * (number + 0.75) if part.encloses or len(lines) > 1 else (top + bottom) / 2
-            items.append(Word(f"\\text{{{line}}}", middle, y, "text", 0, 0, strong=number > 0))
+            items.append(Word(line, middle, y, "text", 0, 0, strong=number > 0))
     for wire in wires():
         ink = "accent" if wire.of in lit else "muted"
         way = np.array(wire.way)
         items.append(Arrow(way, ink, "medium") if wire.arrow else Stroke(way, ink, "medium"))  # type: ignore[arg-type]
-    items.append(Word(f"\\text{{{_('system bus')}}}", 110.0, 254.0, "muted", 0, 0))
+    items.append(Word(_("system bus"), 110.0, 254.0, "muted", 0, 0))
     return Drawing((0.0, 0.0, WIDTH, HEIGHT), items, 360.0)
