@@ -75,6 +75,7 @@ def refresh_face(
     factors: Array,
     layers: Array,
     shares: Array,
+    lit_ends: Array,
     lowest: Array,
 ) -> Iterator[tuple[int, int]]:
     """Let time pass on the face, and add what the rows scanned meanwhile have left and given off.
@@ -83,8 +84,8 @@ def refresh_face(
     rows, face columns), what was given off, written; spread, across and bands as ``gather_rows`` takes them,
     spread with age 0 for all energy and one age for each term; kept (1 + terms, rows), how much of each row
     fell, and of each term is left; factors (terms, 4): what a term keeps, what its light gives off, luminance
-    for stored energy, energy for stored luminance; layers (terms,); shares (layers, 1), of the energy; lowest
-    (1, 1). Emits: (face row, 0).
+    for stored energy, energy for stored luminance; layers (terms,); shares (layers, 1), of the energy;
+    lit_ends (rows, 2), where a row of age 0 is not dark; lowest (1, 1). Emits: (face row, 0).
     """
     face_rows = len(bands)
     rows = kept.shape[1]
@@ -99,19 +100,20 @@ def refresh_face(
                 state[x] = state[x] * keeps + low - low
         for row in range(bands[y, 0], bands[y, 1]):
             fell = across[y, row] * kept[0, row]
-            if fell > 0.0:
-                energy = spread[row]
+            begin, end = lit_ends[row, 0], lit_ends[row, 1]
+            if fell > 0.0 and end > begin:
+                energy = spread[row, begin:end]
                 for layer in range(len(shares)):
-                    lit = light[layer * face_rows + y]
+                    lit = light[layer * face_rows + y, begin:end]
                     share = fell * shares[layer, 0]
                     for x in range(len(energy)):
                         lit[x] += energy[x] * share
                 for term in range(len(factors)):
                     left = across[y, row] * kept[term + 1, row] * factors[term, 2]
                     back = factors[term, 3]
-                    state = stored[term * face_rows + y]
-                    lit = light[layers[term] * face_rows + y]
-                    remains = spread[(term + 1) * rows + row]
+                    state = stored[term * face_rows + y, begin:end]
+                    lit = light[layers[term] * face_rows + y, begin:end]
+                    remains = spread[(term + 1) * rows + row, begin:end]
                     for x in range(len(state)):
                         still = remains[x] * left
                         state[x] += still
@@ -200,7 +202,20 @@ def compile_all() -> None:
     factors = np.ones((1, 4), np.float32)
     two = np.ones((4, 2), np.float32)
     layers, lowest, shares = np.zeros(1, np.int64), np.array([[LOWEST]]), ones[:1, :1].copy()
-    run(refresh_face, ones.copy(), ones.copy(), two, ones, ones, counts, factors, layers, shares, lowest)
+    run(
+        refresh_face,
+        ones.copy(),
+        ones.copy(),
+        two,
+        ones,
+        ones,
+        counts,
+        factors,
+        layers,
+        shares,
+        counts,
+        lowest,
+    )
     run(shrink_rows, ones.copy(), ones, ones, counts)
     picture, table = np.zeros((2, 2), np.uint32), np.zeros((1, 9), np.uint32)
     run(

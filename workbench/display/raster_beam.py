@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from workbench.display.beam import BeamState
 from workbench.display.face_kernels import at_hand
 from workbench.display.phosphor import Phosphor
-from workbench.display.raster_refresh import PartOfARow, RasterRefresh
+from workbench.display.raster_refresh import PartOfARow, RasterRefresh, Spread
 from workbench.display.spot import NEAR, across_rows, along_row, narrowed
 from workbench.display.timings import RasterTiming
 from workbench.display.tube import Tube
@@ -95,7 +95,7 @@ class RasterBeam:
             )
         self.drive = drive.astype(self._along.dtype, copy=False)
         self._spread: dict[tuple[int, float], Floats] = {}
-        self._blocks: dict[int, NDArray[np.float32]] = {}
+        self._blocks: dict[int, Spread] = {}
         self._frames: dict[int, Floats] = {}
 
     @property
@@ -170,7 +170,7 @@ class RasterBeam:
             self._refresh = RasterRefresh(self._along, self._across, tube.guns, float(self.timing.pixel_s))
         return self._refresh
 
-    def _block(self, gun: int) -> NDArray[np.float32]:
+    def _block(self, gun: int) -> Spread:
         """The rows of a gun spread along the face, as ``RasterRefresh`` takes them."""
         assert self._refresh is not None
         if gun not in self._blocks:

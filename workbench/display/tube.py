@@ -66,6 +66,7 @@ class Tube:
         shape = rows, columns
         self.stored = [np.zeros((len(gun.terms), *shape), dtype=precision) for gun in self.guns]
         self._light = [np.zeros((len(gun.colours), *shape), dtype=precision) for gun in self.guns]
+        self._exact = np.dtype(precision) == np.float64
         self._room = np.empty(shape, dtype=precision)
         self._emitted_before = 0.0
         self._deposited = 0.0
@@ -226,7 +227,8 @@ class Tube:
 
         It starts afresh, as ``exposure`` does, without an array of its own.
         """
-        self._emitted_before += self._collected()
+        if self._exact:
+            self._emitted_before += self._collected()
         layers = (layer for gun in self._light for layer in gun)
         for light, given in zip(layers, into, strict=True):
             np.multiply(light, light.dtype.type(rate), out=given)
@@ -271,5 +273,10 @@ class Tube:
         )
 
     def emitted_energy(self) -> float:
-        """Energy emitted as light so far; with the stored energy it makes the deposited one."""
+        """Energy emitted as light so far; with the stored energy it makes the deposited one.
+
+        In float64 it is the sum of all light; a float32 tube, which is for looking at, leaves that out.
+        """
+        if not self._exact:
+            return self._deposited - self.stored_energy()
         return self._emitted_before + self._collected()
