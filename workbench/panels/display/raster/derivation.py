@@ -33,7 +33,7 @@ def derivation(
     blocks += _strip(frame_segments(timing), float(timing.line_s), _("lines"))
     if sums:
         blocks.append(Heading(_("Sums")))
-        blocks += [Sentence(f"{s.title}: {s.formula} = {s.numbers} = {s.result or s.fault}") for s in sums]
+        blocks += [Sentence(f"{s.title}: ${s.formula}$ = {s.numbers} = {s.result or s.fault}") for s in sums]
     return Derivation(title, blocks, paper_inks())
 
 
