@@ -12,10 +12,9 @@ from hypothesis import strategies as st
 from workbench.algorithms import catalogue
 from workbench.algorithms.scanning.beam_spot import beam_spot
 from workbench.algorithms.scanning.phosphor_decay import phosphor_decay
-from workbench.algorithms.scanning.random_scan import random_scan
+from workbench.algorithms.scanning.random_scan import DRAW, JUMP, MOVE, random_scan
 from workbench.algorithms.scanning.raster_scan import raster_scan
-from workbench.display import MmStroke, Phosphor, RasterBeam, RasterTiming, Tube, VectorTiming
-from workbench.display.vector_beam import schedule
+from workbench.display import Phosphor, RasterBeam, RasterTiming, Tube
 from workbench.engine.observation import Step, Steps
 from workbench.engine.recorder import record
 
@@ -106,27 +105,10 @@ def test_the_raster_tube_scans_in_the_order_of_the_text(image, count) -> None:
     assert lit == list(raster_scan(image, NO_TABLE, 0, 0, count, 8.0, 6.0))
 
 
-@given(
-    st.lists(st.tuples(st.integers(0, 200), st.integers(0, 200)), min_size=2, max_size=10).filter(
-        lambda ends: len(ends) % 2 == 0
-    ),
-    st.sampled_from([1.0, 0.14, 0.1]),
-    st.floats(0.05, 1.0),
-    st.floats(0.0, 9.0),
-)
-def test_the_vector_tube_takes_the_time_of_the_text(ends, pace, jump_pace, settle) -> None:
-    points = np.array(ends, dtype=float)
-    assert [row[:4] for row in random_scan(points, pace, jump_pace, settle)] == [
-        (*points[i], *points[i + 1]) for i in range(0, len(points), 2)
-    ]
-    display = VectorTiming(
-        "test", 200, 0, 1e6 * pace, jump_ps_per_unit=1e6 * jump_pace, settle_ps=round(settle * 1e6)
-    )
-    strokes = [MmStroke(tuple(points[i]), tuple(points[i + 1]), (1.0,)) for i in range(0, len(points), 2)]
-    segments = schedule(strokes, display, 1.0, (0.0, 0.0))
-    *_others, time = steps_of("random_scan", points, pace, jump_pace, settle)[-1].row
-    took = sum(s.duration_ps for s in segments if s.kind != "wait") * 1e-6
-    assert math.isclose(took, time, rel_tol=1e-6, abs_tol=1e-4)
+def program(strokes: list[tuple[float, ...]]) -> np.ndarray:
+    """MOVE, DRAW and JUMP for strokes (x0, y0, x1, y1), with a MOVE before each of them."""
+    rows = [row for x0, y0, x1, y1 in strokes for row in ([MOVE, x0, y0, 0.0], [DRAW, x1, y1, 1.0])]
+    return np.array([*rows, [JUMP, *strokes[-1][2:], 0.0]] if rows else [], float).reshape(-1, 4)
 
 
 @given(
@@ -136,15 +118,16 @@ def test_the_time_of_a_list_is_that_of_its_jumps_settles_and_strokes(
     strokes, pace, jump_pace, settle
 ) -> None:
     """Reckoned from the ends alone: the longer axis counts, and where the beam is it need not jump."""
-    ends = np.array(strokes, float).reshape(-1, 2)
-    assert list(random_scan(ends, pace, jump_pace, settle)) == strokes
+    numbers = 1.0, 0.0, 0.0, pace, 0.0, jump_pace, settle, 0.0, 0.0
+    assert list(random_scan(program(strokes), *numbers)) == strokes
     time, at = 0.0, tuple(strokes[-1][2:]) if strokes else ()
+    rows = [step.row for step in steps_of("random_scan", program(strokes), *numbers)]
     for k, (x0, y0, x1, y1) in enumerate(strokes):
         if at != (x0, y0):
             time += max(abs(x0 - at[0]), abs(y0 - at[1])) * jump_pace + settle
         time += max(abs(x1 - x0), abs(y1 - y0)) * pace
         at = (x1, y1)
-        assert steps_of("random_scan", ends, pace, jump_pace, settle)[k].row[-1] == pytest.approx(time)
+        assert rows[2 * k + 1][-1] == pytest.approx(time)
 
 
 places = st.tuples(st.floats(12.0, 28.0), st.floats(12.0, 28.0))

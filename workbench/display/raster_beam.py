@@ -3,7 +3,8 @@
 The video signal gives one sample per pixel clock. Its energy falls as one hit in the middle of its clock,
 spread by the spot along the pixel's width and across its row. A hit belongs to exactly one stretch of time,
 however time is cut. Since the spot separates into a factor per row and one per column, and decay into one
-per line and one per clock, whole frames are products of narrow matrices.
+per line and one per clock, whole frames are products of narrow matrices. They stand for the text
+``raster_scan``; the law: ``scanning/test_scanning.py::test_the_raster_tube_scans_in_the_order_of_the_text``.
 """
 
 import math

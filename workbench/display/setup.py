@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.clipping.liang_barsky import liang_barsky
+from workbench.display.monitor import BLANKING, IN_THE_MIDDLE, Knobs, level_current
 from workbench.display.phosphor import Phosphor, names
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.timings import RasterTiming
@@ -26,9 +27,9 @@ PICTURE_SHARE = 0.9
 
 COLOUR_TUBE = "P22"
 _SPOT_OF_LINE_PITCH = 0.36
-_VECTOR_SPOT_MM = 0.5
+VECTOR_SPOT_MM = 0.5
 _LEAST_SPOT_PX = 0.7
-_WHITE = 1.5
+WHITE = 1.5
 """Luminance of a white field: lines one pixel wide, which the spot spreads, then come out near 1."""
 
 _LINE_PEAK = 1.6
@@ -42,7 +43,9 @@ DeviceStroke = tuple[float, float, float, float, int]
 class TubeSetup:
     """What can be chosen: phosphor (or the colour tube), refresh rate, persistence factor, vector display.
 
-    ``gamma`` is the exponent of the gun: its current is the drive, 0 to 1, to this power.
+    ``timing`` are the speeds of a display of one's own, which go before those of ``vector_display``.
+    ``gamma`` is the exponent of the gun: its current is the drive, 0 to 1, to this power. ``knobs`` are those
+    of a monitor.
     """
 
     phosphor: str = "P31"
@@ -50,6 +53,13 @@ class TubeSetup:
     persistence: float = 1.0
     vector_display: str = "teaching"
     gamma: float = 2.2
+    knobs: Knobs = IN_THE_MIDDLE
+    timing: VectorTiming | None = None
+
+    @property
+    def speeds(self) -> VectorTiming:
+        """Those of the vector display. Raises LookupError where it is not known."""
+        return self.timing or VectorTiming.named(self.vector_display)
 
     def guns(self) -> tuple[Phosphor, ...]:
         """One gun, or red, green and blue of a colour tube. Raises LookupError for an unknown phosphor."""
@@ -59,7 +69,16 @@ class TubeSetup:
     def check(self) -> None:
         """Raises LookupError when the phosphor or the vector display is not known."""
         self.guns()
-        VectorTiming.named(self.vector_display)
+        self.speeds  # noqa: B018 - looked up, or refused
+
+    def current(self, level: int) -> float:
+        """The beam current of a channel, 0 to 255, by the law of the gun: 1 for white at the usual knobs."""
+        return level_current(level / 255.0, self.knobs, self.gamma)
+
+    @property
+    def blanked_current(self) -> float:
+        """What the beam still has while it is blanked: nothing, unless brightness is turned up."""
+        return level_current(BLANKING, self.knobs, self.gamma)
 
     @property
     def refresh(self) -> Fraction:
@@ -98,12 +117,18 @@ def area_mm(picture_px: tuple[int, int]) -> tuple[float, float, float, float]:
     return width / 2 - half_x, height / 2 - half_y, width / 2 + half_x, height / 2 + half_y
 
 
-def currents_of_image(image: NDArray[np.uint32], guns: int, gamma: float) -> NDArray[np.float64]:
+def units_per_px(picture_px: tuple[int, int], timing: VectorTiming) -> float:
+    """Units of a vector display's deflection, which has ``timing.grid`` across the face, per pixel."""
+    left, _bottom, right, _top = area_mm(picture_px)
+    return (right - left) / picture_px[0] * timing.grid / face_mm(picture_px)[0]
+
+
+def currents_of_image(image: NDArray[np.uint32], guns: int, setup: TubeSetup) -> NDArray[np.float64]:
     """Beam currents (guns, rows, columns), 0 to 1, of a picture 0xRRGGBB, whose channels drive the grid.
 
     A single gun follows the strongest channel, so that every colour stays readable on one phosphor.
     """
-    levels = np.array([_current(v, gamma) for v in range(256)])
+    levels = np.array([setup.current(v) for v in range(256)])
     red, green, blue = (((image >> shift) & 0xFF).astype(np.uint8) for shift in (16, 8, 0))
     if guns == 3:
         return np.stack([levels[channel] for channel in (red, green, blue)])
@@ -112,15 +137,10 @@ def currents_of_image(image: NDArray[np.uint32], guns: int, gamma: float) -> NDA
     return strongest[None]
 
 
-def currents_of_colour(colour: int, guns: int, gamma: float) -> tuple[float, ...]:
+def currents_of_colour(colour: int, guns: int, setup: TubeSetup) -> tuple[float, ...]:
     """Beam currents of one colour 0xRRGGBB."""
-    currents = tuple(_current((colour >> shift) & 0xFF, gamma) for shift in (16, 8, 0))
+    currents = tuple(setup.current((colour >> shift) & 0xFF) for shift in (16, 8, 0))
     return currents if guns == 3 else (max(currents),)
-
-
-def _current(level: int, gamma: float) -> float:
-    """The law of the gun, cut off at level 0 (MonitorGamma of Psychtoolbox-3; television takes 2.2)."""
-    return float((level / 255.0) ** gamma)
 
 
 def raster_tube(
@@ -130,27 +150,39 @@ def raster_tube(
     precision: Any = np.float32,
     timing: RasterTiming | None = None,
     picture_px: tuple[int, int] | None = None,
+    *,
+    window_mm: tuple[float, float, float, float] | None = None,
+    gun: int | None = None,
+    shift_mm: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[Tube, RasterBeam]:
     """A tube with ``size_px`` pixels that scans ``image`` (h, w); a white field is a little above 1.
 
     Without a ``timing`` it is blanked as VGA and refreshed as set up. ``picture_px`` is the picture that
     gives the face its shape, where the image has more or fewer pixels than that.
+    ``window_mm`` (left, bottom, right, top) is the part of the face that is looked at, by default all of it.
+    With ``gun`` that gun of a colour tube is there alone; its picture lies ``shift_mm`` beside its place.
     """
     height, width = image.shape
     picture = picture_px or (width, height)
     left, bottom, right, top = area_mm(picture)
-    size_mm = face_mm(picture)
+    face = window_mm or (0.0, 0.0, *face_mm(picture))
+    size_mm = face[2] - face[0], face[3] - face[1]
     spot = max(_SPOT_OF_LINE_PITCH * (top - bottom) / height, 0.4 * size_mm[1] / size_px[1])
-    tube = Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
+    guns = setup.guns()
+    currents = currents_of_image(image, len(guns), setup)
+    if gun is not None:
+        guns, currents = guns[gun : gun + 1], currents[gun : gun + 1]
+    tube = Tube(size_px, size_mm, guns, spot_mm=spot, reach=4.0, precision=precision)
     timing = timing or RasterTiming.synthesised(width, height, setup.refresh)
     pixel = tube.pitch_mm[0] * tube.pitch_mm[1]
     share = (right - left) * (top - bottom) / (width * height) / pixel
+    x, y = shift_mm[0] - face[0], shift_mm[1] - face[1]
     beam = RasterBeam(
         tube,
         timing,
-        currents_of_image(image, len(tube.guns), setup.gamma),
-        (left, bottom, right, top),
-        power=float(_WHITE * timing.clocks_per_frame * share),
+        currents,
+        (left + x, bottom + y, right + x, top + y),
+        power=float(WHITE * timing.clocks_per_frame * share),
     )
     return tube, beam
 
@@ -160,7 +192,7 @@ def vector_tube(
 ) -> Tube:
     """A tube for a display list of a picture of ``picture_px`` pixels; ``vector_beam`` makes its beam."""
     size_mm = face_mm(picture_px)
-    spot = max(_VECTOR_SPOT_MM, _LEAST_SPOT_PX * size_mm[0] / size_px[0])
+    spot = max(VECTOR_SPOT_MM, _LEAST_SPOT_PX * size_mm[0] / size_px[0])
     return Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
 
 
@@ -177,11 +209,11 @@ def vector_beam(
     def place(x: float, y: float) -> tuple[float, float]:
         return left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch
 
-    timing = VectorTiming.named(setup.vector_display)
+    timing = setup.speeds
     margin = tube.reach * tube.spot_mm
     lit = -margin, -margin, tube.size_mm[0] + margin, tube.size_mm[1] + margin
     drawn = [
-        MmStroke((ax, ay), (bx, by), currents_of_colour(colour, len(tube.guns), setup.gamma))
+        MmStroke((ax, ay), (bx, by), currents_of_colour(colour, len(tube.guns), setup))
         for x0, y0, x1, y1, colour in strokes
         for ax, ay, bx, by in liang_barsky(*place(x0, y0), *place(x1, y1), *lit)
     ]

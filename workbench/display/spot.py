@@ -1,8 +1,9 @@
-"""The energy that a Gaussian spot leaves on the face, per pixel.
+"""The energy that a Gaussian spot leaves on the face, per pixel: the text ``beam_spot`` at once.
 
 Two forms. Strokes in any direction are sampled at the pixel centres; that conserves energy to 2 exp(-2 pi^2
 s^2) per axis, with s the spot's standard deviation in pixels: keep s >= 0.6. Rows of a raster are
-integrated over the pixels in both directions and conserve it for any spot.
+integrated over the pixels in both directions and conserve it for any spot. The law that text and closed
+form are equal: ``scanning/test_scanning.py::test_the_tube_deposits_what_the_text_says``.
 """
 
 import math

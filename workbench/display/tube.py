@@ -5,6 +5,9 @@ hit of energy E adds E e_k / tau_k to it, time takes it away, what it emits is c
 is a count of ticks, an exact rational number; every step is exact for its length, so the way time is cut
 does not matter.
 
+What is stepped of one place by the text ``phosphor_decay`` is done here to the whole face at once; the law
+that both are equal: ``scanning/test_scanning.py::test_the_tube_fades_as_the_text_says``.
+
 Frame: millimetres on the face, origin at its lower left corner, y upwards; arrays are (rows, columns), row
 0 at the bottom. Energy is in any unit; luminance is that unit per second and pixel.
 """

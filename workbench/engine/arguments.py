@@ -61,7 +61,7 @@ def table(function: Callable[..., Any], rows: Any) -> NDArray[Any]:
     parameters = kinds(function)
     name = function.__name__
     if not only_numbers(parameters):
-        raise ValueError(_("{name} takes more than numbers; run it once at a time").format(name=name))
+        raise ValueError(_("{name} takes more than numbers; run it one call at a time").format(name=name))
     dtype = np.float64 if any(kind == "float" for _name, kind in parameters) else np.int64
     found = np.ascontiguousarray(rows, dtype=dtype)
     if found.ndim != 2 or found.shape[1] != len(parameters):

@@ -20,12 +20,12 @@ from workbench.display import VectorTiming, vector_displays
 from workbench.display.phosphor import Phosphor
 from workbench.display.setup import COLOUR_TUBE, phosphor_choices
 from workbench.language import _
-from workbench.panels.display.instruments import span_text
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.icons import icon
+from workbench.widgets.look.spans import span_text
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.tokens import theme
 

@@ -5,8 +5,8 @@ from fractions import Fraction
 from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from workbench.display.flicker import critical_frequency_hz, modulation
 from workbench.display.raster_beam import RasterBeam
+from workbench.display.refresh_limit import fusion_hz
 from workbench.language import _
 from workbench.panels.display.controls import DisplayControls
 from workbench.panels.display.instruments import TubeInstruments
@@ -18,7 +18,6 @@ from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.flow_layout import FlowArea
 from workbench.widgets.tube.view import TubeView
 
-_EYE_CD_M2 = 100.0
 _SIDE_PX = 12
 
 
@@ -136,8 +135,7 @@ class TubesPage(PlainPage, QWidget):
         tube = self.instruments.tube
         if tube is None or tube.driver is None:
             return ""
-        strongest = max(modulation(gun, 1.0 / tube.refresh_hz) for gun in tube.driver.tube.guns)
-        fusion = critical_frequency_hz(_EYE_CD_M2, strongest)
+        fusion = fusion_hz(tube.driver.tube.guns, 1.0 / tube.refresh_hz)
         words = _("flickers") if tube.refresh_hz < fusion else _("steady")
         said = _("{words}: {rate:.3g} Hz, fuses from {fusion:.0f} Hz").format(
             words=words, rate=tube.refresh_hz, fusion=fusion

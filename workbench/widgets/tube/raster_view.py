@@ -47,7 +47,7 @@ class RasterView(TubeView):
         self._image, self.timing = image, timing
         self._take_size(picture_px)
         if same and self.driver is not None and isinstance(self.driver.beam, RasterBeam):
-            drive = currents_of_image(image, len(self.driver.tube.guns), self._setup.gamma)
+            drive = currents_of_image(image, len(self.driver.tube.guns), self._setup)
             self.driver.show(self.driver.beam.with_drive(drive))
             self._hold()
         else:
@@ -82,8 +82,9 @@ class RasterView(TubeView):
         else:
             self._timer.stop()
 
-    def _made(self, size: tuple[int, int]) -> tuple[Tube, Beam]:
-        return raster_tube(self._image, size, self._setup, timing=self.timing, picture_px=self._picture)
+    def make_tube(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
+        """A tube for the picture, and the beam that scans it under the mode."""
+        return raster_tube(self._image, size_px, self._setup, timing=self.timing, picture_px=self._picture)
 
     def _rebuild(self) -> None:
         super()._rebuild()
@@ -100,9 +101,9 @@ class RasterView(TubeView):
         rows, columns = self._image.shape
         return self._to_widget(left + (right - left) * column / columns, top - (top - bottom) * row / rows)
 
-    def _paint_over(self, painter: QPainter) -> None:
+    def paint_over(self, painter: QPainter) -> None:
         """The path of the beam, and the line that is stepped."""
-        super()._paint_over(painter)
+        super().paint_over(painter)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self._path_shown and self.timing is not None:
             self._paint_path(painter, self.timing)

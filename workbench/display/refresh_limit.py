@@ -1,0 +1,73 @@
+"""From which time of a picture on it is seen to flicker, and how many lines a random-scan display has until
+then.
+"""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from workbench.display.flicker import critical_frequency_hz, modulation
+from workbench.display.phosphor import Phosphor
+from workbench.display.vector_timing import VectorTiming
+
+EYE_CD_M2 = 100.0
+"""The brightness of the picture that an eye is assumed to look at."""
+
+_SLOWEST_S, _FASTEST_S = 10.0, 1e-3
+
+
+def fusion_hz(guns: Sequence[Phosphor], period_s: float) -> float:
+    """The rate (Hz) that a picture would need not to flicker, refreshed every ``period_s`` as it is."""
+    strongest = max(modulation(gun, period_s) for gun in guns)
+    return critical_frequency_hz(EYE_CD_M2, strongest)
+
+
+def flickers(guns: Sequence[Phosphor], period_s: float) -> bool:
+    """Whether an eye sees a picture flicker that is refreshed every ``period_s``."""
+    return 1.0 / period_s < fusion_hz(guns, period_s)
+
+
+def longest_steady_s(guns: Sequence[Phosphor]) -> float:
+    """The longest time of a picture (s) that does not flicker: where 1 / T is the rate that T needs."""
+    steady, flickering = _FASTEST_S, _SLOWEST_S
+    if flickers(guns, steady):
+        return 0.0
+    if not flickers(guns, flickering):
+        return math.inf
+    for _halving in range(100):
+        middle = 0.5 * (steady + flickering)
+        steady, flickering = (steady, middle) if flickers(guns, middle) else (middle, flickering)
+    return steady
+
+
+class LineTime(NamedTuple):
+    """What one of many lines of the same length takes: drawn, jumped to and settled, in picoseconds."""
+
+    stroke_ps: int
+    jump_ps: int
+    settle_ps: int
+
+    @staticmethod
+    def of(timing: VectorTiming, units: float) -> "LineTime":
+        """For lines ``units`` long, each as far from the end of the one before."""
+        jump = timing.jump_ps(units, 0.0)
+        return LineTime(timing.stroke_ps(units, 0.0), jump, timing.settle_ps if units > 0.0 else 0)
+
+    @property
+    def total_ps(self) -> int:
+        """All of it."""
+        return self.stroke_ps + self.jump_ps + self.settle_ps
+
+    def frame_ps(self, lines: int, shortest_ps: int) -> int:
+        """The time of a picture of so many lines."""
+        return max(lines * self.total_ps, shortest_ps, 1)
+
+    def most_lines(self, longest_s: float, shortest_ps: int) -> int | None:
+        """How many lines take no longer than ``longest_s``: floor(T / t); None: any number.
+
+        0 where not even an empty list is refreshed as often.
+        """
+        if math.isinf(longest_s):
+            return None
+        longest_ps = math.floor(longest_s * 1e12)
+        return longest_ps // self.total_ps if shortest_ps <= longest_ps else 0
