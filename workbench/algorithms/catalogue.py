@@ -67,6 +67,7 @@ _TEACHING_ORDER = (
     "scanning.random_scan",
     "scanning.stroke_order",
     "scanning.beam_spot",
+    "scanning.beam_strokes",
     "scanning.phosphor_decay",
 )
 
