@@ -47,4 +47,6 @@ def test_beyond_the_picture_it_is_dark() -> None:
     corner = brightness(magnified_raster(image, SETUP, (0.0, 0.0), 6.0, 90))
     assert corner[:30, 60:].mean() > 100
     assert corner[70:, :20].mean() < 20
-    assert not magnified_vector([], SETUP, SIZE, (0.0, 0.0), 6.0, 60).astype(np.uint32)[0, 0] & 0xFF00 > 0x2000
+    assert (
+        not magnified_vector([], SETUP, SIZE, (0.0, 0.0), 6.0, 60).astype(np.uint32)[0, 0] & 0xFF00 > 0x2000
+    )

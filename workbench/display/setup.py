@@ -106,6 +106,13 @@ def area_mm(picture_px: tuple[int, int]) -> tuple[float, float, float, float]:
     return width / 2 - half_x, height / 2 - half_y, width / 2 + half_x, height / 2 + half_y
 
 
+def mm_of(x: float, y: float, picture_px: tuple[int, int]) -> tuple[float, float]:
+    """Where on the face a place of the picture lies, from pixels to millimetres."""
+    left, bottom, right, _top = area_mm(picture_px)
+    pitch = (right - left) / picture_px[0]
+    return left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch
+
+
 def units_per_px(picture_px: tuple[int, int], timing: VectorTiming) -> float:
     """Units of a vector display's deflection, which has ``timing.grid`` across the face, per pixel."""
     left, _bottom, right, _top = area_mm(picture_px)
@@ -193,11 +200,10 @@ def vector_beam(
 
     It goes only where the spot can light the face: the rest of a stroke takes no time.
     """
-    left, bottom, right, _top = area_mm(picture_px)
-    pitch = (right - left) / picture_px[0]
+    pitch = mm_of(1.0, 0.0, picture_px)[0] - mm_of(0.0, 0.0, picture_px)[0]
     timing = setup.speeds
     rows = np.array(strokes, np.float64).reshape(-1, 5)
-    ends = (rows[:, :4].reshape(-1, 2, 2) + 0.5) * pitch + (left, bottom)
+    ends = rows[:, :4].reshape(-1, 2, 2) * pitch + mm_of(0.0, 0.0, picture_px)
     colours, which = np.unique(rows[:, 4].astype(np.int64), return_inverse=True)
     guns = len(tube.guns)
     known = np.array([currents_of_colour(colour, guns, setup.gamma) for colour in colours.tolist()])

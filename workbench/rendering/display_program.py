@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.scanning.random_scan import DRAW, JUMP, MOVE
+from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE
 from workbench.document.model import Sheet
 from workbench.rendering.display_list import display_list
 from workbench.rendering.scene.line_drawing import scene_strokes

@@ -32,9 +32,9 @@ from workbench.display.setup import (
     COLOUR_TUBE,
     DeviceStroke,
     TubeSetup,
-    area_mm,
     currents_of_image,
     face_mm,
+    mm_of,
     raster_tube,
     vector_beam,
     vector_tube,
@@ -107,10 +107,10 @@ class TubeView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(120, 110)
         self.setAccessibleName(_("Raster tube") if kind == "raster" else _("Vector tube"))
-        hint = _("Click a point of the glass to measure its light over time.")
-        if kind == "vector":
-            hint = _("The beam draws the strokes of the display list one after the other.")
-        self.setToolTip(hint)
+        hint = _("The beam draws the strokes of the display list one after the other.")
+        self.setToolTip(
+            hint if kind == "vector" else _("Click a point of the glass to measure its light over time.")
+        )
         theme.changed.connect(self.update)
         comfort.changed.connect(self._wake)
 
@@ -303,9 +303,7 @@ class TubeView(QWidget):
 
     def position(self, x: float, y: float) -> QPointF:
         """Where in the widget a place of the picture lies."""
-        left, bottom, right, _top = area_mm(self._picture)
-        pitch = (right - left) / self._picture[0]
-        return self._to_widget(left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch)
+        return self._to_widget(*mm_of(x, y, self._picture))
 
     def pixel_under(self, position: QPointF) -> tuple[int, int] | None:
         """The pixel of the picture at a position of the widget; None beside the picture."""
@@ -321,11 +319,6 @@ class TubeView(QWidget):
         self._probe = pixel
         self.update()
 
-    def _probe_mm(self, pixel: tuple[int, int]) -> tuple[float, float]:
-        left, bottom, right, _top = area_mm(self._picture)
-        pitch = (right - left) / self._picture[0]
-        return left + (pixel[0] + 0.5) * pitch, bottom + (pixel[1] + 0.5) * pitch
-
     def lit_pixel(self) -> tuple[int, int] | None:
         """The lit pixel of the frame buffer that is nearest to its middle; None for a dark picture."""
         rows, columns = np.nonzero(self._image)
@@ -337,14 +330,13 @@ class TubeView(QWidget):
 
     def probe_mm(self) -> tuple[float, float] | None:
         """Where on the face the probe sits, in millimetres."""
-        return None if self._probe is None else self._probe_mm(self._probe)
+        return None if self._probe is None else mm_of(*self._probe, self._picture)
 
     def light_at_probe(self) -> float:
         """Luminance at the probed pixel in the last step, 1 for white; 0 without a probe."""
         if self._probe is None or self.driver is None:
             return 0.0
-        x_mm, y_mm = self._probe_mm(self._probe)
-        width, height = face_mm(self._picture)
+        (x_mm, y_mm), (width, height) = mm_of(*self._probe, self._picture), face_mm(self._picture)
         columns, rows = self.driver.tube.size_px
         column, row = int(x_mm / width * columns), int(y_mm / height * rows)
         return float(sum(light[row, column] for light in self.driver.lights))
@@ -392,7 +384,7 @@ class TubeView(QWidget):
                 state = self.driver.state()
                 paint_beam(painter, self._to_widget(state.x_mm, state.y_mm), self._glass.width(), state)
             if self._probe is not None:
-                paint_probe(painter, self._to_widget(*self._probe_mm(self._probe)))
+                paint_probe(painter, self.position(*self._probe))
         painter.restore()
         painter.drawPixmap(0, 0, self._reflection)
         if self._case.bottom() - self._glass.bottom() >= _PLATE_PX:

@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
-from workbench.algorithms.scanning.random_scan import DRAW
+from workbench.algorithms.scanning.operations import DRAW
 from workbench.algorithms.scanning.random_scan import random_scan as text
 from workbench.display.list_time import list_time
 from workbench.display.magnified import magnified_raster, magnified_vector

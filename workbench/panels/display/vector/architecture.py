@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.marks import Ink, Region, Spot, Stroke, Word
-from workbench.algorithms.scanning.random_scan import DRAW, JUMP, MOVE, NAMES
+from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE, NAMES
 from workbench.exchange.diagrams import Arrow, Drawing, Item
 from workbench.language import _
 

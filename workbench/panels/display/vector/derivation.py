@@ -1,6 +1,6 @@
 """How a random-scan display works, as a page: its architecture, the list, and the sum of its times."""
 
-from workbench.algorithms.scanning.random_scan import DRAW, NAMES
+from workbench.algorithms.scanning.operations import DRAW, NAMES
 from workbench.exchange.diagrams import Block, Derivation, Heading, Sentence
 from workbench.language import _
 from workbench.panels.display.vector.architecture import architecture
