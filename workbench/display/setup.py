@@ -38,6 +38,9 @@ _FULL_RATE_HZ = 60.0
 DeviceStroke = tuple[float, float, float, float, int]
 """x0, y0, x1, y1 in device pixels and the colour 0xRRGGBB."""
 
+DeviceStrokes = Sequence[DeviceStroke] | NDArray[np.float64]
+"""Any number of them; (n, 5) as an array."""
+
 
 @dataclass(frozen=True, slots=True)
 class TubeSetup:
@@ -194,7 +197,7 @@ def _where_lit(tube: Tube, strokes: StrokeTable) -> StrokeTable:
 
 
 def vector_beam(
-    tube: Tube, strokes: Sequence[DeviceStroke], picture_px: tuple[int, int], setup: TubeSetup
+    tube: Tube, strokes: DeviceStrokes, picture_px: tuple[int, int], setup: TubeSetup
 ) -> VectorBeam:
     """The beam that draws ``strokes``; a long one refreshed 60 times a second is a little above white.
 

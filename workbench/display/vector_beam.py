@@ -22,6 +22,7 @@ from workbench.display.spot import narrowed, stroke_energy, stroke_remainder
 from workbench.display.stroke_timeline import (
     KINDS,
     STROKE,
+    WAIT,
     MmStroke,
     Point,
     Segment,
@@ -89,7 +90,8 @@ class VectorBeam:
         self._currents = table.currents
         self.timeline = timeline(table, timing, timing.grid / width, (width / 2, height / 2), min_frame_ps)
         self.frame_ps = int(self.timeline.duration_ps.sum())
-        self.list_ps = self.frame_ps - self.times_ps["wait"]
+        waits = bool(self.timeline.kind[-1] == WAIT)
+        self.list_ps = self.frame_ps - waits * int(self.timeline.duration_ps[-1])
         self._cut(min(width / tube.size_px[0], height / tube.size_px[1]) * _PIECE_PX)
         count = len(self._starts)
         per_run = -(-count // _RUNS) or 1

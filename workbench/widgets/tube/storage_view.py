@@ -12,7 +12,6 @@ from workbench.display.exposure import Screen
 from workbench.display.phosphor import Phosphor
 from workbench.display.setup import DeviceStroke, face_mm, mm_of
 from workbench.display.storage_tube import StorageTube, Written
-from workbench.display.vector_timing import VectorTiming
 from workbench.language import _
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tokens import colour, tokens
@@ -68,14 +67,14 @@ class StorageView(QWidget):
         """The strokes (n, 2, 2) that can be clicked, device coordinates."""
         self._ends = ends
 
-    def take_list(
-        self, strokes: Sequence[DeviceStroke], picture_px: tuple[int, int], _timing: VectorTiming
-    ) -> None:
-        """The list that is written when it is asked for; what is on the face stays. The first is written."""
+    def take_list(self, strokes: NDArray[np.float64], picture_px: tuple[int, int]) -> None:
+        """The strokes (n, 5) that are written when it is asked for; what is on the face stays. The first are
+        written at once.
+        """
         if picture_px != self._picture or self.tube is None:
             self._picture = picture_px
             self._build()
-        self._strokes = tuple(strokes)
+        self._strokes = tuple((x0, y0, x1, y1, int(packed)) for x0, y0, x1, y1, packed in strokes.tolist())
         if self._written is None and self.tube is not None:
             self.write()
 

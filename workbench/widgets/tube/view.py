@@ -5,7 +5,6 @@ longer changes. With Calm on, refreshes that would be seen as flicker are averag
 pictures a second shows the beam itself.
 """
 
-from collections.abc import Sequence
 from fractions import Fraction
 from typing import Literal
 
@@ -30,7 +29,7 @@ from workbench.display.exposure import Screen
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.setup import (
     COLOUR_TUBE,
-    DeviceStroke,
+    DeviceStrokes,
     TubeSetup,
     currents_of_image,
     face_mm,
@@ -82,7 +81,7 @@ class TubeView(QWidget):
         self._slow = 1.0
         self._paused = False
         self._image: NDArray[np.uint32] = np.zeros((48, 64), dtype=np.uint32)
-        self._strokes: tuple[DeviceStroke, ...] = ()
+        self._strokes: DeviceStrokes = ()
         self._picture = (64, 48)
         self._probe: tuple[int, int] | None = None
         self._seconds = Fraction(0)
@@ -132,10 +131,10 @@ class TubeView(QWidget):
         else:
             self._rebuild()
 
-    def set_strokes(self, strokes: Sequence[DeviceStroke], picture_px: tuple[int, int]) -> None:
+    def set_strokes(self, strokes: DeviceStrokes, picture_px: tuple[int, int]) -> None:
         """Show a display list in the device frame of a picture of so many pixels."""
         same_size = picture_px == self._picture
-        self._strokes = tuple(strokes)
+        self._strokes = strokes
         self._take_size(picture_px)
         if self.kind != "vector":
             return

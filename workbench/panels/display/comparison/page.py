@@ -126,7 +126,7 @@ class ComparisonPage(PlainPage, QWidget):
         for view in (self.raster, self.vector):
             view.setMouseTracking(True)
             view.installEventFilter(self)
-            view.sight.changed.connect(lambda _seen: self.refresh_soon())
+            view.sight.changed.connect(self.refresh_soon)
         self.table.currentCellChanged.connect(lambda *_cells: self._tell())
 
     # What Display asks of a page

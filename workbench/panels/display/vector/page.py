@@ -81,7 +81,7 @@ class VectorPage(PlainPage, QWidget):
             self.table, _("This sheet draws no strokes, so the display list is empty."), self._show_example
         )
         self._actions = self._made_actions()
-        KeysWhileSeen(self, self._actions)
+        KeysWhileSeen(self, self.commands())
         self._connect()
 
     def _lay_out(self) -> None:
@@ -157,9 +157,10 @@ class VectorPage(PlainPage, QWidget):
         self.tube.stroke_clicked.connect(self._go_to_stroke)
         self.storage.stroke_clicked.connect(self._go_to_stroke)
         self.plot.lines_wanted.connect(self.bar.give_lines)
+        self.plot.held.connect(session.hold_runs)
         self.storage_bar.said.connect(self.hover_text)
         for view in (self.tube, self.storage):
-            view.sight.changed.connect(lambda _seen: self.refresh_soon())
+            view.sight.changed.connect(self.refresh_soon)
         self.table.view.installEventFilter(self)
 
     # What Display asks of a page
@@ -169,7 +170,7 @@ class VectorPage(PlainPage, QWidget):
         right = Qt.DockWidgetArea.RightDockWidgetArea
         return (("random_scan_architecture", _("Architecture"), self.architecture, right),)
 
-    def commands(self) -> Sequence[QAction]:
+    def commands(self) -> list[QAction]:
         """Its commands, and the changes to the list."""
         return [*self._actions, *self.table.changes]
 
@@ -238,8 +239,9 @@ class VectorPage(PlainPage, QWidget):
     def _show_strokes(self, run: VectorRun) -> None:
         """The whole list as it is refreshed, or of a frame that is stepped what it has drawn so far."""
         settings = self.session.state.tube
-        rate = 1e12 / run.budget.time.frame_ps
-        setup = replace_setup(setup_of(settings), refresh_hz=rate, timing=run.budget.timing)
+        # A part of a list is refreshed as seldom as all of it
+        frame_ps = run.budget.time.frame_ps if run.steps else run.budget.shortest_ps
+        setup = replace_setup(setup_of(settings), refresh_hz=1e12 / frame_ps, timing=run.budget.timing)
         strokes = run.strokes_now
         self.tube.set_ends(strokes.ends if not run.steps else run.program.strokes.ends)
         self.tube.set_trace(run.trace)
@@ -253,7 +255,7 @@ class VectorPage(PlainPage, QWidget):
 
     def _show_storage(self, run: VectorRun) -> None:
         self.storage.set_ends(run.program.strokes.ends)
-        self.storage.take_list(run.program.strokes.for_tube(), run.size, run.budget.timing)
+        self.storage.take_list(run.program.strokes.for_tube(), run.size)
         self.storage_bar.refresh()
 
     # The hand
