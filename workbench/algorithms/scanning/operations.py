@@ -4,3 +4,8 @@ MOVE = 0
 DRAW = 1
 JUMP = 2
 NAMES = ("MOVE", "DRAW", "JUMP")
+
+
+def operation_name(operation: int) -> str:
+    """What an operation is called."""
+    return NAMES[operation]

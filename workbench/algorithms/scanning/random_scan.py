@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law, Parameter, View
 from workbench.algorithms.scanning.list_marks import list_marks
-from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE
+from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE, operation_name
 
 
 def random_scan(
@@ -148,7 +148,7 @@ ENTRY = Entry(
         ),
         View(
             block="Fetch the instruction that the counter points at",
-            sentence="The counter points at {address}: {NAMES[operation]} ({x}, {y}).",
+            sentence="The counter points at {address}: {operation_name(operation)} ({x}, {y}).",
         ),
         View(
             block="Move the beam while it is off, and let it settle",
@@ -174,6 +174,7 @@ ENTRY = Entry(
             sentence="The list took {time} us, all the time there is: it begins again at 0 without a wait.",
         ),
     ),
+    view_functions=(operation_name,),
     marks=list_marks,
     laws=(
         Law(

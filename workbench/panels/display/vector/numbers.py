@@ -1,5 +1,7 @@
 """How long a display list takes, as a student writes it down: the formula with its numbers put in."""
 
+import html
+import re
 from typing import NamedTuple
 
 from workbench.display.list_time import ListTime
@@ -8,6 +10,7 @@ from workbench.display.vector_timing import VectorTiming
 from workbench.language import _
 
 _US, _MS = 1e-6, 1e-9
+_INDEX = re.compile(r"T_(\w+)")
 
 
 class Budget(NamedTuple):
@@ -32,6 +35,16 @@ class Budget(NamedTuple):
     def flickers(self) -> bool:
         """Whether the picture is refreshed too seldom for the eye."""
         return self.time.refresh_hz < self.fusion_hz
+
+
+def rich(line: str) -> str:
+    """A line of the sum as rich text, with real subscripts."""
+    return _INDEX.sub(r"T<sub>\1</sub>", html.escape(line))
+
+
+def on_paper(line: str) -> str:
+    """A line of the sum as a sentence of a page, its times as formulas."""
+    return _INDEX.sub(r"$T_{\1}$", line)
 
 
 def stroke_formula(timing: VectorTiming) -> str:

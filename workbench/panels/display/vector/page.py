@@ -26,7 +26,7 @@ from workbench.panels.display.vector.bar import VectorBar
 from workbench.panels.display.vector.derivation import derivation
 from workbench.panels.display.vector.list_changes import ListChanges
 from workbench.panels.display.vector.list_table import ListTable
-from workbench.panels.display.vector.numbers import saving, sum_lines, verdict
+from workbench.panels.display.vector.numbers import rich, saving, sum_lines, verdict
 from workbench.panels.display.vector.run import VectorRun, vector_run
 from workbench.panels.display.vector.storage_bar import StorageBar
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
@@ -221,7 +221,7 @@ class VectorPage(PlainPage, QWidget):
             action.setEnabled(not run.locked)
             action.setToolTip(run.locked or f"{action.text()} ({action.shortcut().toString()})")
         self._show_tube(run)
-        self.sums.setText("<br>".join(line.replace("<", "&lt;") for line in sum_lines(run.budget)))
+        self.sums.setText("<br>".join(map(rich, sum_lines(run.budget))))
         words = [verdict(run.budget), saving(run.budget), run.note]
         self.note.setText(" ".join(filter(None, words)))
         for part in (self.note, self.plot):
