@@ -285,6 +285,7 @@ def test_a_storage_tube_keeps_what_was_written(page: VectorPage, session: Sessio
     assert tube is not None
     assert tube.stored.any()
     assert "no flicker" in page.storage_bar.note.text()
+    assert "64 · 40 / 9600 = 0.267 s" in page.sums.text()
     stored = tube.stored.copy()
     typed(page, 1, X, "30")
     assert page.storage.tube is not tube or (tube.stored | ~stored).all()

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from workbench.display.list_time import ListTime
 from workbench.display.refresh_limit import LineTime
+from workbench.display.storage_tube import BAUD, ERASE_S, transfer_s
 from workbench.display.vector_timing import VectorTiming
 from workbench.language import _
 
@@ -92,6 +93,21 @@ def sum_lines(budget: Budget) -> list[str]:
     )
     lines.append(_limit(budget))
     return lines
+
+
+def storage_lines(strokes: int) -> list[str]:
+    """The lines of the sum where the list is written once and kept."""
+    return [
+        _("No refresh: the list is written once, over a line of {baud:,} baud (Tektronix 4010).").format(
+            baud=BAUD
+        ),
+        _("t = n · 4 bytes · 10 bits / {baud} = {n:,} · 40 / {baud} = {s:.3g} s (4 bytes: uncertain)").format(
+            baud=BAUD, n=strokes, s=transfer_s(strokes)
+        ),
+        _("To change one stroke: erase all, {erase} s (Tektronix 613), and write again, {all:.3g} s.").format(
+            erase=ERASE_S, all=ERASE_S + transfer_s(strokes)
+        ),
+    ]
 
 
 def _limit(budget: Budget) -> str:

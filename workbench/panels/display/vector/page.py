@@ -26,7 +26,7 @@ from workbench.panels.display.vector.bar import VectorBar
 from workbench.panels.display.vector.derivation import derivation
 from workbench.panels.display.vector.list_changes import ListChanges
 from workbench.panels.display.vector.list_table import ListTable
-from workbench.panels.display.vector.numbers import rich, saving, sum_lines, verdict
+from workbench.panels.display.vector.numbers import rich, saving, storage_lines, sum_lines, verdict
 from workbench.panels.display.vector.run import VectorRun, vector_run
 from workbench.panels.display.vector.storage_bar import StorageBar
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
@@ -44,7 +44,7 @@ from workbench.widgets.tube.stroke_view import StrokeView
 
 PAGE = "vector"
 OVERLOADED = 900
-_PLOT_PX, _LOW_PX = 150, 420
+_PLOT_PX, _LOW_PLOT_PX, _LOW_PX = 150, 104, 420
 
 
 class VectorPage(PlainPage, QWidget):
@@ -109,7 +109,6 @@ class VectorPage(PlainPage, QWidget):
         tube_column.addWidget(self.glass, 1)
         tube_column.addWidget(self.note)
         tube_column.addWidget(self.plot)
-        self.plot.setFixedHeight(_PLOT_PX)
         halves = QSplitter(Qt.Orientation.Horizontal)
         halves.setChildrenCollapsible(False)
         halves.addWidget(left)
@@ -221,7 +220,8 @@ class VectorPage(PlainPage, QWidget):
             action.setEnabled(not run.locked)
             action.setToolTip(run.locked or f"{action.text()} ({action.shortcut().toString()})")
         self._show_tube(run)
-        self.sums.setText("<br>".join(map(rich, sum_lines(run.budget))))
+        sums = storage_lines(len(run.program.strokes)) if run.stores else sum_lines(run.budget)
+        self.sums.setText("<br>".join(map(rich, sums)))
         words = [verdict(run.budget), saving(run.budget), run.note]
         self.note.setText(" ".join(filter(None, words)))
         for part in (self.note, self.plot):
@@ -312,7 +312,9 @@ class VectorPage(PlainPage, QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Where it is low the list needs the height that the sum has."""
         super().resizeEvent(event)
-        self.sums.setVisible(self.height() > _LOW_PX)
+        low = self.height() < _LOW_PX
+        self.sums.setVisible(not low)
+        self.plot.setFixedHeight(_LOW_PLOT_PX if low else _PLOT_PX)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Show what happened while it was hidden."""
