@@ -83,7 +83,7 @@ def test_a_text_refuses_at_the_door(
         (lambda: curves.bernstein(-1, 0), "degree is -1; it must be"),
         (lambda: curves.insert_knot(POINTS, KNOTS, 2, 1, 2), "1 times, .* insert it 1 times at most"),
         (lambda: curves.insert_knot(POINTS, KNOTS, 2, 5), "u = 5 is outside the curve, 0 to 2"),
-        (lambda: curves.split_b_spline(POINTS, KNOTS, 2, 2), "nothing to part; choose a u between both ends"),
+        (lambda: curves.split_b_spline(POINTS, KNOTS, 2, 2), "nothing to split; choose a u between the ends"),
         (lambda: curves.natural_cubic(POINTS, [0, 1, 1, 2]), "Knot 2 is 1, after 1; raise it, or part the"),
         (lambda: curves.natural_cubic(POINTS, [0, 1]), "2 knots for 4 points; give each point one"),
         (lambda: curves.periodic_cubic(POINTS[:2]), "2 points, and 3 are needed; add 1"),

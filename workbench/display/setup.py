@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.clipping.liang_barsky import liang_barsky
+from workbench.display.monitor import BLANKING, IN_THE_MIDDLE, Knobs, level_current
 from workbench.display.phosphor import Phosphor, names
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.stroke_timeline import StrokeTable
@@ -29,7 +30,7 @@ COLOUR_TUBE = "P22"
 _SPOT_OF_LINE_PITCH = 0.36
 VECTOR_SPOT_MM = 0.5
 _LEAST_SPOT_PX = 0.7
-_WHITE = 1.5
+WHITE = 1.5
 """Luminance of a white field: lines one pixel wide, which the spot spreads, then come out near 1."""
 
 _LINE_PEAK = 1.6
@@ -47,7 +48,8 @@ class TubeSetup:
     """What can be chosen: phosphor (or the colour tube), refresh rate, persistence factor, vector display.
 
     ``timing`` are the speeds of a display of one's own, which go before those of ``vector_display``.
-    ``gamma`` is the exponent of the gun: its current is the drive, 0 to 1, to this power.
+    ``gamma`` is the exponent of the gun: its current is the drive, 0 to 1, to this power. ``knobs`` are those
+    of a monitor.
     """
 
     phosphor: str = "P31"
@@ -55,6 +57,7 @@ class TubeSetup:
     persistence: float = 1.0
     vector_display: str = "teaching"
     gamma: float = 2.2
+    knobs: Knobs = IN_THE_MIDDLE
     timing: VectorTiming | None = None
 
     @property
@@ -71,6 +74,15 @@ class TubeSetup:
         """Raises LookupError when the phosphor or the vector display is not known."""
         self.guns()
         self.speeds  # noqa: B018 - looked up, or refused
+
+    def current(self, level: int) -> float:
+        """The beam current of a channel, 0 to 255, by the law of the gun: 1 for white at the usual knobs."""
+        return level_current(level / 255.0, self.knobs, self.gamma)
+
+    @property
+    def blanked_current(self) -> float:
+        """What the beam still has while it is blanked: nothing, unless brightness is turned up."""
+        return level_current(BLANKING, self.knobs, self.gamma)
 
     @property
     def refresh(self) -> Fraction:
@@ -122,12 +134,12 @@ def units_per_px(picture_px: tuple[int, int], timing: VectorTiming) -> float:
     return (right - left) / picture_px[0] * timing.grid / face_mm(picture_px)[0]
 
 
-def currents_of_image(image: NDArray[np.uint32], guns: int, gamma: float) -> NDArray[np.float64]:
+def currents_of_image(image: NDArray[np.uint32], guns: int, setup: TubeSetup) -> NDArray[np.float64]:
     """Beam currents (guns, rows, columns), 0 to 1, of a picture 0xRRGGBB, whose channels drive the grid.
 
     A single gun follows the strongest channel, so that every colour stays readable on one phosphor.
     """
-    levels = np.array([_current(v, gamma) for v in range(256)])
+    levels = np.array([setup.current(v) for v in range(256)])
     red, green, blue = (((image >> shift) & 0xFF).astype(np.uint8) for shift in (16, 8, 0))
     if guns == 3:
         return np.stack([levels[channel] for channel in (red, green, blue)])
@@ -136,36 +148,52 @@ def currents_of_image(image: NDArray[np.uint32], guns: int, gamma: float) -> NDA
     return strongest[None]
 
 
-def currents_of_colour(colour: int, guns: int, gamma: float) -> tuple[float, ...]:
+def currents_of_colour(colour: int, guns: int, setup: TubeSetup) -> tuple[float, ...]:
     """Beam currents of one colour 0xRRGGBB."""
-    currents = tuple(_current((colour >> shift) & 0xFF, gamma) for shift in (16, 8, 0))
+    currents = tuple(setup.current((colour >> shift) & 0xFF) for shift in (16, 8, 0))
     return currents if guns == 3 else (max(currents),)
 
 
-def _current(level: int, gamma: float) -> float:
-    """The law of the gun, cut off at level 0 (MonitorGamma of Psychtoolbox-3; television takes 2.2)."""
-    return float((level / 255.0) ** gamma)
-
-
 def raster_tube(
-    image: NDArray[np.uint32], size_px: tuple[int, int], setup: TubeSetup, precision: Any = np.float32
+    image: NDArray[np.uint32],
+    size_px: tuple[int, int],
+    setup: TubeSetup,
+    precision: Any = np.float32,
+    timing: RasterTiming | None = None,
+    picture_px: tuple[int, int] | None = None,
+    *,
+    window_mm: tuple[float, float, float, float] | None = None,
+    gun: int | None = None,
+    shift_mm: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[Tube, RasterBeam]:
-    """A tube with ``size_px`` pixels that scans ``image`` (h, w); a white field is a little above 1."""
+    """A tube with ``size_px`` pixels that scans ``image`` (h, w); a white field is a little above 1.
+
+    Without a ``timing`` it is blanked as VGA and refreshed as set up. ``picture_px`` is the picture that
+    gives the face its shape, where the image has more or fewer pixels than that.
+    ``window_mm`` (left, bottom, right, top) is the part of the face that is looked at, by default all of it.
+    With ``gun`` that gun of a colour tube is there alone; its picture lies ``shift_mm`` beside its place.
+    """
     height, width = image.shape
-    picture = width, height
+    picture = picture_px or (width, height)
     left, bottom, right, top = area_mm(picture)
-    size_mm = face_mm(picture)
+    face = window_mm or (0.0, 0.0, *face_mm(picture))
+    size_mm = face[2] - face[0], face[3] - face[1]
     spot = max(_SPOT_OF_LINE_PITCH * (top - bottom) / height, 0.4 * size_mm[1] / size_px[1])
-    tube = Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
-    timing = RasterTiming.synthesised(width, height, setup.refresh)
+    guns = setup.guns()
+    currents = currents_of_image(image, len(guns), setup)
+    if gun is not None:
+        guns, currents = guns[gun : gun + 1], currents[gun : gun + 1]
+    tube = Tube(size_px, size_mm, guns, spot_mm=spot, reach=4.0, precision=precision)
+    timing = timing or RasterTiming.synthesised(width, height, setup.refresh)
     pixel = tube.pitch_mm[0] * tube.pitch_mm[1]
     share = (right - left) * (top - bottom) / (width * height) / pixel
+    x, y = shift_mm[0] - face[0], shift_mm[1] - face[1]
     beam = RasterBeam(
         tube,
         timing,
-        currents_of_image(image, len(tube.guns), setup.gamma),
-        (left, bottom, right, top),
-        power=float(_WHITE * timing.clocks_per_frame * share),
+        currents,
+        (left + x, bottom + y, right + x, top + y),
+        power=float(WHITE * timing.clocks_per_frame * share),
     )
     return tube, beam
 
@@ -209,7 +237,7 @@ def vector_beam(
     ends = rows[:, :4].reshape(-1, 2, 2) * pitch + mm_of(0.0, 0.0, picture_px)
     colours, which = np.unique(rows[:, 4].astype(np.int64), return_inverse=True)
     guns = len(tube.guns)
-    known = np.array([currents_of_colour(colour, guns, setup.gamma) for colour in colours.tolist()])
+    known = np.array([currents_of_colour(colour, guns, setup) for colour in colours.tolist()])
     drawn = _where_lit(tube, StrokeTable(ends, known.reshape(-1, guns)[which.reshape(-1)]))
     shortest_ps = int(Fraction(10**12) / setup.refresh)
     # Energy per length times sqrt(2 pi) spots is the energy across a long stroke; one pixel gets its share.

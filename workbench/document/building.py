@@ -108,7 +108,7 @@ def scene_with(document: Document, thing: str) -> tuple[Sheet, Scene, Thing]:
             if sheet.scene and candidate.id == thing:
                 return sheet, sheet.scene, candidate
     raise DocumentError(
-        thing, _("There is nothing {id!r} in a scene; it may have been removed.").format(id=thing)
+        thing, _("There is nothing called {id!r} in the scene; it may have been removed.").format(id=thing)
     )
 
 
@@ -234,7 +234,7 @@ def with_points(
 def position(index: int, most: int, field: str) -> int:
     """``index`` when it is a place from 0 to ``most``; raises DocumentError."""
     if type(index) is not int or not 0 <= index <= most:
-        sentence = _("{field}: there is no place {index!r}; choose one from 0 to {most}.")
+        sentence = _("{field}: there is no position {index!r}; choose one from 0 to {most}.")
         raise DocumentError(field, sentence.format(field=field, index=index, most=most))
     return index
 

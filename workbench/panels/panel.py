@@ -83,6 +83,9 @@ class Panel(Protocol):
     def derivation(self) -> "Derivation | None":
         """The page that derives what is shown, if there is any."""
 
+    def drawing(self) -> "Derivation | None":
+        """The drawing alone of what the workspace explains, if it has one, with labels where they are on."""
+
     def offer_export(self, menu: QMenu) -> None:
         """Let its own menus lead to what can be exported."""
 
@@ -184,6 +187,10 @@ class PlainPanel:
         return ()
 
     def derivation(self) -> "Derivation | None":
+        """None."""
+        return None
+
+    def drawing(self) -> "Derivation | None":
         """None."""
         return None
 

@@ -94,7 +94,7 @@ def _checked(
     if not np.isfinite(points).all():
         raise ValueError(_("vertices must be finite"))
     if corners.size and not 0 <= corners.min() <= corners.max() < len(points):
-        raise ValueError(_("faces name a vertex that is not there"))
+        raise ValueError(_("faces name a vertex that does not exist"))
     return points, corners, colour
 
 

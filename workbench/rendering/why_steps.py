@@ -148,7 +148,7 @@ def _told(touch: StepTouch, step: Step | None, cell: tuple[int, int]) -> tuple[V
     if step is None:
         return (
             "wrote" if touch.emitted else "tested",
-            _("Step {n} is beyond what can be replayed.").format(n=touch.step),
+            _("Step {n} is too far along to be replayed.").format(n=touch.step),
         )
     verb: Verb = "wrote" if touch.emitted else "refused" if cell in step.rejected else "tested"
     return verb, "".join(part.text for part in step.sentence)

@@ -191,7 +191,7 @@ class CommandPalette(QFrame):
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setAccessibleName(_("Commands"))
-        self._nothing = QLabel(_("Nothing is called that; try another word."))
+        self._nothing = QLabel(_("Nothing has that name; try another word."))
         self._nothing.setProperty("role", "muted")
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 8, 8, 8)

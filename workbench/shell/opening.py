@@ -23,7 +23,7 @@ def open_question(window: MainWindow, question: Question) -> None:
     window.files.example(question.example)
     if question.frame:
         window.session.frames.show(question.frame)
-    _enter(window, question.workspace, example(question.example), question.step, question.dock)
+    _enter(window, question.workspace, example(question.example), question.step, question.dock, question.page)
 
 
 def enter_where_seen(window: MainWindow, left_in: str = "") -> None:
@@ -41,11 +41,13 @@ def place_for(sheet: Sheet) -> str:
     return "draw"
 
 
-def _enter(window: MainWindow, workspace: str, chosen: Example, step: int | None, dock: str = "") -> None:
-    """Show a workspace, in it the page that an example is about, there a step, and a dock before others."""
+def _enter(
+    window: MainWindow, workspace: str, chosen: Example, step: int | None, dock: str = "", page: str = ""
+) -> None:
+    """Show a workspace, in it ``page`` or the one that an example is about, there a step, a dock in front."""
 
     def arrive() -> None:
-        window.panels(workspace)[0].show_page(chosen.page if workspace == chosen.workspace else "")
+        window.panels(workspace)[0].show_page(page or (chosen.page if workspace == chosen.workspace else ""))
         if step is not None:
             window.session.update_state(step=step)
         if dock or chosen.dock:

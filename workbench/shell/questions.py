@@ -7,7 +7,8 @@ from workbench.language import _
 
 class Question(NamedTuple):
     """One question: ``workspace`` and ``example`` say where it is worked on, ``step`` and ``frame`` what is
-    seen there; ``dock`` names the dock that comes forward there."""
+    seen there; ``dock`` names the dock that comes forward there, ``page`` the page where it is not that of
+    the example."""
 
     number: int
     text: str
@@ -17,6 +18,7 @@ class Question(NamedTuple):
     step: int = 0
     dock: str = ""
     frame: int = 0
+    page: str = ""
 
 
 def questions() -> tuple[Question, ...]:
@@ -70,6 +72,8 @@ def questions() -> tuple[Question, ...]:
             _("Display"),
             "display",
             "house",
+            dock="gun_part",
+            page="gun",
         ),
         Question(
             7,

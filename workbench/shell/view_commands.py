@@ -48,7 +48,7 @@ def view_commands() -> tuple[Command, ...]:
             lambda w: choose_theme(w, "light"),
             (),
             "sun",
-            _("Dark words on light"),
+            _("Dark text on a light background"),
             "view",
             separated=True,
         ),
@@ -58,7 +58,7 @@ def view_commands() -> tuple[Command, ...]:
             lambda w: choose_theme(w, "dark"),
             (),
             "moon",
-            _("Light words on dark"),
+            _("Light text on a dark background"),
             "view",
         ),
         Command(
@@ -67,7 +67,7 @@ def view_commands() -> tuple[Command, ...]:
             lambda w: choose_type(w, not w.settings.get("large_text")),
             (),
             "text-aa",
-            _("Words a quarter larger everywhere, or as before"),
+            _("All text a quarter larger, or as before"),
             "view",
         ),
         Command(
@@ -130,7 +130,7 @@ def view_commands() -> tuple[Command, ...]:
             lambda w: w.reset_workspace(),
             (),
             "layout",
-            _("Put every dock back where it was at first"),
+            _("Put every dock back where it was originally"),
             "view",
         ),
     )

@@ -55,7 +55,7 @@ class Views(QObject):
         docks = window.arrangements.docks(window.place)
         kept = next((dock for dock in docks if focus is not None and dock.isAncestorOf(focus)), None)
         if kept is not None and kept.isFloating():
-            window.say_status(_("This view floats, so it is alone already."))
+            window.say_status(_("This view floats, so it is already alone."))
             return
         hidden: list[QWidget] = [window.top, window.statusBar()]
         hidden += [dock for dock in docks if dock is not kept and not dock.isHidden()]

@@ -128,5 +128,5 @@ def readiness() -> tuple[str, str]:
         "one in {variable}."
     ).format(folder=cache_folder(), reason=room.reason, variable=CACHE)
     if room.folder is None:
-        return _("Nothing compiled can be kept: large pictures take longer."), why
-    return _("What is compiled is kept only until you quit."), why
+        return _("Compiled algorithms cannot be kept: large pictures take longer."), why
+    return _("Compiled algorithms are kept only until you quit."), why

@@ -255,7 +255,7 @@ def test_two_knots_of_one_id_are_refused() -> None:
     curve = the_curve(document)
     twice = replace(curve, knots=(*curve.knots[:-1], replace(curve.knots[-1], id=curve.knots[0].id)))
     sheet = replace(document.sheets[0], figures=(twice,))
-    with pytest.raises(DocumentError, match="which another has too"):
+    with pytest.raises(DocumentError, match="which another one already has"):
         check(replace(document, sheets=(sheet,)), document)
 
 

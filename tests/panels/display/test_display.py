@@ -14,11 +14,11 @@ from workbench.display import RasterBeam
 from workbench.document.edits import remove_figures
 from workbench.document.state import SessionState
 from workbench.document.storage.files import read
-from workbench.panels.display.instruments import span_text
 from workbench.panels.display.tubes_page import TubesPage
 from workbench.panels.shared.tube_dock import TubeDock
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.spans import span_text
 
 
 @pytest.fixture

@@ -95,7 +95,7 @@ ENTRY = Entry(
     function=closest_point,
     topic="curves",
     title="Closest point of a curve",
-    summary="Passes over what is too far, and divides the rest until the distance has one valley.",
+    summary="Skips what is too far away, and divides the rest until the distance has one minimum.",
     parameters=(
         *PIECES,
         Parameter("x", "x", "float", 5.0, meaning="where the given point is"),
@@ -114,7 +114,8 @@ ENTRY = Entry(
         ),
         View(
             block=_BOX,
-            sentence="The box of piece {j} is {distance} from {(x, y)}; a point at {best} is known: pass on.",
+            sentence="The box of piece {j} is {distance} from {(x, y)}; a point at distance "
+            "{best} is known: skip it.",
         ),
         View(
             block=_PART,
@@ -122,7 +123,7 @@ ENTRY = Entry(
             row=_ROW,
             options=_OPTIONS,
             answer="'pass over'",
-            sentence=_FROM + ", and a point at {best} is known: pass over it.",
+            sentence=_FROM + ", and a point at distance {best} is known: skip it.",
         ),
         View(
             block=_PART,
@@ -130,14 +131,14 @@ ENTRY = Entry(
             row=_ROW,
             options=_OPTIONS,
             answer="'divide'",
-            sentence=_FROM + ", less than {best}; it may have more than one valley: divide it.",
+            sentence=_FROM + ", less than {best}; it may have more than one minimum: divide it.",
         ),
         View(
             block=_PART,
             row=_ROW,
             options=_OPTIONS,
             answer="'search'",
-            sentence=_FROM + ", less than {best}, and has one valley: go down to its bottom.",
+            sentence=_FROM + ", less than {best}, and has one minimum: search for it.",
         ),
     ),
     laws=(

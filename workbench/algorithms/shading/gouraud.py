@@ -143,7 +143,8 @@ ENTRY = Entry(
         ),
     ),
     not_laws=(
-        "A highlight in the middle of a face is seen: only the corners are lit, so what falls between them "
+        "A highlight in the middle of a face is always seen: only the corners are lit, so what "
+        "falls between them "
         "is lost.",
     ),
     labs=("Shading: Gouraud",),

@@ -56,7 +56,7 @@ def insertion_note(curve: Curve) -> str:
     """The sentence that says how a point more changes a curve; empty where it stays."""
     if curve.spline in ("bezier", "bezier_path", *B_SPLINES):
         return ""
-    return _("This curve goes through its points by a rule, so a point more on it changes it slightly.")
+    return _("This curve goes through its points by a rule, so one more point on it changes it slightly.")
 
 
 def inserted(curve: Curve, u: float) -> Curve:
@@ -73,7 +73,7 @@ def inserted(curve: Curve, u: float) -> Curve:
         return _with_knot(curve, u)
     piece, v = place_of(pieces.knots, u)
     if min(v, 1.0 - v) <= _ROUNDING:
-        raise ValueError(_("There is a point at this place already; choose one between two points."))
+        raise ValueError(_("There is already a point at this place; choose a place between two points."))
     if curve.spline in ("bezier", "bezier_path"):
         path = converted(curve, "bezier_path")[0]
         return _subdivided(path, piece, v)

@@ -120,7 +120,9 @@ def add_points(figure: str, places_world: Iterable[tuple[float, float]], index: 
         if not is_path(curve):
             return with_points(curve, at, tuple(CurvePoint("", *where) for where in places))
         if 0 < at < count:
-            raise ValueError(_("A path takes points at its ends; between them, insert a point on the curve."))
+            raise ValueError(
+                _("A path takes new points at its ends only; elsewhere, insert a point on the curve.")
+            )
         return _grown(curve, [(where, None) for where in (places if at else places[::-1])], at == 0)
 
     return changing(figure, change)
@@ -151,7 +153,7 @@ def add_path_point(
 
 def _grown(curve: Curve, added: list[tuple[Place, Place | None]], first: bool) -> Curve:
     if curve.closed:
-        raise ValueError(_("The path is closed, so it has no end to go on from; insert a point on it."))
+        raise ValueError(_("The path is closed, so it has no end to continue from; insert a point on it."))
     return refitted(with_joints_added(curve, added, first))
 
 

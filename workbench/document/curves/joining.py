@@ -45,7 +45,9 @@ def join(first: str, second: str) -> Edit:
     def edit(document: Document) -> Document:
         one, other = curve_with(document, first), curve_with(document, second)
         if first == second:
-            raise DocumentError(first, _("These are one curve; close it instead, or choose another one."))
+            raise DocumentError(
+                first, _("These are the two ends of one curve; close it instead, or choose another curve.")
+            )
         try:
             made, _error = joined(one, other)
         except ValueError as problem:
@@ -64,7 +66,7 @@ def joined(one: Curve, other: Curve) -> tuple[Curve, float]:
     It has the chain of ``one``, and the error is in world units before that. Raises: ValueError.
     """
     if goes_round(one) or goes_round(other):
-        raise ValueError(_("A closed curve has no end to join; open it before."))
+        raise ValueError(_("A closed curve has no end to join; open it first."))
     for curve in (one, other):
         refuse_waiting(curve)
     other, error = _in_frame_of(one, other)

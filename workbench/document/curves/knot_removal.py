@@ -51,7 +51,7 @@ def knots_fault(curve: Curve) -> str:
     """The sentence that says why a curve has no knots; empty where it has."""
     if curve.spline in B_SPLINES:
         return ""
-    return _("Only a B-spline or NURBS curve has knots; convert the curve before.")
+    return _("Only a B-spline or NURBS curve has knots; convert the curve first.")
 
 
 def without_knot(curve: Curve, index: int) -> tuple[Curve, float]:
@@ -64,7 +64,7 @@ def without_knot(curve: Curve, index: int) -> tuple[Curve, float]:
         raise ValueError(fault)
     least = 3 if curve.closed else curve.degree + 1
     if len(curve.points_world) <= least:
-        sentence = _("With one knot less there would be too few points; there must be {least} of them.")
+        sentence = _("Without this knot there would be too few points; at least {least} are needed.")
         raise ValueError(sentence.format(least=least))
     curve = with_knot_rule(curve, "free")
     u = curve.knots[index].u

@@ -116,7 +116,10 @@ def pieces_of(curve: Curve, spline: str = "") -> Pieces:
 
 def _refuse_degree(degree: int) -> None:
     if degree > MAX_BEZIER_DEGREE:
-        sentence = _("That is a Bézier curve of degree {degree}, drawn up to {most}; choose another kind.")
+        sentence = _(
+            "This Bézier curve has degree {degree}, but only degrees up to {most} are "
+            "drawn; choose another kind."
+        )
         raise ValueError(sentence.format(degree=degree, most=MAX_BEZIER_DEGREE))
 
 
@@ -167,7 +170,7 @@ def _made_anew(before: _Made, controls: Array) -> Pieces | None:
 
 def _bezier(controls: Array, knots: Array) -> Pieces:
     if controls.shape[1] < 2:
-        raise ValueError("There is 1 point, and 2 are needed; add 1.")
+        raise ValueError("There is 1 point, but 2 are needed; add 1.")
     return Pieces(knots, controls)
 
 

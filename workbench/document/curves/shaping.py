@@ -171,7 +171,7 @@ def _handle_moves(curve: Curve, index: int, kind: str) -> Places:
         return joint_moves(curve, index, "smooth")
     count = 3 * len(joints_of(curve)[0]) if curve.closed else len(points)
     if kind in ("G2", "C2") and count == 3:
-        raise ValueError(_("One piece that goes round cannot be so smooth; insert a point on it before."))
+        raise ValueError(_("A closed curve of one piece cannot be that smooth; insert a point on it first."))
     here, one, other = (np.array(place(points[i])) for i in (index, before, after))
     far, beyond = (np.array(place(points[i % count])) for i in (before - 1, after + 1))
     arms = {"C1": lambda: 0.5 * (other - one), "C2": lambda: 0.25 * (beyond - far)}
@@ -237,7 +237,7 @@ def _least_moves(curve: Curve, joint: int, order: int) -> Places:
     missing = -conditions @ points
     change = np.linalg.lstsq(conditions, missing, rcond=1e-10)[0]
     if order > made.degree or not np.allclose(conditions @ (points + change), 0.0, atol=1e-9 * _size(curve)):
-        raise ValueError(_("With this degree the joint cannot be made so smooth; raise the degree before."))
+        raise ValueError(_("With this degree the joint cannot be made that smooth; raise the degree first."))
     wanted = {point.id: points[i] + change[i] for i, point in enumerate(curve.points_world)}
     return _if_moved(curve, wanted)
 

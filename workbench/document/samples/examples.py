@@ -4,6 +4,7 @@ from workbench.document.model import AnyFigure, Circle, Document, Ellipse
 from workbench.document.samples.animate import animate_examples
 from workbench.document.samples.arena import arena_examples
 from workbench.document.samples.clip import clip_examples
+from workbench.document.samples.colour import colour_examples
 from workbench.document.samples.curves import curve_examples
 from workbench.document.samples.display import display_examples
 from workbench.document.samples.figures import (
@@ -67,7 +68,7 @@ def examples() -> list[Example]:
         Example(
             "circles",
             _("Circle and ellipse"),
-            _("The midpoint circle plots eight points at a time, the ellipse changes region half-way."),
+            _("The midpoint circle plots eight points at a time; the ellipse changes region on the way."),
             "draw",
             _circles(),
         ),
@@ -96,6 +97,7 @@ def examples() -> list[Example]:
         *arena_examples(),
         *animate_examples(),
         *display_examples(),
+        *colour_examples(),
     ]
 
 

@@ -1,6 +1,6 @@
 """The `.gwb` file: one readable, versioned JSON text; ``saving`` puts it on the disk.
 
-    {"format": "graphics-workbench", "version": 7, "document": ..., "session": ..., "blobs": {...}}
+    {"format": "graphics-workbench", "version": 8, "document": ..., "session": ..., "blobs": {...}}
 
 Blobs (large meshes, pictures) are base64 by the SHA-256 of their content. Whatever is wrong with a file is
 told as a DocumentError that names the field.
@@ -28,7 +28,7 @@ from workbench.document.storage.upgrades import UPGRADES, Upgrade
 from workbench.language import _, legible
 
 FORMAT = "graphics-workbench"
-VERSION = 7
+VERSION = 8
 # What is opened, and so what is saved: a few of the largest blobs, and fewer values than memory is there for.
 MAX_BYTES = 128 * 2**20
 MAX_VALUES = 2_000_000  # numbers, texts, lists and objects together
@@ -145,13 +145,13 @@ def decode(data: bytes) -> Stored:
 
 def _refuse_too_much(data: bytes) -> None:
     if len(data) > MAX_BYTES:
-        sentence = _("The file has {size:,} bytes, and at most {most:,} can be opened; choose a smaller one.")
+        sentence = _("The file has {size:,} bytes, but at most {most:,} can be opened; choose a smaller one.")
         raise DocumentError("", sentence.format(size=len(data), most=MAX_BYTES))
     # Every value but the first in a list or an object follows a comma; those in texts are counted too.
     values = sum(data.count(sign) for sign in (b",", b"[", b"{"))
     if values > MAX_VALUES:
         sentence = _(
-            "The file has {count:,} values, and at most {most:,} can be opened; choose a smaller one."
+            "The file has {count:,} values, but at most {most:,} can be opened; choose a smaller one."
         )
         raise DocumentError("", sentence.format(count=values, most=MAX_VALUES))
 
@@ -211,7 +211,7 @@ def upgraded(
         try:
             raw = upgrades[version](raw)
         except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
-            problem = _("is {value}, but the file does not hold what such a file must; open another copy")
+            problem = _("is {value}, but the file lacks what such a file must contain; open another copy")
             raise refuse("version", problem.format(value=version)) from error
         version += 1
     return {**raw, "version": newest}

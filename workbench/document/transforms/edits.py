@@ -258,7 +258,7 @@ def baked(document: Document, figures: Iterable[str]) -> Applied:
 
 
 def _not_baked() -> str:
-    return _("No points and radii of this figure give what is seen, so its transforms stay.")
+    return _("No points and radii of this figure would look the same, so its transforms stay.")
 
 
 def _before_the_chain(figure: AnyFigure, matrix: Matrix) -> Matrix | str:

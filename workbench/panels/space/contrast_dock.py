@@ -74,7 +74,10 @@ class ContrastDock(QWidget):
         scene = self._scene
         if scene is None:
             return
-        now, without = None, _("No edge of the scene is before the camera, so there is nothing to measure.")
+        now, without = (
+            None,
+            _("No edge of the scene is in front of the camera, so there is nothing to measure."),
+        )
         try:
             now = contrast(self._as_begun(scene))
         except ValueError as error:

@@ -39,6 +39,7 @@ from workbench.panels.space.view_commands import ViewCommands
 from workbench.panels.space.view_cube import SIDE_PX, ViewCube
 from workbench.panels.space.view_tools import ViewTools, tools_of
 from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.subjects.projection import KIND, clips, is_of_a_vertex, seen_from
 from workbench.session.session import Session
 from workbench.widgets.stepping.step_bar import stepping_keys
@@ -47,7 +48,7 @@ _CARD_GAP_PX = 8
 _REST_MS = 50
 
 
-class ProjectionPage(ViewCommands, QWidget):
+class ProjectionPage(ViewCommands, PlainPage, QWidget):
     """``hover_text``: said in passing; ``zoom_text``: the scale."""
 
     hover_text = Signal(str)
@@ -80,7 +81,7 @@ class ProjectionPage(ViewCommands, QWidget):
         self.derived = DerivationDock()
         self.empty = EmptyState(
             self.eye,
-            _("Nothing to look at."),
+            _("There is nothing to look at yet."),
             partial(self.objects.add_solid, offers()[0]),
             _("Add a house"),
             _("Put a house into the scene"),

@@ -5,7 +5,15 @@ from functools import partial
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence, QShowEvent
-from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QHBoxLayout,
+    QMenu,
+    QPushButton,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
@@ -131,6 +139,15 @@ class PagedPanel(PlainPanel, QWidget):
     def derivation(self) -> Derivation | None:
         """That of the page."""
         return self._pages[self.page].derivation()
+
+    def drawing(self) -> Derivation | None:
+        """That of the page."""
+        return self._pages[self.page].drawing()
+
+    def offer_export(self, menu: QMenu) -> None:
+        """Let the menus of every page lead to what can be exported."""
+        for page in self._pages.values():
+            page.offer_export(menu)
 
     # What the window places
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
@@ -53,6 +53,13 @@ class PlainPage:
     def derivation(self) -> Derivation | None:
         """None."""
         return None
+
+    def drawing(self) -> Derivation | None:
+        """None."""
+        return None
+
+    def offer_export(self, menu: QMenu) -> None:
+        """It has no menu of its own."""
 
     def point_at(self, cell: Cell | None) -> None:
         """There is nothing to show it on."""

@@ -11,7 +11,7 @@ from importlib import import_module
 from typing import NamedTuple, Protocol, cast
 
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
@@ -50,6 +50,12 @@ class Page(Protocol):
 
     def derivation(self) -> Derivation | None:
         """The page that derives what is shown, if there is any."""
+
+    def drawing(self) -> Derivation | None:
+        """The drawing alone of what the page explains, if it has one."""
+
+    def offer_export(self, menu: QMenu) -> None:
+        """Let its own menus lead to what can be exported."""
 
     def point_at(self, cell: Cell | None) -> None:
         """Show where a pixel is that the sentence names; None when no longer."""

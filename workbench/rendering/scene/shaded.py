@@ -7,6 +7,7 @@ import numpy as np
 from workbench.algorithms import catalogue
 from workbench.algorithms.shading import gouraud
 from workbench.algorithms.shading.illumination import corner_lights
+from workbench.algorithms.shading.shadow_boxes import boxed_blockers
 from workbench.display.exposure import srgb_encoded
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
@@ -20,8 +21,8 @@ from workbench.rendering.scene.render import Picture
 from workbench.rendering.scene.viewpoint import Size
 from workbench.rendering.triangles import FARTHEST, in_bands
 
-MOST_BLOCKERS = 4_000
-"""A ray to a light is tried on so many triangles at most."""
+MOST_BLOCKERS = 100_000
+"""So many triangles cast shadows at most."""
 
 
 class Model(NamedTuple):
@@ -43,7 +44,7 @@ def shaded(
 
     Each of red, green and blue is shaded by itself, in linear light. Raises: ValueError, a sentence; Stopped.
     """
-    lit, blockers = lit_triangles(scene, size, window), shadow_blockers(scene, model)
+    lit, blockers = lit_triangles(scene, size, window), _boxed(shadow_blockers(scene, model), stop)
     if shading == gouraud.__name__:
         lights = [_of_corners(lit, channel, model, blockers, stop) for channel in range(3)]
         return gouraud_drawn(lit.corners, lit.triangles, np.stack(lights, axis=1), size, stop)
@@ -59,10 +60,17 @@ def shadow_blockers(scene: Scene, model: Model) -> Array:
     blockers = blockers_of(scene) if model.shadows else np.zeros((0, 3))
     if len(blockers) > 3 * MOST_BLOCKERS:
         sentence = _(
-            "Shadows are cast by up to {most:,} triangles, and there are {count:,}; hide some objects."
+            "Shadows are cast by up to {most:,} triangles, but there are {count:,}; hide some objects."
         )
         raise ValueError(sentence.format(most=MOST_BLOCKERS, count=len(blockers) // 3))
     return blockers
+
+
+def _boxed(blockers: Array, stop: Stop | None) -> Array:
+    """Blockers with boxes around them, which take the same light away. Raises: Stopped."""
+    from workbench.engine.compiled import collect
+
+    return collect(boxed_blockers, blockers, stop=stop).reshape(-1, 3) if len(blockers) else blockers
 
 
 def shading_call(

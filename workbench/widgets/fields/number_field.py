@@ -39,6 +39,11 @@ def with_subscript(name: str) -> str:
     return f"{html.escape(head)}<sub>{html.escape(tail)}</sub>"
 
 
+def lowered(words: str) -> str:
+    """Words with names such as ``V_a`` in them as rich text with real subscripts."""
+    return re.sub(r"_(\w+)", r"<sub>\1</sub>", html.escape(words))
+
+
 def complaint_label() -> QLabel:
     """Where a field says what is wrong with its value; several that stand close together may share one."""
     label = QLabel()

@@ -215,7 +215,7 @@ class SourceView(QWidget):
         column.setSpacing(0)
         column.addWidget(self._head)
         column.addWidget(self.text, 1)
-        self.state = EmptyState(body, _("Draw a figure to see the text that draws it."))
+        self.state = EmptyState(body, _("Draw a figure to see the algorithm that draws it."))
         self.state.wanted.connect(self.example_wanted)
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)

@@ -46,12 +46,14 @@ def paint_probe(painter: QPainter, place: QPointF) -> None:
 
 
 def paint_plate(painter: QPainter, plate: QRectF, name: str, rate: str) -> None:
-    """The lettering below the glass."""
+    """The lettering below the glass; where there is no room for both, what stands at the right."""
     font = QFont(painter.font())
     font.setPixelSize(CAPTION_PX)
     painter.setFont(font)
     painter.setPen(LETTERING)
     inset = 0.06 * plate.width()
     inner = plate.adjusted(inset, 0, -inset, 0)
-    painter.drawText(inner, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, name)
+    wide = painter.fontMetrics().horizontalAdvance
+    if wide(f"{name}  {rate}") < inner.width():
+        painter.drawText(inner, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, name)
     painter.drawText(inner, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, rate)

@@ -1,31 +1,14 @@
-"""A cathode-ray tube as a widget: a frame buffer on a raster tube, or a display list on a vector tube.
+"""A frame buffer on a raster tube, or a display list on a vector tube, with a probe for one pixel."""
 
-The tube's time runs from a timer that stops when the widget is hidden, paused, or shows a picture that no
-longer changes. With Calm on, refreshes that would be seen as flicker are averaged; slow motion below three
-pictures a second shows the beam itself.
-"""
-
-from fractions import Fraction
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QElapsedTimer, QPointF, QRectF, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import (
-    QImage,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QPixmap,
-    QResizeEvent,
-)
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtWidgets import QWidget
 
 from workbench.display.beam import Beam
-from workbench.display.driver import VISIBLE, TubeDriver, must_average
-from workbench.display.exposure import Screen
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.setup import (
     COLOUR_TUBE,
@@ -38,84 +21,67 @@ from workbench.display.setup import (
     vector_beam,
     vector_tube,
 )
-from workbench.display.tube import PICOSECOND
+from workbench.display.tube import Tube
 from workbench.language import _
 from workbench.widgets.canvas.pixel_canvas import ARROWS
-from workbench.widgets.look.comfort import comfort
-from workbench.widgets.look.in_sight import InSight
-from workbench.widgets.look.tokens import colour, theme, tokens
-from workbench.widgets.tube.glass import (
-    CORNER,
-    cabinet_pixmap,
-    fitted,
-    glass_path,
-    nearest_pixel,
-    pixel_at,
-    reflection_pixmap,
-)
-from workbench.widgets.tube.marks import paint_beam, paint_plate, paint_probe
+from workbench.widgets.tube.glass import lit_near_the_middle, nearest_pixel, pixel_at
+from workbench.widgets.tube.live_tube import LiveTube
+from workbench.widgets.tube.marks import paint_beam, paint_probe
 
 Kind = Literal["raster", "vector"]
 
-_FRAME_MS, _IDLE_MS = 16, 250
-_LONGEST_STEP_S = 0.1
-_WIDEST_PX = 520
 _WIDEST_COLOUR_PX = 380  # three guns with eight terms each: the state is six times as large
-_PLATE_PX = 22
 _BEAM_SEEN_FROM = 300.0
 
 
-class TubeView(QWidget):
-    """One tube. ``advanced`` comes with each step of its time, ``probed`` with a clicked pixel; ``sight``
-    tells whether it is seen: one behind other tabs is not.
-    """
+class TubeView(LiveTube):
+    """One tube that shows a picture. ``probed`` comes with a clicked pixel."""
 
-    advanced = Signal()
-    shown = Signal()
     probed = Signal(int, int)
 
     def __init__(self, kind: Kind, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.kind = kind
         self._setup = TubeSetup()
-        self._slow = 1.0
-        self._paused = False
         self._image: NDArray[np.uint32] = np.zeros((48, 64), dtype=np.uint32)
         self._strokes: DeviceStrokes = ()
         self._picture = (64, 48)
         self._probe: tuple[int, int] | None = None
-        self._seconds = Fraction(0)
-        self.driver: TubeDriver | None = None
-        self._screen: Screen | None = None
-        self._shown: QImage | None = None
-        self._cabinet: QPixmap | None = None
-        self._reflection: QPixmap | None = None
-        self._glass = QRectF()
-        self._case = QRectF()
-        self._timer = QTimer(self)
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.timeout.connect(self._tick)
-        self._clock = QElapsedTimer()
-        self._resized = QTimer(self)
-        self._resized.setSingleShot(True)
-        self._resized.setInterval(80)
-        self._resized.timeout.connect(self._rebuild)
-        self.sight = InSight(self)
-        self.sight.changed.connect(self._come_in_sight)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setMinimumSize(120, 110)
         self.setAccessibleName(_("Raster tube") if kind == "raster" else _("Vector tube"))
-        hint = _("The beam draws the strokes of the display list one after the other.")
-        self.setToolTip(
-            hint if kind == "vector" else _("Click a point of the glass to measure its light over time.")
-        )
-        theme.changed.connect(self.update)
-        comfort.changed.connect(self._wake)
+        hint = _("Click a point of the glass to measure its light over time.")
+        if kind == "vector":
+            hint = _("The beam draws the strokes of the display list one after the other.")
+        self.setToolTip(hint)
 
-    def sizeHint(self) -> QSize:
-        """Room for half a window."""
-        return QSize(420, 360)
+    # What is shown
+
+    @property
+    def face_mm(self) -> tuple[float, float]:
+        """Width and height of the face."""
+        return face_mm(self._picture)
+
+    @property
+    def asked_hz(self) -> float:
+        """The refresh rate that is asked for."""
+        return self._setup.refresh_hz
+
+    @property
+    def widest_px(self) -> int:
+        """Fewer for a colour tube."""
+        return _WIDEST_COLOUR_PX if self._setup.phosphor == COLOUR_TUBE else super().widest_px
+
+    @property
+    def lettering(self) -> tuple[str, str]:
+        """The kind of tube, its phosphor and its refresh rate."""
+        name = _("RASTER") if self.kind == "raster" else _("VECTOR")
+        return name, f"{self._setup.phosphor}   {self.refresh_hz:.4g} Hz"
+
+    def make_tube(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
+        """A tube for the picture, and the beam that draws it."""
+        if self.kind == "raster":
+            return raster_tube(self._image, size_px, self._setup)
+        tube = vector_tube(self._picture, size_px, self._setup)
+        return tube, vector_beam(tube, self._strokes, self._picture, self._setup)
 
     def set_image(self, image: NDArray[np.uint32]) -> None:
         """Show a frame buffer (h, w), 0xRRGGBB, row 0 at the bottom; the old picture fades."""
@@ -125,11 +91,16 @@ class TubeView(QWidget):
         if self.kind != "raster":
             return
         if same_size and self.driver is not None and isinstance(self.driver.beam, RasterBeam):
-            drive = currents_of_image(image, len(self.driver.tube.guns), self._setup.gamma)
+            drive = currents_of_image(image, len(self.driver.tube.guns), self._setup)
             self.driver.show(self.driver.beam.with_drive(drive))
             self._wake()
         else:
             self._rebuild()
+
+    @property
+    def image(self) -> NDArray[np.uint32]:
+        """The frame buffer that is shown."""
+        return self._image
 
     def set_strokes(self, strokes: DeviceStrokes, picture_px: tuple[int, int]) -> None:
         """Show a display list in the device frame of a picture of so many pixels."""
@@ -161,144 +132,7 @@ class TubeView(QWidget):
         """What the tube is set to."""
         return self._setup
 
-    def set_slow_motion(self, factor: float) -> None:
-        """Run ``factor`` times slower than life, 1 to 1,000,000."""
-        self._slow = min(max(factor, 1.0), 1e6)
-        self._wake()
-
-    def set_paused(self, paused: bool) -> None:
-        """Hold the tube's time, or let it run."""
-        self._paused = paused
-        self._wake()
-
-    @property
-    def averaged(self) -> bool:
-        """Whether whole pictures are averaged now, so that neither flicker nor beam is seen."""
-        return must_average(self.refresh_hz, self._slow, comfort.calm)
-
-    @property
-    def refresh_hz(self) -> float:
-        """Pictures per second; a long display list takes longer than the rate asked for."""
-        return self._setup.refresh_hz if self.driver is None else 1.0 / float(self.driver.beam.frame_s)
-
-    @property
-    def running(self) -> bool:
-        """Whether the timer runs."""
-        return self._timer.isActive()
-
-    def seconds(self) -> Fraction:
-        """Tube time, exact."""
-        return self._seconds if self.driver is None else self.driver.tube.seconds
-
-    def set_seconds(self, seconds: Fraction) -> None:
-        """Go to another tube time, as when a saved one is opened; the picture is that of long drawing."""
-        self._seconds = seconds
-        if self.driver is not None:
-            self.driver = None
-            self._rebuild()
-
-    def step(self, seconds: Fraction) -> None:
-        """Advance the tube's time by hand and show the beam where it then is, Calm or not."""
-        if self.driver is not None and seconds > 0:
-            self.driver.advance(seconds / PICOSECOND, False)
-            self._refresh()
-
-    def _wake(self) -> None:
-        if self.sight.now and not self._paused and self.driver is not None:
-            if not self._timer.isActive():
-                self._clock.start()
-            self._timer.start(_FRAME_MS)
-        else:
-            self._timer.stop()
-
-    def _tick(self) -> None:
-        if self.driver is None:
-            return
-        elapsed_ns = self._clock.nsecsElapsed()
-        self._clock.restart()
-        elapsed = min(Fraction(elapsed_ns, 10**9), Fraction(_LONGEST_STEP_S))
-        averaged = self.averaged
-        self.driver.advance(elapsed / Fraction(self._slow) / PICOSECOND, averaged)
-        self._refresh()
-        if averaged and self.driver.steady:
-            self._timer.stop()
-            return
-        # A long tail changes so slowly that few pictures a second show it as well. Where a phosphor of many
-        # terms takes long to add up, half of the time is left to the rest of the window.
-        slower = VISIBLE / max(self.driver.change, VISIBLE / 100.0) if averaged else 1.0
-        wait = max(_FRAME_MS * max(slower, 1.0), 2 * self._clock.elapsed())
-        self._timer.setInterval(int(min(wait, _IDLE_MS)))
-
-    def _refresh(self) -> None:
-        if self.driver is None or self._screen is None:
-            return
-        packed = self._screen.picture(self.driver.lights)
-        rows, columns = packed.shape
-        self._shown = QImage(packed.tobytes(), columns, rows, 4 * columns, QImage.Format.Format_RGB32).copy()
-        self.update(self._glass.toAlignedRect())
-        self.advanced.emit()
-
-    def _face_px(self) -> tuple[int, int]:
-        ratio = self.devicePixelRatioF()
-        widest = _WIDEST_COLOUR_PX if self._setup.phosphor == COLOUR_TUBE else _WIDEST_PX
-        width = min(round(self._glass.width() * ratio), widest)
-        face = face_mm(self._picture)
-        return max(width, 16), max(round(width * face[1] / face[0]), 12)
-
-    def _rebuild(self) -> None:
-        """Make the tube anew for this size, picture and setup, showing what it would show after a while."""
-        self._layout()
-        if self._glass.width() < 8:
-            return
-        size = self._face_px()
-        if self.driver is not None:
-            self._seconds = self.driver.tube.seconds
-        beam: Beam
-        if self.kind == "raster":
-            tube, beam = raster_tube(self._image, size, self._setup)
-        else:
-            tube = vector_tube(self._picture, size, self._setup)
-            beam = vector_beam(tube, self._strokes, self._picture, self._setup)
-        tube.skip(self._seconds / PICOSECOND)
-        self.driver = TubeDriver(tube, beam)
-        self.driver.settle()
-        if not self.averaged:
-            self.driver.advance(Fraction(10**6), False)
-        self._screen = Screen(size, [rgb for gun in tube.guns for _name, rgb in gun.colours])
-        self._cabinet = self._reflection = None
-        self._refresh()
-        self._wake()
-        self.update()
-
-    def _layout(self) -> None:
-        face = face_mm(self._picture)
-        plate = _PLATE_PX if self.height() > 190 else 0
-        self._case, self._glass = fitted(self.width(), self.height(), face[1] / face[0], plate)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Lay the cabinet out at once, make the tube when the size has come to rest."""
-        super().resizeEvent(event)
-        self._layout()
-        self._cabinet = self._reflection = None
-        if self.driver is not None:
-            self._resized.start()
-        elif self.sight.now:
-            self._rebuild()
-
-    def _come_in_sight(self, seen: bool) -> None:
-        """Run again, or rest: a tube that nobody sees costs nothing."""
-        if seen:
-            self.shown.emit()
-            if self.driver is None:
-                self._rebuild()
-        self._wake()
-
-    def _to_widget(self, x_mm: float, y_mm: float) -> QPointF:
-        width, height = face_mm(self._picture)
-        return QPointF(
-            self._glass.left() + x_mm / width * self._glass.width(),
-            self._glass.bottom() - y_mm / height * self._glass.height(),
-        )
+    # Places of the picture
 
     def position(self, x: float, y: float) -> QPointF:
         """Where in the widget a place of the picture lies."""
@@ -307,6 +141,8 @@ class TubeView(QWidget):
     def pixel_under(self, position: QPointF) -> tuple[int, int] | None:
         """The pixel of the picture at a position of the widget; None beside the picture."""
         return pixel_at(position, self._glass, self._picture)
+
+    # The probe
 
     @property
     def probe(self) -> tuple[int, int] | None:
@@ -320,12 +156,7 @@ class TubeView(QWidget):
 
     def lit_pixel(self) -> tuple[int, int] | None:
         """The lit pixel of the frame buffer that is nearest to its middle; None for a dark picture."""
-        rows, columns = np.nonzero(self._image)
-        if len(rows) == 0:
-            return None
-        height, width = self._image.shape
-        nearest = int(np.argmin((columns - width / 2) ** 2 + (rows - height / 2) ** 2))
-        return int(columns[nearest]), int(rows[nearest])
+        return lit_near_the_middle(self._image)
 
     def probe_mm(self) -> tuple[float, float] | None:
         """Where on the face the probe sits, in millimetres."""
@@ -360,40 +191,14 @@ class TubeView(QWidget):
             super().keyPressEvent(event)
 
     @property
-    def _beam_is_seen(self) -> bool:
+    def beam_is_seen(self) -> bool:
+        """Whether it runs so slowly that the beam is somewhere."""
         return self._slow >= _BEAM_SEEN_FROM and (self._paused or not self.averaged)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        """Cabinet, light, beam, glass."""
-        painter = QPainter(self)
-        if self._cabinet is None or self._reflection is None:
-            size = self.width(), self.height(), self.devicePixelRatioF()
-            self._cabinet = cabinet_pixmap(*size, self._case, self._glass)
-            self._reflection = reflection_pixmap(*size, self._glass)
-        painter.drawPixmap(0, 0, self._cabinet)
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.save()
-        painter.setClipPath(glass_path(self._glass))
-        if self._shown is not None:
-            painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Plus)
-            painter.drawImage(self._glass, self._shown)
-            painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceOver)
-            if self._beam_is_seen and self.driver is not None:
-                state = self.driver.state()
-                paint_beam(painter, self._to_widget(state.x_mm, state.y_mm), self._glass.width(), state)
-            if self._probe is not None:
-                paint_probe(painter, self.position(*self._probe))
-        painter.restore()
-        painter.drawPixmap(0, 0, self._reflection)
-        if self._case.bottom() - self._glass.bottom() >= _PLATE_PX:
-            name = _("RASTER") if self.kind == "raster" else _("VECTOR")
-            rate = f"{self._setup.phosphor}   {self.refresh_hz:.4g} Hz"
-            top = self._case.bottom() - _PLATE_PX - 3
-            plate = QRectF(self._glass.left(), top, self._glass.width(), _PLATE_PX)
-            paint_plate(painter, plate, name, rate)
-        if self.hasFocus():
-            painter.setPen(QPen(colour(tokens().accent), 2))
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            radius = CORNER * self._case.width()
-            painter.drawRoundedRect(self._case.adjusted(1, 1, -1, -1), radius, radius)
+    def paint_over(self, painter: QPainter) -> None:
+        """The beam, where it is seen, and the probe."""
+        if self.beam_is_seen and self.driver is not None:
+            state = self.driver.state()
+            paint_beam(painter, self._to_widget(state.x_mm, state.y_mm), self._glass.width(), state)
+        if self._probe is not None:
+            paint_probe(painter, self.position(*self._probe))

@@ -25,6 +25,7 @@ from workbench.panels.space.arena.tile import Pixels, TileState
 from workbench.panels.space.arena.tile_grid import TileGrid
 from workbench.panels.space.arena.work import ArenaJob, ArenaWorker, Preparing, Told, Twice
 from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.scene.arena import MethodRun, methods_for
 from workbench.rendering.scene.growth import Growth
 from workbench.rendering.scene.render import DeviceTriangles
@@ -45,7 +46,7 @@ _SETTLE_MS = 120
 _LEAST_LETTERS = 14
 
 
-class ArenaPage(QWidget):
+class ArenaPage(PlainPage, QWidget):
     """``hover_text``: what is under the pointer or said in passing; ``zoom_text``: how far the work is."""
 
     hover_text = Signal(str)

@@ -146,7 +146,9 @@ class LitView(SceneView):
         try:
             place = moved_in_picture(self.matrix, light_place(light, self.scene), x, y)
         except np.linalg.LinAlgError:
-            self.failed.emit(_("In this projection a light has no depth to be moved at; type its numbers."))
+            self.failed.emit(
+                _("In this projection a light cannot be dragged, since it has no depth; type its numbers.")
+            )
             return
         self.light_moved.emit(light.id, light_at(light, self.scene, place))
 

@@ -24,6 +24,7 @@ from workbench.panels.space.shading.lit_view import LitView
 from workbench.panels.space.shading.run import greys, light_so_far
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.picture import packed
+from workbench.panels.stage.plain_page import PlainPage
 from workbench.panels.stage.pointed import Pointed
 from workbench.rendering.scene.shading import LIT_SHADINGS
 from workbench.rendering.subjects.registry import marks_on_device
@@ -40,7 +41,7 @@ from workbench.widgets.stepping.step_bar import stepping_keys
 PAGE = "shading"
 
 
-class ShadingPage(QWidget):
+class ShadingPage(PlainPage, QWidget):
     """``hover_text``: what is under the pointer or said in passing; ``zoom_text``: the scale."""
 
     hover_text = Signal(str)

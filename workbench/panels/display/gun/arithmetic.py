@@ -1,0 +1,44 @@
+"""The arithmetic of the cards: each formula of the course with its numbers put in, as rich text."""
+
+from workbench.display.gun import Gun
+from workbench.language import _
+
+
+def _short(value: float) -> str:
+    return f"{value:.4g}".replace("-", "\u2212")
+
+
+def _strong(text: str) -> str:
+    return f"<b>{text}</b>"
+
+
+def current_line(gun: Gun) -> str:
+    """I = K (1 - V_g / V_c)^γ."""
+    share = f"{_short(abs(gun.grid))}/{_short(abs(gun.cut_off))}"
+    amount = _strong(f"{_short(round(gun.beam_current, 1))} µA")
+    return f"<i>I</i> = {_short(gun.current)} (1 \u2212 {share})<sup>{gun.gamma:g}</sup> = {amount}"
+
+
+def focus_line(gun: Gun) -> str:
+    """The spot, and the voltage at which it would be sharp."""
+    words = _("σ = {spot}, sharp at {volts} V")
+    return words.format(spot=_strong(f"{gun.spot:.2g} mm"), volts=_short(gun.best_focus))
+
+
+def deflection_line(gun: Gun, way: str, seconds: float | None) -> str:
+    """Where the beam lands, ``way`` "x" or "y", from what bends it at a time."""
+    drive = float(gun.arguments(seconds)[4][0 if way == "x" else 1])
+    end = gun.way(seconds)[-1]
+    lands = end[0] >= gun.screen
+    value = _strong(f"{end[1 if way == 'x' else 2]:.1f} mm".replace("-", "\u2212")) if lands else ""
+    name = f"<i>{way}</i>"
+    if gun.coils:
+        if not lands:
+            return _strong(_("The coils turn it round: it never gets out."))
+        return f"<i>B</i><sub>{way}</sub> = {_short(drive)} mT: {name} = {value}"
+    if abs(drive) > gun.limit:
+        return _strong(_("Caught: beyond {limit} V a plate is hit.").format(limit=_short(gun.limit)))
+    reach = gun.reach_x if way == "x" else gun.reach_y
+    above = f"{gun.length:g}·{reach:g}·{_short(round(drive, 1))}"
+    formula = f"{name} = {above} / (2·{gun.gap:g}·{gun.anode:g})"
+    return f"{formula} = {value}" if lands else formula

@@ -1,0 +1,127 @@
+"""The knobs of a monitor as a card: what they do to the grid here, and to the pictures of the page Tubes."""
+
+from msgspec.structs import replace
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QDial, QFrame, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from workbench.display.gun import Gun
+from workbench.display.monitor import Knobs, grid_voltage, level_of
+from workbench.document.fields import Number, numbers_of
+from workbench.document.state import TubeSettings
+from workbench.language import _
+from workbench.session.session import Session
+from workbench.widgets.fields.number_field import NumberField, lowered
+
+_STEPS = 200
+_KNOB_PX = 42
+
+
+class Knob(QWidget):
+    """A dial with its number below. ``turned`` sends each value that a person gives."""
+
+    turned = Signal(float)
+
+    def __init__(self, title: str, meaning: str, number: Number, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._low, self._high = number.low, number.high
+        self._showing = False
+        self.dial = QDial()
+        self.dial.setRange(0, _STEPS)
+        self.dial.setPageStep(_STEPS // 20)
+        self.dial.setNotchesVisible(False)
+        self.dial.setFixedSize(_KNOB_PX, _KNOB_PX)
+        self.dial.setAccessibleName(title)
+        self.dial.setToolTip(meaning)
+        self.number = NumberField("", low=self._low, high=self._high, step=0.01, meaning=meaning)
+        self.title = QLabel(title)
+        self.title.setBuddy(self.number)
+        beside = QVBoxLayout()
+        beside.setSpacing(0)
+        beside.addWidget(self.title)
+        beside.addWidget(self.number)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(6)
+        row.addWidget(self.dial)
+        row.addLayout(beside, 1)
+        self.dial.valueChanged.connect(self._turn)
+        for signal in (self.number.edited, self.number.scrubbed):
+            signal.connect(self._give)
+
+    def set_value(self, value: float) -> None:
+        """Show a value, and nothing else."""
+        self._showing = True
+        self.number.set_value(value)
+        self.dial.setValue(round(_STEPS * (value - self._low) / (self._high - self._low)))
+        self._showing = False
+
+    def _turn(self, at: int) -> None:
+        if not self._showing:
+            self._give(round(self._low + at / _STEPS * (self._high - self._low), 3))
+
+    def _give(self, value: float) -> None:
+        self.set_value(value)
+        self.turned.emit(value)
+
+
+class MonitorCard(QFrame):
+    """``edited`` sends the grid's voltage, which the knobs move while the signal stays."""
+
+    edited = Signal(dict)
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("card")
+        self._session = session
+        self._gun = Gun()
+        numbers = numbers_of(TubeSettings)
+        self.title = QLabel(_("Monitor"))
+        self.title.setProperty("role", "section")
+        self.brightness = Knob(
+            _("Brightness"),
+            _(
+                "Moves the bias of the grid: turned up, even blanked retraces show; turned down, dim strokes "
+                "go"
+            ),
+            numbers["brightness"],
+        )
+        self.contrast = Knob(
+            _("Contrast"),
+            _("Scales the video signal: how far white is from black"),
+            numbers["contrast"],
+        )
+        self.line = QLabel()
+        self.line.setProperty("role", "muted")
+        self.line.setToolTip(_("The voltage of the grid, from black to white; at the cut-off it is dark"))
+        self.line.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(10, 6, 10, 6)
+        whole.setSpacing(2)
+        for part in (self.title, self.brightness, self.contrast, self.line):
+            whole.addWidget(part)
+        whole.addStretch(1)
+        self.brightness.turned.connect(lambda value: self._turn(brightness=value))
+        self.contrast.turned.connect(lambda value: self._turn(contrast=value))
+
+    @property
+    def _knobs(self) -> Knobs:
+        tube = self._session.state.tube
+        return Knobs(tube.brightness, tube.contrast)
+
+    def _turn(self, **changes: float) -> None:
+        """Set a knob; the grid follows as it would for the level that it has now."""
+        gun, before = self._gun, self._knobs
+        level = level_of(gun.grid, before, gun.cut_off) if before.contrast else 0.0
+        self._session.update_state(tube=replace(self._session.state.tube, **changes))
+        low = self._session.state.tube
+        after = Knobs(low.brightness, low.contrast)
+        self.edited.emit({"grid": max(round(grid_voltage(level, after, gun.cut_off), 2), -200.0)})
+
+    def show_gun(self, gun: Gun) -> None:
+        """Show where black and white lie for this gun."""
+        self._gun, knobs = gun, self._knobs
+        self.brightness.set_value(knobs.brightness)
+        self.contrast.set_value(knobs.contrast)
+        black, white = (grid_voltage(level, knobs, gun.cut_off) for level in (0.0, 1.0))
+        words = _("V_g {black:.3g} to {white:.3g} V").format(black=black, white=white)
+        self.line.setText(lowered(words.replace("-", "\u2212")))

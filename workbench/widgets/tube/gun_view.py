@@ -1,0 +1,441 @@
+"""A cathode-ray tube cut open: its parts can be chosen, its beam be dragged where it meets the screen."""
+
+from collections.abc import Collection
+from functools import partial
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QBrush,
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QHelpEvent,
+    QKeyEvent,
+    QLinearGradient,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPolygonF,
+)
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from workbench.algorithms.scanning.electron_beam import FACE_MM
+from workbench.display.cutaway import (
+    Label,
+    Part,
+    PlacedLabel,
+    Points,
+    Shape,
+    Span,
+    beam_outline,
+    crowded,
+    ends_on_face,
+    labels,
+    parts_of,
+    place_labels,
+    shapes,
+    spans,
+    tangent,
+    window_of,
+)
+from workbench.display.exposure import srgb_encoded
+from workbench.display.gun import Gun, Place
+from workbench.language import _
+from workbench.widgets.canvas.drawing import ink_of
+from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tokens
+
+_PADDING_PX, _GAP_PX = 6.0, 6.0
+_NEAR_PX, _SPOT_PX = 14.0, 5.0
+_FAINTEST, _STRONGEST = 50, 235
+_STEP_MM, _FAR_MM = 1.0, 10.0
+
+
+class GunView(QWidget):
+    """``part_chosen``: a part was clicked or gone to. ``lifted``: the beam was dragged to so many millimetres
+    above the axis, or moved there by a key; ``dropped`` ends a drag.
+    """
+
+    part_chosen = Signal(str)
+    lifted = Signal(float)
+    dropped = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._gun = Gun()
+        self._way: tuple[Place, ...] = self._gun.way()
+        self._seconds: float | None = None
+        self._lit: tuple[Part, ...] = ()
+        self._chosen: Part | None = None
+        self._labelled = True
+        self._dragging = False
+        self._shapes: tuple[Shape, ...] = shapes(self._gun)
+        self._placed: tuple[PlacedLabel, ...] = ()
+        self._wording = "whole"
+        self._spans: tuple[Span, ...] = ()
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self.setMinimumSize(300, 110)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setAccessibleName(_("Cut-away drawing of the tube"))
+        theme.changed.connect(self.update)
+        self._describe()
+
+    def sizeHint(self) -> QSize:
+        """The tube of the course, well seen."""
+        return QSize(620, 300)
+
+    # What is shown
+
+    def show_gun(
+        self, gun: Gun, way: tuple[Place, ...], lit: Collection[Part] = (), seconds: float | None = None
+    ) -> None:
+        """Show a tube and the way of its beam at a time; ``lit`` are the parts that the step is about."""
+        if gun != self._gun:
+            self._shapes = shapes(gun)
+        self._gun, self._way, self._lit, self._seconds = gun, way, tuple(lit), seconds
+        if self._chosen is not None and self._chosen not in parts_of(gun):
+            self._chosen = None
+        self._describe()
+        self.update()
+
+    def choose(self, part: str) -> None:
+        """Mark a part as the one that is spoken of."""
+        chosen = next((each for each in parts_of(self._gun) if each == part), None)
+        if chosen != self._chosen:
+            self._chosen = chosen
+            self._describe()
+            self.update()
+
+    def set_labelled(self, on: bool) -> None:
+        """Name the parts, or leave the drawing bare."""
+        self._labelled = on
+        self.update()
+
+    @property
+    def chosen(self) -> Part | None:
+        """The part that is spoken of."""
+        return self._chosen
+
+    def _describe(self) -> None:
+        told = next((label for label in labels(self._gun, self._seconds) if label.part == self._chosen), None)
+        words = "" if told is None else f"{told.title} {told.value}".strip()
+        self.setAccessibleDescription(words)
+
+    # Places
+
+    @property
+    def _scale(self) -> float:
+        left, low, right, high = window_of(self._gun)
+        return min(self.width() / (right - left), self.height() / (high - low))
+
+    def place_px(self, z: float, y: float) -> QPointF:
+        """Where a place (mm) is drawn."""
+        left, low, right, high = window_of(self._gun)
+        scale = self._scale
+        beside = (self.width() - scale * (right - left)) / 2.0
+        over = (self.height() - scale * (high - low)) / 2.0
+        return QPointF(beside + (z - left) * scale, over + (high - y) * scale)
+
+    def _place_mm(self, at: QPointF) -> tuple[float, float]:
+        corner, scale = self.place_px(0.0, 0.0), self._scale
+        return (at.x() - corner.x()) / scale, (corner.y() - at.y()) / scale
+
+    def _polygon(self, points: Points) -> QPolygonF:
+        return QPolygonF([self.place_px(z, y) for z, y in points.tolist()])
+
+    @property
+    def spot_px(self) -> QPointF | None:
+        """Where the beam meets the screen; None where it does not get so far."""
+        z, _x, y, _r = self._way[-1]
+        return self.place_px(z, y) if z >= self._gun.screen else None
+
+    def part_at(self, at: QPointF) -> Part | None:
+        """The part that is drawn, or named, at a place of the widget."""
+        z, y = self._place_mm(at)
+        if self._labelled:
+            for placed in self._placed:
+                left, low, right, high = placed.box
+                if left <= z <= right and low <= y <= high:
+                    return placed.label.part
+        near = 4.0 / self._scale
+        for shape in reversed(self._shapes):
+            part = shape.part
+            if part and _is_at(shape, z, y, near):
+                return part
+        outline = beam_outline(self._gun, self._way)
+        if len(outline) and self._polygon(outline).containsPoint(at, Qt.FillRule.OddEvenFill):
+            return "beam"
+        return None
+
+    # The hand
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Take hold of the spot, or choose a part."""
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
+        spot = self.spot_px
+        if spot is not None and (event.position() - spot).manhattanLength() < _NEAR_PX:
+            self._dragging = True
+            return
+        part = self.part_at(event.position())
+        if part is not None:
+            self.choose(part)
+            self.part_chosen.emit(part)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Drag the spot along the screen."""
+        spot = self.spot_px
+        if self._dragging:
+            self.lifted.emit(self._bounded(self._place_mm(event.position())[1]))
+            return
+        near = spot is not None and (event.position() - spot).manhattanLength() < _NEAR_PX
+        over = near or self.part_at(event.position()) is not None
+        shape = Qt.CursorShape.SizeVerCursor if near else Qt.CursorShape.PointingHandCursor
+        self.setCursor(shape if over else Qt.CursorShape.ArrowCursor)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Let go of the spot."""
+        if self._dragging:
+            self._dragging = False
+            self.dropped.emit()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Left and right go from part to part, up and down move the spot, with Shift farther."""
+        along = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}.get(Qt.Key(event.key()))
+        up = {Qt.Key.Key_Up: 1.0, Qt.Key.Key_Down: -1.0}.get(Qt.Key(event.key()))
+        if along is not None:
+            self._go(along)
+        elif up is not None and self.spot_px is not None:
+            far = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            self.lifted.emit(self._bounded(self._way[-1][2] + up * (_FAR_MM if far else _STEP_MM)))
+            self.dropped.emit()
+        elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self._chosen is not None:
+            self.part_chosen.emit(self._chosen)
+        else:
+            super().keyPressEvent(event)
+
+    def _go(self, along: int) -> None:
+        parts = parts_of(self._gun)
+        number = parts.index(self._chosen) + along if self._chosen is not None else (0 if along > 0 else -1)
+        part = parts[number % len(parts)]
+        self.choose(part)
+        self.part_chosen.emit(part)
+
+    def _bounded(self, y: float) -> float:
+        return min(max(y, -FACE_MM[1] / 2.0), FACE_MM[1] / 2.0)
+
+    def event(self, event: QEvent) -> bool:
+        """The tooltip names the part under the pointer."""
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            part = self.part_at(QPointF(event.pos()))
+            told = next((label for label in labels(self._gun, self._seconds) if label.part == part), None)
+            words = _("Click a part to learn what it is for; drag the spot on the screen.")
+            QToolTip.showText(
+                event.globalPos(), words if told is None else f"{told.title} {told.value}", self
+            )
+            return True
+        return super().event(event)
+
+    # Painting
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Glass, parts, beam, lengths, labels."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        font = QFont(self.font())
+        font.setPixelSize(CAPTION_PX)
+        painter.setFont(font)
+        for shape in self._shapes:
+            self._paint_shape(painter, shape)
+        self._paint_beam(painter)
+        if self._labelled:
+            for span in spans(self._gun):
+                self._paint_span(painter, span)
+            self._paint_height(painter)
+            self._paint_labels(painter, QFontMetricsF(font))
+        if self.hasFocus():
+            painter.setPen(QPen(colour(tokens().accent), 2))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), RADIUS, RADIUS)
+
+    def _is_lit(self, part: str) -> bool:
+        return part == self._chosen or part in self._lit
+
+    def _paint_shape(self, painter: QPainter, shape: Shape) -> None:
+        now = tokens()
+        ink = colour(now.accent if self._is_lit(shape.part) else now.muted)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        outline = self._polygon(shape.points)
+        match shape.kind:
+            case "glass":
+                inside = QLinearGradient(
+                    outline.boundingRect().topLeft(), outline.boundingRect().bottomLeft()
+                )
+                for stop, strong in ((0.0, 46), (0.5, 14), (1.0, 46)):
+                    inside.setColorAt(stop, colour(now.muted, strong))
+                painter.setBrush(QBrush(inside))
+                painter.setPen(QPen(colour(now.field_edge), 2.2))
+            case "metal":
+                painter.setBrush(colour(ink.name(), 200))
+                painter.setPen(QPen(ink, 1))
+            case "plate" | "coil":
+                painter.setBrush(colour(ink.name(), 60))
+                pattern = Qt.BrushStyle.BDiagPattern if shape.kind == "coil" else Qt.BrushStyle.SolidPattern
+                painter.setBrush(QBrush(colour(ink.name(), 90), pattern))
+                painter.setPen(QPen(ink, 1.2))
+            case "heater":
+                lit = self._is_lit(shape.part)
+                painter.setPen(QPen(colour(now.accent) if lit else colour(ink_of(now, "data2")), 1.8))
+            case "coating":
+                pen = QPen(ink, 1.6, Qt.PenStyle.DashLine)
+                painter.setPen(pen)
+            case "phosphor":
+                painter.setPen(QPen(self._glow(), 4.0 if self._is_lit(shape.part) else 2.6))
+            case "axis":
+                painter.setPen(QPen(colour(now.muted, 120), 1, Qt.PenStyle.DashDotLine))
+            case "pin":
+                painter.setPen(QPen(ink, 1.6))
+        if shape.closed:
+            painter.drawPolygon(outline)
+        else:
+            painter.drawPolyline(outline)
+
+    def _glow(self) -> QColor:
+        """The phosphor's colour, of several layers that which lasts."""
+        linear = np.max([gun.colours[-1][1] for gun in self._gun.phosphors], axis=0)
+        red, green, blue = (round(255 * float(value)) for value in srgb_encoded(linear))
+        shown = QColor(red, green, blue)
+        return shown if tokens().dark else shown.darker(150)
+
+    def _paint_beam(self, painter: QPainter) -> None:
+        outline = beam_outline(self._gun, self._way)
+        if not len(outline):
+            return
+        share = min(self._gun.beam_current / max(self._gun.current, 1e-9), 1.0)
+        strong = round(_FAINTEST + (_STRONGEST - _FAINTEST) * share**0.5)
+        ink = ink_of(tokens(), "accent" if self._is_lit("beam") else "data5")
+        painter.setPen(QPen(colour(ink, strong), 1.0))
+        painter.setBrush(colour(ink, strong))
+        painter.drawPolygon(self._polygon(outline))
+        line = tangent(self._gun, self._way)
+        if len(line) and self._labelled:
+            painter.setPen(QPen(colour(tokens().text, 150), 1, Qt.PenStyle.DashLine))
+            painter.drawPolyline(self._polygon(line))
+        spot = self.spot_px
+        if spot is not None and ends_on_face(self._gun, self._way):
+            painter.setPen(QPen(colour(tokens().text), 1.4))
+            painter.setBrush(self._glow())
+            painter.drawEllipse(spot, _SPOT_PX, _SPOT_PX)
+        else:
+            painter.setPen(QPen(colour(tokens().error), 2))
+            at = self.place_px(self._way[-1][0], self._way[-1][2])
+            painter.drawLine(at + QPointF(-4, -4), at + QPointF(4, 4))
+            painter.drawLine(at + QPointF(-4, 4), at + QPointF(4, -4))
+
+    def _paint_span(self, painter: QPainter, span: Span) -> None:
+        start, end = self.place_px(span.start, span.y), self.place_px(span.end, span.y)
+        painter.setPen(QPen(colour(tokens().muted), 1))
+        painter.drawLine(start, end)
+        for tip, way in ((start, 1.0), (end, -1.0)):
+            painter.drawLine(tip + QPointF(0, -4), tip + QPointF(0, 4))
+            painter.drawPolyline(QPolygonF([tip + QPointF(5 * way, -3), tip, tip + QPointF(5 * way, 3)]))
+        wide = QFontMetricsF(painter.font()).horizontalAdvance(span.name)
+        middle = (start + end) / 2.0
+        if wide + 30.0 > end.x() - start.x():
+            middle = end + QPointF(wide / 2.0 + 8.0, 0.0)
+        self._paint_words(painter, span.name, middle, tokens().text)
+
+    def _paint_height(self, painter: QPainter) -> None:
+        """y, from the axis to the spot."""
+        z, _x, y, _r = self._way[-1]
+        if z < self._gun.screen or abs(y) * self._scale < 12.0:
+            return
+        foot, tip = self.place_px(z - 9.0, 0.0), self.place_px(z - 9.0, y)
+        painter.setPen(QPen(colour(tokens().text), 1.2))
+        painter.drawLine(foot, tip)
+        for end, way in ((foot, -1.0), (tip, 1.0)):
+            up = way * (1.0 if y > 0 else -1.0)
+            painter.drawPolyline(QPolygonF([end + QPointF(-3, 5 * up), end, end + QPointF(3, 5 * up)]))
+        name = f"y = {y:.1f} mm".replace("-", "\u2212")
+        wide = QFontMetricsF(painter.font()).horizontalAdvance(name)
+        self._paint_words(painter, name, (foot + tip) / 2.0 - QPointF(wide / 2.0 + 9.0, 0.0), tokens().text)
+
+    def _paint_words(self, painter: QPainter, words: str, middle: QPointF, ink: str) -> None:
+        metrics = QFontMetricsF(painter.font())
+        box = QRectF(0, 0, metrics.horizontalAdvance(words) + 8.0, metrics.height())
+        box.moveCenter(middle)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour(tokens().window, 225))
+        painter.drawRoundedRect(box, 3, 3)
+        painter.setPen(colour(ink))
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
+
+    def _size_of(self, metrics: QFontMetricsF, label: Label) -> tuple[float, float]:
+        """Width and height of a label's box in millimetres."""
+        lines = self._lines(label)
+        wide = max(map(metrics.horizontalAdvance, lines)) + 2 * _PADDING_PX
+        return wide / self._scale, (len(lines) * metrics.height() + _PADDING_PX) / self._scale
+
+    def _lines(self, label: Label) -> list[str]:
+        if self._wording == "short":
+            return [label.short]
+        return [line for line in (label.title, label.value) if line][: 2 if self._wording == "whole" else 1]
+
+    def _place_labels(self, metrics: QFontMetricsF) -> None:
+        """With what parts are set to, or where that is too much, with their names alone, or short ones."""
+        told, gap = labels(self._gun, self._seconds), _GAP_PX / self._scale
+        for self._wording in ("whole", "names", "short"):
+            self._placed = place_labels(told, self._gun, partial(self._size_of, metrics), gap)
+            if not crowded(self._placed):
+                break
+
+    def _paint_labels(self, painter: QPainter, metrics: QFontMetricsF) -> None:
+        now = tokens()
+        self._place_labels(metrics)
+        for placed in self._placed:
+            lit = self._is_lit(placed.label.part)
+            painter.setPen(QPen(colour(now.accent if lit else now.muted), 1))
+            start, end = placed.leader
+            painter.drawLine(self.place_px(*start), self.place_px(*end))
+        for placed in self._placed:
+            lit = self._is_lit(placed.label.part)
+            left, low, right, high = placed.box
+            box = QRectF(self.place_px(left, high), self.place_px(right, low))
+            painter.setPen(QPen(colour(now.accent if lit else now.line), 1))
+            painter.setBrush(colour(now.selected if lit else now.raised))
+            painter.drawRoundedRect(box, 4, 4)
+            at = box.adjusted(_PADDING_PX, _PADDING_PX / 2, 0, 0)
+            for number, line in enumerate(self._lines(placed.label)):
+                painter.setPen(colour(now.muted if number else now.text))
+                base = at.top() + number * metrics.height() + metrics.ascent()
+                _draw_lowered(painter, QPointF(at.left(), base), line)
+
+
+def _draw_lowered(painter: QPainter, at: QPointF, line: str) -> None:
+    """Draw a line of words from its base line; what follows an underscore is small and lowered."""
+    font, small = painter.font(), QFont(painter.font())
+    small.setPixelSize(round(0.8 * font.pixelSize()))
+    head, mark, tail = line.partition("_")
+    painter.drawText(at, head)
+    if mark:
+        beside = at + QPointF(QFontMetricsF(font).horizontalAdvance(head), 0.0)
+        painter.setFont(small)
+        painter.drawText(beside + QPointF(0.0, 2.0), tail[:1])
+        after = beside + QPointF(QFontMetricsF(small).horizontalAdvance(tail[:1]) + 1.0, 0.0)
+        painter.setFont(font)
+        painter.drawText(after, tail[1:])
+
+
+def _is_at(shape: Shape, z: float, y: float, near: float) -> bool:
+    """Whether a place is on a shape, or as near to it as a finger: in its box, or at a line."""
+    points = shape.points
+    if shape.kind not in ("coating", "phosphor"):
+        low, high = points.min(axis=0) - near, points.max(axis=0) + near
+        return bool((low <= (z, y)).all() and ((z, y) <= high).all())
+    starts, ways = points[:-1], np.diff(points, axis=0)
+    squares = np.maximum((ways * ways).sum(axis=1), 1e-12)
+    shares = np.clip(((np.array([z, y]) - starts) * ways).sum(axis=1) / squares, 0.0, 1.0)
+    feet = starts + shares[:, None] * ways
+    return bool(np.hypot(*(feet - (z, y)).T).min() <= 1.5 * near)

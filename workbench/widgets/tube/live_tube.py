@@ -1,0 +1,263 @@
+"""A cathode-ray tube that runs: its time, its light, its cabinet. A subclass says what the beam draws.
+
+The tube's time runs from a timer that stops when the widget is hidden, paused, or shows a picture that no
+longer changes. With Calm on, refreshes that would be seen as flicker are averaged; slow motion below three
+pictures a second shows the beam itself.
+"""
+
+from fractions import Fraction
+
+from PySide6.QtCore import QElapsedTimer, QPointF, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QImage, QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from workbench.display.beam import Beam
+from workbench.display.driver import VISIBLE, TubeDriver, must_average
+from workbench.display.exposure import Screen
+from workbench.display.tube import PICOSECOND, Tube
+from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.in_sight import InSight
+from workbench.widgets.look.tokens import colour, theme, tokens
+from workbench.widgets.tube.glass import CORNER, cabinet_pixmap, fitted, glass_path, reflection_pixmap
+from workbench.widgets.tube.marks import paint_plate
+
+_FRAME_MS, _IDLE_MS = 16, 250
+_LONGEST_STEP_S = 0.1
+_WIDEST_PX = 520
+_PLATE_PX = 22
+
+
+class LiveTube(QWidget):
+    """One tube. ``advanced`` comes with each step of its time; ``sight`` tells whether it is seen: one behind
+    other tabs is not.
+    """
+
+    advanced = Signal()
+    shown = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._slow = 1.0
+        self._paused = False
+        self._seconds = Fraction(0)
+        self.driver: TubeDriver | None = None
+        self._screen: Screen | None = None
+        self._shown: QImage | None = None
+        self._cabinet: QPixmap | None = None
+        self._reflection: QPixmap | None = None
+        self._glass = QRectF()
+        self._case = QRectF()
+        self._timer = QTimer(self)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._tick)
+        self._clock = QElapsedTimer()
+        self._resized = QTimer(self)
+        self._resized.setSingleShot(True)
+        self._resized.setInterval(80)
+        self._resized.timeout.connect(self._rebuild)
+        self.sight = InSight(self)
+        self.sight.changed.connect(self._come_in_sight)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMinimumSize(120, 110)
+        theme.changed.connect(self.update)
+        comfort.changed.connect(self._wake)
+
+    # What a subclass says
+
+    @property
+    def face_mm(self) -> tuple[float, float]:
+        """Width and height of the face."""
+        raise NotImplementedError
+
+    @property
+    def asked_hz(self) -> float:
+        """The refresh rate that is asked for, before there is a beam that keeps it."""
+        raise NotImplementedError
+
+    @property
+    def widest_px(self) -> int:
+        """The most pixels that the face has across."""
+        return _WIDEST_PX
+
+    @property
+    def lettering(self) -> tuple[str, str]:
+        """What stands at the left and at the right below the glass."""
+        raise NotImplementedError
+
+    def make_tube(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
+        """The tube with a face of so many pixels, and its beam."""
+        raise NotImplementedError
+
+    def paint_over(self, painter: QPainter) -> None:
+        """Paint what lies over the light, under the reflection."""
+
+    # Its time
+
+    def sizeHint(self) -> QSize:
+        """Room for half a window."""
+        return QSize(420, 360)
+
+    def set_slow_motion(self, factor: float) -> None:
+        """Run ``factor`` times slower than life, 1 to 1,000,000."""
+        self._slow = min(max(factor, 1.0), 1e6)
+        self._wake()
+
+    def set_paused(self, paused: bool) -> None:
+        """Hold the tube's time, or let it run."""
+        self._paused = paused
+        self._wake()
+
+    @property
+    def averaged(self) -> bool:
+        """Whether whole pictures are averaged now, so that neither flicker nor beam is seen."""
+        return must_average(self.refresh_hz, self._slow, comfort.calm)
+
+    @property
+    def refresh_hz(self) -> float:
+        """Pictures per second; a long display list takes longer than the rate asked for."""
+        return self.asked_hz if self.driver is None else 1.0 / float(self.driver.beam.frame_s)
+
+    @property
+    def running(self) -> bool:
+        """Whether the timer runs."""
+        return self._timer.isActive()
+
+    def seconds(self) -> Fraction:
+        """Tube time, exact."""
+        return self._seconds if self.driver is None else self.driver.tube.seconds
+
+    def set_seconds(self, seconds: Fraction) -> None:
+        """Go to another tube time, as when a saved one is opened; the picture is that of long drawing."""
+        self._seconds = seconds
+        if self.driver is not None:
+            self.driver = None
+            self._rebuild()
+
+    def step(self, seconds: Fraction) -> None:
+        """Advance the tube's time by hand and show the beam where it then is, Calm or not."""
+        if self.driver is not None and seconds > 0:
+            self.driver.advance(seconds / PICOSECOND, False)
+            self._refresh()
+
+    def _wake(self) -> None:
+        if self.sight.now and not self._paused and self.driver is not None:
+            if not self._timer.isActive():
+                self._clock.start()
+            self._timer.start(_FRAME_MS)
+        else:
+            self._timer.stop()
+
+    def _tick(self) -> None:
+        if self.driver is None:
+            return
+        elapsed_ns = self._clock.nsecsElapsed()
+        self._clock.restart()
+        elapsed = min(Fraction(elapsed_ns, 10**9), Fraction(_LONGEST_STEP_S))
+        averaged = self.averaged
+        self.driver.advance(elapsed / Fraction(self._slow) / PICOSECOND, averaged)
+        self._refresh()
+        if averaged and self.driver.steady:
+            self._timer.stop()
+            return
+        # A long tail changes so slowly that few pictures a second show it as well. Where a phosphor of many
+        # terms takes long to add up, half of the time is left to the rest of the window.
+        slower = VISIBLE / max(self.driver.change, VISIBLE / 100.0) if averaged else 1.0
+        wait = max(_FRAME_MS * max(slower, 1.0), 2 * self._clock.elapsed())
+        self._timer.setInterval(int(min(wait, _IDLE_MS)))
+
+    def _refresh(self) -> None:
+        if self.driver is None or self._screen is None:
+            return
+        packed = self._screen.picture(self.driver.lights)
+        rows, columns = packed.shape
+        self._packed = packed  # what the image looks at
+        self._shown = QImage(packed.data, columns, rows, 4 * columns, QImage.Format.Format_RGB32)
+        self.update(self._glass.toAlignedRect())
+        self.advanced.emit()
+
+    # Its face
+
+    def _face_px(self) -> tuple[int, int]:
+        width = min(round(self._glass.width() * self.devicePixelRatioF()), self.widest_px)
+        face = self.face_mm
+        return max(width, 16), max(round(width * face[1] / face[0]), 12)
+
+    def _rebuild(self) -> None:
+        """Make the tube anew for this size, picture and setup, showing what it would show after a while."""
+        self._layout()
+        if self._glass.width() < 8:
+            return
+        size = self._face_px()
+        if self.driver is not None:
+            self._seconds = self.driver.tube.seconds
+        tube, beam = self.make_tube(size)
+        tube.skip(self._seconds / PICOSECOND)
+        self.driver = TubeDriver(tube, beam)
+        self.driver.settle()
+        if not self.averaged:
+            self.driver.advance(Fraction(10**6), False)
+        self._screen = Screen(size, [rgb for gun in tube.guns for _name, rgb in gun.colours])
+        self._cabinet = self._reflection = None
+        self._refresh()
+        self._wake()
+        self.update()
+
+    def _layout(self) -> None:
+        width, height = self.face_mm
+        plate = _PLATE_PX if self.height() > 190 else 0
+        self._case, self._glass = fitted(self.width(), self.height(), height / width, plate)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Lay the cabinet out at once, make the tube when the size has come to rest."""
+        super().resizeEvent(event)
+        self._layout()
+        self._cabinet = self._reflection = None
+        if self.driver is not None:
+            self._resized.start()
+        elif self.sight.now:
+            self._rebuild()
+
+    def _come_in_sight(self, seen: bool) -> None:
+        """Run again, or rest: a tube that nobody sees costs nothing."""
+        if seen:
+            self.shown.emit()
+            if self.driver is None:
+                self._rebuild()
+        self._wake()
+
+    def _to_widget(self, x_mm: float, y_mm: float) -> QPointF:
+        width, height = self.face_mm
+        return QPointF(
+            self._glass.left() + x_mm / width * self._glass.width(),
+            self._glass.bottom() - y_mm / height * self._glass.height(),
+        )
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Cabinet, light, beam, glass."""
+        painter = QPainter(self)
+        if self._cabinet is None or self._reflection is None:
+            size = self.width(), self.height(), self.devicePixelRatioF()
+            self._cabinet = cabinet_pixmap(*size, self._case, self._glass)
+            self._reflection = reflection_pixmap(*size, self._glass)
+        painter.drawPixmap(0, 0, self._cabinet)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.save()
+        painter.setClipPath(glass_path(self._glass))
+        if self._shown is not None:
+            painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Plus)
+            painter.drawImage(self._glass, self._shown)
+            painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceOver)
+            self.paint_over(painter)
+        painter.restore()
+        painter.drawPixmap(0, 0, self._reflection)
+        if self._case.bottom() - self._glass.bottom() >= _PLATE_PX:
+            plate = self._glass.translated(0, self._case.bottom() - _PLATE_PX - 3 - self._glass.top())
+            plate.setHeight(_PLATE_PX)
+            paint_plate(painter, plate, *self.lettering)
+        if self.hasFocus():
+            painter.setPen(QPen(colour(tokens().accent), 2))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            radius = CORNER * self._case.width()
+            painter.drawRoundedRect(self._case.adjusted(1, 1, -1, -1), radius, radius)
