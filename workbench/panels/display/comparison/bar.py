@@ -17,7 +17,7 @@ from workbench.widgets.look.tips import tell_choice
 
 # By the name of the argument: label, unit, step, meaning.
 _FIELDS: Mapping[str, tuple[str, str, float, str]] = {
-    "refresh": (_("at most"), "Hz", 5.0, _("Refresh rate of the raster, and the highest of the vector tube")),
+    "refresh": (_("rate"), "Hz", 5.0, _("Refresh rate of the raster, and the highest of the vector tube")),
     "hatch": (_("hatch"), "px", 1.0, _("Rows from one hatch of an area to the next; 0 draws outlines only")),
     "x": ("x", "px", 1.0, _("Column under the magnifying glass")),
     "y": ("y", "px", 1.0, _("Row under the magnifying glass, counted from below")),

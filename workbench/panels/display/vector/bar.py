@@ -28,7 +28,7 @@ from workbench.widgets.look.tips import tell_choice
 
 # By the name of the argument: label, unit, step, meaning.
 _FIELDS: Mapping[str, tuple[str, str, float, str]] = {
-    "refresh": (_("at most"), "Hz", 5.0, _("Highest refresh rate of the controller")),
+    "refresh": (_("rate"), "Hz", 5.0, _("Highest refresh rate of the controller")),
     "start": ("t_0", "µs", 0.5, _("What each stroke costs before the beam moves")),
     "pace": ("c", "µs", 0.01, _("Time of a stroke for each unit of its length")),
     "jump_pace": ("c_j", "µs", 0.01, _("Time of a dark jump for each unit of its length")),

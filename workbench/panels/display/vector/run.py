@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import lru_cache
 
-from workbench.algorithms.scanning.random_scan import DRAW
+from workbench.algorithms.scanning.operations import DRAW
 from workbench.display.list_time import ListTime, list_time
 from workbench.display.refresh_limit import LineTime, fusion_hz, longest_steady_s
 from workbench.display.setup import TubeSetup
