@@ -49,8 +49,10 @@ def test_the_colours_of_a_vector_list_follow_the_same_law() -> None:
 
 def test_a_colour_tube_has_a_current_for_each_channel() -> None:
     image = np.array([[0xFF8000]], np.uint32)
-    assert currents_of_image(image, 3, 2.0)[:, 0, 0] == pytest.approx([1.0, (128 / 255) ** 2, 0.0])
-    assert currents_of_image(image, 1, 2.0)[:, 0, 0] == pytest.approx([1.0])
+    assert currents_of_image(image, 3, TubeSetup(gamma=2.0))[:, 0, 0] == pytest.approx(
+        [1.0, (128 / 255) ** 2, 0.0]
+    )
+    assert currents_of_image(image, 1, TubeSetup(gamma=2.0))[:, 0, 0] == pytest.approx([1.0])
 
 
 @given(
@@ -98,5 +100,5 @@ def test_a_stroke_costs_no_more_than_the_face_has_of_it(far: float) -> None:
     st.sampled_from([1.0, 1.8, 2.2, 2.8]),
 )
 def test_a_single_gun_follows_the_largest_of_three_currents(image: np.ndarray, gamma: float) -> None:
-    (single,) = currents_of_image(image, 1, gamma)
-    assert np.array_equal(single, currents_of_image(image, 3, gamma).max(axis=0))
+    (single,) = currents_of_image(image, 1, TubeSetup(gamma=gamma))
+    assert np.array_equal(single, currents_of_image(image, 3, TubeSetup(gamma=gamma)).max(axis=0))

@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.scanning.electron_beam import (
+from workbench.algorithms.scanning.electron_beam import electron_beam
+from workbench.algorithms.scanning.electron_optics import (
     CHARGE_TO_MASS,
     FACE_MM,
     FOCUS_SHARE,
@@ -20,7 +21,6 @@ from workbench.algorithms.scanning.electron_beam import (
     PLATES_MM,
     beam_current,
     coil_sine,
-    electron_beam,
     half_width,
 )
 from workbench.display.phosphor import Phosphor

@@ -82,15 +82,16 @@ def schedule(
     units_per_mm: float,
     home: Point,
     min_frame_ps: int = 0,
+    dark: tuple[float, ...] = (0.0,),
 ) -> list[Segment]:
     """The whole frame in order, without gaps; the last stretch waits until the frame may end.
 
-    The beam starts where the last stroke ended. Its total is the sum of its parts, in picoseconds.
+    The beam starts where the last stroke ended; between strokes its currents are ``dark``. Its total is the
+    sum of its parts, in picoseconds.
     """
     segments: list[Segment] = []
     clock = 0
     at = strokes[-1].end if strokes else home
-    dark = tuple(0.0 for _ in strokes[0].currents) if strokes else (0.0,)
 
     def add(kind: Literal["jump", "settle", "stroke", "wait"], duration: int, to: Point, *rest: Any) -> None:
         nonlocal clock, at
@@ -118,6 +119,7 @@ class VectorBeam:
     """Draws strokes over and over on a tube. ``power`` is the energy per second of a full current.
 
     ``min_frame_ps`` holds short lists back, so that a phosphor is not burnt. An empty list waits.
+    ``blanked`` is the current between strokes, 0 to 1: a rest of it, where brightness is turned up.
     """
 
     def __init__(
@@ -127,6 +129,7 @@ class VectorBeam:
         timing: VectorTiming,
         power: float = 1.0,
         min_frame_ps: int = 0,
+        blanked: float = 0.0,
     ) -> None:
         self.power = power
         self._geometry = tube.size_px, tube.size_mm, tube.spot_mm, tube.reach
@@ -134,7 +137,8 @@ class VectorBeam:
         self._taus = tuple(tuple(term.tau_s for term in gun.terms) for gun in tube.guns)
         width, height = tube.size_mm
         units_per_mm = timing.grid / width
-        self.segments = schedule(strokes, timing, units_per_mm, (width / 2, height / 2), min_frame_ps)
+        dark = (blanked,) * len(tube.guns)
+        self.segments = schedule(strokes, timing, units_per_mm, (width / 2, height / 2), min_frame_ps, dark)
         self.frame_ps = sum(segment.duration_ps for segment in self.segments)
         self.list_ps = sum(s.duration_ps for s in self.segments if s.kind != "wait")
         self.pieces = self._cut(min(width / tube.size_px[0], height / tube.size_px[1]) * _PIECE_PX)
@@ -154,7 +158,7 @@ class VectorBeam:
     def _cut(self, longest_mm: float) -> list[Segment]:
         pieces = []
         for segment in self.segments:
-            if segment.kind != "stroke" or not any(segment.currents):
+            if not any(segment.currents):
                 continue
             (x0, y0), (x1, y1) = segment.begin, segment.end
             count = max(1, math.ceil(math.hypot(x1 - x0, y1 - y0) / longest_mm))
@@ -163,7 +167,7 @@ class VectorBeam:
                 a, b = self._along(segment, first), self._along(segment, last)
                 pieces.append(
                     Segment(
-                        "stroke",
+                        segment.kind,
                         segment.start_ps + first,
                         last - first,
                         a,

@@ -85,11 +85,11 @@ class LiveTube(QWidget):
         """What stands at the left and at the right below the glass."""
         raise NotImplementedError
 
-    def make_tube(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
+    def _made(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
         """The tube with a face of so many pixels, and its beam."""
         raise NotImplementedError
 
-    def paint_over(self, painter: QPainter) -> None:
+    def _paint_over(self, painter: QPainter) -> None:
         """Paint what lies over the light, under the reflection."""
 
     # Its time
@@ -190,7 +190,7 @@ class LiveTube(QWidget):
         size = self._face_px()
         if self.driver is not None:
             self._seconds = self.driver.tube.seconds
-        tube, beam = self.make_tube(size)
+        tube, beam = self._made(size)
         tube.skip(self._seconds / PICOSECOND)
         self.driver = TubeDriver(tube, beam)
         self.driver.settle()
@@ -248,7 +248,7 @@ class LiveTube(QWidget):
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Plus)
             painter.drawImage(self._glass, self._shown)
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceOver)
-            self.paint_over(painter)
+            self._paint_over(painter)
         painter.restore()
         painter.drawPixmap(0, 0, self._reflection)
         if self._case.bottom() - self._glass.bottom() >= _PLATE_PX:
