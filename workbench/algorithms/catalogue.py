@@ -63,9 +63,9 @@ _TEACHING_ORDER = (
     "animation.spline_tween",
     "animation.morph",
     "animation.slerp",
+    "scanning.electron_beam",
     "scanning.raster_scan",
     "scanning.random_scan",
-    "scanning.electron_beam",
     "scanning.beam_spot",
     "scanning.phosphor_decay",
 )

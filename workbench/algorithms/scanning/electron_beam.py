@@ -188,5 +188,4 @@ ENTRY = Entry(
     ),
     questions=(6,),
     labs=("Electron gun and deflection",),
-    next_rung="beam_spot",
 )
