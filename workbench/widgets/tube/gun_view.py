@@ -1,7 +1,6 @@
 """A cathode-ray tube cut open: its parts can be chosen, its beam be dragged where it meets the screen."""
 
 from collections.abc import Collection
-from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
@@ -16,6 +15,7 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
     QPolygonF,
+    QResizeEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
@@ -71,8 +71,10 @@ class GunView(QWidget):
         self._labelled = True
         self._dragging = False
         self._shapes: tuple[Shape, ...] = shapes(self._gun)
+        self._scale, self._cathode = 1.0, QPointF()
         self._placed: tuple[PlacedLabel, ...] = ()
         self._wording = "whole"
+        self._asked: object = None
         self._spans: tuple[Span, ...] = ()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -93,8 +95,9 @@ class GunView(QWidget):
     ) -> None:
         """Show a tube and the way of its beam at a time; ``lit`` are the parts that the step is about."""
         if gun != self._gun:
-            self._shapes = shapes(gun)
-        self._gun, self._way, self._lit, self._seconds = gun, way, tuple(lit), seconds
+            self._gun, self._shapes = gun, shapes(gun)
+            self._fit()
+        self._way, self._lit, self._seconds = way, tuple(lit), seconds
         if self._chosen is not None and self._chosen not in parts_of(gun):
             self._chosen = None
         self._describe()
@@ -125,25 +128,29 @@ class GunView(QWidget):
 
     # Places
 
-    @property
-    def _scale(self) -> float:
+    def _fit(self) -> None:
+        """The whole window of the tube in the middle of the widget, the same scale both ways."""
         left, low, right, high = window_of(self._gun)
-        return min(self.width() / (right - left), self.height() / (high - low))
+        self._scale = scale = min(self.width() / (right - left), self.height() / (high - low))
+        middle = QPointF(self.width(), self.height()) / 2.0
+        self._cathode = middle - QPointF(left + right, -(low + high)) * (scale / 2.0)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the tube anew."""
+        super().resizeEvent(event)
+        self._fit()
 
     def place_px(self, z: float, y: float) -> QPointF:
         """Where a place (mm) is drawn."""
-        left, low, right, high = window_of(self._gun)
-        scale = self._scale
-        beside = (self.width() - scale * (right - left)) / 2.0
-        over = (self.height() - scale * (high - low)) / 2.0
-        return QPointF(beside + (z - left) * scale, over + (high - y) * scale)
+        return self._cathode + QPointF(z * self._scale, -y * self._scale)
 
     def _place_mm(self, at: QPointF) -> tuple[float, float]:
-        corner, scale = self.place_px(0.0, 0.0), self._scale
-        return (at.x() - corner.x()) / scale, (corner.y() - at.y()) / scale
+        away = (at - self._cathode) / self._scale
+        return away.x(), -away.y()
 
     def _polygon(self, points: Points) -> QPolygonF:
-        return QPolygonF([self.place_px(z, y) for z, y in points.tolist()])
+        placed = points * (self._scale, -self._scale) + (self._cathode.x(), self._cathode.y())
+        return QPolygonF([QPointF(x, y) for x, y in placed.tolist()])
 
     @property
     def spot_px(self) -> QPointF | None:
@@ -247,9 +254,10 @@ class GunView(QWidget):
         font = QFont(self.font())
         font.setPixelSize(CAPTION_PX)
         painter.setFont(font)
+        glow = self._glow()
         for shape in self._shapes:
             outline = self._polygon(shape.points)
-            paint_shape(painter, outline, shape, self._is_lit(shape.part), self._glow(), tokens())
+            paint_shape(painter, outline, shape, self._is_lit(shape.part), glow, tokens())
         self._paint_beam(painter)
         if self._labelled:
             for span in spans(self._gun):
@@ -319,7 +327,13 @@ class GunView(QWidget):
         """With what parts are set to, or where that is too much, with their names alone, or short ones."""
         told, gap = labels(self._gun, self._seconds), _GAP_PX / self._scale
         for self._wording in ("whole", "names", "short"):
-            self._placed = place_labels(told, self._gun, partial(self._size_of, metrics), gap)
+            sizes = {label: self._size_of(metrics, label) for label in told}
+            asked = self._wording, self._scale, self._gun.coils, self._gun.gap, [*sizes.values()]
+            if asked == self._asked:  # as large as they were, they stay where they are
+                self._placed = tuple(map(PlacedLabel, told, (each.box for each in self._placed)))
+                break
+            self._placed = place_labels(told, self._gun, sizes.__getitem__, gap)
+            self._asked = asked
             if not crowded(self._placed):
                 break
 

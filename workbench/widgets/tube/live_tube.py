@@ -100,13 +100,16 @@ class LiveTube(QWidget):
 
     def set_slow_motion(self, factor: float) -> None:
         """Run ``factor`` times slower than life, 1 to 1,000,000."""
-        self._slow = min(max(factor, 1.0), 1e6)
-        self._wake()
+        slow = min(max(factor, 1.0), 1e6)
+        if slow != self._slow:
+            self._slow = slow
+            self._wake()
 
     def set_paused(self, paused: bool) -> None:
         """Hold the tube's time, or let it run."""
-        self._paused = paused
-        self._wake()
+        if paused != self._paused:
+            self._paused = paused
+            self._wake()
 
     @property
     def averaged(self) -> bool:

@@ -77,7 +77,8 @@ class SteeredTube(LiveTube):
             if not gun.swings:
                 self.driver.settle()
             self._refresh()
-            self._wake()
+            if not (self.averaged and self.driver.steady):
+                self._wake()
         else:
             self._rebuild()
 
