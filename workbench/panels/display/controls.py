@@ -55,14 +55,14 @@ class DisplayControls(QWidget):
         self._showing = False
         self._buttons: list[tuple[QToolButton, str]] = []
         self._narrow: bool | None = None
-        self._groups = [QWidget() for _group in range(5)]
+        self._groups = [QWidget() for _group in range(6)]
         rows = []
         for group in self._groups:
             row = QHBoxLayout(group)
             row.setContentsMargins(0, 0, 0, 0)
             row.setSpacing(8)
             rows.append(row)
-        first, displays, numbers, time, meter = rows
+        first, displays, numbers, time, meter, knobs = rows
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setSpacing(6)
@@ -107,8 +107,11 @@ class DisplayControls(QWidget):
             step=0.05,
             meaning=_("How far the signal takes white from black"),
         )
-        for field in (self.refresh, self.persistence, self.brightness, self.contrast):
-            numbers.addWidget(field)
+        numbers.addWidget(self.refresh)
+        numbers.addWidget(self.persistence)
+        knobs.addWidget(self.brightness)
+        knobs.addWidget(self.contrast)
+        knobs.addStretch(1)
         self._make_time(time)
         self._make_meter(meter)
         self._arrange(False)
@@ -229,9 +232,15 @@ class DisplayControls(QWidget):
         if narrow == self._narrow:
             return
         self._narrow = narrow
-        views, displays, numbers, time, meter = self._groups
-        wide_places = ((views, 0, 0), (displays, 0, 1), (numbers, 0, 2), (time, 1, 0, 1, 2), (meter, 1, 2))
-        narrow_places = ((views, 0, 0), (numbers, 0, 1), (time, 1, 0, 1, 2), (displays, 2, 0), (meter, 2, 1))
+        views, displays, numbers, time, meter, knobs = self._groups
+        wide_places = (
+            *((views, 0, 0), (displays, 0, 1), (numbers, 0, 2)),
+            *((time, 1, 0, 1, 2), (meter, 1, 2), (knobs, 2, 0)),
+        )
+        narrow_places = (
+            *((views, 0, 0), (numbers, 0, 1), (time, 1, 0, 1, 2)),
+            *((displays, 2, 0), (meter, 2, 1), (knobs, 3, 0, 1, 2)),
+        )
         for group in self._groups:
             self._grid.removeWidget(group)
         for widget, *place in narrow_places if narrow else wide_places:
