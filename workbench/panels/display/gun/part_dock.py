@@ -44,6 +44,7 @@ class PartDock(QScrollArea):
         column.addLayout(self.numbers)
         column.addStretch(1)
         self.setWidget(inner)
+        self.show_part(self.part, Gun())
 
     def show_part(self, part: str, gun: Gun) -> None:
         """Speak of another part, or of this one with other settings."""
