@@ -154,12 +154,12 @@ def test_a_figure_moves_when_it_is_asked_to_and_leaves_its_trail(
 ) -> None:
     page.change({"phosphor": "P39", "figure": "bar", "speed": 300.0})
     session.flush()
-    qtbot.waitUntil(lambda: np.count_nonzero(page.tube.image) == 48 * 3)
-    held = page.tube.image.copy()
+    qtbot.waitUntil(lambda: np.count_nonzero(page.image) == 48 * 3)
+    held = page.image.copy()
     qtbot.wait(80)
-    assert np.array_equal(page.tube.image, held)
+    assert np.array_equal(page.image, held)
     page.controls.moves.click()
-    qtbot.waitUntil(lambda: not np.array_equal(page.tube.image, held), timeout=5000)
+    qtbot.waitUntil(lambda: not np.array_equal(page.image, held), timeout=5000)
     assert page.tube.driver is not None
     light = page.tube.driver.lights[0]
     dark = page.tube.driver.beam.energy_per_frame() < 1e-9

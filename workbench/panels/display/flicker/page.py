@@ -5,6 +5,7 @@ from functools import partial
 
 import numpy as np
 from msgspec.structs import replace
+from numpy.typing import NDArray
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
@@ -49,7 +50,7 @@ _NOTHING = Trace(np.zeros(0), np.zeros(0))
 
 
 class FlickerPage(PlainPage, QWidget):
-    """Controls above; the tube and the map; light over time and the numbers below."""
+    """Controls, the tube and the map, light over time and the numbers. ``image`` is what the tube shows."""
 
     hover_text = Signal(str)
 
@@ -76,6 +77,7 @@ class FlickerPage(PlainPage, QWidget):
         self._moving = QTimer(self, interval=_MOVE_MS)
         self._moving.timeout.connect(self._move)
         self._column = -1
+        self.image = np.zeros((1, 1), np.uint32)
         self._lay_out()
         self._copy_table = QAction(_("Copy the flicker measures"), self)
         self._copy_table.setObjectName("flicker.copy_measures")
@@ -216,14 +218,19 @@ class FlickerPage(PlainPage, QWidget):
             self._column = -1
             self._move()
         else:
-            self.tube.set_image(whole_picture(as_seen(self.session.state, sheet)))
+            self._put(whole_picture(as_seen(self.session.state, sheet)))
         self._probe_something()
         self._let_move()
         self._measure()
 
+    def _put(self, image: NDArray[np.uint32]) -> None:
+        """Put a frame buffer on the tube."""
+        self.image = image
+        self.tube.set_image(image)
+
     def _probe_something(self) -> None:
         """Measure a lit pixel near the middle until somebody chooses, or where a figure has left it dark."""
-        probe, image = self.tube.probe, self.tube.image
+        probe, image = self.tube.probe, self.image
         if probe is None or (moving(str(given(self.subject, "figure"))) and not image[probe[1], probe[0]]):
             lit = self.tube.lit_pixel()
             if lit is not None:
@@ -246,7 +253,7 @@ class FlickerPage(PlainPage, QWidget):
         column = column_at(size, number(subject, "speed"), float(self.tube.seconds()))
         if column != self._column:
             self._column = column
-            self.tube.set_image(moved_picture(str(given(subject, "figure")), size, column))
+            self._put(moved_picture(str(given(subject, "figure")), size, column))
 
     def _measure(self) -> None:
         """Ask for the light of the probed pixel, as the beam makes it."""
@@ -254,7 +261,7 @@ class FlickerPage(PlainPage, QWidget):
         if pixel is None or (self.controls.moves.isChecked() and self._moving.isActive()):
             return
         self._asked_for += 1
-        work = partial(probed_light, self.tube.image, setup_of(self.subject), pixel)
+        work = partial(probed_light, self.image, setup_of(self.subject), pixel)
         self._measuring.ask(partial(_numbered, self._asked_for, work), "flicker")
 
     def _take_light(self, answer: tuple[int, ProbedLight]) -> None:
