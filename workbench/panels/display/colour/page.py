@@ -117,6 +117,7 @@ class ColourPage(PlainPage, QWidget):
         for part in (self.models, self.masked, self.penetration):
             part.changed.connect(self.change)
         self.models.text_chosen.connect(self.step_text)
+        self.models.held.connect(session.hold_runs)
         for view in (self.masked.whole, self.masked.magnified):
             view.picked.connect(self.pick)
             view.shown.connect(self.refresh)

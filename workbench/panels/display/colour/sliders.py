@@ -24,9 +24,10 @@ class Coordinate(NamedTuple):
 
 
 class NumberSlider(QWidget):
-    """One coordinate; ``changed`` sends a value that a hand asks for."""
+    """One coordinate; ``changed`` sends a value that a hand asks for, ``held`` that the slider is dragged."""
 
     changed = Signal(float)
+    held = Signal(bool)
 
     def __init__(self, coordinate: Coordinate, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -56,6 +57,8 @@ class NumberSlider(QWidget):
         for told in (self.field.edited, self.field.scrubbed):
             told.connect(self.changed)
         self.slider.valueChanged.connect(self._slid)
+        self.slider.sliderPressed.connect(lambda: self.held.emit(True))
+        self.slider.sliderReleased.connect(lambda: self.held.emit(False))
 
     def _slid(self, notch: int) -> None:
         if not self._showing:
@@ -73,9 +76,10 @@ class NumberSlider(QWidget):
 
 
 class Sliders(QWidget):
-    """Several coordinates one above the other; ``changed`` sends all of them."""
+    """Several coordinates one above the other; ``changed`` sends all of them, ``held`` as each of them."""
 
     changed = Signal(object)
+    held = Signal(bool)
 
     def __init__(self, coordinates: Sequence[Coordinate], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -87,6 +91,7 @@ class Sliders(QWidget):
         for number, part in enumerate(self.parts):
             grid.addWidget(part, number, 0)
             part.changed.connect(lambda value, n=number: self._send(n, value))
+            part.held.connect(self.held)
 
     def _send(self, number: int, value: float) -> None:
         values = list(self._values)

@@ -76,7 +76,7 @@ class FlickerPage(PlainPage, QWidget):
         self._rest.timeout.connect(self._settle)
         self._moving = QTimer(self, interval=_MOVE_MS)
         self._moving.timeout.connect(self._move)
-        self._column = -1
+        self._column, self._held = -1, False
         self.image = np.zeros((1, 1), np.uint32)
         self._lay_out()
         self._copy_table = QAction(_("Copy the flicker measures"), self)
@@ -119,6 +119,7 @@ class FlickerPage(PlainPage, QWidget):
         self.controls.flash_wanted.connect(lambda: self.warning.ask(number(self.subject, "refresh_hz")))
         self.controls.moves.toggled.connect(self._let_move)
         self.map.moved.connect(self._point_moved)
+        self.map.held.connect(self._hold)
         self.tube.shown.connect(self.refresh)
         self.tube.probed.connect(lambda _x, _y: self._rest.start())
         self.phosphors.chosen.connect(lambda name: self.change({"phosphor": name}))
@@ -172,7 +173,7 @@ class FlickerPage(PlainPage, QWidget):
     # What is shown
 
     def refresh(self, *_arguments: object) -> None:
-        """Show the session as it is now: the numbers at once, the tube when a drag has come to rest."""
+        """Show the session as it is now: numbers at once, tube and light when a drag has come to rest."""
         if not self.isVisible():
             return
         subject = self.subject
@@ -190,11 +191,16 @@ class FlickerPage(PlainPage, QWidget):
             self._where(formula, setup.refresh_hz, luminance),
         )
         self.phosphors.mark(phosphor.name)
-        self._show_light()
         if self.tube.driver is None:
             self._settle()
-        else:
+        elif not self._rest.isActive():
             self._rest.start()
+
+    def _hold(self, on: bool) -> None:
+        """While the point is dragged only the tube follows; run and light come when it is let go."""
+        self._held = on
+        self.session.hold_runs(on)
+        self._rest.start()
 
     @staticmethod
     def _where(formula: Flicker, refresh_hz: float, luminance: float) -> str:
@@ -205,8 +211,10 @@ class FlickerPage(PlainPage, QWidget):
         )
 
     def _settle(self) -> None:
-        """Bring the tube up to date, and measure its light."""
+        """Bring the tube up to date, and unless the point is held the light over time, and measure it."""
         self._rest.stop()
+        if not self._held:
+            self._show_light()
         subject, sheet = self.subject, self.session.shown
         size = sheet.width_px, sheet.height_px
         refused = too_many_pixels(size)
@@ -221,7 +229,8 @@ class FlickerPage(PlainPage, QWidget):
             self._put(whole_picture(as_seen(self.session.state, sheet)))
         self._probe_something()
         self._let_move()
-        self._measure()
+        if not self._held:
+            self._measure()
 
     def _put(self, image: NDArray[np.uint32]) -> None:
         """Put a frame buffer on the tube."""
