@@ -98,7 +98,7 @@ class MaskView(QWidget):
     def _lay_out(self) -> None:
         head = QHBoxLayout()
         head.setSpacing(12)
-        for widget in (self.kinds, self.pitch, self.across, self.slow):
+        for widget in (self.kinds, self.pitch, self.across):
             head.addWidget(widget)
         head.addStretch(1)
         both = QSplitter(Qt.Orientation.Horizontal)
@@ -116,7 +116,8 @@ class MaskView(QWidget):
             beams.setColumnStretch(column, 1)
             for row in (0, 1):
                 beams.addWidget(self.errors[ERRORS[2 * column + row]], row + 1, column)
-        beams.addWidget(self.converge, 1, 3, 2, 1)
+        beams.addWidget(self.slow, 1, 3)
+        beams.addWidget(self.converge, 2, 3)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(6)
@@ -172,7 +173,7 @@ def facts(subject: Subject, picture_px: tuple[int, int]) -> str:
         said = _("{said} Here the three lights are simply added.").format(said=said)
     else:
         said = _(
-            "{n:,.0f} triads of {pitch:g} mm across the picture, {each:.3g} for each of its pixels; "
+            "{n:,.0f} triads of {pitch:g} mm across the picture, {each:.3g} to each of its pixels; "
             "{share:.0f} % of the face glows in each colour (uncertain, of the usual order)."
         ).format(
             n=(right - left) / setup.pitch_mm,

@@ -66,7 +66,7 @@ class FlickerPage(PlainPage, QWidget):
         self.refusal = Refusal(self.tube)
         self.map = FlickerMap()
         self.light = LightPlot()
-        self.measures = MeasuresView()
+        self.measures = MeasuresView(self.controls.steps)
         self.phosphors = PhosphorTable()
         self._probed: ProbedLight | None = None
         self._asked_for = 0
