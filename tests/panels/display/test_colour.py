@@ -232,7 +232,7 @@ def test_a_file_cannot_set_what_no_field_takes(session: Session, name: str, valu
 
 
 def test_keys_switch_the_parts(qtbot: QtBot, page: ColourPage, session: Session) -> None:
-    for number, action in enumerate(page.commands()):
+    for number, action in enumerate(page.commands()[:3]):
         action.trigger()
         settle(qtbot, session)
         assert page.stack.currentIndex() == number

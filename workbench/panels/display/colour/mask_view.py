@@ -159,20 +159,30 @@ class MaskView(QWidget):
         self.facts.setText(facts(subject, picture_px))
 
 
+def guns_text(kind: Kind) -> str:
+    """Where the three beams come from, and where they land."""
+    return {
+        "none": _(
+            "Without a mask each beam would light every grain; here the three lights are simply added."
+        ),
+        "delta": _("Three guns in a triangle: their beams cross in a hole and land on three dots behind it."),
+        "in_line": _("Three guns in a row: their beams cross in a slot and land on three stripes behind it."),
+        "grille": _("Three guns in a row: their beams cross between two wires and land on three stripes."),
+    }[kind]
+
+
 def facts(subject: Subject, picture_px: tuple[int, int]) -> str:
     """What the mask means in numbers."""
     setup = setup_of(subject)
     left, _bottom, right, _top = area_mm(picture_px)
     pixel = (right - left) / picture_px[0]
     worst = max((x * x + y * y) ** 0.5 for x, y in setup.errors_mm)
-    off = _(" The beams are up to {mm:.2g} mm apart: {px:.2g} pixels of the picture.").format(
+    off = _(" A beam lands up to {mm:.2g} mm beside its place: {px:.2g} pixels of the picture.").format(
         mm=worst, px=worst / pixel
     )
-    if setup.mask == "none":
-        said = _("Without a mask every beam would light every grain, and all colours would be one.")
-        said = _("{said} Here the three lights are simply added.").format(said=said)
-    else:
-        said = _(
+    said = guns_text(setup.mask)
+    if setup.mask != "none":
+        counts = _(
             "{n:,.0f} triads of {pitch:g} mm across the picture, {each:.3g} to each of its pixels; "
             "{share:.0f} % of the face glows in each colour (uncertain, of the usual order)."
         ).format(
@@ -181,4 +191,5 @@ def facts(subject: Subject, picture_px: tuple[int, int]) -> str:
             each=pixel / setup.pitch_mm,
             share=100.0 * lit_share(setup.mask),
         )
+        said = f"{said} {counts}"
     return said + (off if worst > 0.0 else "")
