@@ -64,6 +64,14 @@ def test_numbers_set_the_tube_and_what_is_stepped(qtbot: QtBot, page: FlickerPag
     assert not session.undo_stack.canUndo()
 
 
+def test_as_many_periods_are_plotted_as_are_asked_for(qtbot: QtBot, page: FlickerPage) -> None:
+    for count in (1, 3):
+        typed(qtbot, page.controls.periods, str(count))
+        page.session.flush()
+        qtbot.waitUntil(lambda count=count: len(page.light._hits) == count + 1)
+        assert page.light._formula.ms[-1] == pytest.approx(count * 1000.0 / 60.0, rel=0.01)
+
+
 def test_typed_rubbish_is_said_in_place_and_changes_nothing(
     qtbot: QtBot, page: FlickerPage, session: Session
 ) -> None:

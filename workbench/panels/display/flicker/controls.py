@@ -22,6 +22,7 @@ from workbench.panels.display.flicker.figures import moving
 from workbench.rendering.subjects.flicker import (
     BAR,
     LUMINANCE,
+    PERIODS,
     PERSISTENCE,
     REFRESH_HZ,
     SPEED,
@@ -41,7 +42,7 @@ from workbench.widgets.look.tips import tell_choice
 class FlickerControls(QWidget):
     """``changed`` sends the arguments that a hand asks for, ``flash_wanted`` that Calm is to be left off.
 
-    ``steps`` is a field for another place: where the numbers are that it bears on.
+    ``steps`` and ``periods`` are for another place: where the numbers are that they bear on.
     """
 
     changed = Signal(object)
@@ -68,7 +69,8 @@ class FlickerControls(QWidget):
         self.luminance = self._field(
             below, _("Luminance"), "cd/m\N{SUPERSCRIPT TWO}", LUMINANCE, "luminance", 10.0
         )
-        self.steps = self._field(None, _("Steps"), "", STEPS, "steps", 1.0, whole=True)
+        self.steps = self._field(None, "n", "", STEPS, "steps", 1.0, whole=True)
+        self.periods = self._field(None, _("Periods"), "", PERIODS, "periods", 1.0, whole=True)
         self.figure = self._combo(below, _("Picture"), _("The sheet, or something that moves over it"), 7)
         for kind, title in ((STILL, _("The sheet")), (SPOT, _("Moving spot")), (BAR, _("Moving bar"))):
             self.figure.addItem(title, kind)
@@ -118,6 +120,7 @@ class FlickerControls(QWidget):
             "luminance": _("Mean luminance of what is looked at"),
             "speed": _("How fast the figure moves"),
             "steps": _("Steps of the run from one refresh to the next"),
+            "periods": _("Refreshes that are plotted"),
         }
         field = NumberField(
             label,
@@ -161,6 +164,7 @@ class FlickerControls(QWidget):
             (self.luminance, "luminance"),
             (self.speed, "speed"),
             (self.steps, "steps"),
+            (self.periods, "periods"),
         ):
             field.set_value(number(subject, name))
         self.speed.setEnabled(moving(figure))

@@ -1,7 +1,9 @@
 """Flicker in numbers: by formula beside what was measured, and what an eye makes of it."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from workbench.display.flicker import EYE_S, Flicker, critical_frequency_hz, share_later, smears
 from workbench.display.phosphor import Phosphor
@@ -22,9 +24,9 @@ def _texts(flicker: Flicker | None) -> tuple[str, str, str]:
 
 
 class MeasuresView(QWidget):
-    """Three measures in two columns, and the verdict; ``corner`` is shown beside the headings."""
+    """Three measures in two columns, and the verdict; ``corner`` stands beside the headings."""
 
-    def __init__(self, corner: QWidget, parent: QWidget | None = None) -> None:
+    def __init__(self, corner: Sequence[QWidget], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self.table = Table(("", _("formula"), _("measured")), [], formulas=False)
@@ -38,7 +40,11 @@ class MeasuresView(QWidget):
             (_("Modulation"), _("Amplitude of the fundamental over the mean, at most 2")),
         )
         self.names = tuple(title for title, _meaning in titles)
-        grid.addWidget(corner, 0, 0)
+        beside = QHBoxLayout()
+        beside.setSpacing(8)
+        for field in corner:
+            beside.addWidget(field)
+        grid.addLayout(beside, 0, 0)
         for column, heading in enumerate(self.table.columns[1:], 1):
             label = QLabel(heading)
             label.setProperty("role", "caption")

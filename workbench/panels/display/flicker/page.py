@@ -43,7 +43,6 @@ from workbench.widgets.tube.refusal import Refusal
 from workbench.widgets.tube.view import TubeView
 
 PAGE = "flicker"
-_PERIODS = 2
 _SAMPLES = 400
 _REST_MS, _MOVE_MS = 150, 33
 _NOTHING = Trace(np.zeros(0), np.zeros(0))
@@ -66,7 +65,7 @@ class FlickerPage(PlainPage, QWidget):
         self.refusal = Refusal(self.tube)
         self.map = FlickerMap()
         self.light = LightPlot()
-        self.measures = MeasuresView(self.controls.steps)
+        self.measures = MeasuresView((self.controls.steps, self.controls.periods))
         self.phosphors = PhosphorTable()
         self._probed: ProbedLight | None = None
         self._asked_for = 0
@@ -288,10 +287,11 @@ class FlickerPage(PlainPage, QWidget):
     def _show_light(self) -> None:
         subject = self.subject
         phosphor, period = phosphor_of(subject), 1.0 / setup_of(subject).refresh_hz
+        periods = int(number(subject, "periods"))
         once = light_over_refresh(phosphor, period, _SAMPLES)[:-1]
         formula = Trace(
-            1e3 * np.concatenate([once[:, 0] + k * period for k in range(_PERIODS)]),
-            np.tile(once[:, 1], _PERIODS),
+            1e3 * np.concatenate([once[:, 0] + k * period for k in range(periods)]),
+            np.tile(once[:, 1], periods),
         )
         dots, words = _NOTHING, _("{name}, {n} refreshes of {ms:.4g} ms")
         if self._probed is not None:
@@ -299,13 +299,13 @@ class FlickerPage(PlainPage, QWidget):
             if mean > 0.0:
                 seconds, light = self._probed.seconds[:-1], self._probed.light[:-1] / mean
                 dots = Trace(
-                    1e3 * np.concatenate([seconds + k * period for k in range(_PERIODS)]),
-                    np.tile(light, _PERIODS),
+                    1e3 * np.concatenate([seconds + k * period for k in range(periods)]),
+                    np.tile(light, periods),
                 )
             else:
                 words = _("{name}, {n} refreshes of {ms:.4g} ms; the probed pixel is dark")
-        said = words.format(name=phosphor.name, n=_PERIODS, ms=1e3 * period)
-        self.light.show_light(formula, dots, [1e3 * k * period for k in range(_PERIODS + 1)], said)
+        said = words.format(name=phosphor.name, n=periods, ms=1e3 * period)
+        self.light.show_light(formula, dots, [1e3 * k * period for k in range(periods + 1)], said)
         self._show_steps()
 
     def _show_steps(self) -> None:
