@@ -15,7 +15,6 @@ from workbench.document import DocumentError
 from workbench.document.subjects import Subject
 from workbench.panels.display.flicker.figures import column_at, moved_picture
 from workbench.panels.display.flicker.page import FlickerPage
-from workbench.panels.display.panel import DisplayPanel
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
 
@@ -32,15 +31,13 @@ def session() -> Iterator[Session]:
 
 @pytest.fixture
 def page(qtbot: QtBot, session: Session) -> FlickerPage:
-    panel = DisplayPanel(session)
-    keep_until_the_end(qtbot, panel)
-    panel.resize(1000, 640)
-    with qtbot.waitExposed(panel):
-        panel.show()
-    panel.show_page("flicker")
+    one = FlickerPage(session)
+    keep_until_the_end(qtbot, one)
+    one.resize(1000, 600)
+    with qtbot.waitExposed(one):
+        one.show()
+    session.visit("flicker", one.usual)
     session.flush()
-    one = panel.page_of("flicker")
-    assert isinstance(one, FlickerPage)
     qtbot.waitUntil(lambda: one.tube.driver is not None)
     return one
 
@@ -210,7 +207,7 @@ def test_every_phosphor_has_its_persistence_source_and_doubts(page: FlickerPage,
     table = dict(page.tables())["Phosphors"]
     assert [row[0] for row in table.rows] == list(names())
     doubts = {row[0]: row[4] for row in table.rows}
-    assert "t10_s" in doubts["P39"]
+    assert "time to 10 %" in doubts["P39"]
     assert doubts["P31"] == "\N{EN DASH}"
     page.phosphors.chosen.emit("P7")
     session.flush()

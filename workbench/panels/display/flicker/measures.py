@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from workbench.display.flicker import EYE_S, Flicker, critical_frequency_hz, share_later, smears
-from workbench.display.phosphor import Phosphor
+from workbench.display.phosphor import Phosphor, doubts
 from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.widgets.look.scrolled import scrolled
@@ -98,6 +98,6 @@ def doubt(phosphor: Phosphor) -> str:
     """What is uncertain of all this."""
     if not phosphor.uncertain_fields:
         return _("Uncertain: when an eye fuses it, by some 10 Hz.")
-    return _("Uncertain: when an eye fuses it, by some 10 Hz; of {name} {fields}.").format(
-        name=phosphor.name, fields=", ".join(phosphor.uncertain_fields)
+    return _("Uncertain: when an eye fuses it, by some 10 Hz; of {name} the {fields}.").format(
+        name=phosphor.name, fields=doubts(phosphor)
     )
