@@ -3,8 +3,7 @@
 A picture lasts as long as its strokes, jumps and settles take together, and never less than the shortest
 frame allowed. The beam's place is found by bisection in the cumulative times. Strokes are cut into short
 pieces, so that each touches a small box of the face; a piece that lies in the past as a whole is kept as a
-patch, and runs of pieces as whole maps, already decayed to the end of the run. The times are those of the
-text ``random_scan``; the law: ``scanning/test_scanning.py::test_the_vector_tube_takes_the_time_of_the_text``.
+patch, and runs of pieces as whole maps, already decayed to the end of the run.
 """
 
 import math

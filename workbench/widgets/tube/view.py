@@ -97,11 +97,6 @@ class TubeView(LiveTube):
         else:
             self._rebuild()
 
-    @property
-    def image(self) -> NDArray[np.uint32]:
-        """The frame buffer that is shown."""
-        return self._image
-
     def set_strokes(self, strokes: DeviceStrokes, picture_px: tuple[int, int]) -> None:
         """Show a display list in the device frame of a picture of so many pixels."""
         same_size = picture_px == self._picture
