@@ -245,7 +245,7 @@ def test_well_known_models_are_read_as_trimesh_reads_them(name: str) -> None:
         (b"Dear reader,\nthis is a letter.\n", ".obj", "The file has no face"),
         (bytes(range(256)) * 40, ".obj", "The file has no face"),
         (b"v 0 0 0\nf 1 1 1\n", ".obj", r"No face of the file can be drawn \(1 face without area\)"),
-        (b"Dear reader", ".ply", "The file is not a PLY"),
+        (b"Dear reader", ".ply", "This is not a PLY file"),
         (b"ply\nformat ascii 1.0\nend_header\n", ".ply", "has no vertices or no faces"),
         (b"ply\nelement vertex 1\nfly away\nend_header\n", ".ply", "is not known: 'fly away'"),
         (
@@ -287,7 +287,7 @@ def test_a_child_reads_a_mesh_and_tells_how_far_it_is(tmp_path: Path) -> None:
     read = Reading(Job("mesh", str(tmp_path / "a b.obj"))).follow(shares.append)
     assert isinstance(read, ImportedMesh)
     same(read.mesh, mesh)
-    assert read.notes == ("Left out: 1 face with a vertex that is not there.",)
+    assert read.notes == ("Left out: 1 face with a vertex that does not exist.",)
     assert shares == sorted(shares)
     assert len(shares) > 1
 
