@@ -77,7 +77,7 @@ OBJS: dict[str, tuple[str, list[list[int]], str]] = {
     "out of range": (
         TWO + "f 1 2 3 4\nf 1 2 5\nf 0 1 2\nf -9 1 2\nf 1 2 99999999999999999999\n",
         SQUARE,
-        "Left out: 4 faces with vertices that are not there.",
+        "Left out: 4 faces with vertices that do not exist.",
     ),
     "too few corners": (
         TWO + "f 1 2 3 4\nf 1 2\nf\nf 1\n",
@@ -311,16 +311,16 @@ HEAD = "b'ply\\nformat %s 1.0\\nelement vertex 3\\nproperty float x\\nproperty f
         ("read_mesh(b'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf' + b' 1 2 3' * 500_000, '.obj')", "No face"),
         ("read_mesh(b'f 1 2 3\\\\\\n' * 100_000, '.obj')", "No face"),
         ("read_mesh(b'v a 0 0\\n' * 100_000 + b'f 1 2 3', '.obj')", "No face"),
-        ("read_mesh(b'OFF\\n3999999 3999999 0\\n', '.off')", "breaks off"),
+        ("read_mesh(b'OFF\\n3999999 3999999 0\\n', '.off')", "ends before"),
         (
             f"read_mesh({HEAD % 'ascii'}element face 4000000\\nproperty list int int vertex_index\\n"
             "end_header\\n0 0 0 1 0 0 0 1 0\\n3 0 1 2\\n', '.ply')",
-            "breaks off",
+            "ends in the middle",
         ),
         (
             f"read_mesh({HEAD % 'binary_big_endian'}element face 9\\nproperty list uint double "
             "vertex_index\\nend_header\\n' + b'\\xff' * 200, '.ply')",
-            "breaks off",
+            "ends in the middle",
         ),
         ("read_mesh(b'solid ' + b'facet normal 0 0 1\\n' * 100_000, '.stl')", "has no face"),
     ],

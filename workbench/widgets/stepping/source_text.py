@@ -240,6 +240,10 @@ class SourceText(QTextEdit):
             QRect(inner.left(), inner.top(), self._gutter.sizeHint().width(), inner.height())
         )
         self._hang()
+        # Qt lays the text out anew only now, and would leave the bar as long as before.
+        height = self.document().size().height()
+        self.verticalScrollBar().setRange(0, max(round(height) - self.viewport().height(), 0))
+        self._make_visible()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Say how much of the docstring is folded."""

@@ -4,7 +4,7 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from workbench.language import _
@@ -12,6 +12,8 @@ from workbench.session.run import Run
 from workbench.widgets.look.empty_state import EmptyState
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.stepping.source_text import SourceText
+
+_LINES = 20
 
 
 class SourceView(QWidget):
@@ -55,6 +57,12 @@ class SourceView(QWidget):
         run.moved.connect(self.refresh)
         run.grown.connect(self.refresh)
         self._take_run()
+
+    def sizeHint(self) -> QSize:
+        """As high as twenty lines of code."""
+        lines = _LINES * self.text.fontMetrics().lineSpacing() + 2 * self.text.frameWidth()
+        head = 0 if self._head.isHidden() else self._head.sizeHint().height()
+        return QSize(super().sizeHint().width(), lines + head)
 
     def _take_run(self) -> None:
         recording = self._run.recording
