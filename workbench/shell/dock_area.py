@@ -8,7 +8,7 @@ window, paints them over those that came after, and dies when one of them is dra
 import zlib
 from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QByteArray, QSize, Qt
+from PySide6.QtCore import QByteArray, QSize, Qt, QTimer
 from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
@@ -41,6 +41,7 @@ _SIDES = {
 
 _CHECKSUM_BYTES = 4
 _LEAST_PX = 72
+_TABS_PX = 30
 
 
 class DockArea(QMainWindow):
@@ -62,6 +63,7 @@ class DockArea(QMainWindow):
         self._lower = tuple(lower)
         self._afloat: list[QDockWidget] = []
         self._rooms: dict[QDockWidget, QSize] = {}
+        self._rooms_to_read: dict[QDockWidget, QSize] = {}
         self._before_source: dict[QDockWidget, int] = {}
         self._focus: QWidget | None = None
         self.host = QWidget()
@@ -155,6 +157,7 @@ class DockArea(QMainWindow):
 
     def read(self) -> Reading:
         """A page with the middle in its left half, source and tables in its right one; this area rests."""
+        self._rooms_to_read = self.in_front()
         self.rest()
         titles = {dock.objectName(): dock.windowTitle() for dock in self.docks}
         parts = {name: (titles[name], widget) for name, widget in self._widgets.items()}
@@ -165,6 +168,7 @@ class DockArea(QMainWindow):
         self._halves.addWidget(self.host)
         self.host.show()
         self.gather()
+        self.bring_to_front(self._rooms_to_read)
         self.wake()
 
     def _focus_again(self, focus: QWidget | None) -> None:
@@ -204,14 +208,19 @@ class DockArea(QMainWindow):
                     self.tabifyDockWidget(group[0], dock)
                 group[0].raise_()
             if len(groups) == 2:
-                shares = [round(height * share) for share in _SHARES]
-                self.resizeDocks([group[0] for group in groups], shares, along)
+                self.resizeDocks([group[0] for group in groups], self._heights(upper), along)
         if sideways:
             first = [group[0] for group in groups]
             widths = [round(self.width() * _SIDE_SHARE)] * len(first)
             self.resizeDocks(first, widths, Qt.Orientation.Horizontal)
-            if groups[0][0].objectName() == SOURCE and height < _HIGH_PX:
-                self.make_room(groups[0][0])
+
+    def _heights(self, upper: list[QDockWidget]) -> list[int]:
+        """How high the two groups of a side column begin: the upper one as its source asks for."""
+        whole = self.height()
+        high = round(whole * _SHARES[0])
+        if upper[0].objectName() == SOURCE:
+            high = min(max(high, self._widgets[SOURCE].sizeHint().height() + _TABS_PX), whole - _LEAST_PX)
+        return [high, whole - high]
 
     @property
     def arrangement(self) -> QByteArray:
@@ -252,7 +261,7 @@ class DockArea(QMainWindow):
         dock = self.dock(name)
         dock.show()
         dock.raise_()
-        self.make_room(dock)
+        QTimer.singleShot(0, self, lambda: self.make_room(dock))  # once it is in front
 
     def make_room(self, dock: QDockWidget) -> None:
         """Let the source be as high as it asks for when it is chosen.
@@ -266,7 +275,8 @@ class DockArea(QMainWindow):
                 self._set_heights({**self._before_source, dock: asked + self.tabs.height(dock)}, dock)
         elif self._before_source and dock in self.tabifiedDockWidgets(self.dock(SOURCE)):
             before, self._before_source = self._before_source, {}
-            self.resizeDocks(list(before), list(before.values()), Qt.Orientation.Vertical)
+            docks = [dock if each.objectName() == SOURCE else each for each in before]
+            self.resizeDocks(docks, list(before.values()), Qt.Orientation.Vertical)
 
     def _in_column(self, dock: QDockWidget) -> dict[QDockWidget, int]:
         """The docks above and below one that are seen, itself included, with the height of each."""
@@ -283,7 +293,7 @@ class DockArea(QMainWindow):
         room = sum(self._in_column(first).values()) - heights[first]
         share = room / max(sum(others.values()), 1)
         docks = [first, *others]
-        sizes = [heights[first], *(round(height * share) for height in others.values())]
+        sizes = [heights[first], *(max(round(height * share), 1) for height in others.values())]
         self.resizeDocks(docks, sizes, Qt.Orientation.Vertical)
 
     # Leaving and coming back
