@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces
 from workbench.document.model import NEIGHBOUR_SPLINES, Curve
+from workbench.geometry.curves.kochanek_bartels import Signed
 from workbench.geometry.curves.sections import Ends
 from workbench.language import _
 
@@ -111,7 +112,9 @@ def pieces_of(curve: Curve, spline: str = "") -> Pieces:
         case "catmull_rom":
             return curves.catmull_rom(points, curve.alpha, ends)
         case _:
-            return curves.kochanek_bartels(points, curve.tension, curve.continuity, curve.bias, ends)
+            signed_by: Signed = "paper" if curve.continuity_sign == "paper" else "book"
+            shape = curve.tension, curve.continuity, curve.bias
+            return curves.kochanek_bartels(points, *shape, ends, signed_by)
 
 
 def _refuse_degree(degree: int) -> None:
