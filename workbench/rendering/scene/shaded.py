@@ -106,10 +106,10 @@ def _of_corners(
     materials, lights = (lit.materials, lit.lights) if channel is None else lit.in_channel(channel)
     of_corner = np.repeat(materials, 3, axis=0)
     rest = lit.eye, lights, model.by_halfway, blockers
-    found: Array = collect(
+    fragments: Array = collect(
         corner_lights, lit.places, lit.normals, of_corner, *rest, stop=stop, compiling=channel is not None
     )
-    return found[:, 0]
+    return fragments[:, 0]
 
 
 def _channel(
