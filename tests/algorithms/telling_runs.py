@@ -100,7 +100,7 @@ FURTHER: dict[str, tuple[Run, ...]] = {
         _filled(BETWEEN_ROWS, True, False),
         (TWO_RINGS, np.array([3, 6]), True, False),
     ),
-    "scan_line_fill": (
+    "scan_line_exact": (
         _filled(STEPPED, False, False),
         _filled(LETTER_M, False, False),
         _filled(STAR, True, True),

@@ -322,7 +322,7 @@ def numbers(text: str) -> list[float]:
     )
 )
 def test_the_scan_lines_marks_are_its_row(closed: bool, corners: list[tuple[float, float]]) -> None:
-    entry = catalogue.get("scan_line_fill")
+    entry = catalogue.get("scan_line_exact")
     run = (np.array(corners, float), np.array([len(corners)]), closed, False)
     for step, found in steps_and_marks(entry, run):
         y, crossings, spans, _count = step.row

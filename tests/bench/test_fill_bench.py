@@ -50,7 +50,7 @@ def exponent(sizes: tuple[int, ...], seconds: list[float]) -> float:
 @pytest.mark.parametrize("edges", [3, 10, 100, 1000])
 def test_star_polygons(benchmark: BenchmarkFixture, edges: int) -> None:
     cv2.setNumThreads(1)
-    function = catalogue.get("scan_line_fill").function
+    function = catalogue.get("scan_line_exact").function
     vertices, ends = star(edges), np.array([edges])
     image, peer = np.zeros((SIZE, SIZE), np.uint8), np.zeros((SIZE, SIZE), np.uint8)
     points = [vertices.astype(np.int32)]
@@ -129,7 +129,7 @@ def test_a_disc_by_spans(benchmark: BenchmarkFixture) -> None:
 
 def test_time_grows_with_the_edges(benchmark: BenchmarkFixture) -> None:
     """Many small triangles in one polygon: pixels and edges grow alike, crossings on a row stay few."""
-    function = catalogue.get("scan_line_fill").function
+    function = catalogue.get("scan_line_exact").function
     sizes = (500, 1000, 2000, 4000, 8000) if not benchmark.disabled else (500,)
     image = np.zeros((SIZE, SIZE), np.uint8)
     seconds = []
@@ -152,7 +152,7 @@ def test_time_grows_with_the_edges(benchmark: BenchmarkFixture) -> None:
 
 def test_time_grows_with_the_pixels(benchmark: BenchmarkFixture) -> None:
     sizes = (500, 1000, 2000, 4000) if not benchmark.disabled else (500,)
-    by_rows, fill = catalogue.get("scan_line_fill").function, catalogue.get("boundary_fill_spans").function
+    by_rows, fill = catalogue.get("scan_line_exact").function, catalogue.get("boundary_fill_spans").function
     by_lines, by_seed, pixels = [], [], []
     for size in sizes:
         vertices, ends = star(10, size), np.array([10])

@@ -64,7 +64,7 @@ def everything() -> Document:
     figures = (
         Line("f1", _points("f1", *corners[:2]), "dda_line", transforms=chain),
         Polyline("f2", _points("f2", *corners), "bresenham_line"),
-        Polygon("f3", _points("f3", *corners), "scan_line_fill", ring_ends=(3,)),
+        Polygon("f3", _points("f3", *corners), "scan_line_exact", ring_ends=(3,)),
         Circle("f4", _points("f4", corners[0]), "midpoint_circle", radius_world=3.0),
         Ellipse("f5", _points("f5", corners[0]), "midpoint_ellipse", radius_x_world=3.0, radius_y_world=2.0),
         SeedFill("f6", _points("f6", corners[0]), "boundary_fill_4"),

@@ -297,7 +297,7 @@ def long_lists() -> Iterator[tuple[str, tuple[Any, ...]]]:
     yield "de_boor_rational", (points, np.ones(3000), np.arange(3004.0), 3, 5.5)
     yield "de_casteljau", (points[:40], 0.5)
     yield "sutherland_hodgman", (points, 5.0, 5.0, 40.0, 40.0)
-    yield "scan_line_fill", (points, ends, False, False)
+    yield "scan_line_exact", (points, ends, False, False)
     yield "inside_outside", (points, ends, 20.0, 20.0, False)
 
 
@@ -320,7 +320,7 @@ def test_a_run_over_long_lists_is_told_also_where_it_is_cut_short(
     [
         ("de_casteljau", (np.zeros((1, 2)), 0.5)),
         ("de_boor", (np.zeros((5, 2)), np.arange(3.0), 3, 3.5)),
-        ("scan_line_fill", (np.full((3, 2), np.nan), np.array([3]), False, False)),
+        ("scan_line_exact", (np.full((3, 2), np.nan), np.array([3]), False, False)),
         ("cohen_sutherland", (0.0, 0.0, 1.0, 1.0, "a", 0.0, 1.0, 1.0)),
     ],
 )

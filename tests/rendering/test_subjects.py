@@ -117,7 +117,7 @@ def test_another_algorithm_is_chosen_in_the_document_or_in_the_subject() -> None
 def test_a_polygon_can_be_compared_with_a_fill_of_its_outline() -> None:
     sheet = example("triangle").document.sheets[0]
     subject = Subject("figure", (sheet.figures[0].id,))
-    assert own_entry(sheet, subject) == "scan_line_fill"
+    assert own_entry(sheet, subject) == "scan_line_exact"
     assert "boundary_fill_4" in rivals(sheet, subject)
     filled = outline_fill(sheet, sheet.figures[0], "boundary_fill_4")
     under = replace(subject, entry="boundary_fill_4")

@@ -7,7 +7,7 @@ import pytest
 NAMES = {
     "algorithms.lines": "dda_line bresenham_line midpoint_line wu_line",
     "algorithms.circles": "midpoint_circle midpoint_ellipse",
-    "algorithms.polygons": "scan_line_fill",
+    "algorithms.polygons": "scan_line_exact",
     "algorithms.seed_fill": "boundary_fill_4 boundary_fill_8 boundary_fill_recursive boundary_fill_spans "
     "flood_fill_4 flood_fill_8",
     "algorithms.clipping": "cohen_sutherland liang_barsky sutherland_hodgman",

@@ -29,7 +29,7 @@ CHOSEN = {
         "cohen_sutherland",
         "midpoint_circle",
         "midpoint_ellipse",
-        "scan_line_fill",
+        "scan_line_exact",
         "sutherland_hodgman",
     },
     # What an example, and the tour through all of them, shows
@@ -43,7 +43,7 @@ CHOSEN = {
         "midpoint_ellipse",
         "midpoint_line",
     },
-    "document/samples/figures.py": {"boundary_fill_4", "bresenham_line", "scan_line_fill"},
+    "document/samples/figures.py": {"boundary_fill_4", "bresenham_line", "scan_line_exact"},
     "document/samples/viewing.py": {"midpoint_circle"},
     "document/samples/fill.py": {
         "boundary_fill_4",

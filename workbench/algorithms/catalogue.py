@@ -18,7 +18,7 @@ _TEACHING_ORDER = (
     "circles.midpoint_ellipse",
     "polygons.inside_outside",
     "polygons.scan_line_crossings",
-    "polygons.scan_line_fill",
+    "polygons.scan_line_exact",
     "polygons.circle_fill",
     "polygons.ellipse_fill",
     "seed_fill.boundary_fill_recursive",

@@ -142,7 +142,7 @@ class Polygon(Figure, frozen=True, tag="polygon"):
     """
 
     topic: ClassVar[str] = "polygons"
-    algorithms: ClassVar[tuple[str, ...]] = drawing("polygon", first="scan_line_fill")
+    algorithms: ClassVar[tuple[str, ...]] = drawing("polygon", first="scan_line_exact")
     least_points: ClassVar[int] = 3
     most_points: ClassVar[int] = 100_000
 

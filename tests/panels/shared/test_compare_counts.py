@@ -36,7 +36,7 @@ def emitted_by(slug, *arguments):
 JOBS = [
     job_of("line", "bresenham_line", "dda_line"),
     job_of("clip", "cohen_sutherland", "liang_barsky", "clipper"),
-    job_of("triangle", "scan_line_fill", "boundary_fill_spans"),
+    job_of("triangle", "scan_line_exact", "boundary_fill_spans"),
     job_of("pond", "boundary_fill_4", "flood_fill_8"),
 ]
 
@@ -68,7 +68,7 @@ def test_the_operations_of_two_lines_reckoned_by_hand():
 
 
 def test_each_label_reads_its_own_number():
-    job = job_of("triangle", "scan_line_fill", "boundary_fill_spans")
+    job = job_of("triangle", "scan_line_exact", "boundary_fill_spans")
     names = ("tests", "additions", "multiplications", "divisions", "emitted", "writes", "before", "calls")
     sides = [
         Work(

@@ -91,7 +91,7 @@ ENTRY = Entry(
     parameters=(*POLYGON, CLOSED, NONZERO),
     arguments=polygon_and_rules,
     draws=("polygon",),
-    drawn_by=DrawnBy("scan_line_fill", _AS_EXACT, is_on_quarters),
+    drawn_by=DrawnBy("scan_line_exact", _AS_EXACT, is_on_quarters),
     emits="spans",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
@@ -110,6 +110,6 @@ ENTRY = Entry(
     ),
     questions=(3,),
     labs=("Polygon fill",),
-    next_rung="scan_line_fill",
+    next_rung="scan_line_exact",
     marks=marks,
 )

@@ -17,7 +17,7 @@ from workbench.algorithms.polygons.scan_line_words import (
 
 _FILL = "Fill between the crossings"
 _CHANGE = "Drop the edges that have ended and let in those that begin"
-_SPANS = "row_spans(scan_line_fill, vertices, ring_ends, closed, nonzero, row)"
+_SPANS = "row_spans(scan_line_exact, vertices, ring_ends, closed, nonzero, row)"
 _CHOSEN = f"span_pixels({_SPANS}, row)"
 _REACHED = "reached(active, edges, vertices, row)"
 _XS = "listed(crossings(active))"

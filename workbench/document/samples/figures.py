@@ -86,7 +86,7 @@ def polygon(
     ends = tuple(accumulate(len(ring) for ring in rings)) if len(rings) > 1 else ()
     corners = points_at(*(place for ring in rings for place in ring))
     return Polygon(
-        "", corners, "scan_line_fill", colour, name, ring_ends=ends, closed_interior=closed, nonzero=nonzero
+        "", corners, "scan_line_exact", colour, name, ring_ends=ends, closed_interior=closed, nonzero=nonzero
     )
 
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from tests.clipping.exact import hull
 from tests.polygons.exact import covered
 from workbench.algorithms import catalogue
-from workbench.algorithms.polygons import scan_line_fill
+from workbench.algorithms.polygons import scan_line_exact
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
 
@@ -38,7 +38,7 @@ def polygons(draw: st.DrawFn, numbers: st.SearchStrategy[float] = coordinates) -
 
 def filled(polygon: Rings, closed: bool, nonzero: bool = False) -> list[tuple[int, int]]:
     points, ends = polygon
-    rows = scan_line_fill(np.array(points, np.float64), np.array(ends), closed, nonzero)
+    rows = scan_line_exact(np.array(points, np.float64), np.array(ends), closed, nonzero)
     return [(x, y) for y, left, right in rows for x in range(left, right + 1)]
 
 
@@ -124,8 +124,8 @@ def test_the_triangle_of_the_course():
     assert len(filled(triangle, True)) == 25
     assert len(filled(triangle, False)) == 21
     assert [x for x, y in filled(triangle, True) if y == 4] == [4, 5, 6]
-    recording = record(scan_line_fill, np.array(triangle[0]), np.array([3]), True, False)
-    rows = [step.row for step in Steps(catalogue.get("scan_line_fill"), recording) if step.row]
+    recording = record(scan_line_exact, np.array(triangle[0]), np.array([3]), True, False)
+    rows = [step.row for step in Steps(catalogue.get("scan_line_exact"), recording) if step.row]
     assert len(rows) == 7
     assert rows[3][:2] == (4, "3.5, 6.5")
 
@@ -175,7 +175,7 @@ def test_far_vertices_have_their_exact_crossings(corners, closed, beside):
             if left <= right:
                 rows[y] = [(y, left, right)]
     joined: list[tuple[int, int, int]] = []
-    for y, left, right in scan_line_fill(np.array(corners), np.array([3]), closed, False):
+    for y, left, right in scan_line_exact(np.array(corners), np.array([3]), closed, False):
         # A row may come in spans that touch
         if joined and joined[-1][0] == y and joined[-1][2] + 1 == left:
             joined[-1] = (y, joined[-1][1], right)
@@ -189,7 +189,7 @@ def test_between_whole_vertices_far_apart_no_crossing_is_taken_for_a_pixel(close
     """The nearest one is 1/200003 beside a centre, and adding up 1/m is wrong by more in the end."""
     width, height = 65_537, 200_003
     triangle = np.array([[0, 0], [width, height], [0, height]], np.float64)
-    spans = list(scan_line_fill(triangle, np.array([3]), closed, False))
+    spans = list(scan_line_exact(triangle, np.array([3]), closed, False))
     last = [width * y // height if closed else -(-width * y // height) - 1 for y in range(height)]
     expected = [(y, 0, x) for y, x in enumerate(last) if x >= 0]
     assert [span for span in spans if span[0] < height] == expected

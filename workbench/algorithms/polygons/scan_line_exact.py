@@ -35,7 +35,7 @@ from workbench.algorithms.polygons.scan_line_views import COLUMNS, VIEW_FUNCTION
 FAR_LEFT = -(1 << 40)
 
 
-def scan_line_fill(
+def scan_line_exact(
     vertices: NDArray[Any], ring_ends: NDArray[Any], closed: bool, nonzero: bool
 ) -> Iterator[tuple[int, int, int]]:
     """Fill a polygon row by row between its edges, whose crossings move by 1/m from row to row.
@@ -98,7 +98,7 @@ def scan_line_fill(
 
 
 ENTRY = Entry(
-    function=scan_line_fill,
+    function=scan_line_exact,
     topic="polygons",
     title="Scan-line polygon fill",
     summary="Fills row by row between the edges, whose crossings move by 1/m from one row to the next.",
@@ -115,28 +115,28 @@ ENTRY = Entry(
             "Under closed it fills each pixel whose centre is inside or on an edge; under half_open "
             "each one that is inside, or would be if it lay a trifle further right and, by less still, "
             "further up.",
-            "polygons/test_scan_line_fill.py::test_pixels_are_those_whose_centre_belongs_to_it_by_exact_fractions",
+            "polygons/test_scan_line_exact.py::test_pixels_are_those_whose_centre_belongs_to_it_by_exact_fractions",
         ),
         Law(
             "Polygons side by side fill each pixel once under half_open, with no gap.",
-            "polygons/test_scan_line_fill.py::test_triangles_side_by_side_fill_each_pixel_once_and_leave_no_gap",
+            "polygons/test_scan_line_exact.py::test_triangles_side_by_side_fill_each_pixel_once_and_leave_no_gap",
         ),
         Law(
             "Each pixel comes once, bottom to top and left to right.",
-            "polygons/test_scan_line_fill.py::test_pixels_come_once_bottom_to_top_and_left_to_right",
+            "polygons/test_scan_line_exact.py::test_pixels_come_once_bottom_to_top_and_left_to_right",
         ),
         Law(
             "Shifted by whole pixels it is the same.",
-            "polygons/test_scan_line_fill.py::test_shifted_by_whole_pixels_it_is_the_same",
+            "polygons/test_scan_line_exact.py::test_shifted_by_whole_pixels_it_is_the_same",
         ),
         Law(
             "Mirrored it is the same under closed.",
-            "polygons/test_scan_line_fill.py::test_mirrored_it_is_the_same_under_closed",
+            "polygons/test_scan_line_exact.py::test_mirrored_it_is_the_same_under_closed",
         ),
         Law(
             "The pixels are those of exact crossings, for any vertices within 2^20: 1/m's error never "
             "decides.",
-            "polygons/test_scan_line_fill.py::test_far_vertices_have_their_exact_crossings",
+            "polygons/test_scan_line_exact.py::test_far_vertices_have_their_exact_crossings",
         ),
     ),
     not_laws=(
