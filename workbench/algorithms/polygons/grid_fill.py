@@ -21,6 +21,7 @@ REACH = 2.0**18
 # What is kept of an edge, and of its crossing with the current row
 COLUMN, REMAINDER, STRIDE, PART, DIVISOR, AROUND, END_ROW, FIRST_ROW = range(8)
 FIELDS = 8
+LEFTMOST, LAST_ROW = -(1 << 40), 1 << 40
 
 
 def fill_on_grid(
@@ -33,17 +34,16 @@ def fill_on_grid(
     if closed or not is_on_grid(vertices):
         return False
     edges = np.empty((len(vertices), FIELDS), np.int64)
-    active = np.empty((len(vertices), FIELDS), np.int64)
-    order = by_first_row(edges, edges_on_grid(edges, vertices, ring_ends))
+    order = in_order(edges, edges_on_grid(edges, vertices, ring_ends))
+    active = np.empty(len(order), np.int64)
     waiting = crossed = until = 0
     while waiting < len(order) or crossed > 0:
         y = until if crossed > 0 else edges[order[waiting], FIRST_ROW]
-        crossed, waiting = crossed_on(active, crossed, edges, order, waiting, y)
-        until = first_change(active, crossed, edges, order, waiting)
+        crossed, waiting, until = change_edges(active, crossed, edges, order, waiting, y)
         if crossed == 2:
-            yield from between_two(active, y, until)
+            yield from between_two(active, edges, y, until)
         else:
-            yield from between_all(active, crossed, y, until, nonzero)
+            yield from between_all(active, crossed, edges, y, until, nonzero)
     return True
 
 
@@ -92,8 +92,8 @@ def edges_on_grid(edges: Array, vertices: Array, ring_ends: Array) -> int:
     return count
 
 
-def by_first_row(edges: Array, count: int) -> Array:
-    """The numbers of the edges, those of the lowest row first: merged in runs of 1, 2, 4 ... edges."""
+def in_order(edges: Array, count: int) -> Array:
+    """The numbers of the edges by their first rows, on one row from left to right: merged in runs."""
     order, merged = np.arange(count), np.arange(count)
     run = 1
     while run < count:
@@ -103,7 +103,7 @@ def by_first_row(edges: Array, count: int) -> Array:
             first, second = start, middle
             for k in range(start, end):
                 if second >= end or (
-                    first < middle and edges[order[first], FIRST_ROW] <= edges[order[second], FIRST_ROW]
+                    first < middle and not begins_before(edges, order[second], order[first])
                 ):
                     merged[k] = order[first]
                     first += 1
@@ -115,47 +115,62 @@ def by_first_row(edges: Array, count: int) -> Array:
     return order
 
 
-def crossed_on(
+def begins_before(edges: Array, edge: int, other: int) -> bool:
+    """Whether an edge begins on a lower row than another, or on the same one further left."""
+    row, other_row = edges[edge, FIRST_ROW], edges[other, FIRST_ROW]
+    return row < other_row or (row == other_row and edges[edge, COLUMN] < edges[other, COLUMN])
+
+
+def change_edges(
     active: Array, crossed: int, edges: Array, order: Array, waiting: int, y: int
-) -> tuple[int, int]:
-    """Drop the edges that have ended below row y, let in those that begin; how many it crosses, who waits."""
-    kept = 0
+) -> tuple[int, int, int]:
+    """Drop the edges that have ended below row y, and let in those that begin.
+
+    Returns how many cross it then, who waits, and the next row on which an edge begins or ends.
+    """
+    kept, until = 0, LAST_ROW
     for k in range(crossed):
-        if active[k, END_ROW] > y:
-            for item in range(FIELDS):
-                active[kept, item] = active[k, item]
+        edge = active[k]
+        if edges[edge, END_ROW] > y:
+            until = min(until, edges[edge, END_ROW])
+            active[kept] = edge
             kept += 1
+    first_new = waiting
     while waiting < len(order) and edges[order[waiting], FIRST_ROW] == y:
-        for item in range(FIELDS):
-            active[kept, item] = edges[order[waiting], item]
-        move_left(active, kept)
-        kept += 1
+        until = min(until, edges[order[waiting], END_ROW])
         waiting += 1
-    return kept, waiting
+    if waiting < len(order):
+        until = min(until, edges[order[waiting], FIRST_ROW])
+
+    # Merge both from the right, since each is in order already
+    old, new = kept - 1, waiting - 1
+    while new >= first_new:
+        place = old + 1 + new - first_new
+        if old >= 0 and edges[active[old], COLUMN] > edges[order[new], COLUMN]:
+            active[place] = active[old]
+            old -= 1
+        else:
+            active[place] = order[new]
+            new -= 1
+    return kept + waiting - first_new, waiting, until
 
 
-def first_change(active: Array, crossed: int, edges: Array, order: Array, waiting: int) -> int:
-    """The next row on which an edge begins or ends."""
-    row = edges[order[waiting], FIRST_ROW] if waiting < len(order) else active[0, END_ROW]
-    for k in range(crossed):
-        row = min(row, active[k, END_ROW])
-    return int(row)
-
-
-def move_left(active: Array, place: int) -> None:
-    """Put an edge before those that are crossed right of it."""
-    while place > 0 and active[place - 1, COLUMN] > active[place, COLUMN]:
-        for item in range(FIELDS):
-            active[place - 1, item], active[place, item] = active[place, item], active[place - 1, item]
+def put_in_place(active: Array, place: int, edges: Array, edge: int) -> None:
+    """Put an edge among the first ``place`` ones that are crossed; those right of it move up."""
+    column = edges[edge, COLUMN]
+    while place > 0 and edges[active[place - 1], COLUMN] > column:
+        active[place] = active[place - 1]
         place -= 1
+    active[place] = edge
 
 
-def between_two(active: Array, y: int, until: int) -> Iterator[tuple[int, int, int]]:
+def between_two(active: Array, edges: Array, y: int, until: int) -> Iterator[tuple[int, int, int]]:
     """Fill between two edges, and leave them at row ``until``: their crossings need no place in between."""
-    column, remainder = active[0, COLUMN], active[0, REMAINDER]
-    stride, part, divisor = active[0, STRIDE], active[0, PART], active[0, DIVISOR]
-    column_2, remainder_2 = active[1, COLUMN], active[1, REMAINDER]
-    stride_2, part_2, divisor_2 = active[1, STRIDE], active[1, PART], active[1, DIVISOR]
+    one, two = active[0], active[1]
+    column, remainder = edges[one, COLUMN], edges[one, REMAINDER]
+    stride, part, divisor = edges[one, STRIDE], edges[one, PART], edges[one, DIVISOR]
+    column_2, remainder_2 = edges[two, COLUMN], edges[two, REMAINDER]
+    stride_2, part_2, divisor_2 = edges[two, STRIDE], edges[two, PART], edges[two, DIVISOR]
     for row in range(y, until):
         left, right = min(column, column_2), max(column, column_2)
         if left < right:
@@ -168,30 +183,31 @@ def between_two(active: Array, y: int, until: int) -> Iterator[tuple[int, int, i
         borrowed = remainder_2 >> 63
         remainder_2 += divisor_2 & borrowed
         column_2 += stride_2 - borrowed
-    active[0, COLUMN], active[0, REMAINDER] = column, remainder
-    active[1, COLUMN], active[1, REMAINDER] = column_2, remainder_2
-    move_left(active, 1)
+    edges[one, COLUMN], edges[one, REMAINDER] = column, remainder
+    edges[two, COLUMN], edges[two, REMAINDER] = column_2, remainder_2
+    put_in_place(active, 1, edges, two)
 
 
 def between_all(
-    active: Array, crossed: int, y: int, until: int, nonzero: bool
+    active: Array, crossed: int, edges: Array, y: int, until: int, nonzero: bool
 ) -> Iterator[tuple[int, int, int]]:
     """Fill between any number of edges, each moved on and kept in order as soon as it was looked at."""
     for row in range(y, until):
-        winding, left, farthest = 0, 0, -(1 << 40)
+        winding, left, farthest = 0, 0, LEFTMOST
         for k in range(crossed):
-            column = active[k, COLUMN]
+            edge = active[k]
+            column = edges[edge, COLUMN]
             if winding == 0:
                 left = column
-            winding = winding + active[k, AROUND] if nonzero else 1 - winding
+            winding = winding + edges[edge, AROUND] if nonzero else 1 - winding
             if winding == 0 and left < column:
                 yield row, left, column - 1
-            remainder = active[k, REMAINDER] - active[k, PART]
+            remainder = edges[edge, REMAINDER] - edges[edge, PART]
             borrowed = remainder >> 63
-            column += active[k, STRIDE] - borrowed
-            active[k, COLUMN] = column
-            active[k, REMAINDER] = remainder + (active[k, DIVISOR] & borrowed)
+            column += edges[edge, STRIDE] - borrowed
+            edges[edge, COLUMN] = column
+            edges[edge, REMAINDER] = remainder + (edges[edge, DIVISOR] & borrowed)
             if column < farthest:
-                move_left(active, k)
+                put_in_place(active, k, edges, edge)
             else:
                 farthest = column
