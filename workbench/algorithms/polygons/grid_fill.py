@@ -42,7 +42,7 @@ def fill_on_grid(
         crossed, waiting, until = change_edges(active, crossed, edges, order, waiting, y)
         if crossed == 2:
             yield from between_two(active, edges, y, until)
-        else:
+        elif crossed > 0:
             yield from between_all(active, crossed, edges, y, until, nonzero)
     return True
 
