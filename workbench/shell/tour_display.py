@@ -176,7 +176,7 @@ def _mask(window: MainWindow) -> None:
 def _convergence(window: MainWindow) -> None:
     """Red and blue beside their places, on a tube with a grille."""
     errors = {"red_x": -1.6, "blue_x": 1.6, "blue_y": 0.8}
-    _page(window, "house", "colour", 0, part="mask", mask="grille", pitch_mm=0.9, width_mm=20.0, **errors)
+    _numbers(window, "house", "colour", 0, part="mask", mask="grille", pitch_mm=0.9, width_mm=20.0, **errors)
 
 
 def _penetration(window: MainWindow) -> None:
