@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QDial, QMenu, QPushButton, QSlider
@@ -315,3 +316,31 @@ def test_a_place_outside_the_glass_moves_nothing(page: GunPage, qtbot: QtBot) ->
     qtbot.mouseClick(page.tube, Qt.MouseButton.LeftButton, pos=QPoint(1, 1))
     settle(page)
     assert page.setting.gun == before
+
+
+def test_drawing_cards_and_screen_tell_of_one_moment(page: GunPage, session: Session) -> None:
+    page.take_preset("p7")
+    settle(page)
+    session.update_state(tube=replace(session.state.tube, paused=True))
+    settle(page)
+    page.setting.change({"moment": 130.0})
+    settle(page)
+    _z, _x, y, _r = page.setting.gun.way()[-1]
+    assert page.drawing_view._way[-1][2] == y
+    assert f"{y:.1f} mm" in page.cards.up.line.text()
+    assert page.tube._spot is not None
+    assert page.tube._spot[2] == y
+
+
+def test_the_words_of_a_part_take_the_room_they_need(page: GunPage, qtbot: QtBot) -> None:
+    dock = page.part
+    qtbot.addWidget(dock)
+    dock.resize(120, 500)
+    dock.show()
+    dock.resize(460, 500)
+    dock.show_part("grid", page.setting.gun)
+    wide = dock.viewport().width() - 24
+    dock.words.setMinimumHeight(0)
+    needed = dock.words.heightForWidth(wide)
+    dock._make_room()
+    assert dock.words.minimumHeight() == needed < 120
