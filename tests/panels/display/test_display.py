@@ -173,13 +173,14 @@ def test_every_control_has_a_name_and_a_tooltip(panel: TubesPage) -> None:
 @pytest.mark.parametrize("width", [480, 776, 1260])
 def test_no_control_of_the_strip_is_cut(panel: TubesPage, qtbot: QtBot, width: int) -> None:
     strip = panel.controls
-    strip.setParent(None)
+    assert panel.strip.takeWidget() is strip
     keep_until_the_end(qtbot, strip)
-    strip.resize(width, strip.heightForWidth(width))
     strip.show()
+    strip.resize(width, strip.heightForWidth(width))
     for number in range(strip.phosphor.count()):
         strip.phosphor.setCurrentIndex(number)
         assert cut_texts(strip) == []
+    assert strip.width() == width
     assert lies_whole(strip)
 
 
