@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.engine.at_hand import at_hand as known
+
 Array = NDArray[Any]
 
 LOWEST = np.float32(1e-6)
@@ -73,6 +75,7 @@ def refresh_face(
     factors: Array,
     layers: Array,
     shares: Array,
+    lit_ends: Array,
     lowest: Array,
 ) -> Iterator[tuple[int, int]]:
     """Let time pass on the face, and add what the rows scanned meanwhile have left and given off.
@@ -81,8 +84,8 @@ def refresh_face(
     rows, face columns), what was given off, written; spread, across and bands as ``gather_rows`` takes them,
     spread with age 0 for all energy and one age for each term; kept (1 + terms, rows), how much of each row
     fell, and of each term is left; factors (terms, 4): what a term keeps, what its light gives off, luminance
-    for stored energy, energy for stored luminance; layers (terms,); shares (layers, 1), of the energy; lowest
-    (1, 1). Emits: (face row, 0).
+    for stored energy, energy for stored luminance; layers (terms,); shares (layers, 1), of the energy;
+    lit_ends (rows, 2), where a row of age 0 is not dark; lowest (1, 1). Emits: (face row, 0).
     """
     face_rows = len(bands)
     rows = kept.shape[1]
@@ -97,19 +100,20 @@ def refresh_face(
                 state[x] = state[x] * keeps + low - low
         for row in range(bands[y, 0], bands[y, 1]):
             fell = across[y, row] * kept[0, row]
-            if fell > 0.0:
-                energy = spread[row]
+            begin, end = lit_ends[row, 0], lit_ends[row, 1]
+            if fell > 0.0 and end > begin:
+                energy = spread[row, begin:end]
                 for layer in range(len(shares)):
-                    lit = light[layer * face_rows + y]
+                    lit = light[layer * face_rows + y, begin:end]
                     share = fell * shares[layer, 0]
                     for x in range(len(energy)):
                         lit[x] += energy[x] * share
                 for term in range(len(factors)):
                     left = across[y, row] * kept[term + 1, row] * factors[term, 2]
                     back = factors[term, 3]
-                    state = stored[term * face_rows + y]
-                    lit = light[layers[term] * face_rows + y]
-                    remains = spread[(term + 1) * rows + row]
+                    state = stored[term * face_rows + y, begin:end]
+                    lit = light[layers[term] * face_rows + y, begin:end]
+                    remains = spread[(term + 1) * rows + row, begin:end]
                     for x in range(len(state)):
                         still = remains[x] * left
                         state[x] += still
@@ -177,18 +181,10 @@ def print_picture(
 
 TEXTS = spread_rows, gather_rows, refresh_face, shrink_rows, print_picture
 
-_found: list[bool] = []
-
 
 def at_hand() -> bool:
-    """Whether all of them are compiled, so that they can be used without a wait."""
-    if not _found:
-        from workbench.engine.compiled import ready
-
-        if not all(ready(text, "run") for text in TEXTS):
-            return False
-        _found.append(True)
-    return True
+    """Whether all of them have run compiled in this process, so that they can be used without a wait."""
+    return all(known(text, "run") for text in TEXTS)
 
 
 def run(text: Any, written: Array, *arguments: Any) -> None:
@@ -199,14 +195,27 @@ def run(text: Any, written: Array, *arguments: Any) -> None:
 
 
 def compile_all() -> None:
-    """Run each on next to nothing, which compiles it."""
+    """Run each on next to nothing, which compiles it, or loads what was compiled before."""
     ones, counts = np.ones((2, 2), np.float32), np.array([(0, 2), (0, 2)])
     run(spread_rows, ones.copy(), ones, ones[:1].copy(), ones, counts)
     run(gather_rows, ones.copy(), ones, 0, ones[:1].copy(), ones, counts)
     factors = np.ones((1, 4), np.float32)
     two = np.ones((4, 2), np.float32)
     layers, lowest, shares = np.zeros(1, np.int64), np.array([[LOWEST]]), ones[:1, :1].copy()
-    run(refresh_face, ones.copy(), ones.copy(), two, ones, ones, counts, factors, layers, shares, lowest)
+    run(
+        refresh_face,
+        ones.copy(),
+        ones.copy(),
+        two,
+        ones,
+        ones,
+        counts,
+        factors,
+        layers,
+        shares,
+        counts,
+        lowest,
+    )
     run(shrink_rows, ones.copy(), ones, ones, counts)
     picture, table = np.zeros((2, 2), np.uint32), np.zeros((1, 9), np.uint32)
     run(

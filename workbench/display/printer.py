@@ -8,7 +8,8 @@ from workbench.display.spot import ends
 
 Array = NDArray[np.float32]
 
-_NEGLIGIBLE = 1e-5
+_NEGLIGIBLE = 1e-3
+"""Of the halo's greatest share, which is itself a small part of the light."""
 
 
 class Printer:
@@ -29,7 +30,7 @@ class Printer:
         self._table, self._noise = table[None], noise
         self._across = np.ascontiguousarray(down_x.T)
         self._wide = np.ascontiguousarray(up_x.T)
-        self._down_bands = ends(self._down.T, _NEGLIGIBLE)
+        self._down_bands = ends(self._down.T, _NEGLIGIBLE * float(self._down.max()))
         self._wide_bands = ends(self._wide, _NEGLIGIBLE * float(up_x.max()))
         self._scale = np.array([[*scale, 0.0]], np.float32)
         self._shrunk = np.empty((few_rows, columns), np.float32)

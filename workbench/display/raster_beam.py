@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from workbench.display.beam import BeamState
 from workbench.display.face_kernels import at_hand
 from workbench.display.phosphor import Phosphor
-from workbench.display.raster_refresh import PartOfARow, RasterRefresh
+from workbench.display.raster_refresh import PartOfARow, RasterRefresh, Spread
 from workbench.display.spot import NEAR, across_rows, along_row, narrowed
 from workbench.display.timings import RasterTiming
 from workbench.display.tube import Tube
@@ -42,13 +42,6 @@ class _Rows:
 
 Part = tuple[int, int, int, int]
 """Row, first column, column after the last, clock of column 0."""
-
-
-def _refresh_of(along: Floats, across: Floats, tube: Tube, timing: RasterTiming) -> RasterRefresh | None:
-    """The compiled way, where the tube is for looking at and the texts are at hand."""
-    if along.dtype != np.float32 or not at_hand():
-        return None
-    return RasterRefresh(along, across, tube.guns, float(timing.pixel_s))
 
 
 class RasterBeam:
@@ -82,7 +75,7 @@ class RasterBeam:
         self._across: Floats = narrowed(across_rows(self._centres, y_edges, tube.spot_mm, near), kind)
         self._face_pitch = tube.size_mm[1] / rows
         self._margin = (tube.reach + 0.5) * tube.spot_mm
-        self._refresh = _refresh_of(self._along, self._across, tube, timing)
+        self._refresh: RasterRefresh | None = None
         lines = [timing.line_of_row(timing.v_active - 1 - row) for row in range(timing.v_active)]
         self._row_clock = np.array(lines, dtype=np.int64) * timing.h_total
         self.show(drive)
@@ -103,7 +96,7 @@ class RasterBeam:
             )
         self.drive = drive.astype(self._along.dtype, copy=False)
         self._spread: dict[tuple[int, float], Floats] = {}
-        self._blocks: dict[int, NDArray[np.float32]] = {}
+        self._blocks: dict[int, Spread] = {}
         self._frames: dict[int, Floats] = {}
 
     @property
@@ -172,7 +165,13 @@ class RasterBeam:
         high = (self._centres[last_row] + self._margin) / self._face_pitch
         return slice(max(math.floor(low), 0), min(math.ceil(high), len(self._across)))
 
-    def _block(self, gun: int) -> NDArray[np.float32]:
+    def _compiled(self, tube: Tube) -> RasterRefresh | None:
+        """The compiled way, where the tube is for looking at and the texts are at hand."""
+        if self._refresh is None and self._along.dtype == np.float32 and at_hand():
+            self._refresh = RasterRefresh(self._along, self._across, tube.guns, float(self.timing.pixel_s))
+        return self._refresh
+
+    def _block(self, gun: int) -> Spread:
         """The rows of a gun spread along the face, as ``RasterRefresh`` takes them."""
         assert self._refresh is not None
         if gun not in self._blocks:
@@ -213,8 +212,9 @@ class RasterBeam:
 
     def play(self, tube: Tube, ticks: int | Fraction) -> None:
         """Let time pass on the tube while the beam scans."""
-        if self._refresh is not None and ticks > 0:
-            self._play_fast(self._refresh, tube, ticks)
+        refresh = self._compiled(tube)
+        if refresh is not None and ticks > 0:
+            self._play_fast(refresh, tube, ticks)
             return
         start = tube.seconds
         tube.advance(ticks)
@@ -277,11 +277,11 @@ class RasterBeam:
         end = self.hits_before(tube.seconds)
         full = self._full_rows(end - 2 * self.timing.clocks_per_frame, end, now)
         begun = self._partial_rows((end - 1) // self.timing.h_total * self.timing.h_total, end)
-        before = tube.stored_energy()
+        before, refresh = tube.stored_energy(), self._compiled(tube)
         for gun, phosphor in enumerate(tube.guns):
-            if self._refresh is not None:
+            if refresh is not None:
                 kept, parts = self._kept_of(phosphor, full, True), self._parts(phosphor, begun, now)
-                self._refresh.settle(tube, gun, self._block(gun), kept, parts, self.drive[gun])
+                refresh.settle(tube, gun, self._block(gun), kept, parts, self.drive[gun])
                 continue
             luminances = []
             for term, share in zip(phosphor.terms, phosphor.energy_fractions, strict=True):
@@ -292,7 +292,7 @@ class RasterBeam:
                     left[self._face_rows(part[0], part[0])] += self._part(gun, part, term.tau_s, now)
                 luminances.append(left * (share / term.tau_s))
             tube.settle(luminances, gun)
-        if self._refresh is not None:
+        if refresh is not None:
             tube.count(tube.stored_energy() - before)
 
     def state(self, seconds: Fraction) -> BeamState:

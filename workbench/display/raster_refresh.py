@@ -31,6 +31,17 @@ class PartOfARow(NamedTuple):
     face: slice
 
 
+class Spread(NamedTuple):
+    """A gun's picture along the face: rows for all energy, then for each term (ages * rows, face columns).
+
+    ``sums`` are those of the first rows, ``ends`` (rows, 2) where these are not dark.
+    """
+
+    rows: Array
+    sums: Array
+    ends: NDArray[np.int64]
+
+
 class RasterRefresh:
     """``along`` (columns, face columns) and ``across`` (face rows, rows) are the shares of the spot."""
 
@@ -46,21 +57,26 @@ class RasterRefresh:
             for phosphor in guns
         ]
 
-    def spread(self, drive: Drive, gun: int) -> Array:
-        """A gun's picture (rows, columns) along the face, for all energy and each term: one block a term."""
-        given = np.ascontiguousarray(drive, np.float32)
+    def spread(self, drive: Drive, gun: int) -> Spread:
+        """A gun's picture (rows, columns) along the face."""
+        begins = np.concatenate(([True], (drive[1:] != drive[:-1]).any(axis=1)))
+        given = np.ascontiguousarray(drive[begins], np.float32)
         aging = self._aging[gun]
         made = np.empty((len(aging) * len(given), self._along.shape[1]), np.float32)
         run(spread_rows, made, given, aging, self._along, self._reach)
-        return made
+        which = np.cumsum(begins) - 1  # rows alike that follow each other are spread once
+        block: Array = made[(np.arange(len(aging))[:, None] * len(given) + which).ravel()]
+        energy = block[: len(drive)]
+        return Spread(block, energy.sum(axis=1), ends(energy))
 
-    def energy(self, spread: Array, hit: float) -> Array:
+    def energy(self, spread: Spread, hit: float) -> Array:
         """What a whole frame leaves, (face rows, face columns)."""
         kept = np.full((1, self._across.shape[1]), hit, np.float32)
-        return self._gathered(np.empty((len(self._across), spread.shape[1]), np.float32), spread, 0, kept)
+        face = np.empty((len(self._across), spread.rows.shape[1]), np.float32)
+        return self._gathered(face, spread, 0, kept)
 
-    def _gathered(self, face: Array, spread: Array, age: int, kept: Array) -> Array:
-        run(gather_rows, face, spread, age, kept, self._across, self._bands)
+    def _gathered(self, face: Array, spread: Spread, age: int, kept: Array) -> Array:
+        run(gather_rows, face, spread.rows, age, kept, self._across, self._bands)
         return face
 
     def play(
@@ -68,39 +84,49 @@ class RasterRefresh:
         tube: Tube,
         gun: int,
         dt: float,
-        spread: Array,
+        spread: Spread,
         kept: Array,
         parts: Sequence[PartOfARow],
         drive: Drive,
     ) -> None:
         """Let ``dt`` seconds pass for one gun; ``kept`` (1 + terms, rows): what fell and is left of rows."""
         stored, light = tube.blocks(gun)
-        factors, layers = tube.factors(gun, dt)
-        run(refresh_face, stored, light, spread, kept, self._across, self._bands, factors, layers, _LOWEST)
-        rows = kept.shape[1]
-        energy = float((spread[:rows].sum(axis=1) * kept[0]) @ self._column_sums)
-        tube.count(energy)
+        factors, layers, shares = tube.factors(gun, dt)
+        run(
+            refresh_face,
+            stored,
+            light,
+            spread.rows,
+            kept,
+            self._across,
+            self._bands,
+            factors,
+            layers,
+            shares,
+            spread.ends,
+            _LOWEST,
+        )
+        tube.count(float((spread.sums * kept[0]) @ self._column_sums))
         for part in parts:
-            shares = self._part(part, drive, gun)
             across = self._across[part.face, part.row]
-            given, *left = (np.outer(across, share) for share in shares)
+            given, *left = (np.outer(across, share) for share in self._part(part, drive))
             tube.deposit_aged(given, left, gun, (part.face, slice(None)))
 
     def settle(
-        self, tube: Tube, gun: int, spread: Array, kept: Array, parts: Sequence[PartOfARow], drive: Drive
+        self, tube: Tube, gun: int, spread: Spread, kept: Array, parts: Sequence[PartOfARow], drive: Drive
     ) -> None:
         """Bring one gun to the luminances that ``kept`` (1 + terms, rows) of each row make."""
         stored, _light = tube.blocks(gun)
-        factors, _layers = tube.factors(gun, 0.0)
+        factors, _layers, _shares = tube.factors(gun, 0.0)
         rows = len(self._across)
         for term, over in enumerate(factors[:, 2]):
             face = stored[term * rows : (term + 1) * rows]
             self._gathered(face, spread, term + 1, kept[term + 1 : term + 2] * over)
             for part in parts:
-                share = self._part(part, drive, gun)[term + 1]
+                share = self._part(part, drive)[term + 1]
                 face[part.face] += np.outer(self._across[part.face, part.row], share * over)
 
-    def _part(self, part: PartOfARow, drive: Drive, gun: int) -> Array:
+    def _part(self, part: PartOfARow, drive: Drive) -> Array:
         """Some pixels of a row along the face, (ages, face columns)."""
         along = np.empty((len(part.kept), self._along.shape[1]), np.float32)
         one = np.ascontiguousarray(drive[part.row][None], np.float32)

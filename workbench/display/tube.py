@@ -69,6 +69,7 @@ class Tube:
         shape = rows, columns
         self.stored = [np.zeros((len(gun.terms), *shape), dtype=precision) for gun in self.guns]
         self._light = [np.zeros((len(gun.colours), *shape), dtype=precision) for gun in self.guns]
+        self._exact = np.dtype(precision) == np.float64
         self._room = np.empty(shape, dtype=precision)
         self._emitted_before = 0.0
         self._deposited = 0.0
@@ -229,7 +230,8 @@ class Tube:
 
         It starts afresh, as ``exposure`` does, without an array of its own.
         """
-        self._emitted_before += self._collected()
+        if self._exact:
+            self._emitted_before += self._collected()
         layers = (layer for gun in self._light for layer in gun)
         for light, given in zip(layers, into, strict=True):
             np.multiply(light, light.dtype.type(rate), out=given)
@@ -240,15 +242,19 @@ class Tube:
         columns, _rows = self.size_px
         return self.stored[gun].reshape(-1, columns), self._light[gun].reshape(-1, columns)
 
-    def factors(self, gun: int, dt: float) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
+    def factors(
+        self, gun: int, dt: float
+    ) -> tuple[NDArray[np.float32], NDArray[np.int64], NDArray[np.float32]]:
         """For each term (terms, 4): what ``dt`` seconds leave, what they give off, luminance for stored
-        energy, share of the energy; and its layer (terms,).
+        energy, energy for stored luminance. Its layer (terms,); and the share of each layer (layers, 1).
         """
         rows = []
-        for term, share in zip(self.guns[gun].terms, self._shares[gun], strict=True):
-            fading = -float(np.expm1(-dt / term.tau_s))
-            rows.append((1.0 - fading, term.tau_s * fading, share / term.tau_s, share))
-        return np.array(rows, np.float32), np.array(self._layers[gun], np.int64)
+        shares = np.zeros((len(self.guns[gun].colours), 1), np.float32)
+        for k, term in enumerate(self.guns[gun].terms):
+            share, fading = self._shares[gun][k], -float(np.expm1(-dt / term.tau_s))
+            shares[self._layers[gun][k], 0] += share
+            rows.append((1.0 - fading, term.tau_s * fading, share / term.tau_s, term.tau_s))
+        return np.array(rows, np.float32), np.array(self._layers[gun], np.int64), shares
 
     def count(self, energy: float) -> None:
         """So much energy fell on the face, put there by who calls this."""
@@ -270,5 +276,10 @@ class Tube:
         )
 
     def emitted_energy(self) -> float:
-        """Energy emitted as light so far; with the stored energy it makes the deposited one."""
+        """Energy emitted as light so far; with the stored energy it makes the deposited one.
+
+        In float64 it is the sum of all light; a float32 tube, which is for looking at, leaves that out.
+        """
+        if not self._exact:
+            return self._deposited - self.stored_energy()
         return self._emitted_before + self._collected()

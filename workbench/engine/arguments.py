@@ -1,8 +1,8 @@
 """Arguments of an algorithm in the one form that each of its compiled readings takes.
 
 Whole numbers become int, the others float, arrays C-contiguous: points float64 (n, 2), lists of whole numbers
-int64, pictures of integers as they are, a depth buffer of integers int64. Another form would be another
-signature, and so another compilation.
+int64, pictures of integers or of float32 as they are, a depth buffer of integers int64. Another form would be
+another signature, and so another compilation.
 """
 
 import functools

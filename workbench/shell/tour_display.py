@@ -22,7 +22,10 @@ def display_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("display-raster", lambda window: _raster(window, 20, "raster_sums")),
         ("display-raster-pixel", lambda window: _raster(window, 700, "source", detail=True, depth=4)),
         ("display-raster-beam", _raster_beam),
-        ("display-raster-table", lambda window: _raster(window, 0, "raster_buffer", depth=2)),
+        (
+            "display-raster-table",
+            lambda window: _raster(window, 0, "raster_buffer", example="raster-card", depth=4),
+        ),
         (
             "display-raster-interlaced",
             lambda window: _raster(window, 30, "raster_mode", mode="ntsc-525i", path=True),
@@ -40,15 +43,21 @@ def display_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
 
 
 def _raster(
-    window: MainWindow, step: int, dock: str, path: bool = False, detail: bool = False, **arguments: Argument
+    window: MainWindow,
+    step: int,
+    dock: str,
+    path: bool = False,
+    detail: bool = False,
+    example: str = "house",
+    **arguments: Argument,
 ) -> None:
-    """The house on its way to the beam."""
+    """A picture on its way to the beam."""
     from workbench.document.subjects import Subject
     from workbench.panels.display.panel import DisplayPanel
     from workbench.panels.display.raster.page import RasterPage
     from workbench.shell.workspaces import panel_of
 
-    window.open_example("house")
+    window.open_example(example)
 
     def arrive() -> None:
         panel = panel_of(window.panels("display"), DisplayPanel)

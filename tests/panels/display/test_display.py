@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QSlider
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
+from tests.panels.display.strips import cut_texts, lies_whole
 from workbench.display import RasterBeam
 from workbench.document.edits import remove_figures
 from workbench.document.state import SessionState
@@ -166,6 +167,19 @@ def test_every_control_has_a_name_and_a_tooltip(panel: TubesPage) -> None:
         for control in panel.controls.findChildren(kind):
             assert control.toolTip(), control.accessibleName()
             assert control.accessibleName(), control.toolTip()
+
+
+@pytest.mark.parametrize("width", [480, 776, 1260])
+def test_no_control_of_the_strip_is_cut(panel: TubesPage, qtbot: QtBot, width: int) -> None:
+    strip = panel.controls
+    strip.setParent(None)
+    keep_until_the_end(qtbot, strip)
+    strip.resize(width, strip.heightForWidth(width))
+    strip.show()
+    for number in range(strip.phosphor.count()):
+        strip.phosphor.setCurrentIndex(number)
+        assert cut_texts(strip) == []
+    assert lies_whole(strip)
 
 
 def test_the_strip_does_not_hold_the_window_wide(panel: TubesPage) -> None:

@@ -207,7 +207,7 @@ def test_selected_words_of_a_message_are_copied(window: MainWindow, qtbot: QtBot
 
 def test_a_tube_is_copied_as_it_glows(window: MainWindow) -> None:
     work_in(window, "display")
-    tube = window.panels("display")[0].raster
+    tube = window.panels("display")[0].page_of("display").raster
     copied_by(tube)
     assert QGuiApplication.clipboard().image().size() == tube.grab().size()
 

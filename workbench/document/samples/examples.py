@@ -16,6 +16,7 @@ from workbench.document.samples.figures import (
     polyline,
 )
 from workbench.document.samples.fill import fill_examples
+from workbench.document.samples.raster import raster_examples
 from workbench.document.samples.shading import shading_examples
 from workbench.document.samples.space import space_examples
 from workbench.document.samples.transform import transform_examples
@@ -96,6 +97,7 @@ def examples() -> list[Example]:
         *shading_examples(),
         *arena_examples(),
         *animate_examples(),
+        *raster_examples(),
         *display_examples(),
         *colour_examples(),
     ]

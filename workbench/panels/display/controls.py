@@ -52,17 +52,19 @@ class DisplayControls(QWidget):
         self._buttons: list[tuple[QToolButton, str]] = []
         flow = flowing(self)
         rows = []
-        for _group in range(6):
+        for _group in range(7):
             group = QWidget()
             row = QHBoxLayout(group)
             row.setContentsMargins(0, 0, 0, 0)
             row.setSpacing(8)
             rows.append(row)
             flow.addWidget(group)
-        first, displays, numbers, clock, time, meter = rows
+        first, screens, displays, numbers, clock, time, meter = rows
         self._make_views(first)
         self.phosphor = self._combo(
-            first, _("Phosphor"), _("What the screen is coated with, and the time in which it decays to 10 %")
+            screens,
+            _("Phosphor"),
+            _("What the screen is coated with, and the time in which it decays to 10 %"),
         )
         for name in phosphor_choices():
             self.phosphor.addItem(phosphor_title(name), name)

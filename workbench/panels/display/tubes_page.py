@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from workbench.display.raster_beam import RasterBeam
@@ -15,7 +15,10 @@ from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering import unshown
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.flow_layout import FlowArea
 from workbench.widgets.tube.view import TubeView
+
+_SIDE_PX = 12
 
 
 class TubesPage(PlainPage, QWidget):
@@ -36,9 +39,10 @@ class TubesPage(PlainPage, QWidget):
         self.tubes.addWidget(self.raster)
         self.tubes.addWidget(self.vector)
         whole = QVBoxLayout(self)
-        whole.setContentsMargins(12, 8, 12, 8)
+        whole.setContentsMargins(_SIDE_PX, 8, _SIDE_PX, 8)
         whole.setSpacing(8)
-        whole.addWidget(self.controls)
+        self.strip = FlowArea(self.controls)
+        whole.addWidget(self.strip)
         whole.addLayout(self.tubes, 1)
         whole.addWidget(self.note)
         whole.addWidget(self.instruments)
@@ -53,6 +57,11 @@ class TubesPage(PlainPage, QWidget):
         self._said = ""
         self.raster.shown.connect(self._probe_something)
         self._show_state()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The strip has the rows that it needs."""
+        super().resizeEvent(event)
+        self.strip.fit(event.size().width() - 2 * _SIDE_PX, event.size().height())
 
     def copy(self) -> bool:
         """Put the tube that is measured, as it glows now, on the clipboard."""

@@ -111,11 +111,11 @@ class TubeFeed(QObject):
             if not view.sight.now:
                 continue
             view.set_setup(setup)
+            view.set_slow_motion(settings.slow_motion)
+            view.set_paused(settings.paused)
             if settings.time_s != self._times[view]:
                 self._times[view] = settings.time_s
                 view.set_seconds(Fraction(settings.time_s))
-            view.set_slow_motion(settings.slow_motion)
-            view.set_paused(settings.paused)
             fed = self._fed.get(view)
             shaped = look, lit, scanned
             if fed is not None and fed[0] is sheet and fed[1] is asked and fed[2:] == shaped:

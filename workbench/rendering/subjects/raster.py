@@ -38,27 +38,27 @@ def _number(label: str, low: float, high: float, unit: str = "", whole: bool = F
 
 def _count(name: str) -> Number:
     titles = {
-        "active": _("active"),
-        "front_porch": _("front porch"),
-        "sync": _("sync"),
-        "back_porch": _("back porch"),
+        "active": _("Active"),
+        "front_porch": _("Front porch"),
+        "sync": _("Sync"),
+        "back_porch": _("Back porch"),
     }
     unit = _("clocks") if name.startswith("h_") else _("lines")
     return _number(titles[name[2:]], 0, _MOST_COUNT, unit, whole=True)
 
 
 NUMBERS: dict[str, Number] = {
-    "refresh_hz": _number(_("refresh"), 0.1, 1000.0, "Hz"),
-    "clock_mhz": _number(_("pixel clock"), 0.0, 1000.0, "MHz"),
+    "refresh_hz": _number(_("Refresh"), 0.1, 1000.0, "Hz"),
+    "clock_mhz": _number(_("Pixel clock"), 0.0, 1000.0, "MHz"),
     **{name: _count(name) for name in COUNTS},
-    "depth": _number(_("bits per pixel"), 1, DIRECT, "bits", whole=True),
-    "sum_width": _number(_("width"), 0, 65536, "px", whole=True),
-    "sum_height": _number(_("height"), 0, 65536, "px", whole=True),
-    "sum_bits": _number(_("bits per pixel"), 0, 64, "bits", whole=True),
-    "sum_hz": _number(_("refresh"), 0.0, 1000.0, "Hz"),
-    "sum_h_us": _number(_("horizontal retrace"), 0.0, 1e6, "\N{MICRO SIGN}s"),
-    "sum_v_us": _number(_("vertical retrace"), 0.0, 1e6, "\N{MICRO SIGN}s"),
-    "sum_kbits": _number(_("line"), 0.001, 1e9, "kbit/s"),
+    "depth": _number(_("Bits per pixel"), 1, DIRECT, "bits", whole=True),
+    "sum_width": _number(_("Width"), 0, 65536, "px", whole=True),
+    "sum_height": _number(_("Height"), 0, 65536, "px", whole=True),
+    "sum_bits": _number(_("Bits per pixel"), 0, 64, "bits", whole=True),
+    "sum_hz": _number(_("Refresh"), 0.0, 1000.0, "Hz"),
+    "sum_h_us": _number(_("Horizontal retrace"), 0.0, 1e6, "\N{MICRO SIGN}s"),
+    "sum_v_us": _number(_("Vertical retrace"), 0.0, 1e6, "\N{MICRO SIGN}s"),
+    "sum_kbits": _number(_("Line"), 0.001, 1e9, "kbit/s"),
 }
 
 ARGUMENTS: dict[str, Given] = {

@@ -1,7 +1,7 @@
 """Widgets in a row that goes on in further rows where it has no room: none of them is ever cut."""
 
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
-from PySide6.QtWidgets import QLayout, QLayoutItem, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFrame, QLayout, QLayoutItem, QScrollArea, QSizePolicy, QWidget
 
 
 class FlowLayout(QLayout):
@@ -106,3 +106,25 @@ def flowing(widget: QWidget, across: int = 16, down: int = 6) -> FlowLayout:
     policy.setHeightForWidth(True)
     widget.setSizePolicy(policy)
     return layout
+
+
+class FlowArea(QScrollArea):
+    """A strip that flows, as high as its rows; on a low page it takes a part of the height, and scrolls."""
+
+    def __init__(self, strip: QWidget, most: float = 0.34) -> None:
+        super().__init__()
+        self._strip, self._most = strip, most
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setWidget(strip)
+        self.viewport().setAutoFillBackground(False)
+        strip.setAutoFillBackground(False)
+
+    def fit(self, width: int, page_height: int) -> None:
+        """Take the height that the strip needs in so much width, on a page so high."""
+        needed, most = self._strip.heightForWidth(width), int(self._most * page_height)
+        if needed > most:
+            beside = self.verticalScrollBar().sizeHint().width()
+            needed = min(self._strip.heightForWidth(width - beside), most)
+        self.setFixedHeight(max(needed, self._strip.minimumSizeHint().height()))

@@ -196,7 +196,7 @@ class LiveTube(QWidget):
         self.driver = TubeDriver(tube, beam)
         self.driver.settle()
         if not self.averaged:
-            self.driver.advance(Fraction(10**6), False)
+            self.driver.hold_at(self._seconds)
         self._screen = Screen(size, [rgb for gun in tube.guns for _name, rgb in gun.colours])
         self._cabinet = self._reflection = None
         self._refresh()

@@ -26,6 +26,8 @@ _PENS: dict[Kind, tuple[str, Qt.PenStyle]] = {
 }
 _SECOND_FIELD = DARK.data[3]
 _ALPHA = 170
+_APART_PX = 6
+"""Lines that are nearer to each other than this cannot be told apart."""
 
 
 class RasterView(TubeView):
@@ -113,7 +115,8 @@ class RasterView(TubeView):
 
     def _paint_path(self, painter: QPainter, timing: RasterTiming) -> None:
         lines: dict[tuple[str, Qt.PenStyle], list[QLineF]] = {}
-        for stretch in beam_path(timing):
+        most = int(self._glass.height()) // (_APART_PX * timing.fields)
+        for stretch in beam_path(timing, max(most, 2)):
             ink, style = _PENS[stretch.kind]
             if stretch.kind == "line" and stretch.field:
                 ink, style = _SECOND_FIELD, Qt.PenStyle.DashDotLine

@@ -73,6 +73,7 @@ class TimingDiagram(QWidget):
         super().__init__(parent)
         self._timing: RasterTiming | None = None
         self._now: tuple[float, float] | None = None
+        self._low = False
         self.strips: tuple[_Strip, ...] = ()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setMouseTracking(True)
@@ -88,7 +89,13 @@ class TimingDiagram(QWidget):
         return QSize(240, self.sizeHint().height())
 
     def _row_px(self) -> int:
-        return round(2.9 * self.fontMetrics().height())
+        return round((1.6 if self._low else 2.9) * self.fontMetrics().height())
+
+    def be_low(self, on: bool) -> None:
+        """Do without the words below the strips; a tip tells them."""
+        self._low = on
+        self.updateGeometry()
+        self.update()
 
     def show_timing(self, timing: RasterTiming | None) -> None:
         """Show a mode, None: nothing."""
@@ -115,8 +122,8 @@ class TimingDiagram(QWidget):
         else:
             across = None if now is None else now[1]
             down = None if now is None else now[0] + now[1] / timing.h_total
-            line = _Strip(_("One line"), _("clocks"), float(timing.pixel_s), line_segments(timing), across)
-            title = _("One frame, two fields") if timing.interlaced else _("One frame")
+            line = _Strip(_("Line"), _("clocks"), float(timing.pixel_s), line_segments(timing), across)
+            title = _("Frame, two fields") if timing.interlaced else _("Frame")
             frame = _Strip(title, _("lines"), float(timing.line_s), frame_segments(timing), down)
             self.strips = (line, frame)
         said = []
@@ -161,14 +168,22 @@ class TimingDiagram(QWidget):
             painter.drawText(titles, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, elide)
             painter.setFont(font)
             painter.setPen(colour(tokens().muted))
+            if self._low:
+                self._paint_signal(painter, strip, bar)
+                self._paint_beam(painter, strip, bar)
+                continue
             below = QRectF(4, bar.bottom() + 1, bar.left() - 8, small.height())
             painter.drawText(below, Qt.AlignmentFlag.AlignLeft, time_text(strip.total * strip.each_s))
             self._paint_signal(painter, strip, bar)
             self._paint_legend(painter, strip, bar, small)
-            if strip.now is not None:
-                x = bar.left() + strip.now / max(strip.total, 1.0) * bar.width()
-                painter.setPen(QPen(colour(tokens().accent), 2))
-                painter.drawLine(QPointF(x, bar.top() - 2), QPointF(x, bar.bottom() + 1))
+            self._paint_beam(painter, strip, bar)
+
+    @staticmethod
+    def _paint_beam(painter: QPainter, strip: _Strip, bar: QRectF) -> None:
+        if strip.now is not None:
+            x = bar.left() + strip.now / max(strip.total, 1.0) * bar.width()
+            painter.setPen(QPen(colour(tokens().accent), 2))
+            painter.drawLine(QPointF(x, bar.top() - 2), QPointF(x, bar.bottom() + 1))
 
     def _paint_signal(self, painter: QPainter, strip: _Strip, bar: QRectF) -> None:
         """The signal: high for the picture, at the level of black in the porches, below it in sync."""

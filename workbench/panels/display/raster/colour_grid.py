@@ -69,6 +69,9 @@ class ColourGrid(QWidget):
         """Choose the entry."""
         self.choose(self._at(event))
 
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """The press has done it."""
+
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Change the entry."""
         if 0 <= self._at(event) < len(self._colours) and not self._direct:

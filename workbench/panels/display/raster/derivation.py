@@ -33,7 +33,7 @@ def derivation(
     blocks += _strip(frame_segments(timing), float(timing.line_s), _("lines"))
     if sums:
         blocks.append(Heading(_("Sums")))
-        blocks += [Sentence(f"{s.title}: {s.formula} = {s.numbers} = {s.result or s.fault}") for s in sums]
+        blocks += [Sentence(f"{s.title}: ${s.formula}$ = {s.numbers} = {s.result or s.fault}") for s in sums]
     return Derivation(title, blocks, paper_inks())
 
 
@@ -50,7 +50,7 @@ def _strip(segments: Sequence[Segment], each_s: float, unit: str) -> list[Block]
         ink = _INKS[segment.kind]
         items += [Region(ring, ink), Stroke(closed(ring), ink, "thin")]  # type: ignore[arg-type]
         if segment.kind == "active":
-            items.append(Word(f"\\text{{{kind_title('active')}}}", (left + right) / 2, height / 2))
+            items.append(Word(kind_title("active"), (left + right) / 2, height / 2))
     said = "; ".join(
         f"{kind_title(s.kind)} {s.length:g} {unit}, {time_text(s.length * each_s)}" for s in segments
     )

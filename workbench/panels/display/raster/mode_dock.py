@@ -2,12 +2,17 @@
 
 from functools import partial
 
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
+from workbench.display.flicker import modulation
+from workbench.display.setup import phosphor_choices
 from workbench.display.timings import COUNTS
 from workbench.language import _
+from workbench.panels.display.controls import phosphor_title
 from workbench.panels.display.raster.setting import RasterSetting
+from workbench.panels.shared.tube_feed import setup_of
 from workbench.panels.stage.card import number_field
 from workbench.rendering.subjects.raster import NUMBERS, SHEET, typed
 from workbench.widgets.fields.number_field import NumberField
@@ -32,6 +37,12 @@ class ModeDock(QScrollArea):
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.phosphor = QComboBox()
+        for name in phosphor_choices():
+            self.phosphor.addItem(phosphor_title(name), name)
+        self.phosphor.setAccessibleName(_("Phosphor"))
+        self.phosphor.setToolTip(_("What the screen is coated with, and the time in which it decays to 10 %"))
+        self.phosphor.activated.connect(self._choose_phosphor)
         self.fields: dict[str, NumberField] = {}
         grid = QGridLayout()
         grid.setHorizontalSpacing(12)
@@ -65,6 +76,7 @@ class ModeDock(QScrollArea):
         column_layout = QVBoxLayout(body)
         column_layout.setContentsMargins(10, 8, 10, 8)
         column_layout.setSpacing(8)
+        column_layout.addWidget(self.phosphor)
         column_layout.addLayout(grid)
         column_layout.addWidget(self.interlaced)
         for label in (self.totals, self.fault, self.twitter, self.note):
@@ -75,6 +87,11 @@ class ModeDock(QScrollArea):
         self.setWidget(body)
         self.in_sight = InSight(self)
         self.in_sight.changed.connect(lambda seen: self.refresh() if seen else None)
+
+    def _choose_phosphor(self, number: int) -> None:
+        session = self._setting.session
+        tube = replace(session.state.tube, phosphor=self.phosphor.itemData(number))
+        session.update_state(tube=tube)
 
     def _give(self, name: str, value: float) -> None:
         """Change one number of the mode, whose others stay as they are."""
@@ -96,6 +113,8 @@ class ModeDock(QScrollArea):
         if not self.in_sight.now:
             return
         mode = self._setting.mode
+        phosphor = self._setting.session.state.tube.phosphor
+        self.phosphor.setCurrentIndex(max(self.phosphor.findData(phosphor), 0))
         for name in COUNTS:
             self.fields[name].set_value(float(getattr(mode, name)))
         self.fields["clock_mhz"].set_value(round(float(mode.pixel_clock_hz) / 1e6, 9))
@@ -124,11 +143,15 @@ class ModeDock(QScrollArea):
         return said
 
     def _twitter(self) -> str:
+        """How much a line one pixel high flickers, and an area."""
         mode = self._setting.mode
+        gun = setup_of(self._setting.session.state.tube).guns()[0]
+        frame = float(mode.frame_s)
         return _(
-            "Each line is refreshed {frame:.4g} times a second, an area {field:.4g} times: a line one pixel "
-            "high twitters while areas look steady."
-        ).format(frame=float(mode.refresh_hz), field=2 * float(mode.refresh_hz))
+            "A line one pixel high is refreshed {line:.4g} times a second (modulation {one:.2f}), an area of "
+            "both fields {area:.4g} times ({two:.2f}): so lines twitter while areas look steady. Switch Calm "
+            "off on the page Tubes to see it."
+        ).format(line=1 / frame, one=modulation(gun, frame), area=2 / frame, two=modulation(gun, frame / 2))
 
     def _uncertain(self) -> str:
         mode = self._setting.mode

@@ -4,9 +4,10 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
 
 from workbench.display.colour_table import table_fault
@@ -26,11 +27,13 @@ from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.subjects.raster import KIND
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.flow_layout import FlowArea
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.stepping.step_bar import stepping_keys
 from workbench.widgets.tube.raster_view import RasterView
 from workbench.widgets.tube.timing_diagram import TimingDiagram
 
+_LOW_PX, _NARROW_PX, _SIDE_PX = 400, 640, 12
 _BEFORE_THE_END = Fraction(1, 4)
 _CAUGHT = 0.62, 0.45
 """How far down the picture, and along the line, the beam is caught."""
@@ -43,6 +46,7 @@ class RasterPage(PlainPage, QWidget):
 
     hover_text = Signal(str)
     _due = Signal()
+    _moved = Signal()
 
     usual = RasterSetting.usual
     example = "house"
@@ -51,7 +55,7 @@ class RasterPage(PlainPage, QWidget):
         super().__init__(parent)
         self.session = session
         self.setting = RasterSetting(session)
-        self._waiting = False
+        self._waiting = self._following = self._small = False
         self.tube, self.system, self.diagram = RasterView(), SystemView(), TimingDiagram()
         self.sums, self.mode = SumsDock(self.setting), ModeDock(self.setting)
         self.buffer = BufferDock(self.setting)
@@ -67,9 +71,10 @@ class RasterPage(PlainPage, QWidget):
             beside.setStretchFactor(beside.count() - 1, 1)
         beside.setSizes([1000, 900])
         whole = QVBoxLayout(self)
-        whole.setContentsMargins(12, 8, 12, 8)
+        whole.setContentsMargins(_SIDE_PX, 8, _SIDE_PX, 8)
         whole.setSpacing(8)
-        whole.addWidget(self.bar)
+        self.strip = FlowArea(self.bar)
+        whole.addWidget(self.strip)
         whole.addWidget(beside, 1)
         whole.addWidget(self.note)
         whole.addWidget(self.diagram)
@@ -87,7 +92,7 @@ class RasterPage(PlainPage, QWidget):
         self.shows_system.setToolTip(_("Show the raster-scan system beside the tube (Shift+S)"))
         self.shows_system.setCheckable(True)
         self.shows_system.setChecked(True)
-        self.shows_system.toggled.connect(self.system.setVisible)
+        self.shows_system.toggled.connect(lambda _on: self._show_parts())
         self.caught = self._action("catch", _("Catch the beam"), "crosshair", "Shift+B")
         self.caught.setToolTip(_("Slow the tube down and stop the beam in the middle of a line (Shift+B)"))
         self.caught.triggered.connect(lambda _checked=False: self.catch_beam())
@@ -116,11 +121,30 @@ class RasterPage(PlainPage, QWidget):
         for told in (session.changed, session.state_changed, comfort.changed):
             told.connect(self.refresh_soon)
         for signal in (session.run.changed, session.run.moved, session.run.grown):
-            signal.connect(self.refresh_soon)
+            signal.connect(self._follow_soon)
+        self._moved.connect(self._follow_run, Qt.ConnectionType.QueuedConnection)
         self.tube.advanced.connect(self._follow_beam)
         self.tube.probed.connect(self._probed)
         for dock in (self.sums, self.buffer):
             dock.said.connect(self.hover_text)
+
+    def _show_parts(self) -> None:
+        """Tube and system beside each other, or one of them where there is little room."""
+        system = self.shows_system.isChecked()
+        self.system.setVisible(system)
+        self.tube.setVisible(not (system and self._small))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """On a small page names and legends go, and the system takes the place of the tube."""
+        super().resizeEvent(event)
+        small = event.size().height() < _LOW_PX
+        if small != self._small:
+            self._small = small
+            self.diagram.be_low(small)
+            self.shows_system.setChecked(not small)
+            self._show_parts()
+        self.bar.be_compact(event.size().width() < _NARROW_PX)
+        self.strip.fit(event.size().width() - 2 * _SIDE_PX, event.size().height())
 
     # What Display asks of a page
 
@@ -178,7 +202,6 @@ class RasterPage(PlainPage, QWidget):
         scan = self.setting.scan
         self.diagram.show_timing(None if scan is None else scan.timing)
         self._follow_run()
-        self._say()
 
     @property
     def _stepped(self) -> Mapping[str, Any]:
@@ -189,12 +212,20 @@ class RasterPage(PlainPage, QWidget):
         call = run.own_call()
         return {} if call is None else call.variables
 
+    def _follow_soon(self, *_arguments: object) -> None:
+        """Follow the run when all that happens now has happened."""
+        if not self._following and self.isVisible():
+            self._following = True
+            self._moved.emit()
+
     def _follow_run(self) -> None:
         """Hold the beam where the run stands, or let it run before the first step."""
+        self._following = False
         scan, now = self.setting.scan, self._stepped
         if scan is None or "line" not in now:
             self.tube.hold_at(None)
             self._follow_beam()
+            self._say()
             return
         timing = scan.timing
         if self.session.run.detail:
@@ -208,6 +239,7 @@ class RasterPage(PlainPage, QWidget):
         if "y" in now:
             self.sums.address((int(now.get("x", 0)), int(now["y"])))
         self._place_beam(phase)
+        self._say()
 
     def _place_beam(self, seconds: Fraction) -> None:
         """Show in the diagram where the beam is at a time."""
@@ -244,8 +276,8 @@ class RasterPage(PlainPage, QWidget):
             words.append(_("The beam is held at the step; go back to step 0 to let it run."))
         elif comfort.calm and tube.slow_motion > 1.0 and self.tube.averaged:
             words.append(_("Calm holds this still: slow the tube down further to see the beam."))
-        self.note.setText(" ".join(words))
-        self.note.setVisible(bool(words))
+        if (said := " ".join(words)) != self.note.text():
+            self.note.setText(said)  # it keeps its place when it is empty, so that the tube keeps its size
 
     # The hand
 
@@ -253,13 +285,17 @@ class RasterPage(PlainPage, QWidget):
         self.session.update_state(tube=replace(self.session.state.tube, paused=on))
 
     def catch_beam(self) -> None:
-        """Slow the tube down and stop it with the beam in the middle of a line."""
+        """Slow the tube down and stop it with the beam in the middle of a line, on a lit pixel."""
         scan = self.setting.scan
         if scan is None:
             return
         timing = scan.timing
-        line = timing.line_of_row(int(_CAUGHT[0] * timing.v_active))
-        clock = line * timing.h_total + int(_CAUGHT[1] * timing.h_active)
+        column, row = int(_CAUGHT[1] * timing.h_active), int(_CAUGHT[0] * timing.v_active)
+        rows, columns = np.nonzero(scan.buffer.shown[::-1])
+        if len(rows):  # where it is on
+            nearest = int(np.argmin((rows - row) ** 2 + (columns - column) ** 2))
+            column, row = int(columns[nearest]), int(rows[nearest])
+        clock = timing.line_of_row(row) * timing.h_total + column
         frames = int(self.tube.seconds() / timing.frame_s) + 1
         seconds = float(frames * timing.frame_s + (clock + Fraction(1, 2)) / timing.pixel_clock_hz)
         tube = replace(self.session.state.tube, slow_motion=_CAUGHT_SLOW, paused=True, time_s=seconds)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from workbench.display import raster_sums as of
 from workbench.display.timings import RasterTiming
-from workbench.exchange.tables import Table
+from workbench.exchange.tables import Table, plain
 from workbench.language import _
 
 Pixel = tuple[int, int]
@@ -27,7 +27,9 @@ class Numbers:
 
 
 class Sum(NamedTuple):
-    """One row; ``fault`` says why there is no result."""
+    """One row; ``formula`` has its subscripts as the headings of tables have: x_{max}. ``fault`` says why
+    there is no result.
+    """
 
     title: str
     formula: str
@@ -69,23 +71,23 @@ def worked_out(numbers: Numbers, timing: RasterTiming | None) -> list[Sum]:
         *_memory(numbers),
         *_plain(numbers),
         *_with_retraces(numbers),
-        *(_totals(timing) if timing else ()),
+        *(_totals(timing, numbers.bits) if timing else ()),
     ]
 
 
 def table_of(sums: list[Sum]) -> Table:
     """The sums as a table."""
     columns = _("quantity"), _("formula"), _("numbers put in"), _("result")
-    rows = [(each.title, each.formula, each.numbers, each.result or each.fault) for each in sums]
+    rows = [(each.title, plain(each.formula), each.numbers, each.result or each.fault) for each in sums]
     return Table(columns, rows, formulas=False)
 
 
 def text_of(sums: list[Sum]) -> str:
     """The sums as lines of text, as they are written in an exam."""
     return "".join(
-        f"{each.title}: {each.formula} = {each.numbers} = {each.result}\n"
+        f"{each.title}: {plain(each.formula)} = {each.numbers} = {each.result}\n"
         if each.result
-        else f"{each.title}: {each.formula} = {each.numbers}: {each.fault}\n"
+        else f"{each.title}: {plain(each.formula)} = {each.numbers}: {each.fault}\n"
         for each in sums
     )
 
@@ -105,12 +107,18 @@ def _memory(n: Numbers) -> list[Sum]:
             f"{n.width} \u00b7 {n.height} \u00b7 {n.bits} / 8",
             f"{_number(size)} B = {_short(size / 1024)} KiB",
         ),
-        Sum(_("Colours"), "2\u1d47", f"2^{n.bits}", f"{of.colour_count(n.bits):,}"),
+        Sum(_("Colours"), "2^b", f"2^{n.bits}", f"{of.colour_count(n.bits):,}"),
         Sum(
             _("Address of ({x}, {y})").format(x=x, y=y),
-            "y (x_max + 1) + x",
+            "y (x_{max} + 1) + x",
             f"{y} \u00b7 {n.width} + {x}",
-            _("{address:,}, in byte {byte:,}, bit {bit}").format(address=address, byte=byte, bit=bit),
+            f"{address:,}",
+        ),
+        Sum(
+            _("Where its bits begin"),
+            "address \u00b7 b / 8",
+            f"{address} \u00b7 {n.bits} / 8",
+            _("byte {byte:,}, bit {bit}").format(byte=byte, bit=bit),
         ),
         Sum(
             _("Loading over the line"),
@@ -188,47 +196,55 @@ def _with_retraces(n: Numbers) -> list[Sum]:
     ]
 
 
-def _totals(timing: RasterTiming) -> list[Sum]:
+def _totals(timing: RasterTiming, bits: int) -> list[Sum]:
     clock = f"{float(timing.pixel_clock_hz) / 1e6:.10g} MHz"
     across, down = timing.h_total, timing.v_total
     rows = [
-        Sum(_("Pixel time, the mode's clock"), "1 / f_clock", f"1 / {clock}", _time(timing.pixel_s)),
+        Sum(_("Pixel time, the mode's clock"), "1 / f_{clock}", f"1 / {clock}", _time(timing.pixel_s)),
         Sum(
             _("Line time, the mode's totals"),
-            "h_total / f_clock",
+            "h_{total} / f_{clock}",
             f"{across} / {clock}",
             _time(timing.line_s),
         ),
         Sum(
             _("Line rate"),
-            "f_clock / h_total",
+            "f_{clock} / h_{total}",
             f"{clock} / {across}",
             f"{_short(1 / timing.line_s / 1000)} kHz",
         ),
         Sum(
             _("Refresh, the mode's totals"),
-            "f_clock / (h_total v_total)",
+            "f_{clock} / (h_{total} v_{total})",
             f"{clock} / ({across} \u00b7 {down})",
             f"{_short(timing.refresh_hz)} Hz",
         ),
         Sum(
             _("Share of retrace, the mode's totals"),
-            "1 \u2212 W H / (h_total v_total)",
+            "1 \u2212 W H / (h_{total} v_{total})",
             f"1 \u2212 {timing.h_active} \u00b7 {timing.v_active} / ({across} \u00b7 {down})",
             f"{float(100 * (1 - timing.lit_share)):.1f} %",
         ),
         Sum(
             _("Bandwidth of the video amplifier, at least"),
-            "f_clock / 2",
+            "f_{clock} / 2",
             f"{clock} / 2",
             f"{_short(timing.pixel_clock_hz / 2 / 10**6)} MHz",
         ),
     ]
+    rows.append(
+        Sum(
+            _("Read from the frame buffer, at the peak"),
+            "f_{clock} \u00b7 b / 8",
+            f"{clock} \u00b7 {bits} / 8",
+            f"{_short(timing.pixel_clock_hz * bits / 8 / 10**6)} MB/s",
+        )
+    )
     if timing.interlaced:
         rows.append(
             Sum(
                 _("Fields a second"),
-                "2 f_clock / (h_total v_total)",
+                "2 f_{clock} / (h_{total} v_{total})",
                 f"2 \u00b7 {clock} / ({across} \u00b7 {down})",
                 f"{_short(2 * timing.refresh_hz)} Hz",
             )

@@ -1,7 +1,9 @@
 """The dock of the exam sums: formula, numbers and result of each, for the mode or for numbers typed in."""
 
+import re
 from fractions import Fraction
 from functools import partial
+from html import escape
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
@@ -39,6 +41,19 @@ from workbench.widgets.tables.table_copies import put_on_clipboard
 _FIELDS = ("sum_width", "sum_height", "sum_bits", "sum_hz", "sum_h_us", "sum_v_us")
 _LINE = "sum_kbits"
 _SMALL_PX = 11
+
+
+_LEVEL = re.compile(r"([_^])(?:\{([^}]*)\}|(\w))")
+
+
+def with_levels(formula: str) -> str:
+    """A formula as rich text, with real sub- and superscripts."""
+
+    def placed(match: re.Match[str]) -> str:
+        tag = "sub" if match[1] == "_" else "sup"
+        return f"<{tag}>{match[2] or match[3]}</{tag}>"
+
+    return _LEVEL.sub(placed, escape(formula))
 
 
 class SumsDock(QWidget):
@@ -205,11 +220,12 @@ class SumsDock(QWidget):
                 title, result, numbers = labels
                 title.setText(each.title)
                 result.setText(each.result or "\N{EN DASH}")
-                numbers.setText(
-                    f"{each.formula} = {each.numbers}" + (f": {each.fault}" if each.fault else "")
-                )
-                numbers.setProperty("role", "error" if each.fault else "muted")
-                numbers.style().polish(numbers)
+                said = escape(f" = {each.numbers}" + (f": {each.fault}" if each.fault else ""))
+                numbers.setText(with_levels(each.formula) + said)
+                role = "error" if each.fault else "muted"
+                if numbers.property("role") != role:
+                    numbers.setProperty("role", role)
+                    numbers.style().polish(numbers)
 
     def _add_row(self) -> None:
         title, result, numbers = QLabel(), QLabel(), QLabel()
@@ -219,6 +235,7 @@ class SumsDock(QWidget):
         result.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
         numbers.setFont(code_font(_SMALL_PX))
         numbers.setWordWrap(True)
+        numbers.setTextFormat(Qt.TextFormat.RichText)
         numbers.setContentsMargins(0, 0, 0, 6)
         title.setWordWrap(True)
         row = 2 * len(self._labels)

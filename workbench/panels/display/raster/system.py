@@ -53,10 +53,10 @@ def parts() -> tuple[Part, ...]:
         Part("cpu", _("CPU"), (8, 266, 98, 312)),
         Part("memory", _("System memory"), (118, 266, 238, 312)),
         Part("controller", _("Display controller"), (258, 266, 392, 312)),
-        Part("buffer", _("Frame buffer"), (258, 168, 392, 226), ("address",)),
+        Part("buffer", _("Frame buffer"), (258, 156, 392, 226), ("address",)),
         Part("video", _("Video controller"), (8, 8, 232, 226), encloses=True),
-        Part("x", _("x register"), (18, 160, 112, 200), ("x",)),
-        Part("y", _("y register"), (128, 160, 222, 200), ("y",)),
+        Part("x", _("x register"), (18, 156, 112, 194), ("x",)),
+        Part("y", _("y register"), (128, 156, 222, 194), ("y",)),
         Part("bits", _("pixel's bits"), (128, 100, 222, 140), ("bits",)),
         Part("table", _("colour table"), (18, 100, 112, 140), ("colour",)),
         Part("dac", _("DAC: red, green, blue"), (18, 24, 222, 72), ("red", "green", "blue")),
@@ -72,9 +72,9 @@ def wires() -> tuple[Wire, ...]:
         Wire(((178, 246), (178, 266)), arrow=False),
         Wire(((325, 246), (325, 266)), arrow=False),
         Wire(((325, 246), (325, 226))),
-        Wire(((65, 200), (65, 210), (258, 210)), "buffer"),
-        Wire(((175, 200), (175, 210)), "buffer", arrow=False),
-        Wire(((258, 184), (242, 184), (242, 120), (222, 120)), "bits"),
+        Wire(((65, 194), (65, 202), (258, 202)), "buffer"),
+        Wire(((175, 194), (175, 202)), "buffer", arrow=False),
+        Wire(((258, 176), (242, 176), (242, 120), (222, 120)), "bits"),
         Wire(((128, 120), (112, 120)), "table"),
         Wire(((65, 100), (65, 72)), "dac"),
         Wire(((222, 48), (262, 48)), "monitor"),
@@ -91,14 +91,12 @@ def told(part: Part, scan: Scan | None, now: Numbers) -> tuple[str, ...]:
             first = f"{timing.h_active} \u00d7 {timing.v_active} \u00d7 {depth} b"
             second = _("{size:,.10g} B").format(size=float(size))
             address = value.get("address")
-            return f"{first} = {second}", "" if address is None else _("address {n}").format(n=address)
-        case "controller":
-            return (_("draws into the buffer"),)
+            return first, second, "" if address is None else _("address {n}").format(n=address)
         case "bits":
             return (_binary(value["bits"], scan) if value else _DASH,)
         case "table":
             if scan is not None and scan.buffer.depth >= DIRECT:
-                return (_("none: direct"),)
+                return (_("direct"),)
             return (hexadecimal(value["colour"]) if value else _DASH,)
         case "dac":
             return (", ".join(str(value[name]) for name in part.holds) if value else _DASH,)
@@ -106,8 +104,8 @@ def told(part: Part, scan: Scan | None, now: Numbers) -> tuple[str, ...]:
             if len(value) < 2:
                 return (_DASH,)
             on = now.get("colour", 0) != 0
-            place = f"({numeral(round(value['x_mm'], 1))}, {numeral(round(value['y_mm'], 1))}) mm"
-            return _("beam on") if on else _("beam off"), place
+            x, y = (f"{numeral(round(value[name], 1))} mm" for name in part.holds)
+            return _("beam on") if on else _("beam off"), f"x {x}", f"y {y}"
         case "x" | "y":
             return (str(value[part.key]) if value else _DASH,)
     return ()
@@ -138,10 +136,10 @@ def drawing(scan: Scan | None, now: Numbers, changed: Collection[str]) -> Drawin
         step = min(15.0, (top - bottom) / (len(lines) + 0.4))
         for number, line in enumerate(lines):
             y = top - step * (number + 0.75) if part.encloses or len(lines) > 1 else (top + bottom) / 2
-            items.append(Word(f"\\text{{{line}}}", middle, y, "text", 0, 0, strong=number > 0))
+            items.append(Word(line, middle, y, "text", 0, 0, strong=number > 0))
     for wire in wires():
         ink = "accent" if wire.of in lit else "muted"
         way = np.array(wire.way)
         items.append(Arrow(way, ink, "medium") if wire.arrow else Stroke(way, ink, "medium"))  # type: ignore[arg-type]
-    items.append(Word(f"\\text{{{_('system bus')}}}", 110.0, 254.0, "muted", 0, 0))
+    items.append(Word(_("system bus"), 110.0, 254.0, "muted", 0, 0))
     return Drawing((0.0, 0.0, WIDTH, HEIGHT), items, 360.0)

@@ -72,7 +72,7 @@ class SystemView(QWidget):
             self._paint_wire(painter, wire, wire.of in lit)
         painter.setFont(self._font(False))
         painter.setPen(colour(tokens().muted))
-        painter.drawText(self._point(66, 250), _("system bus"))
+        painter.drawText(self._point(60, 250), _("system bus"))
 
     def _font(self, of_numbers: bool) -> QFont:
         pixels = max(_LEAST_PX, min(CAPTION_PX + 2, round(CAPTION_PX * self._scale())))
