@@ -25,6 +25,7 @@ from workbench.rendering.subjects.random_scan import (
     lines_of,
     own_strokes,
     program_for,
+    runs_a_list,
     shortest_ps_of,
     timing_of,
     units_of,
@@ -92,7 +93,7 @@ class VectorRun:
 def vector_run(session: Session) -> VectorRun:
     """The list of a session's sheet under its subject; a list stepped otherwise is not stepped here."""
     sheet, subject = session.sheet, session.state.subject
-    if subject.kind != KIND:
+    if not runs_a_list(subject):
         raise ValueError("The page Random scan shows the run of a display list.")
     program, timing, units = program_for(sheet, subject), timing_of(subject), units_of(sheet, subject)
     shortest = shortest_ps_of(subject)
