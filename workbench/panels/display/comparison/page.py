@@ -21,7 +21,7 @@ from workbench.algorithms.scanning.operations import DRAW
 from workbench.algorithms.scanning.random_scan import random_scan as text
 from workbench.display.list_time import list_time
 from workbench.display.magnified import magnified_raster, magnified_vector
-from workbench.display.refresh_limit import LineTime, fusion_hz, longest_steady_s
+from workbench.display.refresh_limit import LineTime, longest_steady_s, needed_hz
 from workbench.display.setup import TubeSetup, too_many_pixels
 from workbench.display.timings import RasterTiming
 from workbench.document.subjects import Subject
@@ -222,7 +222,7 @@ class ComparisonPage(PlainPage, QWidget):
             RasterTiming.synthesised(sheet.width_px, sheet.height_px, rate),
             timing, units, program, time, line, stairs_of(comparison_program(sheet, 0).strokes),
             filled_pixels(sheet), len(hatched(sheet, hatch)) if hatch else 0,
-            fusion_hz(guns, time.frame_ps * 1e-12), line.most_lines(longest_steady_s(guns), shortest),
+            needed_hz(guns, time.frame_ps * 1e-12), line.most_lines(longest_steady_s(guns), shortest),
         )  # fmt: skip
         self._measured = sheet, subject.arguments, self._setup
         return self.facts

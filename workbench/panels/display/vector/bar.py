@@ -21,7 +21,7 @@ from workbench.document.subjects import Argument
 from workbench.language import _
 from workbench.panels.display.controls import phosphor_title
 from workbench.panels.stage.folding_card import fill_choices
-from workbench.rendering.subjects.random_scan import ARGUMENTS, KIND, display_of, is_ordered, lines_of
+from workbench.rendering.subjects.random_scan import ARGUMENTS, display_of, is_ordered, lines_of, runs_a_list
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField, complaint_label
 from workbench.widgets.look.tips import tell_choice
@@ -116,7 +116,7 @@ class VectorBar(QWidget):
     def _give(self, **given: Argument) -> None:
         session = self._session
         subject = session.state.subject
-        if subject.kind == KIND:
+        if runs_a_list(subject):
             arguments = {**subject.arguments, **given}
             session.update_state(subject=replace(subject, arguments=arguments), step=0)
 

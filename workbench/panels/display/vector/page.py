@@ -33,7 +33,7 @@ from workbench.panels.panel import DockPart, KeysWhileSeen, Said
 from workbench.panels.shared.tube_feed import setup_of
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.plain_page import PlainPage
-from workbench.rendering.subjects.random_scan import KIND, MOST_LINES
+from workbench.rendering.subjects.random_scan import KIND, MOST_LINES, runs_a_list
 from workbench.session.session import Session
 from workbench.widgets.formulas.drawing_view import DrawingView
 from workbench.widgets.look.icons import set_icon
@@ -293,7 +293,7 @@ class VectorPage(PlainPage, QWidget):
 
     def _give(self, **given: object) -> None:
         subject = self.session.state.subject
-        if subject.kind == KIND:
+        if runs_a_list(subject):
             arguments = {**subject.arguments, **given}
             self.session.update_state(subject=replace(subject, arguments=arguments), step=0)
 
