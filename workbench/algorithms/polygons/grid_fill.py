@@ -118,7 +118,9 @@ def in_order(edges: Array, count: int) -> Array:
 def begins_before(edges: Array, edge: int, other: int) -> bool:
     """Whether an edge begins on a lower row than another, or on the same one further left."""
     row, other_row = edges[edge, FIRST_ROW], edges[other, FIRST_ROW]
-    return row < other_row or (row == other_row and edges[edge, COLUMN] < edges[other, COLUMN])
+    if row == other_row:
+        row, other_row = edges[edge, COLUMN], edges[other, COLUMN]
+    return bool(row < other_row)
 
 
 def change_edges(
