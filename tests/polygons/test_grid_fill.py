@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 from tests.algorithms.runs import arguments
 from workbench.algorithms import catalogue
 from workbench.algorithms.polygons import scan_line_exact
-from workbench.algorithms.polygons.grid_fill import GRID, REACH, fill_on_grid, is_on_grid
+from workbench.algorithms.polygons.grid_edges import REACH, is_on_grid
+from workbench.algorithms.polygons.grid_fill import fill_on_grid
 from workbench.engine.compiled import collect, paint
+from workbench.geometry.conventions import GRID
 
 WIDTH, HEIGHT = 40, 30
 

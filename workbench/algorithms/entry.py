@@ -21,6 +21,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.beside import Beside
 from workbench.algorithms.marks import Frame, MarksFunction, no_marks
 
 CALLS = "calls"
@@ -52,16 +53,6 @@ class DrawnBy(NamedTuple):
     slug: str
     law: Law
     holds: Callable[..., Any] = _everywhere
-
-
-class Beside(NamedTuple):
-    """A function below a text that draws whole pictures sooner, and arguments with which it is compiled.
-
-    The first of them is written. A law of the entry proves that it draws what the text does.
-    """
-
-    function: Callable[..., Iterator[tuple[Any, ...]]]
-    example: tuple[Any, ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,13 +20,13 @@ def round_half_up(value: float) -> int:
     return math.floor(value + 0.5)
 
 
-GRID_PX = 1 / 4096
-"""The corners of areas and faces are on a grid of so many pixels, on which crossings with rows are exact."""
+GRID = 4096
+"""Corners of areas and faces are on a grid of so many places to a pixel: crossings with rows are exact."""
 
 
 def snapped(device: NDArray[np.float64]) -> NDArray[np.float64]:
     """Device coordinates, of any shape, at the nearest place of the grid, halves upwards."""
-    places: NDArray[np.float64] = np.floor(device / GRID_PX + 0.5) * GRID_PX
+    places: NDArray[np.float64] = np.floor(device * GRID + 0.5) / GRID
     return places
 
 

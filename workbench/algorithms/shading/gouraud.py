@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Beside, Entry, Law, Parameter, View
+from workbench.algorithms.beside import Beside
+from workbench.algorithms.entry import Entry, Law, Parameter, View
 from workbench.algorithms.shading.light_planes import (
     LIGHT_EXAMPLE,
     PLANES_EXAMPLE,

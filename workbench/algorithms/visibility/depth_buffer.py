@@ -14,7 +14,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from workbench.algorithms.entry import Beside, Entry, Law
+from workbench.algorithms.beside import Beside
+from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.depth_marks import marks
 from workbench.algorithms.visibility.depth_tiles import EXAMPLE, depth_buffer_tiles
 from workbench.algorithms.visibility.device_plane import corners_of, plane, row_ends
