@@ -8,6 +8,7 @@ from PySide6.QtGui import QAction, QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QHBoxLayout,
+    QMainWindow,
     QMenu,
     QPushButton,
     QStackedWidget,
@@ -21,6 +22,7 @@ from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, PlainPanel, Said
 from workbench.panels.stage.workspace_page import Page, PageRow
 from workbench.session.session import Session
+from workbench.widgets.look.in_sight import dock_around, in_front
 
 
 class PagedPanel(PlainPanel, QWidget):
@@ -94,7 +96,23 @@ class PagedPanel(PlainPanel, QWidget):
         self.stack.setCurrentIndex(number)
         self.buttons.buttons()[number].setChecked(True)
         self.setFocusProxy(page.widget)
+        self._bring_docks_forward()
         self._take_run()
+
+    def _bring_docks_forward(self) -> None:
+        """Where docks of another page lie before those of this one, exchange them."""
+        docks = {
+            slug: [
+                dock for _name, _title, part, _area in page.docks() if (dock := dock_around(part)) is not None
+            ]
+            for slug, page in self._pages.items()
+        }
+        of_others = {dock for slug, those in docks.items() if slug != self.page for dock in those}
+        for dock in docks[self.page]:
+            area = dock.parentWidget()
+            beside = area.tabifiedDockWidgets(dock) if isinstance(area, QMainWindow) else []
+            if any(each in of_others and in_front(each) for each in beside):
+                dock.raise_()
 
     def _follow(self, *_states: object) -> None:
         """Show the page whose run is stepped, since another page may have led there."""

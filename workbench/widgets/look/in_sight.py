@@ -21,14 +21,14 @@ class InSight(QObject):
     def eventFilter(self, _part: QObject, event: QEvent) -> bool:
         """Follow the dock that it has come into."""
         if event.type() == QEvent.Type.Show:
-            dock = _dock_around(self._part)
+            dock = dock_around(self._part)
             if dock is not self._dock:
                 if self._dock is not None and isValid(self._dock):  # one of a reset workspace is not
                     self._dock.visibilityChanged.disconnect(self._set)
                 if dock is not None:
                     dock.visibilityChanged.connect(self._set)
                 self._dock = dock
-            self._set(dock is None or _in_front(dock))
+            self._set(dock is None or in_front(dock))
         elif event.type() == QEvent.Type.Hide:
             self._set(False)
         return False
@@ -39,7 +39,7 @@ class InSight(QObject):
             self.changed.emit(seen)
 
 
-def _dock_around(part: QWidget) -> QDockWidget | None:
+def dock_around(part: QWidget) -> QDockWidget | None:
     """The dock in which it lies, however deep."""
     around: QWidget | None = part
     while around is not None and not isinstance(around, QDockWidget):
@@ -47,7 +47,7 @@ def _dock_around(part: QWidget) -> QDockWidget | None:
     return around
 
 
-def _in_front(dock: QDockWidget) -> bool:
+def in_front(dock: QDockWidget) -> bool:
     """Whether a dock is none of those behind tabs, which Qt lays out beyond the corner of the window."""
     place = dock.geometry()
     return dock.isVisible() and place.right() >= 0 and place.bottom() >= 0
