@@ -63,6 +63,9 @@ def frame_of(entry: Entry, run: tuple[Any, ...], rows: NDArray[Any]) -> tuple[ND
             places += [(float(x), float(y)) for x, y, *_z in value]
         elif parameter.name == "point":
             places.append((float(value[0]), float(value[1])))
+        elif parameter.name == "corner":  # of a cube, in a cabinet drawing
+            x, y, z = value
+            places += [(x - max(z, 0), y - max(z, 0)), (x - z + values["size"], y - z + values["size"])]
         elif parameter.kind == "image":
             places.append(value.shape[::-1])
         elif parameter.name.startswith("x") and f"y{parameter.name[1:]}" in values:

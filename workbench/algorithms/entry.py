@@ -26,7 +26,7 @@ from workbench.algorithms.marks import Frame, MarksFunction, no_marks
 CALLS = "calls"
 """Under this name a text that calls itself has the variables of each call under way, the first call first."""
 
-Emits = Literal["pixels", "coverage", "spans", "fragments", "points", "segments", "cells"]
+Emits = Literal["pixels", "coverage", "spans", "fragments", "points", "segments", "cells", "cubes"]
 Space = Literal["", "object space", "image space", "object and image space"]
 Kind = Literal["int", "float", "bool", "colour", "image", "depth", "points", "floats", "ints", "matrix"]
 

@@ -179,7 +179,7 @@ def workspaces() -> tuple[Workspace, ...]:
             "cube",
             ("workbench.panels.space.panel:SpacePanel", inspector),
             steps=True,
-            topics=("projection", "visibility", "shading"),
+            topics=("projection", "visibility", "shading", "solids"),
             lower=("hand_table", "fragments", "depth_cost", "growth", "variables"),
         ),
         Workspace(

@@ -112,8 +112,7 @@ ENTRY = Entry(
         Parameter("depth", "depth", "int", 2, 1, 6, meaning="how often the cube is divided at most"),
     ),
     arguments=solid_at_will,
-    emits="segments",
-    emitted_columns=("x", "y", "z", "size", "state"),
+    emits="cubes",
     source="Hearn and Baker, Computer Graphics, C Version, section 10-16; Meagher, Geometric Modeling Using "
     "Octree Encoding, 1982",
     columns=COLUMNS,

@@ -185,4 +185,5 @@ def _given(entry: Entry) -> str:
         "points": _("Points."),
         "segments": _("Line segments."),
         "cells": _("Cells of a matrix: row and column, counted from 0, and the number in it."),
+        "cubes": _("Cubes: the lowest corner, the side, and 0 for empty, 1 for full, 2 for partial."),
     }[entry.emits]

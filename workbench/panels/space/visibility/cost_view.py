@@ -11,14 +11,16 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
 from workbench.language import _, ngettext, reason_of
 from workbench.panels.space.visibility.depth_run import DepthRun
-from workbench.panels.space.visibility.method_words import MethodMeasures, method_words
+from workbench.panels.space.visibility.method_words import MethodMeasures, method_words, what_holds
 from workbench.rendering.mapping import Call
 from workbench.rendering.scene.arena import run_methods
 from workbench.rendering.scene.depth_measures import DepthMeasures, distance_of, least_distance, measured
 from workbench.rendering.scene.fragments import NOTHING
+from workbench.rendering.scene.line_calls import HIDDEN_LINES
 from workbench.rendering.subjects.visibility import (
     DEPTH_BUFFER,
     NOT_ROUNDED,
+    OCTREES,
     backwards,
     depth_call,
     window_of,
@@ -63,6 +65,10 @@ class CostView(QScrollArea):
             nothing = _("No surface covers a pixel, so there is nothing to measure.")
             elsewhere = _("On the page Visibility the method that is stepped is measured on this scene.")
             self.words.setText(elsewhere if run is None else nothing)
+        elif method in (HIDDEN_LINES, *OCTREES):
+            self._question += 1
+            self._asked = self.measures = self._other = None
+            self.words.setText(what_holds(method))
         elif self.isVisible() and not self._is_asked(run.call, method):
             self._ask(run)
         else:
