@@ -21,7 +21,7 @@ from workbench.panels.space.looking import Looking
 from workbench.panels.space.shading.bar import ShadingBar
 from workbench.panels.space.shading.lamps_dock import LampsDock
 from workbench.panels.space.shading.lit_view import LitView
-from workbench.panels.space.shading.run import greys, light_so_far
+from workbench.panels.space.shading.run import EndedLight, greys, light_so_far
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.picture import packed
 from workbench.panels.stage.pointed import Pointed
@@ -56,6 +56,7 @@ class ShadingPage(QWidget):
         self.looking = Looking(session)
         self._waiting = False
         self._light = np.zeros((0, 0))
+        self.ended = EndedLight(self)
         self.canvas = PixelCanvas()
         self.nothing = EmptyState(self.canvas, _("This sheet has no scene."), self._show_example)
         self.view = LitView("")
@@ -112,7 +113,7 @@ class ShadingPage(QWidget):
     def _connect(self) -> None:
         session, canvas = self.session, self.canvas
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
-        for told in (session.changed, session.state_changed, theme_changed):
+        for told in (session.changed, session.state_changed, theme_changed, self.ended.arrived):
             told.connect(self.refresh_soon)
         for signal in (session.run.changed, session.run.moved, session.run.grown, session.run.asked):
             signal.connect(self.refresh_soon)
@@ -231,9 +232,14 @@ class ShadingPage(QWidget):
             self.canvas.set_picture(np.full((height, width), packed(tokens().canvas), np.uint32))
             self.canvas.set_overlay(Overlay())
             return
-        self._light, ended = light_so_far(session, call)
-        done, whole = (int(np.isfinite(each).sum()) for each in (self._light, ended))
-        said = _("{now:,} of {whole:,} pixels lit").format(now=done, whole=whole)
+        self._light, ended = light_so_far(session, call), self.ended.of(call)
+        said = _("{now:,} pixels lit").format(now=int(np.isfinite(self._light).sum()))
+        if ended is None:  # nothing is known of what is still to come
+            ended = np.full_like(self._light, np.nan)
+        else:
+            said = _("{now:,} of {whole:,} pixels lit").format(
+                now=int(np.isfinite(self._light).sum()), whole=int(np.isfinite(ended).sum())
+            )
         self.bar.progress.setText(said)
         self.canvas.set_picture(greys(self._light, ended, tokens()))
         marks: tuple[Drawn, ...] = ()
