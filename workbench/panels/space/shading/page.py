@@ -19,15 +19,16 @@ from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.shading.bar import ShadingBar
+from workbench.panels.space.shading.derivation import derivation
 from workbench.panels.space.shading.lamps_dock import LampsDock
 from workbench.panels.space.shading.lit_view import LitView
-from workbench.panels.space.shading.run import EndedLight, greys, light_so_far
+from workbench.panels.space.shading.run import EndedLight, greys, light_so_far, rows_so_far
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.picture import packed
 from workbench.panels.stage.pointed import Pointed
 from workbench.rendering.scene.shading import LIT_SHADINGS
 from workbench.rendering.subjects.registry import marks_on_device
-from workbench.rendering.subjects.shading import KIND, call_of, model_of, shading_of
+from workbench.rendering.subjects.shading import KIND, call_of, lighting_of, model_of, shading_of
 from workbench.rendering.subjects.visibility import USUAL_COLUMNS, fault_of, size_of
 from workbench.session.session import Session
 from workbench.widgets.canvas.drawing import Drawn
@@ -167,8 +168,21 @@ class ShadingPage(QWidget):
         return False
 
     def derivation(self) -> Derivation | None:
-        """None."""
-        return None
+        """The light of the chosen pixel, else of that which was lit last; None before anything is lit."""
+        subject = self.session.state.subject
+        lighting, cell = lighting_of(self.session.sheet, subject), self._lit_cell()
+        if lighting is None or cell is None:
+            return None
+        x, y = cell
+        scene = self.session.sheet.scene or Scene()
+        names = tuple(light.name or light.id for light in scene.lights) or (_("Light above the eye"),)
+        return derivation(lighting, shading_of(subject), x, y, names, float(self._light[y, x]))
+
+    def _lit_cell(self) -> Cell | None:
+        """The chosen pixel where that is lit by now, else the one that was lit last."""
+        lit = {(int(x), int(y)): None for x, y, _light in rows_so_far(self.session).tolist()}
+        chosen = self.session.state.pixel
+        return chosen if chosen in lit else next(reversed(lit), None)
 
     def point_at(self, cell: Cell | None) -> None:
         """Ring a pixel that the sentence names; None when no longer."""
