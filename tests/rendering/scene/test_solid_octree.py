@@ -108,7 +108,7 @@ def test_the_side_painted_last_over_a_place_is_the_nearest(projection: str, eye:
     viewer, compared = viewpoint.viewer, 0
     chance = np.random.default_rng(1)
     for pixel in chance.uniform((18, 12), (42, 28), (150, 2)):
-        over = [k for k, ring in enumerate(sides.rings) if within(pixel, ring)]
+        over = np.flatnonzero(within(pixel, sides.rings)).tolist()
         flat = (pixel - viewpoint.device[:2, 2]) / viewpoint.device.diagonal()[:2]
         if back is not None:
             place = back @ [*flat, 0.5, 1.0]
@@ -130,10 +130,8 @@ def test_the_side_painted_last_over_a_place_is_the_nearest(projection: str, eye:
     assert compared > 40
 
 
-def within(place: np.ndarray, ring: np.ndarray) -> bool:
-    """Whether a convex polygon holds a place."""
-    after = np.roll(ring, -1, axis=0)
-    turns = (after[:, 0] - ring[:, 0]) * (place[1] - ring[:, 1]) - (after[:, 1] - ring[:, 1]) * (
-        place[0] - ring[:, 0]
-    )
-    return bool((turns > 0).all() or (turns < 0).all())
+def within(place: np.ndarray, rings: np.ndarray) -> np.ndarray:
+    """Which convex polygons (n, 4, 2) hold a place."""
+    along, way = np.roll(rings, -1, axis=1) - rings, place - rings
+    turns = along[..., 0] * way[..., 1] - along[..., 1] * way[..., 0]
+    return (turns > 0).all(axis=1) | (turns < 0).all(axis=1)
