@@ -20,6 +20,10 @@ LETTER_M = np.array([[1.0, 1], [9, 1], [9, 7], [7, 7], [5, 3], [3, 7], [1, 7]])
 STAR = np.array([[1.0, 5], [9, 5], [2, 0], [5, 8], [8, 0]])
 SLIVER = np.array([[1.3, 1.0], [1.7, 1.0], [1.5, 4.0]])
 BETWEEN_ROWS = np.array([[1.0, 1.2], [6.0, 1.2], [3.0, 1.8]])
+THIRDS = np.array([[1.0, 1], [1, 3], [3, 7]])
+PEAKS = np.array([[1.0, 1], [9, 1], [7, 7], [5, 2], [3, 5]])
+FLAT = np.array([[1.0, 2], [6, 2], [3, 2]])
+BETWEEN_CENTRES = np.array([[1.0, 0.5], [6, 0.5], [3, 3.5]])
 TWO_RINGS = np.array([[1.0, 1], [5, 1], [3, 2], [1, 4], [3, 5], [5, 4]])
 LOOPED = np.array([[0.0, 0], [10, 8], [-2, 8], [8, 0], [8, 0], [30, 0], [30, 9], [40, 9]])
 STEPPED = np.array([[1.0, 1], [6, 1], [8, 3], [6, 5], [4, 5], [4, 8], [1, 8]])
@@ -119,6 +123,31 @@ FURTHER: dict[str, tuple[Run, ...]] = {
     ),
     "scan_line_fill": (
         _filled(STEPPED, False, False),
+        _filled(LETTER_M, True, False),
+        _filled(STAR, True, True),
+        _filled(SLIVER, False, False),
+        _filled(THIRDS, True, False),
+        (TWO_RINGS, np.array([3, 6]), True, False),
+        _filled(PEAKS, False, False),
+        _filled(FLAT, True, False),
+        _filled(BETWEEN_CENTRES, True, False),
+    ),
+    "scan_line_integer": (
+        _filled(STEPPED, False, False),
+        _filled(LETTER_M, True, False),
+        _filled(STAR, True, True),
+        _filled(SLIVER, False, False),
+        _filled(THIRDS, True, False),
+        _filled(PEAKS, False, False),
+        _filled(FLAT, True, False),
+        _filled(BETWEEN_CENTRES, True, False),
+        (TWO_RINGS, np.array([3, 6]), True, False),
+    ),
+    "scan_line_exact": (
+        _filled(PEAKS, False, False),
+        _filled(FLAT, True, False),
+        _filled(BETWEEN_CENTRES, True, False),
+        _filled(STEPPED, False, False),
         _filled(LETTER_M, False, False),
         _filled(STAR, True, True),
         _filled(SLIVER, False, False),
@@ -159,6 +188,8 @@ FURTHER: dict[str, tuple[Run, ...]] = {
         (np.array([[1.0, 1], [2, 5], [5, 6], [7, 2], [10, 1]]), np.array([0.0, 0, 0, 1, 1, 2, 2, 2]), 2, 5),
     ),
     "closest_point": ((np.array([0.0, 1, 2]), LOOPED, np.ones(8), 3, 4.0, 3.5),),
+    "raster_scan": ((np.array([[0, 9], [9, 0], [9, 9]]), np.array([0]), 1, 2, 2, 4.0, 6.0),),
+    "random_scan": ((*catalogue.get("random_scan").example[:-1], 10.0),),
     "beam_spot": ((1.0, 1.0, 3.0, 2.0, 1.0, 0.4),),
     "project_point": (
         (*_SEEN_FROM_FRONT[:2], cavalier(0.5), *_SEEN_FROM_FRONT[3:]),
@@ -215,6 +246,10 @@ FURTHER: dict[str, tuple[Run, ...]] = {
     "bsp_tree": (_LAYERS, _ONE_PLANE),
     "area_subdivision": (_LAYERS, _EDGES_ON_CENTRES),
     "octree": (_LAYERS,),
+    # Five in one place
+    "ray_casting_boxes": (
+        (np.zeros((2, 2), np.int64), _TRIANGLES[:3], np.array([[0, 1, 2]] * 5), np.arange(1, 6)),
+    ),
     "depth_buffer": (
         (
             np.zeros((4, 6), np.int64),
@@ -224,6 +259,7 @@ FURTHER: dict[str, tuple[Run, ...]] = {
             np.array([1, 2, 3]),
         ),
     ),
+    "rgb_to_hsv": ((0.0, 0.0, 0.0), (0.9, 0.1, 0.5), (0.2, 0.3, 0.8)),
 }
 
 

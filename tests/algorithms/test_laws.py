@@ -58,8 +58,8 @@ def test_what_is_no_test_is_none(proof: str) -> None:
         ),
         ("lines/test_lines.py::test_bresenham_mirrors_exactly", {"bresenham_line"}),
         (
-            "polygons/test_scan_line_fill.py::test_shifted_by_whole_pixels_it_is_the_same",
-            {"scan_line_fill"},
+            "polygons/test_scan_line_exact.py::test_shifted_by_whole_pixels_it_is_the_same",
+            {"scan_line_exact"},
         ),
         (
             "lines/test_lines.py::test_backwards_at_45_degrees",

@@ -61,8 +61,13 @@ def frame_of(entry: Entry, run: tuple[Any, ...], rows: NDArray[Any]) -> tuple[ND
         value = values[parameter.name]
         if parameter.kind == "points":
             places += [(float(x), float(y)) for x, y, *_z in value]
+        elif parameter.name == "program":
+            places += [(x, y) for _operation, x, y, _intensity in value.tolist()]
         elif parameter.name == "point":
             places.append((float(value[0]), float(value[1])))
+        elif parameter.name == "corner":  # of a cube, in a cabinet drawing
+            x, y, z = value
+            places += [(x - max(z, 0), y - max(z, 0)), (x - z + values["size"], y - z + values["size"])]
         elif parameter.kind == "image":
             places.append(value.shape[::-1])
         elif parameter.name.startswith("x") and f"y{parameter.name[1:]}" in values:
@@ -312,6 +317,7 @@ def numbers(text: str) -> list[float]:
     return [float(part.replace("−", "-")) for part in text.split(", ") if part not in ("", "…")]
 
 
+@pytest.mark.parametrize("slug", ["scan_line_fill", "scan_line_exact"])
 @pytest.mark.parametrize("closed", [True, False])
 @settings(max_examples=20, deadline=None)
 @given(
@@ -321,8 +327,10 @@ def numbers(text: str) -> list[float]:
         max_size=6,
     )
 )
-def test_the_scan_lines_marks_are_its_row(closed: bool, corners: list[tuple[float, float]]) -> None:
-    entry = catalogue.get("scan_line_fill")
+def test_the_scan_lines_marks_are_its_row(
+    slug: str, closed: bool, corners: list[tuple[float, float]]
+) -> None:
+    entry = catalogue.get(slug)
     run = (np.array(corners, float), np.array([len(corners)]), closed, False)
     for step, found in steps_and_marks(entry, run):
         y, crossings, spans, _count = step.row

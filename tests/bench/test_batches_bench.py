@@ -41,7 +41,7 @@ def figures(kind: str, seed: int) -> list[AnyFigure]:
         radius = float(random.uniform(2, 60))
         several = (
             Polyline(f"f{number}", points, "bresenham_line"),
-            Polygon(f"f{number}", points[:10], "scan_line_fill"),
+            Polygon(f"f{number}", points[:10], "scan_line_exact"),
             Circle(f"f{number}", points[:1], "midpoint_circle", radius_world=radius),
         )
         made.append(several[number % 3 if kind == "mixed" else KINDS.index(kind)])

@@ -165,7 +165,7 @@ def test_a_picture_can_be_written_on_the_command_line(capsys: pytest.CaptureFixt
         (("trace", "nosuch"), "There is no algorithm named 'nosuch'; list shows all of them."),
         (("trace", "bresenham_line", "-5.", "0", "5", "5"), "x0 = -5.: it must be a whole number"),
         (("trace", "bresenham_line", "-1e3", "0", "5", "5"), "x0 = -1e3: it must be a whole number"),
-        (("trace", "bresenham_line", "1", "2", "3"), "4 arguments (x0 y0 x1 y1), and 3"),
+        (("trace", "bresenham_line", "1", "2", "3"), "4 arguments (x0 y0 x1 y1), but 3"),
         (("trace", "bresenham_line", "1", "2", "3", "x"), "y1 = x"),
         (("trace", "bresenham_line", "1", "2", "3", "4.5"), "y1 = 4.5: it must be a whole number"),
         (("trace", "bresenham_line", "1", "2", "3", "True"), "y1 = True"),
@@ -218,7 +218,7 @@ def test_a_terminal_without_the_letters_and_a_closed_one() -> None:
         check=False,
     )
     assert closed.returncode == 1
-    assert closed.stderr.startswith("graphics-workbench: what it found cannot be printed, since")
+    assert closed.stderr.startswith("graphics-workbench: the result cannot be printed, since")
     assert closed.stderr.count("\n") == 1
 
 
@@ -236,7 +236,7 @@ def test_what_cannot_be_printed_is_said_in_one_line(words: tuple[str, ...]) -> N
         )
     assert done.returncode == 1
     assert done.stderr == (
-        "graphics-workbench: what it found cannot be printed (No space left on device); send it elsewhere.\n"
+        "graphics-workbench: the result cannot be printed (No space left on device); send it elsewhere.\n"
     )
 
 
@@ -344,7 +344,7 @@ def test_whatever_can_be_opened_is_opened_in_the_window(
         ("folder.gwb", "folder.gwb is a folder; choose a file in it."),
         ("folder", "folder is a folder; choose a file in it."),
         ("/dev/zero", "/dev/zero is a device; choose a file."),
-        ("a.docx", "a.docx is of no kind that can be opened; choose a file that ends in .gwb, "),
+        ("a.docx", "a.docx is not of a kind that can be opened; choose a file that ends in .gwb, "),
         ("socket.gwb", "socket.gwb is a socket; choose a file."),
     ],
 )

@@ -35,7 +35,7 @@ def test_an_svg_becomes_a_document_in_its_own_coordinates(
     said = printed(capsys, "convert", "a.svg", "-o", "a.gwb", "--tolerance", "0.001").splitlines()
     assert said[0].startswith("<path> in line 1 is approximated within ")
     assert said[1] == "Left out: 1 <text>."
-    assert said[2:] == ["Lines are drawn one pixel wide and without dashes, along the middle of theirs."]
+    assert said[2:] == ["Lines are drawn one pixel wide and without dashes, along their centre."]
     sheet = load("a.gwb").sheets[0]
     assert sheet.name == "a"
     assert (sheet.width_px, sheet.height_px) == (200, 100)

@@ -47,7 +47,7 @@ def test_a_mesh_becomes_a_picture_and_its_depths(capsys: pytest.CaptureFixture[s
 def test_what_was_left_out_is_said(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
     (folder / "b.obj").write_bytes(obj(*solids.house()) + b"f 1 2 99\n")
     said = printed(capsys, "render", "b.obj", "-o", "b.png", "--size", "80x60")
-    assert said == "Left out: 1 face with a vertex that is not there.\n"
+    assert said == "Left out: 1 face with a vertex that does not exist.\n"
 
 
 def test_a_scene_is_drawn_in_the_window_of_its_sheet(
@@ -110,7 +110,7 @@ def test_well_known_models_are_drawn(capsys: pytest.CaptureFixture[str], folder:
         (["none.obj", "-o", "a.png"], "There is no file none.obj; choose another."),
         (["house.obj", "-o", "a.gif"], "a.gif: choose a name that ends in .png or .svg."),
         (["flat.gwb", "-o", "a.png"], "flat.gwb: sheet 1 has no scene; choose one that has, or use draw."),
-        (["scene.gwb", "-o", "a.png", "--sheet", "3"], "scene.gwb has one sheet, and no sheet 3."),
+        (["scene.gwb", "-o", "a.png", "--sheet", "3"], "scene.gwb has one sheet, so there is no sheet 3."),
         (["house.obj", "-o", "a.png", "--eye", "1,2"], "'1,2' is not a point; write it as 4,3,8"),
         (["house.obj", "-o", "a.png", "--projection", "fish"], "There is no projection 'fish'"),
         (["house.obj", "-o", "a.png", "--visibility", "x"], ": There is no method for hidden surfaces 'x'"),
@@ -118,7 +118,7 @@ def test_well_known_models_are_drawn(capsys: pytest.CaptureFixture[str], folder:
         (["house.obj", "-o", "a.svg", "--shading", "x"], ": There is no shading 'x'; choose one of flat, "),
         (["none.obj", "-o", "a.svg", "--visibility", "x"], ": There is no method for hidden surfaces 'x'"),
         (["house.obj", "-o", "a.png", "--eye", "1,1,1", "--look-at", "1,1,1"], "The eye is at the point"),
-        (["text.txt", "-o", "a.png"], "this is no mesh and no document; give one of .gwb, .obj"),
+        (["text.txt", "-o", "a.png"], "this is neither a mesh nor a document; give one of .gwb, .obj"),
         (["empty.obj", "-o", "a.png"], "empty.obj: The file is empty; choose one with a mesh in it."),
         (["bad.gwb", "-o", "a.png"], "bad.gwb"),
     ],

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from random import Random
 
 import pytest
 from hypothesis import assume, example, given
@@ -183,34 +184,63 @@ def test_a_shifted_line_gives_the_shifted_line(
         assert max(abs(a - b) for a, b in zip(found, back, strict=True)) <= 1e-11
 
 
+@st.composite
+def touches(draw: st.DrawFn, most: int) -> tuple[Line, Window]:
+    """A line of whole numbers through a corner of a window of whole numbers, within ``most``."""
+    whole = st.integers(-most // 2, most // 2).map(float)
+    xmin, ymin, xmax, ymax = window = draw(windows(whole))
+    x, y = draw(st.sampled_from([(xmin, ymin), (xmin, ymax), (xmax, ymin), (xmax, ymax)]))
+    step = max(most // 2**13, 1)
+    dx, dy = draw(st.tuples(*[st.integers(-step, step)] * 2))
+    back, forth = draw(st.tuples(*[st.integers(0, 2**11)] * 2))
+    return (x - back * dx, y - back * dy, x + forth * dx, y + forth * dy), window
+
+
 @both
-@given(data=st.data())
-def test_of_whole_numbers_nothing_visible_is_lost(clip: Clipper, data: st.DataObject) -> None:
+@given(case=touches(2**24), data=st.data())
+def test_of_whole_numbers_nothing_visible_is_lost(
+    clip: Clipper, case: tuple[Line, Window], data: st.DataObject
+) -> None:
     """Among them lines that only touch a corner; differences and products stay below 2^53."""
-    whole = st.integers(-(2**24), 2**24).map(float)
-    xmin, ymin, xmax, ymax = window = data.draw(windows(whole))
-    x, y = data.draw(st.sampled_from([(xmin, ymin), (xmin, ymax), (xmax, ymin), (xmax, ymax)]))
-    dx, dy = data.draw(st.tuples(*[st.integers(-(2**12), 2**12)] * 2))
-    back, forth = data.draw(st.tuples(*[st.integers(0, 2**11)] * 2))
-    line = (x - back * dx, y - back * dy, x + forth * dx, y + forth * dy)
+    line, window = case
     assert visible(line, window) is not None
     assert clipped(clip, line, window) is not None
+    whole = st.integers(-(2**24), 2**24).map(float)
     any_line = data.draw(st.tuples(whole, whole, whole, whole))
     if visible(any_line, window) is not None:
         assert clipped(clip, any_line, window) is not None
 
 
-@pytest.mark.parametrize(
-    ("clip", "lost"),
-    [(cohen_sutherland, (-1.2, -1.5, 1.2, 1.9)), (liang_barsky, (-1.6, 0.2 - 1.6, 0.2, 0.4))],
-)
-def test_a_corner_passed_by_less_than_a_rounding_may_be_told_wrongly(clip: Clipper, lost: Line) -> None:
+@given(case=st.one_of(touches(2 * 10**12), cases()))
+@example(case=((-1.2, -1.5, 1.2, 1.9), (0.0, 0.0, 0.3, 0.2)))
+@example(case=((-1.6, -2.0, 0.8, 1.3), (0.0, 0.0, 0.3, 0.2)))
+def test_cohen_sutherland_finds_a_line_just_where_any_of_it_is_visible(case: tuple[Line, Window]) -> None:
+    line, window = case
+    assert (clipped(cohen_sutherland, line, window) is None) == (visible(line, window) is None)
+
+
+def test_touches_of_a_corner_far_out_are_not_lost() -> None:
+    """Where the products of the intersection have more than 53 bits."""
+    chance = Random(5)
+    for _touch in range(300):
+        x, y = float(chance.randint(2 * 10**8, 10**12)), float(chance.randint(2 * 10**8, 10**12))
+        dx, dy = chance.randint(10**5, 10**8), chance.randint(10**5, 10**8)
+        back, forth = chance.randint(1, 99), chance.randint(1, 99)
+        line = (x - back * dx, y + back * dy, x + forth * dx, y - forth * dy)
+        window = (x - 10.0**6, y - 10.0**6, x, y)
+        found = clipped(cohen_sutherland, line, window)
+        assert visible(line, window) == ((x, y), (x, y))
+        assert found == (x, y, x, y)
+
+
+def test_a_corner_passed_by_less_than_a_rounding_may_be_told_wrongly_by_liang_barsky() -> None:
     window = (0.0, 0.0, 0.3, 0.2)
+    lost = (-1.6, 0.2 - 1.6, 0.2, 0.4)
     assert visible(lost, window) is not None
-    assert clipped(clip, lost, window) is None
+    assert clipped(liang_barsky, lost, window) is None
     found = (-1.6, -2.0, 0.8, 1.3)
     assert visible(found, window) is None
-    assert clipped(clip, found, window) is not None
+    assert clipped(liang_barsky, found, window) is not None
 
 
 def test_liang_barsky_may_leave_an_end_a_digit_off_the_edge() -> None:
@@ -249,7 +279,11 @@ def test_no_more_intersections_than_are_promised(case: tuple[Line, Window]) -> N
     work = counts(cohen_sutherland, *line, *window)
     reckoned = work.block_visits.get("Find the intersection", 0)
     assert reckoned <= 4
-    assert work.divisions == work.multiplications == reckoned
+    assert work.divisions == reckoned
+    corners = [(x, y) for x in (window[0], window[2]) for y in (window[1], window[3])]
+    near = 2.0**-40 * scale(*line, *window)
+    if not any(near_a_side([line[:2], line[2:]], corner, near) for corner in corners):
+        assert work.multiplications == reckoned  # beside a corner its side is asked for exactly
     codes = region_code(*line[:2], *window), region_code(*line[2:], *window)
     if codes[0] | codes[1] == 0 or codes[0] & codes[1] != 0:
         assert reckoned == 0

@@ -215,7 +215,7 @@ def test_counted_intersections_are_the_crossings_of_the_stages(polygon: Points, 
     vertices = np.array(polygon, float).reshape(-1, 2)
     work = counts(sutherland_hodgman, vertices, *window)
     reckoned = work.block_visits["Find the intersection"]
-    assert work.divisions == work.multiplications == reckoned
+    assert work.divisions == reckoned <= work.multiplications  # beside a corner its side is asked for too
     steps = list(Steps(ENTRY, record(sutherland_hodgman, vertices, *window)))[1:]
     assert reckoned == sum(step.answer in ("in → out", "out → in") for step in steps)
     if all(inside(point, window) for point in polygon):

@@ -95,5 +95,5 @@ def test_the_quarters_of_a_circle_in_homogeneous_points_are_c0_and_their_curvatu
 
 
 def test_a_piece_without_length_is_refused() -> None:
-    with pytest.raises(ValueError, match="no length in the parameter; part its knots"):
+    with pytest.raises(ValueError, match="no length in the parameter; move its knots apart"):
         continuity(FIRST, FIRST, 0.0, 1.0)

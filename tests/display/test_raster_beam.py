@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from workbench.display import Phosphor, RasterBeam, RasterTiming, Tube, raster_modes
+from workbench.display import Phosphor, RasterBeam, RasterTiming, Tube, phosphor_names, raster_modes
 
 P31 = Phosphor.named("P31")
 TICKS = 10**12
@@ -168,7 +168,7 @@ def test_the_settled_state_is_that_after_very_many_frames(frames: Fraction) -> N
     assert np.allclose(tube.stored[0], long.stored[0], rtol=1e-6, atol=1e-9 * long.stored[0].max())
 
 
-@pytest.mark.parametrize("name", ["P1", "P4", "P31", "P39", "P22G"])
+@pytest.mark.parametrize("name", phosphor_names())
 def test_mean_luminance_is_energy_over_time(name: str) -> None:
     tube, beam = small(phosphor=Phosphor.named(name))
     beam.settle(tube)

@@ -180,7 +180,7 @@ def test_several_edits_are_done_together_or_not_at_all() -> None:
 
 def _square(identity: str = "") -> Polygon:
     places = [(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)]
-    return Polygon(identity, tuple(WorldPoint("", x, y) for x, y in places), "scan_line_fill")
+    return Polygon(identity, tuple(WorldPoint("", x, y) for x, y in places), "scan_line_exact")
 
 
 def test_a_polygon_takes_rings_and_corners() -> None:

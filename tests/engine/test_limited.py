@@ -173,14 +173,14 @@ def test_tests_are_counted_in_the_functions_that_an_entry_names() -> None:
 
 def test_calls_under_way_are_the_path_to_the_pixel() -> None:
     recording = record(RECURSIVE, np.zeros((3, 5), np.int64), 0, 1, 2, 1, depth_limit=50)
-    deepest = int(np.argmax(recording.depths))
+    deepest = int(np.argmax(np.where(recording.codes == 0, recording.depths, 0)))
     entry = catalogue.get("boundary_fill_recursive")
     calls = stack_at(entry, recording, deepest)
     path = [(call["x"], call["y"]) for call in calls]
     assert calls[-1]["image"].shape == (3, 5)
     assert (calls[0]["x"], calls[0]["y"]) == (0, 1)
     assert len(calls) == largest(entry, recording)
-    assert len(path) == recording.depths.max() + 1
+    assert len(path) == recording.depths[recording.codes == 0].max() + 1
     assert path[0] == (0, 1)
     assert all(abs(a[0] - b[0]) + abs(a[1] - b[1]) == 1 for a, b in pairwise(path))
 

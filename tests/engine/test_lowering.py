@@ -47,6 +47,34 @@ def test_records_constants_and_aliases(count: int) -> None:
     assert interpreted(texts.corners) == list(texts.corners())
 
 
+def test_an_empty_list_has_the_type_that_it_says() -> None:
+    text = lower(texts.gathered).text
+    assert "stack = [(0, 0) for _none in range(0)]" in text
+    assert "rows = [[0.0 for _none in range(0)] for _none in range(0)]" in text
+    assert "spans = [Span(Edge(0.0, 0.0), (0, 0), False) for _none in range(0)]" in text
+    assert "from tests.engine.written_texts import Edge as Edge" in text
+    emitted = [tuple(row) for row in texts.gathered(4)]
+    assert emitted[-1] == (2, 3, 3.5, 1)
+    assert interpreted(texts.gathered, 4) == emitted
+    assert compiled.collect(texts.gathered, 4).tolist() == [list(row) for row in emitted]
+
+
+def test_what_only_reads_an_item_stands_where_it_is_called() -> None:
+    text = lower(texts.items).text
+    body = text[text.index("def items(") :]
+    inside = "0 <= x < image.shape[1] and 0 <= y < image.shape[0]"
+    assert f"np.int64(image[y, _place(x)]) if {inside} else left" in body
+    assert "item(image, x + 1, y, -2)" in body
+    assert "np.int64(image[y - LIMIT, _place(x)])" in body
+    assert "item_below(image, x, y)" in lower(texts.items_hidden).text
+    assert "item(image, x, y, left)" in lower(texts.items, "counting").text.replace("_sink, ", "")
+    image = np.arange(20, dtype=np.uint8).reshape(4, 5)
+    for function in (texts.items, texts.items_hidden):
+        emitted = [[int(value) for value in row] for row in function(image, 5)]
+        assert compiled.collect(function, image, 5).tolist() == emitted
+        assert compiled.collect(function, image, 5, flavour="interpreted").tolist() == emitted
+
+
 def test_self_recursion_is_noticed_and_read_as_python() -> None:
     assert lower(texts.downwards).recursive
     assert compiled.collect(texts.downwards, 3).tolist() == [[3, 0], [2, 0], [1, 0], [0, 0]]
@@ -60,6 +88,8 @@ def test_self_recursion_is_noticed_and_read_as_python() -> None:
         (texts.taking, "take it with yield from"),
         (texts.silent, "nothing is emitted"),
         (texts.unknown, "nowhere is not known here"),
+        (texts.of_anything, "does not say what it is of"),
+        (texts.of_no_list, "does not say what it is of"),
     ],
 )
 def test_what_cannot_be_lowered_names_line_and_reason(function: Callable[..., Any], words: str) -> None:

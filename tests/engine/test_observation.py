@@ -297,7 +297,7 @@ def long_lists() -> Iterator[tuple[str, tuple[Any, ...]]]:
     yield "de_boor_rational", (points, np.ones(3000), np.arange(3004.0), 3, 5.5)
     yield "de_casteljau", (points[:40], 0.5)
     yield "sutherland_hodgman", (points, 5.0, 5.0, 40.0, 40.0)
-    yield "scan_line_fill", (points, ends, False, False)
+    yield "scan_line_exact", (points, ends, False, False)
     yield "inside_outside", (points, ends, 20.0, 20.0, False)
 
 
@@ -320,7 +320,7 @@ def test_a_run_over_long_lists_is_told_also_where_it_is_cut_short(
     [
         ("de_casteljau", (np.zeros((1, 2)), 0.5)),
         ("de_boor", (np.zeros((5, 2)), np.arange(3.0), 3, 3.5)),
-        ("scan_line_fill", (np.full((3, 2), np.nan), np.array([3]), False, False)),
+        ("scan_line_exact", (np.full((3, 2), np.nan), np.array([3]), False, False)),
         ("cohen_sutherland", (0.0, 0.0, 1.0, 1.0, "a", 0.0, 1.0, 1.0)),
     ],
 )
@@ -329,3 +329,16 @@ def test_a_run_that_an_error_ends_is_told_up_to_there(slug: str, arguments: tupl
     recording = record(entry.function, *arguments)
     assert recording.error is not None
     assert all(step.first <= step.last for step in Steps(entry, recording))
+
+
+def test_while_an_error_ends_all_calls_nothing_is_told_of_what_it_broke_off() -> None:
+    entry = catalogue.get("boundary_fill_recursive")
+    recording = record(entry.function, np.zeros((9, 9), int), 0, 0, 1, 2, depth_limit=20)
+    failure, recording.error = recording.error, None  # as while the calls end, one after the other
+    assert failure is not None
+    steps = Steps(entry, recording)
+    told = [steps.row(number) for number in range(1, len(steps) + 1)]
+    recording.error = failure
+    whole = Steps(entry, recording)
+    assert told == [whole.row(number) for number in range(1, len(steps) + 1)]
+    assert len(whole) - len(steps) <= 1

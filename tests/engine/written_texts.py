@@ -93,6 +93,70 @@ def taking(k: int) -> Iterator[tuple[int, int]]:
         yield y, x
 
 
+class Span(NamedTuple):
+    edge: Edge
+    columns: tuple[int, int]
+    free: bool
+
+
+def gathered(count: int) -> Iterator[tuple[int, int, float, int]]:
+    """Lists that are filled elsewhere, or never."""
+    stack: list[tuple[int, int]] = []
+    rows: list[list[float]] = []
+    spans: list[Span] = []
+    none: list[int] = []
+    for k in range(count):
+        widen(spans, k)
+        if k % 2 == 0:
+            stack.append((k, -k))
+        row: list[float] = []
+        for _k in range(k):
+            row.append(0.5)
+        rows.append(row)
+    for span in spans:
+        yield len(stack), len(rows[span.columns[0]]), span.edge.x, len(none) + int(span.free)
+
+
+def widen(spans: list[Span], k: int) -> None:
+    spans.append(Span(Edge(k + 0.5, 1.0), (k, k + 1), k > 1))
+
+
+def of_anything(count: int) -> Iterator[tuple[int, int]]:
+    things: list[Any] = []
+    yield count, len(things)
+
+
+def of_no_list(count: int) -> Iterator[tuple[int, int]]:
+    things: tuple[int, int] = []  # type: ignore[assignment]
+    yield count, len(things)
+
+
+def item(image: NDArray[Any], x: int, y: int, outside: int) -> int:
+    """One item, or what is outside."""
+    if 0 <= x < image.shape[1] and 0 <= y < image.shape[0]:
+        return np.int64(image[y, x])  # type: ignore[return-value]
+    return outside
+
+
+def item_below(image: NDArray[Any], x: int, y: int) -> int:
+    return np.int64(image[y - LIMIT, x])  # type: ignore[return-value]
+
+
+def items(image: NDArray[Any], count: int) -> Iterator[tuple[int, int]]:
+    """Items by name, by a sum and with a name that means something else here."""
+    left, y = -1, LIMIT
+    for x in range(count):
+        yield item(image, x, y, left), item(image, x + 1, y, -2)
+        yield item_below(image, x, y), 0
+
+
+def items_hidden(image: NDArray[Any], count: int) -> Iterator[tuple[int, int]]:
+    LIMIT = 1
+    for x in range(count):
+        y = LIMIT + 2
+        yield item_below(image, x, y), y
+
+
 def silent(k: int) -> int:
     return k
 

@@ -18,6 +18,14 @@ def doubling(depth):
     twice = (f'<g id="g{k}"><use href="#g{k + 1}"/><use href="#g{k + 1}"/></g>' for k in range(depth))
     return "".join(twice) + f'<g id="g{depth}"><line x2="1"/></g>'
 """
+SVG += """
+from workbench.exchange.svg_originals import FIGURE, DIGEST, digest
+from workbench.exchange.svg_tree import OWN
+def nested_original(depth):
+    kept = '{&quot;unknown&quot;:' + '[' * depth
+    known = digest('line', {'x2': '1'})
+    return f'<line xmlns:own="{OWN}" x2="1" own:{FIGURE}="{kept}" own:{DIGEST}="{known}"/>'
+"""
 CSV = "from workbench.exchange.point_lists import read_points"
 GWB = """
 from workbench.document.storage.files import decode
@@ -32,6 +40,7 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
         (SVG, """svg('<rect x="' + '1' * 20_000 + 'a"/>')""", "which is not a length that can be drawn"),
         (SVG, """svg('<g transform="rotate(' + '1' * 200_000 + 'a)"/>')""", "cannot be read"),
         (SVG, """svg('<g fill="url(#' + ' ' * 200_000 + '"><line x2="1"/></g>')""", "read"),
+        (SVG, "svg(nested_original(100_000))", "read"),
         (SVG, "svg(doubling(17))", "more than 100,000 elements"),
         (SVG, "svg('<style>' + 'a' * 30_000 + '</style>')", "read"),
         (
@@ -101,9 +110,9 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
         (CSV, "read_points('1,2' + ',3' * 4_000)", "there are 4002 values"),
         (CSV, "read_points('1.5 2\\n' * 100_000)", "read"),
         (CSV, "read_points('\\n' * 5_000_000)", "There are no points"),
-        (CSV, "read_points('1 2\\n' * 25_000_000)", "100,000,000 characters, and at most 16,777,216"),
-        (GWB, "gwb(3, sheet + b'[' + b'1,' * 100_000_000)", "bytes, and at most 134,217,728"),
-        (GWB, "gwb(3, sheet + b'[' + b'1,' * 30_000_000)", "values, and at most 2,000,000"),
+        (CSV, "read_points('1 2\\n' * 25_000_000)", "100,000,000 characters, but at most 16,777,216"),
+        (GWB, "gwb(3, sheet + b'[' + b'1,' * 100_000_000)", "bytes, but at most 134,217,728"),
+        (GWB, "gwb(3, sheet + b'[' + b'1,' * 30_000_000)", "values, but at most 2,000,000"),
         (
             GWB,
             """gwb(3, sheet + b'[1],"figures":[' + b'{"id":"p1","x":0.125,"y":1.25},' * 450_000)""",

@@ -77,12 +77,12 @@ OBJS: dict[str, tuple[str, list[list[int]], str]] = {
     "out of range": (
         TWO + "f 1 2 3 4\nf 1 2 5\nf 0 1 2\nf -9 1 2\nf 1 2 99999999999999999999\n",
         SQUARE,
-        "Left out: 4 faces with vertices that are not there.",
+        "Left out: 4 faces with vertices that do not exist.",
     ),
     "too few corners": (
         TWO + "f 1 2 3 4\nf 1 2\nf\nf 1\n",
         SQUARE,
-        "Left out: 2 faces of fewer than 3 or more than 4,096 corners.",
+        "Left out: 2 faces with fewer than 3 or more than 4,096 corners.",
     ),
     "no area": (
         TWO + "v 2 0 0\nf 1 2 3 4\nf 1 2 2\nf 1 2 5\n",
@@ -92,12 +92,12 @@ OBJS: dict[str, tuple[str, list[list[int]], str]] = {
     "NaN": (
         TWO + "v nan 0 0\nv inf 0 0\nf 1 2 5\nf 1 2 3 4\nf 6 1 2\n",
         SQUARE,
-        "Left out: 2 faces with coordinates that are no numbers or too large.",
+        "Left out: 2 faces with coordinates that are not numbers or too large.",
     ),
     "letters": (
         TWO + "v a b c\nf 1 2 3 4\nf one two\nf 1 2 5\n",
         SQUARE,
-        "Left out: 1 face with a coordinate that is no number or too large, 2 lines that cannot be read.",
+        "Left out: 1 face with a coordinate that is not a number or too large, 2 lines that cannot be read.",
     ),
 }
 
@@ -245,9 +245,9 @@ def test_well_known_models_are_read_as_trimesh_reads_them(name: str) -> None:
         (b"Dear reader,\nthis is a letter.\n", ".obj", "The file has no face"),
         (bytes(range(256)) * 40, ".obj", "The file has no face"),
         (b"v 0 0 0\nf 1 1 1\n", ".obj", r"No face of the file can be drawn \(1 face without area\)"),
-        (b"Dear reader", ".ply", "The file is not a PLY"),
+        (b"Dear reader", ".ply", "This is not a PLY file"),
         (b"ply\nformat ascii 1.0\nend_header\n", ".ply", "has no vertices or no faces"),
-        (b"ply\nelement vertex 1\nfly away\nend_header\n", ".ply", "says nothing known: 'fly away'"),
+        (b"ply\nelement vertex 1\nfly away\nend_header\n", ".ply", "is not known: 'fly away'"),
         (
             b"ply\nformat ascii 1.0\nelement vertex 1\nelement face 1\nend_header\n",
             ".ply",
@@ -257,7 +257,7 @@ def test_well_known_models_are_read_as_trimesh_reads_them(name: str) -> None:
             b"ply\nformat binary_little_endian 1.0\nelement vertex 999999\nproperty float x\n"
             b"property float y\nproperty float z\nelement face 1\nend_header\n",
             ".ply",
-            "breaks off in its list of 999,999 entries called vertex",
+            "ends in the middle of its list of 999,999 entries called vertex",
         ),
         (
             b"ply\nformat ascii 1.0\nelement vertex 999999999999\nelement face 1\nend_header\n",
@@ -265,7 +265,7 @@ def test_well_known_models_are_read_as_trimesh_reads_them(name: str) -> None:
             "999,999,999,999 vertices and 1 faces, and at most 4,000,000",
         ),
         (b"Dear reader", ".off", "not an OFF"),
-        (b"OFF\n4 1 0\n0 0 0\n", ".off", "promises 4 vertices and 1 faces, and breaks off"),
+        (b"OFF\n4 1 0\n0 0 0\n", ".off", "announces 4 vertices and 1 faces, but ends before"),
         (b"OFF\n1e300 1 0\n", ".off", "too large"),
         (b"OFF\nnan 1 0\n", ".off", "too large"),
         (b"Dear reader", ".stl", "The file has no face"),
@@ -287,7 +287,7 @@ def test_a_child_reads_a_mesh_and_tells_how_far_it_is(tmp_path: Path) -> None:
     read = Reading(Job("mesh", str(tmp_path / "a b.obj"))).follow(shares.append)
     assert isinstance(read, ImportedMesh)
     same(read.mesh, mesh)
-    assert read.notes == ("Left out: 1 face with a vertex that is not there.",)
+    assert read.notes == ("Left out: 1 face with a vertex that does not exist.",)
     assert shares == sorted(shares)
     assert len(shares) > 1
 
@@ -297,7 +297,7 @@ def test_500_mb_are_refused_before_they_are_read(tmp_path: Path) -> None:
         file.truncate(500 * 2**20)
     imports = "from workbench.exchange.reading import *"
     said = confined(imports, f"read_now(Job('mesh', {str(tmp_path / 'large.obj')!r}))")
-    assert "has 524,288,000 bytes, and at most 268,435,456 can be opened" in said
+    assert "has 524,288,000 bytes, but at most 268,435,456 can be opened" in said
 
 
 MESH = "from workbench.exchange.mesh_reading import read_mesh"
@@ -311,16 +311,16 @@ HEAD = "b'ply\\nformat %s 1.0\\nelement vertex 3\\nproperty float x\\nproperty f
         ("read_mesh(b'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf' + b' 1 2 3' * 500_000, '.obj')", "No face"),
         ("read_mesh(b'f 1 2 3\\\\\\n' * 100_000, '.obj')", "No face"),
         ("read_mesh(b'v a 0 0\\n' * 100_000 + b'f 1 2 3', '.obj')", "No face"),
-        ("read_mesh(b'OFF\\n3999999 3999999 0\\n', '.off')", "breaks off"),
+        ("read_mesh(b'OFF\\n3999999 3999999 0\\n', '.off')", "ends before"),
         (
             f"read_mesh({HEAD % 'ascii'}element face 4000000\\nproperty list int int vertex_index\\n"
             "end_header\\n0 0 0 1 0 0 0 1 0\\n3 0 1 2\\n', '.ply')",
-            "breaks off",
+            "ends in the middle",
         ),
         (
             f"read_mesh({HEAD % 'binary_big_endian'}element face 9\\nproperty list uint double "
             "vertex_index\\nend_header\\n' + b'\\xff' * 200, '.ply')",
-            "breaks off",
+            "ends in the middle",
         ),
         ("read_mesh(b'solid ' + b'facet normal 0 0 1\\n' * 100_000, '.stl')", "has no face"),
     ],

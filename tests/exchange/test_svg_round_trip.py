@@ -136,7 +136,7 @@ def some_figures() -> list[Any]:
         Line("f1", points[:2], "dda_line", 2, "a <line> & \x07 \ufffe more"),
         Polyline("f2", points, "bresenham_line", 3, closed=True),
         Polyline("f3", points, "wu_line", 1),
-        Polygon("f4", points + points[:3], "scan_line_fill", 2, ring_ends=(4, 7), nonzero=True),
+        Polygon("f4", points + points[:3], "scan_line_exact", 2, ring_ends=(4, 7), nonzero=True),
         Circle("f5", points[:1], "circle_fill", 1, radius_world=3.5),
         Ellipse("f6", points[1:2], "midpoint_ellipse", 2, radius_x_world=3.5, radius_y_world=0.5),
         SeedFill("f7", points[:1], "flood_fill_4", 3),

@@ -111,8 +111,8 @@ def test_what_has_the_colour_of_the_paper_is_still_seen() -> None:
     drawing = read_svg(svg('<line x2="9" stroke="white"/><line x2="9" stroke="#f00" opacity=".5"/>'), SHEET)
     assert [drawing.palette[figure.colour] for figure in drawing.figures] == [0x7F7F7F, 0xFF8080]
     assert drawing.notes == (
-        "What has the colour of the paper is drawn in grey, to be seen.",
-        "Opacity is blended with the colour of the paper.",
+        "What has the background colour is drawn in grey, so that it can be seen.",
+        "Opacity is blended with the background colour.",
     )
 
 

@@ -33,7 +33,7 @@ def points(*places: tuple[float, float]) -> tuple[WorldPoint, ...]:
 
 FIGURES: tuple[AnyFigure, ...] = (
     Line("", points((3, 4), (40, 21)), "bresenham_line"),
-    Polygon("", points((12, 4), (40, 9), (20, 30)), "scan_line_fill", 2),
+    Polygon("", points((12, 4), (40, 9), (20, 30)), "scan_line_exact", 2),
     Circle("", points((30, 20)), "midpoint_circle", 3, radius_world=9.0),
     Ellipse("", points((30, 20)), "ellipse_fill", 4, radius_x_world=14.0, radius_y_world=6.0),
     Curve(

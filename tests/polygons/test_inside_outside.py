@@ -9,7 +9,7 @@ from hypothesis.strategies import DrawFn
 from shapely import Point, Polygon
 
 from tests.polygons.exact import rings_of, winding_left_of
-from workbench.algorithms.polygons import inside_outside, scan_line_fill
+from workbench.algorithms.polygons import inside_outside, scan_line_exact
 
 near = st.integers(0, 10).map(float) | st.floats(0, 10, allow_nan=False, width=32)
 
@@ -56,7 +56,7 @@ def test_it_says_of_every_centre_what_the_fill_does(
     vertices, ring_ends = area
     painted = {
         (x, y)
-        for y, left, right in scan_line_fill(vertices, ring_ends, False, nonzero)
+        for y, left, right in scan_line_exact(vertices, ring_ends, False, nonzero)
         for x in range(left, right + 1)
     }
     for y in range(-1, 12):

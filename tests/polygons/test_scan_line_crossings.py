@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.polygons.exact import covered, rings_of, winding_left_of
-from tests.polygons.test_scan_line_fill import Rings, coordinates, polygons, quarters
-from workbench.algorithms.polygons import scan_line_crossings, scan_line_fill
+from tests.polygons.test_scan_line_exact import Rings, coordinates, polygons, quarters
+from workbench.algorithms.polygons import scan_line_crossings, scan_line_exact
 from workbench.algorithms.polygons.scan_line_words import vertices_on
 
 far = st.one_of(st.integers(-(2**14), 2**14).map(float), quarters)
@@ -44,7 +44,7 @@ def test_far_vertices_give_the_pixels_of_the_edge_tables(polygon, closed, nonzer
     """Of a strip: between far vertices are many rows and long spans."""
     strip = [(x, y % 50.0) for x, y in polygon[0]], polygon[1]
     points, ends = np.array(strip[0], np.float64), np.array(strip[1], np.int64)
-    by_tables = list(scan_line_fill(points, ends, closed, nonzero))
+    by_tables = list(scan_line_exact(points, ends, closed, nonzero))
     assert _merged(spans(strip, closed, nonzero)) == _merged(by_tables)
 
 

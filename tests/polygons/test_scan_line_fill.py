@@ -1,195 +1,151 @@
-"""The scan-line fill against exact fractions and shapely, vertices beside pixel centres on purpose."""
+"""The fill with edge table and active edge table: exact where floats hold 1/m; else it drifts and says so."""
 
 from fractions import Fraction
-from itertools import pairwise
-from math import ceil, floor
 
 import numpy as np
 import pytest
-import shapely
-from hypothesis import example, given, reject, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
-from tests.clipping.exact import hull
 from tests.polygons.exact import covered
+from tests.polygons.test_scan_line_exact import Rings, polygons
 from workbench.algorithms import catalogue
+from workbench.algorithms.marks import Spot
 from workbench.algorithms.polygons import scan_line_fill
+from workbench.algorithms.polygons.exactness import has_exact_slopes
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
 
-whole = st.integers(-6, 9).map(float)
-quarters = st.integers(-24, 36).map(lambda number: number / 4)
-beside = st.tuples(st.integers(-6, 9), st.sampled_from([1e-12, -1e-12, 1e-9, -3e-16, 2.0**-11])).map(sum)
-# Nearer to 0 than this, products of two coordinates leave the range of floats
-any_float = st.floats(-6, 9).filter(lambda number: number == 0 or abs(number) > 1e-60)
-coordinates = st.one_of(whole, quarters, beside, any_float)
-Rings = tuple[list[tuple[float, float]], list[int]]
+# Levels between which every height is a power of two
+LEVELS = ([0.0, 4.0, 8.0], [-1.5, 0.5, 2.5], [0.25, 0.5, 0.75, 1.0, 1.25], [-3.0, -2.0, -1.0])
 
 
 @st.composite
-def polygons(draw: st.DrawFn, numbers: st.SearchStrategy[float] = coordinates) -> Rings:
-    """One or two rings of any shape: crossing themselves, with repeated, collinear and level points."""
-    rings = draw(
-        st.lists(st.lists(st.tuples(numbers, numbers), min_size=3, max_size=6), min_size=1, max_size=2)
-    )
-    ends = np.cumsum([len(ring) for ring in rings]).tolist()
-    return [point for ring in rings for point in ring], ends
+def dyadic(draw: st.DrawFn) -> Rings:
+    """Polygons whose edges all have a 1/m of few bits."""
+    levels = draw(st.sampled_from(LEVELS))
+    points, ends = draw(polygons())
+    heights = [draw(st.sampled_from(levels[:3])) for _point in points]
+    columns = st.integers(-24, 36).map(lambda number: number / 4)
+    return [(draw(columns), y) for y in heights], ends
 
 
-def filled(polygon: Rings, closed: bool, nonzero: bool = False) -> list[tuple[int, int]]:
-    points, ends = polygon
-    rows = scan_line_fill(np.array(points, np.float64), np.array(ends), closed, nonzero)
+def arrays(polygon: Rings) -> tuple[np.ndarray, np.ndarray]:
+    return np.array(polygon[0], np.float64).reshape(-1, 2), np.array(polygon[1], np.int64)
+
+
+def pixels(polygon: Rings, closed: bool, nonzero: bool) -> list[tuple[int, int]]:
+    rows = scan_line_fill(*arrays(polygon), closed, nonzero)
     return [(x, y) for y, left, right in rows for x in range(left, right + 1)]
 
 
-def mapped(polygon: Rings, move) -> Rings:
-    return [move(x, y) for x, y in polygon[0]], polygon[1]
+@given(dyadic(), st.booleans(), st.booleans())
+def test_where_floats_hold_each_slope_pixels_are_those_of_exact_fractions(polygon, closed, nonzero):
+    assert has_exact_slopes(*arrays(polygon), closed, nonzero)
+    assert set(pixels(polygon, closed, nonzero)) == covered(*polygon, closed, nonzero)
+
+
+@given(polygons(st.integers(-6, 9).map(float)), st.booleans(), st.booleans())
+def test_the_condition_of_the_law_is_that_of_fractions(polygon, closed, nonzero):
+    points, ends = polygon
+    starts = [0, *ends[:-1]]
+    rings = [points[start:end] for start, end in zip(starts, ends, strict=True)]
+    edges = [(a, b) for ring in rings for a, b in zip(ring, [*ring[1:], ring[0]], strict=True)]
+    slopes = [Fraction(b[0] - a[0]) / Fraction(b[1] - a[1]) for a, b in edges if a[1] != b[1]]
+    expected = all(slope.denominator in {2**k for k in range(17)} for slope in slopes)
+    assert has_exact_slopes(*arrays(polygon), closed, nonzero) == expected
 
 
 @given(polygons(), st.booleans(), st.booleans())
-@example(([(3 + 1e-12, 0.0), (8.0, 0.0), (6.0, 5.0)], [3]), True, False)
-def test_pixels_are_those_whose_centre_belongs_to_it_by_exact_fractions(polygon, closed, nonzero):
-    pixels = filled(polygon, closed, nonzero)
-    assert len(pixels) == len(set(pixels))
-    assert set(pixels) == covered(*polygon, closed, nonzero)
-
-
-@given(polygons(), st.booleans())
-def test_pixels_come_once_bottom_to_top_and_left_to_right(polygon, closed):
-    pixels = filled(polygon, closed)
-    assert pixels == sorted(set(pixels), key=lambda pixel: (pixel[1], pixel[0]))
+def test_pixels_come_once_bottom_to_top_and_left_to_right(polygon, closed, nonzero):
+    filled = pixels(polygon, closed, nonzero)
+    assert filled == sorted(set(filled), key=lambda pixel: (pixel[1], pixel[0]))
 
 
 @given(
-    st.lists(st.tuples(coordinates, coordinates), min_size=3, max_size=8), st.randoms(use_true_random=False)
+    polygons(st.integers(-6, 9).map(float) | st.integers(-24, 36).map(lambda number: number / 4)),
+    st.booleans(),
+    st.booleans(),
 )
-def test_triangles_side_by_side_fill_each_pixel_once_and_leave_no_gap(points, chance):
-    """The triangles of a fan share out what they make together, the convex hull."""
-    around = [(float(x), float(y)) for x, y in hull(points)]
-    pixels = []
-    for left, right in pairwise(around[1:]):
-        triangle = [around[0], left, right]
-        chance.shuffle(triangle)
-        pixels += filled((triangle, [3]), False)
-    assert sorted(pixels) == sorted(filled((around, [len(around)]), False) if len(around) > 2 else [])
-
-
-@given(
-    st.lists(st.tuples(coordinates, coordinates), min_size=3, max_size=8), st.randoms(use_true_random=False)
-)
-def test_triangles_of_any_net_never_overlap(points, chance):
-    try:
-        delaunay = shapely.delaunay_triangles(shapely.MultiPoint(points))
-    except shapely.errors.GEOSException:  # it gives up on points that nearly coincide
-        reject()
-    triangles = [list(part.exterior.coords)[:3] for part in delaunay.geoms]
-    for triangle in triangles:
-        chance.shuffle(triangle)
-    pixels = [pixel for triangle in triangles for pixel in filled((triangle, [3]), False)]
-    assert len(pixels) == len(set(pixels))
-
-
-@given(polygons(quarters))
-def test_insides_are_those_of_shapely(polygon):
+def test_a_pixel_that_no_crossing_is_near_is_decided_rightly(polygon, closed, nonzero):
+    """Drift is far too small to reach a centre that no edge passes through."""
+    wrong = set(pixels(polygon, closed, nonzero)) ^ covered(*polygon, closed, nonzero)
     points, ends = polygon
-    shapes = [
-        shapely.make_valid(shapely.Polygon(points[a:b])) for a, b in zip([0, *ends], ends, strict=False)
-    ]
-    if len(shapes) > 1 or not shapely.Polygon(points).is_simple or not shapely.Polygon(points).is_valid:
-        return
-    reached = {(x, y) for x in range(-8, 12) for y in range(-8, 12) if shapes[0].covers(shapely.Point(x, y))}
-    within = {(x, y) for x, y in reached if shapes[0].contains(shapely.Point(x, y))}
-    assert set(filled(polygon, True)) == reached
-    assert within <= set(filled(polygon, False)) <= reached
+    starts = [0, *ends[:-1]]
+    for x, y in wrong:
+        rings = [points[start:end] for start, end in zip(starts, ends, strict=True)]
+        edges = [(a, b) for ring in rings for a, b in zip(ring, [*ring[1:], ring[0]], strict=True)]
+        through = [
+            (Fraction(b[0] - a[0])) * Fraction(y - a[1]) == Fraction(b[1] - a[1]) * Fraction(x - a[0])
+            for a, b in edges
+        ]
+        assert any(through)
 
 
-@given(polygons(quarters), st.integers(-1000, 1000), st.integers(-1000, 1000), st.booleans(), st.booleans())
-def test_shifted_by_whole_pixels_it_is_the_same(polygon, dx, dy, closed, nonzero):
-    shifted = filled(mapped(polygon, lambda x, y: (x + dx, y + dy)), closed, nonzero)
-    assert shifted == [(x + dx, y + dy) for x, y in filled(polygon, closed, nonzero)]
+def steps_of(polygon: Rings, closed: bool, nonzero: bool = False) -> Steps:
+    run = (*arrays(polygon), closed, nonzero)
+    return Steps(catalogue.get("scan_line_fill"), record(scan_line_fill, *run))
 
 
-@given(polygons(quarters), st.sampled_from([(-1, 1), (1, -1), (-1, -1)]), st.booleans())
-def test_mirrored_it_is_the_same_under_closed(polygon, signs, nonzero):
-    mirrored = filled(mapped(polygon, lambda x, y: (signs[0] * x, signs[1] * y)), True, nonzero)
-    kept = covered(*polygon, True, nonzero)
-    fill = set(filled(polygon, True, nonzero))
-    assert fill == kept
-    winding_only = {(signs[0] * x, signs[1] * y) for x, y in fill}
-    assert set(mirrored) == winding_only
+@given(st.lists(st.tuples(*[st.integers(-9, 9).map(float)] * 2), min_size=3, max_size=3), st.booleans())
+@example([(0.0, 0.0), (6.0, 1.0), (1.0, 6.0)], True)
+def test_each_row_that_drift_makes_wrong_says_so_and_crosses_the_pixels(corners, closed):
+    polygon = corners, [3]
+    wrong = set(pixels(polygon, closed, False)) ^ covered(*polygon, closed, False)
+    told = set()
+    for step in steps_of(polygon, closed):
+        crosses = {(int(mark.x), int(mark.y)) for mark in step.marks if isinstance(mark, Spot)}
+        sentence = "".join(part.text for part in step.sentence)
+        assert ("has drifted" in sentence) == bool(crosses)
+        told |= crosses
+    assert told == wrong
+
+
+def test_many_closed_triangles_of_whole_corners_lose_a_pixel():
+    """As the entry's not-law says."""
+    chance = np.random.default_rng(1)
+    wrong = 0
+    for _triangle in range(200):
+        polygon = [tuple(map(float, corner)) for corner in chance.integers(0, 40, (3, 2))], [3]
+        wrong += set(pixels(polygon, True, False)) != covered(*polygon, True, False)
+    assert wrong > 20
+
+
+LEVEL_STEP = [(1, 1), (7, 1), (7, 3), (9, 3), (9, 5), (5, 8), (1, 5)]
+
+
+@pytest.mark.parametrize(
+    ("closed", "rows"),
+    [
+        (True, {1: "1, 7", 3: "1, 9", 5: "1, 9", 8: "5, 5"}),
+        (False, {1: "1, 7", 3: "1, 9", 5: "1, 9", 8: ""}),
+    ],
+)
+def test_a_vertex_counts_once_or_twice(closed, rows):
+    """Twice where the polygon turns back, once where it goes on, also over a level edge."""
+    told = {step.row[0]: step.row[1] for step in steps_of((LEVEL_STEP, [7]), closed) if step.row}
+    assert {y: told[y] for y in rows} == rows
+    for step in steps_of((LEVEL_STEP, [7]), closed):
+        if step.row:
+            crossing = [row for row in step.tables["Active edge table"][1] if row[-1] != 0]
+            assert len(crossing) == (step.row[1].count(",") + 1 if step.row[1] else 0)
+
+
+def test_the_whole_edge_table_stands_before_the_first_row():
+    before = steps_of(([(2.0, 1.0), (8.0, 1.0), (5.0, 7.0)], [3]), True)[0]
+    columns, rows = before.tables["Edge table"]
+    assert columns == ("first y", "last y", "x", "1/m", "from", "to")
+    assert sorted(row[2:4] for row in rows if row[3] != "level") == [(2.0, 0.5), (8.0, -0.5)]
+    assert len(rows) == 3
+    assert before.tables["Active edge table"][1] == ()
 
 
 def test_the_triangle_of_the_course():
-    triangle = ([(2.0, 1.0), (8.0, 1.0), (5.0, 7.0)], [3])
-    assert len(filled(triangle, True)) == 25
-    assert len(filled(triangle, False)) == 21
-    assert [x for x, y in filled(triangle, True) if y == 4] == [4, 5, 6]
-    recording = record(scan_line_fill, np.array(triangle[0]), np.array([3]), True, False)
-    rows = [step.row for step in Steps(catalogue.get("scan_line_fill"), recording) if step.row]
-    assert len(rows) == 7
-    assert rows[3][:2] == (4, "3.5, 6.5")
+    steps = steps_of(([(2.0, 1.0), (8.0, 1.0), (5.0, 7.0)], [3]), True)
+    assert [step.row for step in steps if step.row][3] == (4, "3.5, 6.5", "4 to 6", 3)
 
 
-@pytest.mark.parametrize("nonzero", [False, True])
-def test_a_star_shows_the_two_interiors(nonzero):
-    star = ([(10.0, 19.0), (4.6, 2.4), (18.7, 12.7), (1.3, 12.7), (15.4, 2.4)], [5])
-    assert ((10, 10) in filled(star, False, nonzero)) is nonzero
-
-
-def test_far_outside_the_picture_and_thin_as_a_hair():
-    hair = ([(-900_000.0, 5.0), (900_000.0, 5.0 + 1e-7), (900_000.0, 5.0)], [3])
-    assert set(filled(hair, True)) >= {(x, 5) for x in range(-1000, 1000)}
-    assert filled(hair, False)[:1] in ([], [(-900_000, 5)])
-
-
-far = st.integers(-(2**20), 2**20).map(float) | st.floats(-(2.0**20), 2.0**20).map(
-    lambda number: number if abs(number) > 1e-60 else 0.0
-)
-
-
-@given(
-    st.lists(st.tuples(far, coordinates), min_size=3, max_size=3),
-    st.booleans(),
-    st.tuples(st.integers(-1000, 1000), st.integers(-1, 1)),
-)
-@example([(0.0, -1.0), (-1.0, 0.0), (0.0, 0.0)], True, (0, 0))
-@settings(max_examples=150)
-def test_far_vertices_have_their_exact_crossings(corners, closed, beside):
-    """Of a triangle across two million columns; one side may pass a pixel's centre by next to nothing."""
-    x, nearly = beside
-    corners = [*corners[:2], (2.0 * x - corners[0][0] + nearly * 2.0**-32, 2.0 - corners[0][1])]
-    rows = {}
-    for y in range(-8, 11):
-        crossings = []
-        for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1], strict=True):
-            (low_x, low_y), (high_x, high_y) = sorted([(ax, ay), (bx, by)], key=lambda point: point[1])
-            if low_y <= y <= high_y if closed else low_y <= y < high_y:
-                if low_y == high_y:
-                    crossings += [Fraction(low_x), Fraction(high_x)]
-                else:
-                    share = (y - Fraction(low_y)) / (Fraction(high_y) - Fraction(low_y))
-                    crossings.append(Fraction(low_x) + share * (Fraction(high_x) - Fraction(low_x)))
-        if crossings:
-            left, right = ceil(min(crossings)), max(crossings)
-            right = floor(right) if closed else ceil(right) - 1
-            if left <= right:
-                rows[y] = [(y, left, right)]
-    joined: list[tuple[int, int, int]] = []
-    for y, left, right in scan_line_fill(np.array(corners), np.array([3]), closed, False):
-        # A row may come in spans that touch
-        if joined and joined[-1][0] == y and joined[-1][2] + 1 == left:
-            joined[-1] = (y, joined[-1][1], right)
-        else:
-            joined.append((y, left, right))
-    assert joined == [span for y in sorted(rows) for span in rows[y]]
-
-
-@pytest.mark.parametrize("closed", [False, True])
-def test_between_whole_vertices_far_apart_no_crossing_is_taken_for_a_pixel(closed):
-    """The nearest one is 1/200003 beside a centre, and adding up 1/m is wrong by more in the end."""
-    width, height = 65_537, 200_003
-    triangle = np.array([[0, 0], [width, height], [0, height]], np.float64)
-    spans = list(scan_line_fill(triangle, np.array([3]), closed, False))
-    last = [width * y // height if closed else -(-width * y // height) - 1 for y in range(height)]
-    expected = [(y, 0, x) for y, x in enumerate(last) if x >= 0]
-    assert [span for span in spans if span[0] < height] == expected
+@given(st.lists(st.tuples(*[st.integers(-9, 9).map(float)] * 2), max_size=2), st.booleans())
+def test_less_than_a_polygon_ends(points, closed):
+    ends = [len(points)] if points else []
+    assert all(left <= right for _y, left, right in scan_line_fill(*arrays((points, ends)), closed, False))

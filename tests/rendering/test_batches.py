@@ -44,7 +44,7 @@ from workbench.rendering.pipeline import calls
 from workbench.rendering.raster import Composite, composite_below, seen_bounds
 
 # Small kernels of each kind of emission, and one that takes lists.
-KERNELS = ("bresenham_line", "wu_line", "midpoint_circle", "scan_line_fill")
+KERNELS = ("bresenham_line", "wu_line", "midpoint_circle", "scan_line_exact")
 
 
 def blended(under: int, over: int, coverage: float) -> int:
@@ -170,8 +170,10 @@ def over_the_edges() -> Sheet:
         Polyline("b", points("b", [corners[0], corners[2]]), "wu_line", 2),
         Polyline("c", points("c", [corners[3], corners[1]]), "wu_line", 3),
         Circle("d", points("d", [(30.0, 20.0)]), "midpoint_circle", 2, radius_world=33.0),
-        Polygon("e", points("e", [*corners, corners[0], *corners[:0:-1]]), "scan_line_fill", 4, nonzero=True),
-        Polygon("g", points("g", corners), "scan_line_fill", 3),
+        Polygon(
+            "e", points("e", [*corners, corners[0], *corners[:0:-1]]), "scan_line_exact", 4, nonzero=True
+        ),
+        Polygon("g", points("g", corners), "scan_line_exact", 3),
     ]
     return document_of("Edges", 60, 40, drawn).sheets[0]
 

@@ -92,5 +92,5 @@ def test_an_unknown_algorithm_is_refused():
 def test_only_what_paints_a_line_can_tie():
     for slug in ("bresenham_line", "dda_line", "wu_line"):
         assert is_line(Call(catalogue.get(slug), (0, 0, 4, 2)))
-    for slug in ("cohen_sutherland", "liang_barsky", "midpoint_circle", "scan_line_fill"):
+    for slug in ("cohen_sutherland", "liang_barsky", "midpoint_circle", "scan_line_exact"):
         assert not is_line(Call(catalogue.get(slug), ()))

@@ -184,7 +184,7 @@ def test_far_points_neither_hang_nor_fail(x0, y0, x1, y1) -> None:
 
 
 def test_a_polygon_without_height_fills_nothing() -> None:
-    flat = Polygon("f1", points((2, 3), (9, 3), (5, 3)), "scan_line_fill")
+    flat = Polygon("f1", points((2, 3), (9, 3), (5, 3)), "scan_line_exact")
     assert (painter_of(sheet(flat)) == -1).all()
 
 

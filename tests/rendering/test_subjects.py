@@ -32,7 +32,8 @@ from workbench.session.variables import same_value
 
 PACKAGE = Path(__file__).resolve().parents[2] / "workbench"
 KINDS = sorted({module.name for module in pkgutil.iter_modules(subjects.__path__)} - {"registry"})
-OF_A_TUBE = {"gun"}  # what is run of them is set on the tube, whatever the sheet
+# What is run of them is set on the tube, or is what the sheet draws, whatever figure is active
+OF_A_TUBE = {"colour_model", "comparison", "flicker", "gun", "random_scan", "raster"}
 SHEETS = [sheet for one in examples() for sheet in one.document.sheets]
 
 
@@ -118,7 +119,7 @@ def test_another_algorithm_is_chosen_in_the_document_or_in_the_subject() -> None
 def test_a_polygon_can_be_compared_with_a_fill_of_its_outline() -> None:
     sheet = example("triangle").document.sheets[0]
     subject = Subject("figure", (sheet.figures[0].id,))
-    assert own_entry(sheet, subject) == "scan_line_fill"
+    assert own_entry(sheet, subject) == "scan_line_crossings"
     assert "boundary_fill_4" in rivals(sheet, subject)
     filled = outline_fill(sheet, sheet.figures[0], "boundary_fill_4")
     under = replace(subject, entry="boundary_fill_4")
@@ -141,11 +142,11 @@ def test_of_a_construction_the_drawing_of_its_curve_is_compared() -> None:
 @pytest.mark.parametrize(
     ("subject", "said"),
     [
-        (Subject("flea circus"), "“flea circus” is nothing that this version of the program can step."),
-        (Subject("curve", entry="dda_line"), "choose one of de_casteljau"),
+        (Subject("flea circus"), "This version of the program cannot step “flea circus”."),
+        (Subject("curve", entry="dda_line"), "choose one of hermite_blend"),
         (Subject("curve", arguments={"u": 1.5}), "between 0 and 1"),
         (Subject("curve", arguments={"u": True}), "finite number"),
-        (Subject("figure", arguments={"u": 0.5}), "u = 0.5 is nothing that can be given here."),
+        (Subject("figure", arguments={"u": 0.5}), "u = 0.5 cannot be given here."),
     ],
 )
 def test_what_cannot_be_run_is_refused(subject: Subject, said: str) -> None:

@@ -48,7 +48,7 @@ FIGURES = (
     Line("", points((3, 4), (40, 21)), "bresenham_line"),
     Line("", points((30, 4), (4, 31)), "wu_line", 2),
     Polyline("", points((3, 4), (30, 9), (20, 30)), "dda_line", 3, closed=True),
-    Polygon("", points((12, 4), (40, 9), (20, 30), (8, 28)), "scan_line_fill", 4),
+    Polygon("", points((12, 4), (40, 9), (20, 30), (8, 28)), "scan_line_exact", 4),
 )
 
 
@@ -155,7 +155,7 @@ def test_what_does_not_stay_round_is_drawn_as_its_exact_curve(figure: Circle | E
         assert "exact curve" in reason(round_)
     slugs = {call.entry.slug for call in figure_calls(whole, round_)}
     filled = figure.algorithm.endswith("fill")
-    expected = figure.algorithm if stays_round(round_) else "scan_line_fill" if filled else "bresenham_line"
+    expected = figure.algorithm if stays_round(round_) else "scan_line_exact" if filled else "bresenham_line"
     assert slugs <= {expected}
 
 

@@ -23,7 +23,7 @@ def points(*places: tuple[float, float]) -> tuple[WorldPoint, ...]:
 
 def sheet() -> Sheet:
     figures = [
-        Polygon("", points((2, 1), (18, 2), (9, 9)), "scan_line_fill", 1),
+        Polygon("", points((2, 1), (18, 2), (9, 9)), "scan_line_exact", 1),
         Line("", points((0, 0), (20, 10)), "bresenham_line", 2),
         Circle("", points((10, 5)), "midpoint_circle", 3, radius_world=3.0),
         SeedFill("", points((10, 7)), "flood_fill_4", 4),

@@ -97,7 +97,7 @@ def test_what_was_clipped_away_is_said_to_be_clipped() -> None:
     assert why_steps(clipped, x, y) == []
     assert nothing_happened(clipped, x, y).endswith(
         f" would come to ({x}, {y}), but this is right of the clip window: "
-        "Cohen-Sutherland cuts it away in step 1."
+        "Cohen-Sutherland cuts it off in step 1."
     )
     assert "passes" in nothing_happened(clipped, 0, line.height_px - 1)
 
@@ -119,7 +119,7 @@ def test_the_step_that_cuts_a_line_off_is_told(clipper, cell, where, step) -> No
     sheet = replace(bare, figures=(line,), views=(view,), line_clipper=clipper)
     said = nothing_happened(sheet, *cell)
     assert f"is {where} the clip window: " in said
-    assert said.endswith(f" cuts it away in step {step}.")
+    assert said.endswith(f" cuts it off in step {step}.")
 
 
 def test_a_question_is_given_up_when_nobody_waits() -> None:

@@ -1,6 +1,7 @@
 """The texts on scanning, and that the tube does as they say."""
 
 import math
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -10,11 +11,11 @@ from hypothesis import strategies as st
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.scanning.beam_spot import beam_spot
+from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE
 from workbench.algorithms.scanning.phosphor_decay import phosphor_decay
 from workbench.algorithms.scanning.random_scan import random_scan
 from workbench.algorithms.scanning.raster_scan import raster_scan
-from workbench.display import MmStroke, Phosphor, RasterBeam, RasterTiming, Tube, VectorTiming
-from workbench.display.vector_beam import schedule
+from workbench.display import Phosphor, RasterBeam, RasterTiming, Tube
 from workbench.engine.observation import Step, Steps
 from workbench.engine.recorder import record
 
@@ -32,32 +33,69 @@ def steps_of(slug: str, *arguments) -> list[Step]:
     return [step for step in Steps(entry, record(entry.function, *arguments)) if step.row]
 
 
-@given(pictures, st.integers(0, 5), st.integers(0, 5))
+NO_TABLE = np.empty(0, np.int64)
+blanks = st.integers(0, 5)
+fields = st.integers(1, 2)
+
+
+def order_of_rows(height: int, count: int) -> list[int]:
+    """The rows from the top as a frame of so many fields shows them."""
+    return [line for field in range(count) for line in range(height) if line % count == field]
+
+
+@given(pictures, blanks, blanks, fields)
 @settings(max_examples=25, deadline=None)
-def test_each_line_of_a_raster_takes_its_clocks_whatever_the_picture(image, h_blank, v_blank) -> None:
+def test_each_line_of_a_raster_takes_its_clocks_whatever_the_picture(image, h_blank, v_blank, count) -> None:
     height, width = image.shape
-    rows = [step.row for step in steps_of("raster_scan", image, h_blank, v_blank)]
-    lit = np.count_nonzero(image[::-1], axis=1).tolist()
-    assert rows == [(k, height - 1 - k, k * (width + h_blank), lit[k]) for k in range(height)]
+    arguments = image, NO_TABLE, h_blank, v_blank, count, 8.0, 6.0
+    rows = [step.row for step in steps_of("raster_scan", *arguments)]
+    shown = [row[1] for row in rows]
+    assert shown == order_of_rows(height, count)
+    starts = [row[4] // (width + h_blank) for row in rows]
+    second = (height + v_blank + 1) // 2
+    assert starts == [k // count + (second if k % count else 0) for k in shown]
+    assert all(row[4] % (width + h_blank) == 0 for row in rows)
     entry = catalogue.get("raster_scan")
-    last = list(Steps(entry, record(entry.function, image, h_blank, v_blank)))[-1]
+    last = list(Steps(entry, record(entry.function, *arguments)))[-1]
     frame = (width + h_blank) * (height + v_blank)
-    assert "".join(part.text for part in last.sentence).endswith(f"one frame took {frame} clocks.")
+    assert "".join(part.text for part in last.sentence).endswith(f"lines took {frame} clocks.")
 
 
-@given(pictures, st.integers(0, 5), st.integers(0, 5))
+@given(pictures, blanks, blanks)
 def test_a_raster_visits_each_lit_pixel_once_in_reading_order(image, h_blank, v_blank) -> None:
-    visited = list(raster_scan(image, h_blank, v_blank))
+    visited = list(raster_scan(image, NO_TABLE, h_blank, v_blank, 1, 8.0, 6.0))
     rows, columns = np.nonzero(image[::-1])
     height = len(image)
     assert visited == [(x, height - 1 - r) for r, x in zip(rows.tolist(), columns.tolist(), strict=True)]
 
 
-@given(pictures)
-@settings(max_examples=25, deadline=None)
-def test_the_raster_tube_scans_in_the_order_of_the_text(image) -> None:
+@given(pictures, blanks, blanks)
+def test_two_fields_show_every_second_line_and_then_the_others(image, h_blank, v_blank) -> None:
+    visited = list(raster_scan(image, NO_TABLE, h_blank, v_blank, 2, 8.0, 6.0))
     height, width = image.shape
-    timing = RasterTiming.synthesised(width, height, 60)
+    expected = [
+        (x, height - 1 - line)
+        for line in order_of_rows(height, 2)
+        for x in range(width)
+        if image[height - 1 - line, x]
+    ]
+    assert visited == expected
+
+
+@given(pictures, st.lists(st.sampled_from([0, 1, 0xFF00, 0xFFFFFF]), max_size=4))
+def test_what_the_table_makes_black_stays_dark(image, table) -> None:
+    """An entry of the table decides; bits for which it has none are a colour themselves."""
+    visited = set(raster_scan(image, np.array(table, np.int64), 0, 0, 1, 8.0, 6.0))
+    for (y, x), bits in np.ndenumerate(image):
+        colour = table[bits] if bits < len(table) else bits
+        assert ((x, y) in visited) == (colour != 0)
+
+
+@given(pictures, fields)
+@settings(max_examples=25, deadline=None)
+def test_the_raster_tube_scans_in_the_order_of_the_text(image, count) -> None:
+    height, width = image.shape
+    timing = replace(RasterTiming.synthesised(width, height, 60), interlaced=count == 2)
     tube = Tube((8, 8), (float(width), float(height)), [P31], spot_mm=0.5)
     beam = RasterBeam(tube, timing, (image > 0)[None].astype(float), (0.0, 0.0, float(width), float(height)))
     lit = []
@@ -65,30 +103,13 @@ def test_the_raster_tube_scans_in_the_order_of_the_text(image) -> None:
         state = beam.state((clock + Fraction(1, 2)) / timing.pixel_clock_hz)
         if any(state.currents):
             lit.append((math.floor(state.x_mm), math.floor(state.y_mm)))
-    assert lit == list(raster_scan(image, 0, 0))
+    assert lit == list(raster_scan(image, NO_TABLE, 0, 0, count, 8.0, 6.0))
 
 
-@given(
-    st.lists(st.tuples(st.integers(0, 200), st.integers(0, 200)), min_size=2, max_size=10).filter(
-        lambda ends: len(ends) % 2 == 0
-    ),
-    st.sampled_from([1.0, 0.14, 0.1]),
-    st.floats(0.05, 1.0),
-    st.floats(0.0, 9.0),
-)
-def test_the_vector_tube_takes_the_time_of_the_text(ends, pace, jump_pace, settle) -> None:
-    points = np.array(ends, dtype=float)
-    assert [row[:4] for row in random_scan(points, pace, jump_pace, settle)] == [
-        (*points[i], *points[i + 1]) for i in range(0, len(points), 2)
-    ]
-    display = VectorTiming(
-        "test", 200, 0, 1e6 * pace, jump_ps_per_unit=1e6 * jump_pace, settle_ps=round(settle * 1e6)
-    )
-    strokes = [MmStroke(tuple(points[i]), tuple(points[i + 1]), (1.0,)) for i in range(0, len(points), 2)]
-    segments = schedule(strokes, display, 1.0, (0.0, 0.0))
-    *_others, time = steps_of("random_scan", points, pace, jump_pace, settle)[-1].row
-    took = sum(s.duration_ps for s in segments if s.kind != "wait") * 1e-6
-    assert math.isclose(took, time, rel_tol=1e-6, abs_tol=1e-4)
+def program(strokes: list[tuple[float, ...]]) -> np.ndarray:
+    """MOVE, DRAW and JUMP for strokes (x0, y0, x1, y1), with a MOVE before each of them."""
+    rows = [row for x0, y0, x1, y1 in strokes for row in ([MOVE, x0, y0, 0.0], [DRAW, x1, y1, 1.0])]
+    return np.array([*rows, [JUMP, *strokes[-1][2:], 0.0]] if rows else [], float).reshape(-1, 4)
 
 
 @given(
@@ -98,15 +119,16 @@ def test_the_time_of_a_list_is_that_of_its_jumps_settles_and_strokes(
     strokes, pace, jump_pace, settle
 ) -> None:
     """Reckoned from the ends alone: the longer axis counts, and where the beam is it need not jump."""
-    ends = np.array(strokes, float).reshape(-1, 2)
-    assert list(random_scan(ends, pace, jump_pace, settle)) == strokes
+    numbers = 1.0, 0.0, 0.0, pace, 0.0, jump_pace, settle, 0.0, 0.0
+    assert list(random_scan(program(strokes), *numbers)) == strokes
     time, at = 0.0, tuple(strokes[-1][2:]) if strokes else ()
+    rows = [step.row for step in steps_of("random_scan", program(strokes), *numbers)]
     for k, (x0, y0, x1, y1) in enumerate(strokes):
         if at != (x0, y0):
             time += max(abs(x0 - at[0]), abs(y0 - at[1])) * jump_pace + settle
         time += max(abs(x1 - x0), abs(y1 - y0)) * pace
         at = (x1, y1)
-        assert steps_of("random_scan", ends, pace, jump_pace, settle)[k].row[-1] == pytest.approx(time)
+        assert rows[2 * k + 1][-1] == pytest.approx(time)
 
 
 places = st.tuples(st.floats(12.0, 28.0), st.floats(12.0, 28.0))

@@ -119,7 +119,7 @@ def test_the_construction_of_a_curve_is_followed_at_u(session: Session, qtbot: Q
     assert session.run.entry.slug == "bresenham_line"
     with pytest.raises(DocumentError, match="between 0 and 1"):
         session.update_state(subject=Subject("curve", arguments={"u": 1.5}))
-    with pytest.raises(DocumentError, match="choose one of de_casteljau"):
+    with pytest.raises(DocumentError, match="choose one of hermite_blend"):
         session.update_state(subject=Subject("curve", entry="bresenham_line"))
 
 

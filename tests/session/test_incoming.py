@@ -23,7 +23,7 @@ def test_a_failure_of_the_program_is_told_and_the_next_one_works(qtbot: QtBot, e
         assert not incoming.read(MANY, "many", taken.append, refused.append, fail)
     assert not incoming.busy
     assert taken == []
-    assert refused == ["Something in the program failed while this was read; try another file."]
+    assert refused == ["Something in the program failed while this was being read; try another file."]
     with qtbot.waitSignal(incoming.ended, timeout=20_000):
         incoming.read(MANY, "many", taken.append, refused.append)
     assert len(taken[0]) == 9000

@@ -235,7 +235,7 @@ def test_places_and_arguments_come_back_with_the_file(session: Session, qtbot: Q
 @pytest.mark.parametrize(
     ("subject", "said"),
     [
-        (Subject("flea_circus"), "“flea_circus” is nothing that this version of the program can step."),
+        (Subject("flea_circus"), "This version of the program cannot step “flea_circus”."),
         (Subject("curve", entry="construction_of_tomorrow"), "construction_of_tomorrow"),
         (Subject("curve", arguments={"v": 0.5}), "v = 0.5"),
     ],

@@ -7,7 +7,7 @@ import pytest
 NAMES = {
     "algorithms.lines": "dda_line bresenham_line midpoint_line wu_line",
     "algorithms.circles": "midpoint_circle midpoint_ellipse",
-    "algorithms.polygons": "scan_line_fill",
+    "algorithms.polygons": "scan_line_exact",
     "algorithms.seed_fill": "boundary_fill_4 boundary_fill_8 boundary_fill_recursive boundary_fill_spans "
     "flood_fill_4 flood_fill_8",
     "algorithms.clipping": "cohen_sutherland liang_barsky sutherland_hodgman",
@@ -20,7 +20,7 @@ NAMES = {
     "algorithms.projection": "orthographic oblique cavalier cabinet axonometric isometric perspective "
     "perspective_from_plane perspective_depth vanishing_points project_point",
     "algorithms.visibility": "back_faces depth_buffer painter depth_sort bsp_tree scan_line_surfaces "
-    "area_subdivision octree ray_casting a_buffer hidden_lines",
+    "area_subdivision octree ray_casting ray_casting_boxes a_buffer hidden_lines",
     "algorithms.shading": "illuminate flat_shading gouraud phong fast_phong",
     "algorithms.catalogue": "entries get",
     "engine.compiled": "collect paint paint_many",

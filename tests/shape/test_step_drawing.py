@@ -29,7 +29,7 @@ CHOSEN = {
         "cohen_sutherland",
         "midpoint_circle",
         "midpoint_ellipse",
-        "scan_line_fill",
+        "scan_line_exact",
         "sutherland_hodgman",
     },
     # What an example, and the tour through all of them, shows
@@ -43,7 +43,7 @@ CHOSEN = {
         "midpoint_ellipse",
         "midpoint_line",
     },
-    "document/samples/figures.py": {"boundary_fill_4", "bresenham_line", "scan_line_fill"},
+    "document/samples/figures.py": {"boundary_fill_4", "bresenham_line", "scan_line_exact"},
     "document/samples/viewing.py": {"midpoint_circle"},
     "document/samples/fill.py": {
         "boundary_fill_4",
@@ -51,6 +51,7 @@ CHOSEN = {
         "boundary_fill_recursive",
         "midpoint_circle",
         "midpoint_ellipse",
+        "scan_line_crossings",
     },
     "shell/tour.py": {
         "boundary_fill_4",
@@ -60,6 +61,8 @@ CHOSEN = {
         "liang_barsky",
     },
     "shell/tour_space.py": {"depth_buffer"},
+    # What older files call by another name
+    "document/storage/exact_fills.py": {"scan_line_exact", "scan_line_fill"},
     # What a command does unless it is told otherwise
     "cli/commands.py": {"depth_buffer"},
     # Which text answers a question

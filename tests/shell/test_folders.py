@@ -246,8 +246,8 @@ def test_the_status_bar_says_where_compiled_readings_are_not_kept(
     reason = os.strerror(errno.ENOSPC)
     for room, words in (
         (kernel_files.Room(tmp_path), ""),
-        (kernel_files.Room(tmp_path, reason), "What is compiled is kept only until you quit."),
-        (kernel_files.Room(None, reason), "Nothing compiled can be kept: large pictures take longer."),
+        (kernel_files.Room(tmp_path, reason), "Compiled algorithms are kept only until you quit."),
+        (kernel_files.Room(None, reason), "Compiled algorithms cannot be kept: large pictures take longer."),
     ):
         monkeypatch.setattr(kernel_files, "_rooms", {paths.cache_folder(): room})
         text, why = readiness()

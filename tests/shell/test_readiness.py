@@ -20,7 +20,7 @@ def test_a_cache_that_others_may_write_is_said_in_the_status_bar(
     warming = Warming(window)
     warming.prepare("draw")
     qtbot.waitUntil(lambda: "kept only until you quit" in window.status.ready.text(), timeout=30_000)
-    assert window.status.ready.text() == "What is compiled is kept only until you quit."
+    assert window.status.ready.text() == "Compiled algorithms are kept only until you quit."
     why = window.status.ready.toolTip()
     assert f"{tmp_path / 'cache'} is not used (others may write there)" in why
     warming.stop()

@@ -66,6 +66,43 @@ sys.exit(status)
 """
 
 
+ELSEWHERE = """
+import sys, threading
+OF_QT = ("PySide6", "shiboken6", "qtpy", "qtawesome", "pyqtgraph")
+OURS = ("workbench.session", "workbench.widgets", "workbench.panels", "workbench.shell")
+class Watch:
+    def find_spec(self, name, path=None, target=None):
+        if name.startswith((*OF_QT, *OURS)) and threading.current_thread() is not threading.main_thread():
+            print(name, "on", threading.current_thread().name)
+sys.meta_path.insert(0, Watch())
+from PySide6.QtWidgets import QApplication
+from workbench.shell.start import Building, make_window
+from workbench.shell.workspaces import workspaces
+from workbench.widgets.plots.library import library
+application = QApplication([])
+window = make_window()
+building = Building(window)
+left = [workspace.slug for workspace in workspaces()]
+def go_on(*_entered):
+    if left:
+        window.go(left.pop())
+    else:
+        library.loaded.connect(leave)
+        library.ask()
+def leave():
+    print("pyqtgraph" in sys.modules, left)
+    window.session.close()
+    application.quit()
+window.entered.connect(go_on)
+window.first_frame.connect(building.start)
+building.built.connect(go_on)
+window.show()
+status = application.exec()
+building.end()
+sys.exit(status)
+"""
+
+
 def run(*words: str, **environment: str) -> "subprocess.CompletedProcess[str]":
     return subprocess.run(
         [sys.executable, "-W", "error", *words],
@@ -99,6 +136,13 @@ def test_only_the_modules_of_the_workspaces_entered_are_loaded(slug: str) -> Non
     for other in own.keys() - {slug, "draw"}:
         assert not [name for name in loaded if name.startswith(f"workbench.panels.{other}")]
     assert set(loaded).isdisjoint(UNUSED)
+
+
+def test_nothing_of_qt_is_imported_on_another_thread() -> None:
+    """There it would make classes, which PySide looks up here without a lock: now and then that ends all."""
+    done = run("-c", ELSEWHERE)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout == "True []\n"
 
 
 def test_a_workspace_arrives_once_its_panels_are_made(qtbot: QtBot) -> None:

@@ -4,6 +4,7 @@ from itertools import permutations
 
 from tests.visibility.exact_scenes import arrays, mesh, scenes
 from workbench.algorithms.visibility import octree
+from workbench.algorithms.visibility.boxes import extents_of
 from workbench.algorithms.visibility.octants import X, Y, Z, front_to_back, octant_of, whole_cell
 from workbench.algorithms.visibility.surfaces import surfaces_of
 
@@ -28,7 +29,7 @@ def test_the_octants_of_a_cell_fill_it_and_hold_what_reaches_into_them() -> None
     for scene in scenes(mesh, 5):
         surfaces = surfaces_of(*arrays(scene)[:2])
         cell = whole_cell(surfaces, 16)
-        parts = [octant_of(cell, octant, surfaces) for octant in range(8)]
+        parts = [octant_of(cell, octant, extents_of(surfaces)) for octant in range(8)]
         assert {(p.x, p.y) for p in parts} == {(0, 0), (8, 0), (0, 8), (8, 8)}
         assert {(p.z_near, p.z_far) for p in parts} == {
             (cell.z_near, (cell.z_near + cell.z_far) / 2),

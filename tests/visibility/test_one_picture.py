@@ -29,10 +29,11 @@ from workbench.algorithms.visibility import (
     depth_sort,
     octree,
     ray_casting,
+    ray_casting_boxes,
     scan_line_surfaces,
 )
 
-METHODS = [depth_sort, bsp_tree, area_subdivision, ray_casting]
+METHODS = [depth_sort, bsp_tree, area_subdivision, ray_casting, ray_casting_boxes]
 COUNT = 40
 
 

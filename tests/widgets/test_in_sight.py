@@ -1,7 +1,7 @@
 """A part behind other tabs is not in sight, and costs nothing there."""
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QVBoxLayout, QWidget
 
 from tests.panels.by_hand import settle
 from workbench.widgets.look.in_sight import InSight
@@ -46,6 +46,21 @@ def test_what_lies_behind_a_tab_is_not_in_sight(qtbot) -> None:
     window.setCentralWidget(part)  # as when the tube takes the place of the canvas
     settle()
     behind.hide()
+    settle()
+    assert sight.now
+
+
+def test_a_part_outlives_the_dock_that_it_was_in(qtbot) -> None:
+    part = QWidget()
+    sight = InSight(part)
+    window, _front, behind = docked(qtbot, part)
+    behind.raise_()
+    settle()
+    part.setParent(None)  # as when a workspace is reset: its parts go to docks made anew
+    behind.deleteLater()
+    QApplication.sendPostedEvents(behind, QEvent.Type.DeferredDelete)
+    window.setCentralWidget(part)
+    part.show()
     settle()
     assert sight.now
 

@@ -31,7 +31,7 @@ def read_arguments(entry: Entry, words: Sequence[str]) -> tuple[Any, ...]:
     if not least <= len(words) <= len(entry.parameters):
         names = " ".join(parameter.name for parameter in entry.parameters)
         raise BadInputError(
-            _("{slug} takes {count} arguments ({names}), and {given} were given.").format(
+            _("{slug} takes {count} arguments ({names}), but {given} were given.").format(
                 slug=entry.slug, count=len(entry.parameters), names=names, given=len(words)
             )
         )
@@ -54,7 +54,7 @@ def _read(parameter: Parameter, word: str) -> Any:
 
 def _literal(text: str) -> Any:
     if len(text) > MOST_CHARACTERS:
-        sentence = _("this has {size:,} characters, and at most {most:,} can be read; give less.")
+        sentence = _("this has {size:,} characters, but at most {most:,} can be read; give fewer.")
         raise ValueError(sentence.format(size=len(text), most=MOST_CHARACTERS))
     try:
         return ast.literal_eval(text.strip())
@@ -139,7 +139,7 @@ def _depths(value: Any) -> Any:
 
 def _equally_long(rows: list[list[Any]]) -> list[list[Any]]:
     if len({len(row) for row in rows}) > 1:
-        raise ValueError(_("its rows are not all equally long."))
+        raise ValueError(_("its rows are not all the same length."))
     return rows
 
 
@@ -155,7 +155,7 @@ def _picture(value: Any) -> Any:
             raise ValueError(_("row {number} of the picture is not made of digits.").format(number=number))
         if len(row) != len(rows[0]):
             raise ValueError(
-                _("row {number} of the picture has {length} digits, and the first has {first}.").format(
+                _("row {number} of the picture has {length} digits, but the first has {first}.").format(
                     number=number, length=len(row), first=len(rows[0])
                 )
             )

@@ -68,14 +68,14 @@ def _why_not_opened(word: str) -> str:
         check_file(word, sys.maxsize)
     except DocumentError as problem:
         return problem.short
-    sentence = _("{path} is of no kind that can be opened; choose a file that ends in {endings}.")
+    sentence = _("{path} is not of a kind that can be opened; choose a file that ends in {endings}.")
     return sentence.format(path=word, endings=", ".join(SUFFIXES))
 
 
 def _print(text: str) -> None:
     """Print ``text``, and whatever still waits. Raises WorkError, and BrokenPipeError when nobody reads."""
     if not sys.stdout:
-        raise WorkError(_("what it found cannot be printed, since the output is closed; open it."))
+        raise WorkError(_("the result cannot be printed, since the output is closed; open it."))
     try:
         sys.stdout.write(text)
         sys.stdout.flush()
@@ -84,7 +84,7 @@ def _print(text: str) -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         if isinstance(error, BrokenPipeError):
             raise
-        sentence = _("what it found cannot be printed ({reason}); send it elsewhere.")
+        sentence = _("the result cannot be printed ({reason}); send it elsewhere.")
         raise WorkError(sentence.format(reason=error.strerror)) from error
 
 
@@ -99,7 +99,10 @@ def _parser() -> _Parser:
     trace = commands.add_parser("trace", help=_("the hand table of a run, what it emits, or its lines"))
     trace.add_argument("slug", metavar="SLUG", help=_("the algorithm, as list names it"))
     trace.add_argument(
-        "words", metavar="ARG", nargs="*", help=_("a Python literal, or @file; none: an example")
+        "words",
+        metavar="ARG",
+        nargs="*",
+        help=_("a Python literal, or @file; without any, an example is run"),
     )
     trace.add_argument("--table", choices=("hand", "pixels", "lines"), default="hand")
     trace.add_argument("--format", choices=("text", "csv", "json"), default="text")
@@ -118,7 +121,7 @@ def _parser() -> _Parser:
         "-o", "--output", metavar="OUT", type=Path, required=True, help=_(".gif, or .png for each frame")
     )
     moving.add_argument("--size", metavar="WxH", type=_size, help=_("pixels of each picture"))
-    moving.add_argument("--rate", metavar="N", type=float, help=_("pictures a second"))
+    moving.add_argument("--rate", metavar="N", type=float, help=_("pictures per second"))
     moving.add_argument(
         "--sheet", metavar="NUMBER", type=int, default=1, help=_("which sheet, counted from 1")
     )
@@ -133,8 +136,12 @@ def _parser() -> _Parser:
     change.add_argument(
         "--sheet", metavar="NUMBER", type=int, default=1, help=_("which sheet, counted from 1")
     )
-    change.add_argument("--tolerance", metavar="T", type=float, help=_("world units, where it is not exact"))
-    change.add_argument("--size", metavar="WxH", type=_size, help=_("pixels of the sheet that is made"))
+    change.add_argument(
+        "--tolerance", metavar="T", type=float, help=_("largest error, in world units, where it is not exact")
+    )
+    change.add_argument(
+        "--size", metavar="WxH", type=_size, help=_("size in pixels of the sheet that is made")
+    )
     change.set_defaults(run=_convert)
 
     shape = commands.add_parser("surface", help=_("a surface as a mesh of triangles"))
@@ -142,7 +149,9 @@ def _parser() -> _Parser:
     shape.add_argument(
         "-o", "--output", metavar="OUT", type=Path, required=True, help=_(".obj, .ply or .stl")
     )
-    shape.add_argument("--tolerance", metavar="T", type=float, default=0.01, help=_("how far off, at most"))
+    shape.add_argument(
+        "--tolerance", metavar="T", type=float, default=0.01, help=_("largest distance from the true surface")
+    )
     shape.set_defaults(run=_surface)
 
     render = commands.add_parser("render", help=_("a mesh or a scene as a picture"))
@@ -151,7 +160,9 @@ def _parser() -> _Parser:
         "-o", "--output", metavar="OUT", type=Path, required=True, help=_(".png, or its lines as .svg")
     )
     render.add_argument("--projection", metavar="NAME", help=_("such as perspective, isometric, cabinet"))
-    render.add_argument("--visibility", metavar="SLUG", default="depth_buffer", help=_("how surfaces hide"))
+    render.add_argument(
+        "--visibility", metavar="SLUG", default="depth_buffer", help=_("the method for hidden surfaces")
+    )
     render.add_argument("--shading", metavar="NAME", default="flat")
     render.add_argument("--size", metavar="WxH", type=_size, help=_("pixels of the picture"))
     render.add_argument("--depth", metavar="OUT.png", type=Path, help=_("the depths, white is near"))
@@ -250,7 +261,7 @@ def _sheet(options: argparse.Namespace) -> "Sheet":
         raise BadInputError(f"{options.document}: {error.strerror}") from None
     if not 1 <= options.sheet <= len(sheets):
         raise BadInputError(
-            _("{file} has {count} sheets, and no sheet {number}.").format(
+            _("{file} has {count} sheets, so there is no sheet {number}.").format(
                 file=options.document, count=len(sheets), number=options.sheet
             )
         )
@@ -269,7 +280,7 @@ def _animate(options: argparse.Namespace) -> str:
         raise BadInputError(_("{file}: nothing moves on this sheet.").format(file=options.document))
     rate = options.rate
     if rate is not None and not rate > 0.0:
-        sentence = _("The rate is {rate:g}; give a number of pictures a second above 0.")
+        sentence = _("The rate is {rate:g}; give a number of pictures per second above 0.")
         raise BadInputError(sentence.format(rate=rate))
     try:
         content = MovingSheet(sheet, options.size and Size(*options.size), rate or 0.0)

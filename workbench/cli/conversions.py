@@ -122,7 +122,7 @@ def _read(
 
 def _sheet(document: Document, source: Path, number: int) -> Document:
     if not 1 <= number <= len(document.sheets):
-        sentence = _("{file} has {count} sheets, and no sheet {number}.")
+        sentence = _("{file} has {count} sheets, so there is no sheet {number}.")
         raise BadInputError(sentence.format(file=source, count=len(document.sheets), number=number))
     return replace(document, sheets=(document.sheets[number - 1],))
 
@@ -166,7 +166,9 @@ def _window_around(points: NDArray[np.float64]) -> Rectangle:
     low, high = points.min(axis=0), points.max(axis=0)
     extent, size = float((high - low).max()), float(np.abs(points).max())
     if 0.0 < extent <= max(_LEAST_EXTENT, _LEAST_SHARE * size):
-        sentence = _("The points lie within {extent:.3g} of one another; scale them up, or give others.")
+        sentence = _(
+            "The points lie within {extent:.3g} of one another; scale them up, or give other points."
+        )
         raise PointsError(sentence.format(extent=extent))
     edge = 0.05 * extent
     low, high = np.maximum(low - edge, -MAX_COORDINATE), np.minimum(high + edge, MAX_COORDINATE)
@@ -249,7 +251,7 @@ def _patches(path: Path) -> Any:
         p, q = (int(degree) for degree in found["degrees"])
         _refuse_degrees(p, q)
         if net.size > 3 * _MOST_NET_POINTS:
-            sentence = _("the net has {count:,} points, and at most {most:,} can be read.")
+            sentence = _("the net has {count:,} points, but at most {most:,} can be read.")
             raise ValueError(sentence.format(count=net.size // 3, most=_MOST_NET_POINTS))
         knots = []
         for name, count, degree in (("u_knots", len(net), p), ("v_knots", len(net[0]), q)):

@@ -95,8 +95,8 @@ def _scene(options: argparse.Namespace) -> _Seen:
     sheets = load(options.model).sheets
     if not 1 <= options.sheet <= len(sheets):
         sentence = ngettext(
-            "{file} has one sheet, and no sheet {number}.",
-            "{file} has {count} sheets, and no sheet {number}.",
+            "{file} has one sheet, so there is no sheet {number}.",
+            "{file} has {count} sheets, so there is no sheet {number}.",
             len(sheets),
         )
         raise BadInputError(sentence.format(file=options.model, count=len(sheets), number=options.sheet))
@@ -118,7 +118,7 @@ def _mesh(options: argparse.Namespace) -> _Seen:
         endings = ", ".join(
             suffix for each in READABLE if each.kind in ("picture", "mesh") for suffix in each.suffixes
         )
-        sentence = _("{file}: this is no mesh and no document; give one of {endings}.")
+        sentence = _("{file}: this is neither a mesh nor a document; give one of {endings}.")
         raise BadInputError(sentence.format(file=options.model, endings=endings))
     content = read_content(options.model, MOST_BYTES)
     mesh, notes = read_mesh(content, options.model.suffix)

@@ -20,6 +20,9 @@ Light = NDArray[np.float32]
 VISIBLE = 1.0 / 500.0
 """A change of luminance below this share of white is not seen."""
 
+INSTANT = Fraction(1000)
+"""So few ticks that the light does not change meanwhile."""
+
 SAFE_HZ = 3.0
 """Full-screen changes faster than this can harm; they are averaged unless asked for."""
 
@@ -31,6 +34,8 @@ class TubeDriver:
         self.tube = tube
         self.beam = beam
         self.lights: list[Light] = self._steady()
+        self._spare: list[Light] = []
+        self._own = False
         self.change = 0.0
         self._averaged_before = True
         self._settled = False
@@ -44,9 +49,12 @@ class TubeDriver:
 
     def settle(self) -> None:
         """Jump to the picture that the beam makes when it has run for long."""
-        self.lights = self._steady()
+        self._show_steady()
         self.change = 0.0
         self._settled = self._averaged_before = True
+
+    def _show_steady(self) -> None:
+        self.lights, self._own = self._steady(), False
 
     @property
     def steady(self) -> bool:
@@ -87,19 +95,30 @@ class TubeDriver:
                 self.beam.settle(self.tube)
                 self.tube.exposure()
             self.beam.play(self.tube, ticks)
-        self._collect(float(ticks * self.tube.tick))
+        self._collect(float(ticks * self.tube.tick), averaged)
         self._settled = averaged and self._near_steady()
         if self._settled:
-            self.lights = self._steady()
+            self._show_steady()
         self._averaged_before = averaged
 
-    def _collect(self, seconds: float) -> None:
-        rate = np.float32(1.0 / seconds)
+    def hold_at(self, phase: Fraction) -> None:
+        """Go on to a time since the start of a picture, as if this one had always been shown.
+
+        The light is that of this instant.
+        """
+        self.tube.skip((phase - self.tube.seconds) % self.beam.frame_s / self.tube.tick)
+        self._averaged_before = True
+        self.advance(INSTANT, False)
+
+    def _collect(self, seconds: float, averaged: bool) -> None:
+        """Take the light of the time just passed, and, averaged, how much it has changed."""
         before = self.lights
-        self.lights = [layer * rate for gun in self.tube.exposure() for layer in gun]
-        self.change = max(
-            float(np.abs(new - old).max()) for new, old in zip(self.lights, before, strict=True)
-        )
+        self._spare, self.lights = before if self._own else [], self._spare or _like(before)
+        self.tube.collect(self.lights, 1.0 / seconds)
+        self._own = True
+        if averaged:
+            pairs = zip(self.lights, before, strict=True)
+            self.change = max(float(np.abs(new - old).max()) for new, old in pairs)
 
     def _near_steady(self) -> bool:
         if self.change > VISIBLE:
@@ -112,6 +131,10 @@ class TubeDriver:
     def state(self) -> BeamState:
         """The beam now."""
         return self.beam.state(self.tube.seconds)
+
+
+def _like(lights: Sequence[Light]) -> list[Light]:
+    return [np.empty_like(light) for light in lights]
 
 
 def must_average(refresh_hz: float, slow_motion: float, calm: bool) -> bool:

@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.display.face_kernels import at_hand
 from workbench.display.phosphor import Rgb
+from workbench.display.printer import Printer
 from workbench.display.spot import narrowed
 
 Light = NDArray[np.float32]
@@ -19,6 +21,8 @@ Light = NDArray[np.float32]
 _STEPS_PER_UNIT = 224
 _CEILING = 16.0
 """Square root of the luminance at which the table ends."""
+
+_TOP_STEP = _CEILING * _STEPS_PER_UNIT
 
 _HALO = 0.045
 """Share of the light that glass and phosphor scatter widely."""
@@ -73,6 +77,7 @@ class Screen:
         random = np.random.default_rng(19680)
         noise = random.random((rows, columns)) + random.random((rows, columns))
         self._noise: Light = (0.5 * noise).astype(np.float32)
+        self._printer: Printer | None = None
         self._down_x, self._up_x = _halo_matrices(columns)
         self._down_y, self._up_y = _halo_matrices(rows)
 
@@ -85,7 +90,15 @@ class Screen:
         return spread
 
     def picture(self, lights: Sequence[Light]) -> NDArray[np.uint32]:
-        """0xFFRRGGBB, (rows, columns), top row first; one luminance (rows, columns) for each colour."""
+        """0xFFRRGGBB, (rows, columns), top row first; one luminance (rows, columns) for each colour.
+
+        It is good until the next one is asked for.
+        """
+        if self._printer is None and len(self.colours) == 1 and at_hand():
+            halo = self._down_x, self._down_y, self._up_x * np.float32(_HALO), self._up_y
+            self._printer = Printer(self._tables[0], self._noise, halo, (_STEPS_PER_UNIT, _TOP_STEP))
+        if self._printer is not None and lights[0].dtype == np.float32:
+            return self._printer.picture(lights[0])
         if len(lights) == 1:
             return np.ascontiguousarray(self._tables[0][self._steps(self.glow(lights[0]))][::-1])
         packed = np.full(self.size_px[::-1], 0xFF000000, dtype=np.uint32)
@@ -104,7 +117,7 @@ class Screen:
         root = np.sqrt(np.maximum(luminance, 0.0, out=luminance), out=luminance)
         root *= np.float32(_STEPS_PER_UNIT)
         root += self._noise
-        np.minimum(root, np.float32(_CEILING * _STEPS_PER_UNIT), out=root)
+        np.minimum(root, np.float32(_TOP_STEP), out=root)
         return root.astype(np.int32)
 
 

@@ -28,7 +28,11 @@ class Term:
 
 @dataclass(frozen=True, slots=True)
 class Phosphor:
-    """What a screen is coated with. ``colours`` is the linear sRGB of each layer, largest channel 1."""
+    """What a screen is coated with. ``colours`` is the linear sRGB of each layer, largest channel 1.
+
+    ``decay_source`` is the key of where its decay was read (``source_text``), ``uncertain_fields`` names what
+    of it rests on memory or on an assumption; ``uncertain`` tells whether the decay itself does.
+    """
 
     name: str
     colour_name: str
@@ -38,6 +42,9 @@ class Phosphor:
     t10_s: float
     uncertain: bool = False
     note: str = ""
+    decay_kind: str = ""
+    decay_source: str = ""
+    uncertain_fields: tuple[str, ...] = ()
 
     @staticmethod
     def named(name: str) -> "Phosphor":
@@ -79,6 +86,21 @@ class Phosphor:
         return dict(self.colours)[term.layer]
 
 
+def doubts(phosphor: Phosphor) -> str:
+    """What of it is uncertain, as a person reads it; "" where nothing is."""
+    titles = {
+        "t10_s": _("time to 10 %"),
+        "decay_kind": _("law of decay"),
+        "terms": _("course of the decay"),
+        "terms beyond 51 ms": _("decay after 51 ms"),
+        "terms beyond 66 ms": _("decay after 66 ms"),
+        "split of terms between the layers": _("share of each layer"),
+        "xy": _("colour"),
+        "xy_afterglow": _("colour of the afterglow"),
+    }
+    return ", ".join(titles.get(name, name) for name in phosphor.uncertain_fields)
+
+
 def names() -> tuple[str, ...]:
     """The designations of all phosphors, in the order of the table."""
     return tuple(_table())
@@ -94,6 +116,11 @@ def linear_from_srgb(packed: int) -> Rgb:
     return channel((packed >> 16) & 255), channel((packed >> 8) & 255), channel(packed & 255)
 
 
+def source_text(key: str) -> str:
+    """What is cited under a key of ``Phosphor.decay_source``; the key itself where nothing is."""
+    return _sources().get(key, key)
+
+
 def _colours(record: dict[str, Any]) -> tuple[tuple[str, Rgb], ...]:
     main = linear_from_srgb(int(record["srgb_hue"][1:], 16))
     if "srgb_hue_afterglow" not in record:
@@ -102,9 +129,19 @@ def _colours(record: dict[str, Any]) -> tuple[tuple[str, Rgb], ...]:
 
 
 @cache
-def _table() -> dict[str, Phosphor]:
+def _file() -> dict[str, Any]:
     with resource("phosphors.toml").open("rb") as file:
-        records = tomllib.load(file)["phosphor"]
+        return tomllib.load(file)
+
+
+@cache
+def _sources() -> dict[str, str]:
+    return dict(_file()["sources"])
+
+
+@cache
+def _table() -> dict[str, Phosphor]:
+    records = _file()["phosphor"]
     return {
         record["id"]: Phosphor(
             name=record["id"],
@@ -115,6 +152,9 @@ def _table() -> dict[str, Phosphor]:
             t10_s=record["t10_s"],
             uncertain=record["uncertain"],
             note=record["note"],
+            decay_kind=record["decay_kind"],
+            decay_source=record["decay_source"],
+            uncertain_fields=tuple(record["uncertain_fields"]),
         )
         for record in records
     }

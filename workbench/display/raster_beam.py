@@ -3,7 +3,8 @@
 The video signal gives one sample per pixel clock. Its energy falls as one hit in the middle of its clock,
 spread by the spot along the pixel's width and across its row. A hit belongs to exactly one stretch of time,
 however time is cut. Since the spot separates into a factor per row and one per column, and decay into one
-per line and one per clock, whole frames are products of narrow matrices.
+per line and one per clock, whole frames are products of narrow matrices. They stand for the text
+``raster_scan``; the law: ``scanning/test_scanning.py::test_the_raster_tube_scans_in_the_order_of_the_text``.
 """
 
 import math
@@ -16,7 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.display.beam import BeamState
-from workbench.display.spot import across_rows, along_row, narrowed
+from workbench.display.face_kernels import at_hand
+from workbench.display.phosphor import Phosphor
+from workbench.display.raster_refresh import PartOfARow, RasterRefresh, Spread
+from workbench.display.spot import NEAR, across_rows, along_row, narrowed
 from workbench.display.timings import RasterTiming
 from workbench.display.tube import Tube
 
@@ -34,6 +38,10 @@ class _Rows:
     rows: NDArray[np.int64]
     counts: NDArray[np.int64]
     ages_clocks: NDArray[np.float64]
+
+
+Part = tuple[int, int, int, int]
+"""Row, first column, column after the last, clock of column 0."""
 
 
 class RasterBeam:
@@ -57,15 +65,17 @@ class RasterBeam:
         columns, rows = tube.size_px
         left, bottom, right, top = area_mm
         kind = tube.stored[0].dtype
+        near = NEAR[0] if kind == np.float32 else NEAR[1]
         x_edges = np.linspace(0.0, tube.size_mm[0], columns + 1)
         y_edges = np.linspace(0.0, tube.size_mm[1], rows + 1)
         cuts = np.linspace(left, right, timing.h_active + 1)
         self._row_pitch = (top - bottom) / timing.v_active
         self._centres = bottom + (np.arange(timing.v_active) + 0.5) * self._row_pitch
-        self._along: Floats = narrowed(along_row(cuts, x_edges, tube.spot_mm).T, kind)
-        self._across: Floats = narrowed(across_rows(self._centres, y_edges, tube.spot_mm), kind)
+        self._along: Floats = narrowed(along_row(cuts, x_edges, tube.spot_mm, near).T, kind)
+        self._across: Floats = narrowed(across_rows(self._centres, y_edges, tube.spot_mm, near), kind)
         self._face_pitch = tube.size_mm[1] / rows
         self._margin = (tube.reach + 0.5) * tube.spot_mm
+        self._refresh: RasterRefresh | None = None
         lines = [timing.line_of_row(timing.v_active - 1 - row) for row in range(timing.v_active)]
         self._row_clock = np.array(lines, dtype=np.int64) * timing.h_total
         self.show(drive)
@@ -86,6 +96,7 @@ class RasterBeam:
             )
         self.drive = drive.astype(self._along.dtype, copy=False)
         self._spread: dict[tuple[int, float], Floats] = {}
+        self._blocks: dict[int, Spread] = {}
         self._frames: dict[int, Floats] = {}
 
     @property
@@ -110,6 +121,9 @@ class RasterBeam:
 
     def energy_per_frame(self, gun: int = 0) -> Floats:
         """What one whole frame deposits, (face rows, face columns); read-only."""
+        if gun not in self._frames and self._refresh is not None:
+            self._frames[gun] = self._refresh.energy(self._block(gun), self._hit)
+            self._frames[gun].setflags(write=False)
         if gun not in self._frames:
             self._frames[gun] = self._across @ self._spread_rows(gun, math.inf) * self._hit
             self._frames[gun].setflags(write=False)
@@ -151,8 +165,57 @@ class RasterBeam:
         high = (self._centres[last_row] + self._margin) / self._face_pitch
         return slice(max(math.floor(low), 0), min(math.ceil(high), len(self._across)))
 
+    def _compiled(self, tube: Tube) -> RasterRefresh | None:
+        """The compiled way, where the tube is for looking at and the texts are at hand."""
+        if self._refresh is None and self._along.dtype == np.float32 and at_hand():
+            self._refresh = RasterRefresh(self._along, self._across, tube.guns, float(self.timing.pixel_s))
+        return self._refresh
+
+    def _block(self, gun: int) -> Spread:
+        """The rows of a gun spread along the face, as ``RasterRefresh`` takes them."""
+        assert self._refresh is not None
+        if gun not in self._blocks:
+            self._blocks[gun] = self._refresh.spread(self.drive[gun], gun)
+        return self._blocks[gun]
+
+    def _parts(self, gun: Phosphor, parts: list[Part], now_clocks: Fraction) -> list[PartOfARow]:
+        """Rows scanned in part, with what is left of their pixels."""
+        made = []
+        for row, low, high, line_start in parts:
+            age = float(now_clocks - line_start - Fraction(1, 2)) - np.arange(low, high)
+            kept = np.zeros((1 + len(gun.terms), self.timing.h_active), np.float32)
+            for k, tau in enumerate((math.inf, *(term.tau_s for term in gun.terms))):
+                kept[k, low:high] = np.exp(-age * (float(self.timing.pixel_s) / tau)) * self._hit
+            made.append(PartOfARow(row, kept, self._face_rows(row, row)))
+        return made
+
+    def _kept_of(self, gun: Phosphor, full: _Rows, for_ever: bool) -> NDArray[np.float32]:
+        """What fell of each row, and what is left of each term of it, (1 + terms, rows)."""
+        kept = np.zeros((1 + len(gun.terms), self.timing.v_active), np.float32)
+        kept[0, full.rows] = full.counts * self._hit
+        for k, term in enumerate(gun.terms, 1):
+            counts = None if for_ever else full.counts
+            kept[k, full.rows] = self._kept(full.ages_clocks, counts, term.tau_s) * self._hit
+        return kept
+
+    def _play_fast(self, refresh: RasterRefresh, tube: Tube, ticks: int | Fraction) -> None:
+        start = tube.seconds
+        tube.skip(ticks)
+        first, end = self.hits_before(start), self.hits_before(tube.seconds)
+        now = tube.seconds * self.timing.pixel_clock_hz
+        full = self._full_rows(first, end, now)
+        partial = self._partial_rows(first, end) if end > first else []
+        for gun, phosphor in enumerate(tube.guns):
+            kept, parts = self._kept_of(phosphor, full, False), self._parts(phosphor, partial, now)
+            seconds = float(ticks * tube.tick)
+            refresh.play(tube, gun, seconds, self._block(gun), kept, parts, self.drive[gun])
+
     def play(self, tube: Tube, ticks: int | Fraction) -> None:
         """Let time pass on the tube while the beam scans."""
+        refresh = self._compiled(tube)
+        if refresh is not None and ticks > 0:
+            self._play_fast(refresh, tube, ticks)
+            return
         start = tube.seconds
         tube.advance(ticks)
         first, end = self.hits_before(start), self.hits_before(tube.seconds)
@@ -214,7 +277,12 @@ class RasterBeam:
         end = self.hits_before(tube.seconds)
         full = self._full_rows(end - 2 * self.timing.clocks_per_frame, end, now)
         begun = self._partial_rows((end - 1) // self.timing.h_total * self.timing.h_total, end)
+        before, refresh = tube.stored_energy(), self._compiled(tube)
         for gun, phosphor in enumerate(tube.guns):
+            if refresh is not None:
+                kept, parts = self._kept_of(phosphor, full, True), self._parts(phosphor, begun, now)
+                refresh.settle(tube, gun, self._block(gun), kept, parts, self.drive[gun])
+                continue
             luminances = []
             for term, share in zip(phosphor.terms, phosphor.energy_fractions, strict=True):
                 kept = self._kept(full.ages_clocks, None, term.tau_s)
@@ -224,6 +292,8 @@ class RasterBeam:
                     left[self._face_rows(part[0], part[0])] += self._part(gun, part, term.tau_s, now)
                 luminances.append(left * (share / term.tau_s))
             tube.settle(luminances, gun)
+        if refresh is not None:
+            tube.count(tube.stored_energy() - before)
 
     def state(self, seconds: Fraction) -> BeamState:
         """Where the beam is and what it does at a time."""

@@ -13,9 +13,10 @@ from workbench.display.monitor import BLANKING, IN_THE_MIDDLE, Knobs, level_curr
 from workbench.display.phosphor import Phosphor, names
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.retrace import RetracingBeam
+from workbench.display.stroke_timeline import StrokeTable
 from workbench.display.timings import RasterTiming
 from workbench.display.tube import Tube
-from workbench.display.vector_beam import MmStroke, VectorBeam
+from workbench.display.vector_beam import VectorBeam
 from workbench.display.vector_timing import VectorTiming
 from workbench.language import _
 
@@ -28,9 +29,9 @@ PICTURE_SHARE = 0.9
 
 COLOUR_TUBE = "P22"
 _SPOT_OF_LINE_PITCH = 0.36
-_VECTOR_SPOT_MM = 0.5
+VECTOR_SPOT_MM = 0.5
 _LEAST_SPOT_PX = 0.7
-_WHITE = 1.5
+WHITE = 1.5
 """Luminance of a white field: lines one pixel wide, which the spot spreads, then come out near 1."""
 
 _LINE_PEAK = 1.6
@@ -39,11 +40,15 @@ _FULL_RATE_HZ = 60.0
 DeviceStroke = tuple[float, float, float, float, int]
 """x0, y0, x1, y1 in device pixels and the colour 0xRRGGBB."""
 
+DeviceStrokes = Sequence[DeviceStroke] | NDArray[np.float64]
+"""Any number of them; (n, 5) as an array."""
+
 
 @dataclass(frozen=True, slots=True)
 class TubeSetup:
     """What can be chosen: phosphor (or the colour tube), refresh rate, persistence factor, vector display.
 
+    ``timing`` are the speeds of a display of one's own, which go before those of ``vector_display``.
     ``gamma`` is the exponent of the gun: its current is the drive, 0 to 1, to this power. ``knobs`` are those
     of a monitor.
     """
@@ -54,6 +59,12 @@ class TubeSetup:
     vector_display: str = "teaching"
     gamma: float = 2.2
     knobs: Knobs = IN_THE_MIDDLE
+    timing: VectorTiming | None = None
+
+    @property
+    def speeds(self) -> VectorTiming:
+        """Those of the vector display. Raises LookupError where it is not known."""
+        return self.timing or VectorTiming.named(self.vector_display)
 
     def guns(self) -> tuple[Phosphor, ...]:
         """One gun, or red, green and blue of a colour tube. Raises LookupError for an unknown phosphor."""
@@ -63,7 +74,7 @@ class TubeSetup:
     def check(self) -> None:
         """Raises LookupError when the phosphor or the vector display is not known."""
         self.guns()
-        VectorTiming.named(self.vector_display)
+        self.speeds  # noqa: B018 - looked up, or refused
 
     def current(self, level: int) -> float:
         """The beam current of a channel, 0 to 255, by the law of the gun: 1 for white at the usual knobs."""
@@ -111,6 +122,19 @@ def area_mm(picture_px: tuple[int, int]) -> tuple[float, float, float, float]:
     return width / 2 - half_x, height / 2 - half_y, width / 2 + half_x, height / 2 + half_y
 
 
+def mm_of(x: float, y: float, picture_px: tuple[int, int]) -> tuple[float, float]:
+    """Where on the face a place of the picture lies, from pixels to millimetres."""
+    left, bottom, right, _top = area_mm(picture_px)
+    pitch = (right - left) / picture_px[0]
+    return left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch
+
+
+def units_per_px(picture_px: tuple[int, int], timing: VectorTiming) -> float:
+    """Units of a vector display's deflection, which has ``timing.grid`` across the face, per pixel."""
+    left, _bottom, right, _top = area_mm(picture_px)
+    return (right - left) / picture_px[0] * timing.grid / face_mm(picture_px)[0]
+
+
 def currents_of_image(image: NDArray[np.uint32], guns: int, setup: TubeSetup) -> NDArray[np.float64]:
     """Beam currents (guns, rows, columns), 0 to 1, of a picture 0xRRGGBB, whose channels drive the grid.
 
@@ -132,20 +156,40 @@ def currents_of_colour(colour: int, guns: int, setup: TubeSetup) -> tuple[float,
 
 
 def raster_tube(
-    image: NDArray[np.uint32], size_px: tuple[int, int], setup: TubeSetup, precision: Any = np.float32
+    image: NDArray[np.uint32],
+    size_px: tuple[int, int],
+    setup: TubeSetup,
+    precision: Any = np.float32,
+    timing: RasterTiming | None = None,
+    picture_px: tuple[int, int] | None = None,
+    *,
+    window_mm: tuple[float, float, float, float] | None = None,
+    gun: int | None = None,
+    shift_mm: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[Tube, RasterBeam]:
-    """A tube with ``size_px`` pixels that scans ``image`` (h, w); a white field is a little above 1."""
+    """A tube with ``size_px`` pixels that scans ``image`` (h, w); a white field is a little above 1.
+
+    Without a ``timing`` it is blanked as VGA and refreshed as set up. ``picture_px`` is the picture that
+    gives the face its shape, where the image has more or fewer pixels than that.
+    ``window_mm`` (left, bottom, right, top) is the part of the face that is looked at, by default all of it.
+    With ``gun`` that gun of a colour tube is there alone; its picture lies ``shift_mm`` beside its place.
+    """
     height, width = image.shape
-    picture = width, height
+    picture = picture_px or (width, height)
     left, bottom, right, top = area_mm(picture)
-    size_mm = face_mm(picture)
+    face = window_mm or (0.0, 0.0, *face_mm(picture))
+    size_mm = face[2] - face[0], face[3] - face[1]
     spot = max(_SPOT_OF_LINE_PITCH * (top - bottom) / height, 0.4 * size_mm[1] / size_px[1])
-    tube = Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
-    timing = RasterTiming.synthesised(width, height, setup.refresh)
+    guns = setup.guns()
+    currents = currents_of_image(image, len(guns), setup)
+    if gun is not None:
+        guns, currents = guns[gun : gun + 1], currents[gun : gun + 1]
+    tube = Tube(size_px, size_mm, guns, spot_mm=spot, reach=4.0, precision=precision)
+    timing = timing or RasterTiming.synthesised(width, height, setup.refresh)
     pixel = tube.pitch_mm[0] * tube.pitch_mm[1]
     share = (right - left) * (top - bottom) / (width * height) / pixel
-    currents = currents_of_image(image, len(tube.guns), setup)
-    area, power = (left, bottom, right, top), float(_WHITE * timing.clocks_per_frame * share)
+    x, y = shift_mm[0] - face[0], shift_mm[1] - face[1]
+    area, power = (left + x, bottom + y, right + x, top + y), float(WHITE * timing.clocks_per_frame * share)
     if setup.blanked_current > 0.0:
         return tube, RetracingBeam(tube, timing, currents, area, power, setup.blanked_current)
     return tube, RasterBeam(tube, timing, currents, area, power)
@@ -156,31 +200,42 @@ def vector_tube(
 ) -> Tube:
     """A tube for a display list of a picture of ``picture_px`` pixels; ``vector_beam`` makes its beam."""
     size_mm = face_mm(picture_px)
-    spot = max(_VECTOR_SPOT_MM, _LEAST_SPOT_PX * size_mm[0] / size_px[0])
+    spot = max(VECTOR_SPOT_MM, _LEAST_SPOT_PX * size_mm[0] / size_px[0])
     return Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
 
 
+def _where_lit(tube: Tube, strokes: StrokeTable) -> StrokeTable:
+    """Of each stroke what the spot can light the face from; those that cannot are left out."""
+    margin = tube.reach * tube.spot_mm
+    low, high = np.full(2, -margin), np.array(tube.size_mm) + margin
+    inside = np.asarray(((strokes.ends >= low) & (strokes.ends <= high)).all(axis=(1, 2)))
+    if inside.all():
+        return strokes
+    ends, of = [], []
+    for number, stroke in enumerate(strokes.ends.reshape(-1, 4).tolist()):
+        kept = [tuple(stroke)] if inside[number] else liang_barsky(*stroke, *low.tolist(), *high.tolist())
+        for part in kept:
+            ends.append(part)
+            of.append(number)
+    table = np.array(ends, np.float64).reshape(-1, 2, 2)
+    return StrokeTable(table, strokes.currents[np.array(of, np.int64)])
+
+
 def vector_beam(
-    tube: Tube, strokes: Sequence[DeviceStroke], picture_px: tuple[int, int], setup: TubeSetup
+    tube: Tube, strokes: DeviceStrokes, picture_px: tuple[int, int], setup: TubeSetup
 ) -> VectorBeam:
     """The beam that draws ``strokes``; a long one refreshed 60 times a second is a little above white.
 
     It goes only where the spot can light the face: the rest of a stroke takes no time.
     """
-    left, bottom, right, _top = area_mm(picture_px)
-    pitch = (right - left) / picture_px[0]
-
-    def place(x: float, y: float) -> tuple[float, float]:
-        return left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch
-
-    timing = VectorTiming.named(setup.vector_display)
-    margin = tube.reach * tube.spot_mm
-    lit = -margin, -margin, tube.size_mm[0] + margin, tube.size_mm[1] + margin
-    drawn = [
-        MmStroke((ax, ay), (bx, by), currents_of_colour(colour, len(tube.guns), setup))
-        for x0, y0, x1, y1, colour in strokes
-        for ax, ay, bx, by in liang_barsky(*place(x0, y0), *place(x1, y1), *lit)
-    ]
+    pitch = mm_of(1.0, 0.0, picture_px)[0] - mm_of(0.0, 0.0, picture_px)[0]
+    timing = setup.speeds
+    rows = np.array(strokes, np.float64).reshape(-1, 5)
+    ends = rows[:, :4].reshape(-1, 2, 2) * pitch + mm_of(0.0, 0.0, picture_px)
+    colours, which = np.unique(rows[:, 4].astype(np.int64), return_inverse=True)
+    guns = len(tube.guns)
+    known = np.array([currents_of_colour(colour, guns, setup) for colour in colours.tolist()])
+    drawn = _where_lit(tube, StrokeTable(ends, known.reshape(-1, guns)[which.reshape(-1)]))
     shortest_ps = int(Fraction(10**12) / setup.refresh)
     # Energy per length times sqrt(2 pi) spots is the energy across a long stroke; one pixel gets its share.
     speed_mm_s = tube.size_mm[0] / timing.grid / (timing.ps_per_unit * 1e-12)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.scanning.electron_optics import FACE_MM, SPOT
 from workbench.display.beam import BeamState
 from workbench.display.gun import Gun
-from workbench.display.spot import near_shares
+from workbench.display.spot import NEAR, across_rows
 from workbench.display.tube import Tube
 
 Floats = NDArray[np.floating[Any]]
@@ -40,10 +40,13 @@ class SteeredBeam:
         self._step = gun.period / count
         times = (np.arange(count, dtype=np.float64) + 0.5) * (period / count)
         x, y, reached = gun.landing(times)
-        columns, rows = tube.size_px
         pitch_x, pitch_y = tube.pitch_mm
-        self._along = near_shares(x + FACE_MM[0] / 2, reached, columns, pitch_x, gun.spot, self._kind)
-        self._across = near_shares(y + FACE_MM[1] / 2, reached, rows, pitch_y, gun.spot, self._kind)
+        self._along, self._across = (
+            (across_rows(hits + side / 2, pitch * np.arange(cells + 1), gun.spot, NEAR[0]) * reached).astype(
+                self._kind
+            )
+            for hits, side, pitch, cells in zip((x, y), FACE_MM, tube.pitch_mm, tube.size_px, strict=True)
+        )
         pixel = pitch_x * pitch_y
         wide = math.sqrt(2.0 * math.pi) * SPOT
         self.power = _PEAK * wide * (length + _DOT * wide) / pixel * gun.beam_current / EXPOSED_UA

@@ -6,7 +6,7 @@ of lines the second field starts half a line later and its rows fall between tho
 """
 
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from fractions import Fraction
 from functools import cache
@@ -18,7 +18,10 @@ from workbench.paths import resource
 
 @dataclass(frozen=True, slots=True)
 class RasterTiming:
-    """One raster mode; horizontal counts in pixel clocks, vertical ones in lines, the clock in hertz."""
+    """One raster mode; horizontal counts in pixel clocks, vertical ones in lines, the clock in hertz.
+
+    ``uncertain_fields`` are those of which the sources are not sure, ``note`` says more of them.
+    """
 
     name: str
     pixel_clock_hz: Fraction
@@ -31,6 +34,8 @@ class RasterTiming:
     v_sync: int
     v_back_porch: int
     interlaced: bool = False
+    uncertain_fields: tuple[str, ...] = ()
+    note: str = ""
 
     @staticmethod
     def named(name: str) -> "RasterTiming":
@@ -46,42 +51,55 @@ class RasterTiming:
     def synthesised(width: int, height: int, refresh_hz: Fraction | int) -> "RasterTiming":
         """A mode for any frame buffer, blanked in the proportions of VGA; frames last exactly 1/refresh."""
         vga = RasterTiming.named("vga-640x480-60")
+        return vga.scaled(width, height).at(Fraction(refresh_hz))
+
+    def scaled(self, width: int, height: int) -> "RasterTiming":
+        """The mode for another frame buffer: blanked in the same proportions, as many frames a second.
+
+        It is interlaced where this is and there are rows for two fields.
+        """
 
         def across(part: int) -> int:
-            return max(1, (part * width + vga.h_active // 2) // vga.h_active)
+            return max(min(part, 1), (part * width + self.h_active // 2) // self.h_active)
 
         def down(part: int) -> int:
-            return max(1, (part * height + vga.v_active // 2) // vga.v_active)
+            return max(min(part, 1), (part * height + self.v_active // 2) // self.v_active)
 
-        timing = RasterTiming(
-            f"{width} x {height}",
-            Fraction(1),
-            width,
-            across(vga.h_front_porch),
-            across(vga.h_sync),
-            across(vga.h_back_porch),
-            height,
-            down(vga.v_front_porch),
-            down(vga.v_sync),
-            down(vga.v_back_porch),
+        counts = replace(
+            self,
+            name=f"{width} x {height}",
+            h_active=width,
+            h_front_porch=across(self.h_front_porch),
+            h_sync=across(self.h_sync),
+            h_back_porch=across(self.h_back_porch),
+            v_active=height,
+            v_front_porch=down(self.v_front_porch),
+            v_sync=down(self.v_sync),
+            v_back_porch=down(self.v_back_porch),
+            interlaced=self.interlaced and height > 1,
         )
-        return timing.at(Fraction(refresh_hz))
+        return counts.at(self.refresh_hz)
 
     def at(self, refresh_hz: Fraction) -> "RasterTiming":
         """The same counts with the clock that gives exactly ``refresh_hz`` frames a second."""
-        return RasterTiming(
-            self.name,
-            refresh_hz * self.clocks_per_frame,
-            self.h_active,
-            self.h_front_porch,
-            self.h_sync,
-            self.h_back_porch,
-            self.v_active,
-            self.v_front_porch,
-            self.v_sync,
-            self.v_back_porch,
-            self.interlaced,
-        )
+        return replace(self, pixel_clock_hz=refresh_hz * self.clocks_per_frame)
+
+    @property
+    def fault(self) -> str:
+        """Why no tube can be driven so, "" where it can; what is typed may be anything."""
+        if self.h_active < 1 or self.v_active < 1:
+            return _("The picture has no pixels: {w} \u00d7 {h}. Give it at least one each way.").format(
+                w=self.h_active, h=self.v_active
+            )
+        if min(self.h_sync, self.v_sync) < 1:
+            return _("Without a sync pulse the beam never flies back: give it at least 1.")
+        if min(self.h_front_porch, self.h_back_porch, self.v_front_porch, self.v_back_porch) < 0:
+            return _("A porch is negative, so the totals are smaller than the picture: give it 0 or more.")
+        if self.pixel_clock_hz <= 0:
+            return _("A pixel clock of 0 MHz never shows a pixel: give it more.")
+        if self.interlaced and self.v_active < 2:
+            return _("Two fields need at least two lines: give the picture more, or scan it in one field.")
+        return ""
 
     @property
     def h_total(self) -> int:
@@ -119,6 +137,21 @@ class RasterTiming:
         return 1 / self.frame_s
 
     @property
+    def h_blank(self) -> int:
+        """Pixel clocks of a line in which the beam is dark."""
+        return self.h_total - self.h_active
+
+    @property
+    def v_blank(self) -> int:
+        """Lines of a frame in which the beam is dark."""
+        return self.v_total - self.v_active
+
+    @property
+    def fields(self) -> int:
+        """Vertical sweeps of a frame: 2 where it is interlaced."""
+        return 2 if self.interlaced else 1
+
+    @property
     def lines_per_field(self) -> Fraction:
         """Lines from one vertical retrace to the next; a half-integer when the fields interleave."""
         return Fraction(self.v_total, 2 if self.interlaced else 1)
@@ -145,15 +178,25 @@ class RasterTiming:
         return row if row < self.v_active else None
 
 
+COUNTS = tuple(key for key in RasterTiming.__dataclass_fields__ if key[:2] in ("h_", "v_"))
+"""The fields that are counts: of a line in pixel clocks, of a frame in lines, in their order in time."""
+
+
 def raster_modes() -> tuple[str, ...]:
     """The ids of all raster modes, in the order of the table."""
     return tuple(_table())
 
 
 def _mode(record: dict[str, Any]) -> RasterTiming:
-    counts = {key: record[key] for key in RasterTiming.__dataclass_fields__ if key[:2] in ("h_", "v_")}
-    clock = Fraction(record["pixel_clock_hz"])
-    return RasterTiming(record["name"], clock, interlaced=record["interlaced"], **counts)
+    counts = {key: record[key] for key in COUNTS}
+    return RasterTiming(
+        record["name"],
+        Fraction(record["pixel_clock_hz"]),
+        interlaced=record["interlaced"],
+        uncertain_fields=tuple(record["uncertain_fields"]),
+        note=record["note"],
+        **counts,
+    )
 
 
 @cache

@@ -5,6 +5,9 @@ hit of energy E adds E e_k / tau_k to it, time takes it away, what it emits is c
 is a count of ticks, an exact rational number; every step is exact for its length, so the way time is cut
 does not matter.
 
+What is stepped of one place by the text ``phosphor_decay`` is done here to the whole face at once; the law
+that both are equal: ``scanning/test_scanning.py::test_the_tube_fades_as_the_text_says``.
+
 Frame: millimetres on the face, origin at its lower left corner, y upwards; arrays are (rows, columns), row
 0 at the bottom. Energy is in any unit; luminance is that unit per second and pixel.
 """
@@ -24,6 +27,11 @@ Floats = NDArray[np.floating[Any]]
 PICOSECOND = Fraction(1, 10**12)
 _LOWEST = np.float32(1e-6)
 WHOLE = slice(None), slice(None)
+
+
+def _total(values: Floats) -> float:
+    """The sum; float32 is summed as it is, which is fast and as accurate as the values are."""
+    return float(values.sum())
 
 
 class Tube:
@@ -61,6 +69,8 @@ class Tube:
         shape = rows, columns
         self.stored = [np.zeros((len(gun.terms), *shape), dtype=precision) for gun in self.guns]
         self._light = [np.zeros((len(gun.colours), *shape), dtype=precision) for gun in self.guns]
+        self._exact = np.dtype(precision) == np.float64
+        self._room = np.empty(shape, dtype=precision)
         self._emitted_before = 0.0
         self._deposited = 0.0
         self._layers = [
@@ -94,8 +104,14 @@ class Tube:
         for gun, phosphor in enumerate(self.guns):
             for k, term in enumerate(phosphor.terms):
                 state = self.stored[gun][k]
-                self._light[gun][self._layers[gun][k]] += state * (term.tau_s * -np.expm1(-dt / term.tau_s))
+                light = self._light[gun][self._layers[gun][k]]
+                self._add_scaled(light, state, term.tau_s * -float(np.expm1(-dt / term.tau_s)))
                 self._fade(state, float(np.exp(-dt / term.tau_s)))
+
+    def _add_scaled(self, onto: Floats, values: Floats, factor: float) -> None:
+        """Add ``factor`` times the values, without an array of its own."""
+        np.multiply(values, onto.dtype.type(factor), out=self._room, casting="same_kind")
+        onto += self._room
 
     @staticmethod
     def _fade(state: Floats, factor: float) -> None:
@@ -142,10 +158,10 @@ class Tube:
             state, share = self.stored[gun][k], self._shares[gun][k]
             fading = -float(np.expm1(-dt / term.tau_s))
             light = self._light[gun][self._layers[gun][k]]
-            light += state * (term.tau_s * fading)
-            light += power * (share * (dt - term.tau_s * fading))
+            self._add_scaled(light, state, term.tau_s * fading)
+            self._add_scaled(light, power, share * (dt - term.tau_s * fading))
             self._fade(state, 1.0 - fading)
-            state += power * (share * fading)
+            self._add_scaled(state, power, share * fading)
 
     def skip(self, ticks: int | Fraction) -> None:
         """Let the clock run while the face stays as it is: a picture that is kept up evenly."""
@@ -209,8 +225,43 @@ class Tube:
         self._light = [np.zeros_like(light) for light in collected]
         return collected
 
+    def collect(self, into: Sequence[Floats], rate: float) -> None:
+        """Give the light since the last call times ``rate``, an array (rows, columns) for each gun and layer.
+
+        It starts afresh, as ``exposure`` does, without an array of its own.
+        """
+        if self._exact:
+            self._emitted_before += self._collected()
+        layers = (layer for gun in self._light for layer in gun)
+        for light, given in zip(layers, into, strict=True):
+            np.multiply(light, light.dtype.type(rate), out=given)
+            light.fill(0.0)
+
+    def blocks(self, gun: int) -> tuple[Floats, Floats]:
+        """What is stored and what was given off by one gun, with the rows of all terms or layers in a row."""
+        columns, _rows = self.size_px
+        return self.stored[gun].reshape(-1, columns), self._light[gun].reshape(-1, columns)
+
+    def factors(
+        self, gun: int, dt: float
+    ) -> tuple[NDArray[np.float32], NDArray[np.int64], NDArray[np.float32]]:
+        """For each term (terms, 4): what ``dt`` seconds leave, what they give off, luminance for stored
+        energy, energy for stored luminance. Its layer (terms,); and the share of each layer (layers, 1).
+        """
+        rows = []
+        shares = np.zeros((len(self.guns[gun].colours), 1), np.float32)
+        for k, term in enumerate(self.guns[gun].terms):
+            share, fading = self._shares[gun][k], -float(np.expm1(-dt / term.tau_s))
+            shares[self._layers[gun][k], 0] += share
+            rows.append((1.0 - fading, term.tau_s * fading, share / term.tau_s, term.tau_s))
+        return np.array(rows, np.float32), np.array(self._layers[gun], np.int64), shares
+
+    def count(self, energy: float) -> None:
+        """So much energy fell on the face, put there by who calls this."""
+        self._deposited += energy
+
     def _collected(self) -> float:
-        return sum(float(light.sum(dtype=np.float64)) for light in self._light)
+        return sum(_total(light) for light in self._light)
 
     def deposited_energy(self) -> float:
         """All energy that fell on the face so far."""
@@ -219,11 +270,16 @@ class Tube:
     def stored_energy(self) -> float:
         """Energy that is still to be emitted."""
         return sum(
-            term.tau_s * float(self.stored[gun][k].sum(dtype=np.float64))
+            term.tau_s * _total(self.stored[gun][k])
             for gun, phosphor in enumerate(self.guns)
             for k, term in enumerate(phosphor.terms)
         )
 
     def emitted_energy(self) -> float:
-        """Energy emitted as light so far; with the stored energy it makes the deposited one."""
+        """Energy emitted as light so far; with the stored energy it makes the deposited one.
+
+        In float64 it is the sum of all light; a float32 tube, which is for looking at, leaves that out.
+        """
+        if not self._exact:
+            return self._deposited - self.stored_energy()
         return self._emitted_before + self._collected()

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.display.beam import Beam
-from workbench.display.phosphor import Phosphor
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float]
@@ -35,16 +34,6 @@ def waveforms(
         np.array([s.y_mm - size_mm[1] / 2 for s in states]),
         np.array([max(s.currents) for s in states]),
     )
-
-
-def light_of_hits(phosphor: Phosphor, period_s: float, seconds: Floats) -> Floats:
-    """Light at times after a hit that is repeated every ``period_s``, over its mean: 1 is the mean."""
-    within = np.mod(seconds, period_s)
-    light = np.zeros_like(seconds)
-    for term, share in zip(phosphor.terms, phosphor.energy_fractions, strict=True):
-        fresh = share * period_s / term.tau_s / -math.expm1(-period_s / term.tau_s)
-        light += fresh * np.exp(-within / term.tau_s)
-    return light
 
 
 def nearest_pass(

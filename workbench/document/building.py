@@ -108,7 +108,7 @@ def scene_with(document: Document, thing: str) -> tuple[Sheet, Scene, Thing]:
             if sheet.scene and candidate.id == thing:
                 return sheet, sheet.scene, candidate
     raise DocumentError(
-        thing, _("There is nothing {id!r} in a scene; it may have been removed.").format(id=thing)
+        thing, _("There is nothing called {id!r} in the scene; it may have been removed.").format(id=thing)
     )
 
 
@@ -202,22 +202,22 @@ def moved_by(figure: AnyFigure, dx: float, dy: float) -> AnyFigure:
 
 def polyline_with(document: Document, figure: str) -> Polyline:
     """The polyline with this id; raises DocumentError."""
-    found = figure_with(document, figure)[1]
-    if not isinstance(found, Polyline):
+    figure_there = figure_with(document, figure)[1]
+    if not isinstance(figure_there, Polyline):
         sentence = _("Figure {id!r} is not a polyline, so it is neither open nor closed; choose a polyline.")
         raise DocumentError(figure, sentence.format(id=figure))
-    return found
+    return figure_there
 
 
 def of_many_points(document: Document, figure: str) -> Polyline | Polygon:
     """The polyline or polygon with this id; raises DocumentError."""
-    found = figure_with(document, figure)[1]
-    if not isinstance(found, Polyline | Polygon):
+    figure_there = figure_with(document, figure)[1]
+    if not isinstance(figure_there, Polyline | Polygon):
         sentence = _(
             "Figure {id!r} is not a polyline or polygon, so its number of points is fixed; choose one."
         )
         raise DocumentError(figure, sentence.format(id=figure))
-    return found
+    return figure_there
 
 
 def with_points(
@@ -234,7 +234,7 @@ def with_points(
 def position(index: int, most: int, field: str) -> int:
     """``index`` when it is a place from 0 to ``most``; raises DocumentError."""
     if type(index) is not int or not 0 <= index <= most:
-        sentence = _("{field}: there is no place {index!r}; choose one from 0 to {most}.")
+        sentence = _("{field}: there is no position {index!r}; choose one from 0 to {most}.")
         raise DocumentError(field, sentence.format(field=field, index=index, most=most))
     return index
 

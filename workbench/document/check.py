@@ -268,7 +268,7 @@ def _wrong_id(document: Document) -> DocumentError:
             )
             return refuse(field, problem.format(value=shown(identity)))
         if identity in seen:
-            problem = _("is {value}, which another has too; give it its own")
+            problem = _("is {value}, which another one already has; give it one of its own")
             return refuse(field, problem.format(value=shown(identity)))
         seen.add(identity)
     raise AssertionError("all ids are sound")

@@ -98,7 +98,7 @@ def _rings(polygon: Polygon, _before: Any) -> Fault | None:
             return "ring_ends", problem.format(count=count, least=RING_LEAST, ring=index + 1)
         start = end
     if polygon.ring_ends and start != last:
-        problem = _("ends at {end}, but there are {count} points; end the last ring there")
+        problem = _("ends at {end}, but there are {count} points; the last ring must end there")
         return "ring_ends", problem.format(end=start, count=last)
     return None
 
@@ -116,7 +116,7 @@ def _knots(curve: Curve, _before: Any) -> Fault | None:
         low, high = curve.knots[index - 1].u, curve.knots[index].u
         if high < low:
             problem = _(
-                "is {value}, less than the knot before it, {before}; knots may not decrease: raise it"
+                "is {value}, less than the knot before it, {before}; knots must not decrease, so raise it"
             )
             return f"knots[{index}].u", problem.format(value=shown(high), before=shown(low))
     return None

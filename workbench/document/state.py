@@ -104,6 +104,12 @@ def seen_scene(state: SessionState, sheet: Sheet) -> Scene | None:
     return replace(scene, camera=look.camera)
 
 
+def as_seen(state: SessionState, sheet: Sheet) -> Sheet:
+    """``sheet`` with its scene seen as it is now; itself where nobody looks around in it."""
+    scene = seen_scene(state, sheet)
+    return sheet if scene is sheet.scene else replace(sheet, scene=scene)
+
+
 def with_look(state: SessionState, sheet: Sheet, camera: Camera | None) -> dict[str, Look]:
     """The looks of ``state``, with ``camera`` at the scene of this sheet, or with None the scene's own."""
     kept = {name: look for name, look in state.looks.items() if name != sheet.id}
@@ -142,7 +148,9 @@ def check_state(state: SessionState, document: Document) -> SessionState:
     if state.active and state.active not in figures:
         raise refuse("session.active", missing(state.active))
     if state.compare and not is_word(state.compare):
-        raise refuse("session.compare", _("is {value}, which is no name").format(value=shown(state.compare)))
+        raise refuse(
+            "session.compare", _("is {value}, which is not a name").format(value=shown(state.compare))
+        )
     if state.pixel is not None and not all(0 <= side < MAX_SIDE_PX for side in state.pixel):
         problem = _("is {value}; give a column and a row from 0")
         raise refuse("session.pixel", problem.format(value=shown(state.pixel)))
@@ -162,7 +170,7 @@ def check_state(state: SessionState, document: Document) -> SessionState:
             )
     for workspace in (state.workspace, *state.positions):
         if workspace and not is_word(workspace):
-            raise refuse("session.workspace", _("is no name of a workspace; give one such as draw"))
+            raise refuse("session.workspace", _("is not the name of a workspace; give one such as draw"))
     ids = _ids_for(state, document)
     for workspace, position in state.positions.items():
         if fault := fault_in(position, ids):

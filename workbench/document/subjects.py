@@ -55,7 +55,7 @@ def fault_in(position: Position, ids: frozenset[str]) -> Fault | None:
         return "step", _("is {value}; give a whole number from 0").format(value=position.step)
     for name, word in (("kind", subject.kind), ("entry", subject.entry or "none")):
         if not is_word(word):
-            return f"subject.{name}", _("is {value}, which is no name").format(value=shown(word))
+            return f"subject.{name}", _("is {value}, which is not a name").format(value=shown(word))
     for number, identity in enumerate(subject.ids):
         if identity not in ids:
             return f"subject.ids[{number}]", missing(identity)
@@ -64,7 +64,9 @@ def fault_in(position: Position, ids: frozenset[str]) -> Fault | None:
         return "subject.arguments", problem.format(count=len(subject.arguments), most=MAX_ARGUMENTS)
     for name, value in subject.arguments.items():
         if not is_word(name):
-            return "subject.arguments", _("has the name {value}, which is none").format(value=shown(name))
+            return "subject.arguments", _("has the name {value}, which is not a valid name").format(
+                value=shown(name)
+            )
         numbers = value if isinstance(value, tuple) else (value,)
         if not all(isinstance(number, str) or math.isfinite(number) for number in numbers):
             problem = _("is {value}; give a finite number")
@@ -79,5 +81,5 @@ def is_word(text: str) -> bool:
 
 def missing(identity: str) -> str:
     """What is said of a field that names an id that the document does not have."""
-    problem = _("is {value}, which there is not; remove it or name one that there is")
+    problem = _("is {value}, which does not exist; remove it or name one that does")
     return problem.format(value=shown(identity))

@@ -1,8 +1,8 @@
 """Arguments of an algorithm in the one form that each of its compiled readings takes.
 
 Whole numbers become int, the others float, arrays C-contiguous: points float64 (n, 2), lists of whole numbers
-int64, pictures of integers as they are, a depth buffer of integers int64. Another form would be another
-signature, and so another compilation.
+int64, pictures of integers or of float32 as they are, a depth buffer of integers int64. Another form would be
+another signature, and so another compilation.
 """
 
 import functools
@@ -61,7 +61,7 @@ def table(function: Callable[..., Any], rows: Any) -> NDArray[Any]:
     parameters = kinds(function)
     name = function.__name__
     if not only_numbers(parameters):
-        raise ValueError(_("{name} takes more than numbers; run it once at a time").format(name=name))
+        raise ValueError(_("{name} takes more than numbers; run it one call at a time").format(name=name))
     dtype = np.float64 if any(kind == "float" for _name, kind in parameters) else np.int64
     found = np.ascontiguousarray(rows, dtype=dtype)
     if found.ndim != 2 or found.shape[1] != len(parameters):
@@ -192,6 +192,8 @@ def _kind_of(value: Any) -> Kind:
     if isinstance(value, float | np.floating):
         return "float"
     array = np.asarray(value)
+    if array.dtype == np.float32 and array.ndim == 2:
+        return "image"  # as it is: it would be twice as large
     if array.dtype.kind == "f":
         return "points"
     return "image" if array.ndim == 2 and isinstance(value, np.ndarray) else "ints"

@@ -14,7 +14,7 @@ _NONE = -1
 
 
 class Variables(Mapping[str, Any]):
-    """The variables of one call at one time; each is read when it is asked for, since a picture is dear.
+    """The variables of one call at one time; each is read when it is asked for, since a picture is costly.
 
     Of a text that calls itself the calls under way are among them, as CALLS.
     """

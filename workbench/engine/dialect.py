@@ -34,20 +34,20 @@ class Refusal:
 _STATEMENTS: dict[type[ast.AST], str] = {
     ast.Try: _("try cannot be compiled; test the case before it happens"),
     ast.With: _("with cannot be compiled"),
-    ast.ClassDef: _("a class inside a function cannot be compiled; put a NamedTuple at the head of the file"),
+    ast.ClassDef: _("a class inside a function cannot be compiled; put a NamedTuple at the top of the file"),
     ast.Lambda: _("lambda cannot be compiled; write a function of its own"),
     ast.Global: _("global cannot be compiled; pass the value as an argument"),
     ast.Nonlocal: _("nonlocal cannot be compiled; pass the value as an argument"),
-    ast.Import: _("import belongs at the head of the file"),
-    ast.ImportFrom: _("import belongs at the head of the file"),
+    ast.Import: _("import belongs at the top of the file"),
+    ast.ImportFrom: _("import belongs at the top of the file"),
     ast.GeneratorExp: _("a generator expression cannot be compiled; write a list, [... for ...]"),
     ast.DictComp: _("a dictionary cannot be compiled here; use a list"),
     ast.Dict: _("a dictionary cannot be compiled here; use a list"),
-    ast.SetComp: _("a set has no order that two readings share; use a list"),
-    ast.Set: _("a set has no order that two readings share; use a list"),
+    ast.SetComp: _("a set has no order that both readings share; use a list"),
+    ast.Set: _("a set has no order that both readings share; use a list"),
     ast.NamedExpr: _(":= cannot be compiled; assign on a line of its own"),
     ast.Starred: _("a starred name cannot be compiled; unpack every item by name"),
-    ast.JoinedStr: _("text is not made inside an algorithm"),
+    ast.JoinedStr: _("an algorithm does not make text"),
     ast.AsyncFunctionDef: _("async cannot be compiled"),
     ast.Await: _("await cannot be compiled"),
 }
@@ -58,8 +58,8 @@ _CALLS = {
     "sum": _("sum adds in another way in newer Pythons; write a loop"),
     "map": _("map cannot be compiled; write a list, [... for ...]"),
     "filter": _("filter cannot be compiled; write a list, [... for ... if ...]"),
-    "print": _("print has no place here; yield what is to be seen"),
-    "set": _("a set has no order that two readings share; use a list"),
+    "print": _("print has no place here; yield what is to be drawn"),
+    "set": _("a set has no order that both readings share; use a list"),
     "dict": _("a dictionary cannot be compiled here; use a list"),
 }
 _ROOTS = {"hypot", "dist"}
@@ -190,6 +190,7 @@ def _empty_lists(function: ast.FunctionDef) -> Iterator[Refusal]:
                 yield Refusal(
                     node.lineno,
                     _(
-                        "nothing is appended to {name} in this function; write other[:0] for an empty list"
+                        "nothing is appended to {name} in this function; say what it is a list of, as in "
+                        "{name}: list[int] = []"
                     ).format(name=name),
                 )

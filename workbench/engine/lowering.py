@@ -1,8 +1,9 @@
 """The only rewriter: from the text that is shown to one that emits into a sink.
 
 ``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; numbers that
-are never negative are marked so (``places``), branches that write items become ``choices``; nothing else of
-what runs is touched.
+are never negative are marked so (``places``), branches that write items become ``choices``, empty lists get
+the type that they say (``empty_lists``), what only reads an item of an array stands where it is called
+(``reading_items``); nothing else of what runs is touched.
 Everything that the function calls is found by its global name and written, callees first, into one text that
 stands alone: constants as literals, records imported.
 
@@ -15,7 +16,7 @@ import ast
 import copy
 import inspect
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from types import FunctionType, ModuleType
@@ -25,9 +26,11 @@ import numpy as np
 
 from workbench.engine.blocks import blocks
 from workbench.engine.choices import CHOSEN, bounded, choices
+from workbench.engine.empty_lists import is_empty_list, typed_empty_list
 from workbench.engine.parsing import parse_expression
 from workbench.engine.places import BESIDE, PLACE, counted_up, met, unsigned
-from workbench.engine.texts import SINK, VISIT, Text, arity, gather, parameters, parse, recursive
+from workbench.engine.reading_items import item_read
+from workbench.engine.texts import SINK, VISIT, Text, arity, bound_names, gather, parameters, parse, recursive
 from workbench.language import _
 
 Variant = Literal["plain", "counting", "probing"]
@@ -71,9 +74,14 @@ class Lowered:
 
 @lru_cache(maxsize=512)
 def lower(
-    function: Callable[..., Any], variant: Variant = "plain", considers: tuple[tuple[str, str], ...] = ()
+    function: Callable[..., Any],
+    variant: Variant = "plain",
+    considers: tuple[tuple[str, str], ...] = (),
+    painter: Callable[..., Any] | None = None,
 ) -> Lowered:
     """Lower a generator function; ``considers`` are (title of a block, expression for a pixel) to probe.
+
+    The ``painter`` of an entry is lowered with it.
 
     Raises:
         DialectError: the text, or one that it calls, is outside the dialect.
@@ -81,13 +89,14 @@ def lower(
     probed: dict[str, tuple[str, ...]] = {}
     for title, expression in considers:
         probed[title] = (*probed.get(title, ()), expression)
-    texts = gather(function, probed)
+    texts = gather(function, probed, painter)
     slots: list[Slot] = []
     titles: list[str] = []
     functions = []
     if variant == "plain":
         sinks = {text.function for text in texts if text.generator}
-        functions = [_Rewriter(text, sinks).rewritten() for text in texts]
+        trees = {text.function: text.tree for text in texts}
+        functions = [_Rewriter(text, sinks, trees).rewritten() for text in texts]
     else:
         sinks = {text.function for text in texts}
         functions = [_Ticking(text, sinks, slots, titles).rewritten() for text in texts]
@@ -108,11 +117,15 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
 
 
 class _Rewriter(ast.NodeTransformer):
-    """Rewrites one function; ``sinks`` are the functions that take a sink as their first argument."""
+    """Rewrites one function; ``sinks`` take a sink first, ``helpers`` may be written in their place."""
 
-    def __init__(self, text: Text, sinks: set[FunctionType]) -> None:
+    def __init__(
+        self, text: Text, sinks: set[FunctionType], helpers: Mapping[FunctionType, ast.FunctionDef]
+    ) -> None:
         self.text = text
         self.sinks = sinks
+        self.helpers = helpers
+        self.bound = bound_names(text.tree)
         own_names = {*text.callees, *text.constants}
         self.counted = counted_up(text.tree, own_names)
         self.within = {} if "min" in own_names else bounded(text.tree, self.counted)
@@ -164,6 +177,9 @@ class _Rewriter(ast.NodeTransformer):
             )
         if callee is not None and callee in self.sinks:
             return self._with_sink(node, callee)
+        helper = None if callee is None else self.helpers.get(callee)
+        if helper is not None and (written := item_read(node, helper, self.bound)):
+            return self.visit(written)  # type: ignore[no-any-return]
         if isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Name):
             module = self.text.constants.get(node.func.value.id)
             if isinstance(module, ModuleType) and module not in (math, np):
@@ -190,7 +206,10 @@ class _Rewriter(ast.NodeTransformer):
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.stmt:
         if node.value is None:
             return ast.Pass()
-        return ast.Assign([self.visit(node.target)], self.visit(node.value))
+        value = node.value
+        if is_empty_list(node):
+            value = typed_empty_list(node, self.text.function.__globals__)
+        return ast.Assign([self.visit(node.target)], self.visit(value))
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
         if node.id in self.text.callees:
@@ -223,7 +242,7 @@ class _Ticking(_Rewriter):
     """Adds the ticks and probes. ``slots`` and ``titles`` are those of the whole text, and grow here."""
 
     def __init__(self, text: Text, sinks: set[FunctionType], slots: list[Slot], titles: list[str]) -> None:
-        super().__init__(text, sinks)
+        super().__init__(text, sinks, {})
         self.slots = slots
         self.of_line: dict[int, int] = {}
         self.probed: list[tuple[int, int, tuple[ast.expr, ...]]] = []
@@ -366,7 +385,7 @@ def _binding(text: Text, name: str, value: Any) -> str:
         value = value.item()
     if isinstance(value, type) and issubclass(value, tuple) and hasattr(value, "_fields"):
         if value.__module__ == "__main__" or "<" in value.__qualname__:
-            raise text.error(_("the record {name} must stand at the head of a file").format(name=name))
+            raise text.error(_("the record {name} must be at the top level of a file").format(name=name))
         fields = " ".join(value._fields)
         return f"from {value.__module__} import {value.__name__} as {name}  # {fields}"
     if inspect.isbuiltin(value) and getattr(value, "__module__", "") == "math":
@@ -375,7 +394,7 @@ def _binding(text: Text, name: str, value: Any) -> str:
         return f"{name} = float({str(value)!r})"
     if _plain(value):
         return f"{name} = {value!r}"
-    raise text.error(_("{name} is neither a number, a tuple, an array nor a record").format(name=name))
+    raise text.error(_("{name} is not a number, a tuple, an array or a record").format(name=name))
 
 
 def _plain(value: Any) -> bool:

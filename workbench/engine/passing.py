@@ -48,7 +48,7 @@ class Passing:
         self,
         skip: Skip,
         known: Callable[[FrameType], Known | None],
-        refuse_depth: Callable[[int], None],
+        refuse_depth: Callable[[int, Known], None],
         pause: Callable[[], None] | None,
         begin: Callable[[Iterable[tuple[FrameType, int]]], None],
     ) -> None:
@@ -67,7 +67,7 @@ class Passing:
             known = self._known(frame)
             if known is None:
                 return None
-            self._refuse_depth(len(self._stack))
+            self._refuse_depth(len(self._stack), known)
             trace = self._traces[frame] = self._local_trace(known)
         self._stack.append(frame)
         return trace

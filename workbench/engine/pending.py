@@ -34,7 +34,8 @@ def largest(entry: Entry, recording: Recording) -> int:
     A text that keeps a stack changes it on lines of their own, so that their runs tell its size at any time.
     """
     if entry.stack == CALLS:
-        return max(recording.frame_depths[:], default=-1) + 1
+        own = np.array(recording.frame_texts[:]) == 0
+        return int(np.array(recording.frame_depths[:], np.int64)[own].max(initial=-1)) + 1
     stack = entry.stack
     source, first = inspect.getsourcelines(entry.function)
     change = np.zeros(first + len(source), np.int64)

@@ -107,9 +107,9 @@ class _Tracer:
             self.recording.begun_at.append(frame.f_lineno)
             frame.f_trace = call.trace
 
-    def refuse_depth(self, depth: int) -> None:
-        """Raise RecursionError for a call that nests too deep."""
-        if self.depth_limit is not None and depth > self.depth_limit:
+    def refuse_depth(self, depth: int, known: Known) -> None:
+        """Raise RecursionError for a text that nests too deep; what it only asks ends before the next."""
+        if self.depth_limit is not None and depth > self.depth_limit and known.generator:
             self.overflow = True
             raise RecursionError(f"the calls are more than {self.depth_limit} deep")
 
@@ -117,7 +117,7 @@ class _Tracer:
         recording = self.recording
         parent = self._stack[-1] if self._stack else None
         depth = parent.depth + 1 if parent else 0
-        self.refuse_depth(depth)
+        self.refuse_depth(depth, known)
         call = _Call(len(recording.frame_starts), depth)
         recording.frame_texts.append(known.number)
         recording.frame_depths.append(depth)

@@ -12,6 +12,7 @@ from typing import Any
 from workbench.engine.blocks import blocks
 from workbench.engine.choices import CHOSEN, TAKEN
 from workbench.engine.dialect import DialectError, refusals
+from workbench.engine.empty_lists import empty_lists, records_in
 from workbench.engine.parsing import parse_expression, parse_module
 from workbench.engine.places import BESIDE, PLACE
 from workbench.language import _
@@ -47,8 +48,12 @@ class Text:
         return DialectError(self.name, self.tree.lineno if line is None else line, sentence)
 
 
-def gather(function: Callable[..., Any], considers: Mapping[str, tuple[str, ...]]) -> list[Text]:
-    """The function and all it calls, callees first.
+def gather(
+    function: Callable[..., Any],
+    considers: Mapping[str, tuple[str, ...]],
+    painter: Callable[..., Any] | None = None,
+) -> list[Text]:
+    """The function and all it calls, callees first; before them its painter with all that calls.
 
     Raises:
         DialectError: one of them is outside the dialect, or two have one name.
@@ -66,6 +71,8 @@ def gather(function: Callable[..., Any], considers: Mapping[str, tuple[str, ...]
 
     if not isinstance(function, FunctionType):
         raise DialectError(str(function), 0, _("only a function written in Python can be lowered"))
+    if isinstance(painter, FunctionType):
+        follow(painter)
     follow(function)
     names: dict[str, FunctionType] = {}
     for text in order:
@@ -99,6 +106,11 @@ def _read(function: FunctionType, considers: Mapping[str, tuple[str, ...]]) -> T
         if block.title in considers
     }
     callees, constants = _globals(function, tree, [item for found in probed.values() for item in found])
+    for node in empty_lists(tree):
+        try:
+            constants |= records_in(node, function.__globals__)
+        except TypeError as error:
+            raise DialectError(function.__name__, node.lineno, str(error)) from error
     emits = inspect.isgeneratorfunction(function)
     return Text(function, source, first, tree, emits, callees, constants, probed)
 
@@ -113,12 +125,7 @@ def _globals(
     function: FunctionType, tree: ast.FunctionDef, further: list[ast.expr]
 ) -> tuple[dict[str, FunctionType], dict[str, Any]]:
     """What the global names of a text stand for: functions to lower, and everything else."""
-    bound = {argument.arg for argument in parameters(tree)}
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            bound.add(node.id)
-        elif isinstance(node, ast.MatchAs | ast.MatchStar) and node.name:
-            bound.add(node.name)
+    bound = bound_names(tree)
     for name in bound & RESERVED:
         raise DialectError(function.__name__, tree.lineno, _("the name {name} is taken").format(name=name))
     callees: dict[str, FunctionType] = {}
@@ -135,6 +142,17 @@ def _globals(
         elif not hasattr(builtins, name):
             raise DialectError(function.__name__, line, _("{name} is not known here").format(name=name))
     return callees, constants
+
+
+def bound_names(tree: ast.FunctionDef) -> set[str]:
+    """The names of a function's own: its parameters and all that it assigns."""
+    bound = {argument.arg for argument in parameters(tree)}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            bound.add(node.id)
+        elif isinstance(node, ast.MatchAs | ast.MatchStar) and node.name:
+            bound.add(node.name)
+    return bound
 
 
 def parameters(tree: ast.FunctionDef) -> list[ast.arg]:

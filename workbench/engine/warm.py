@@ -1,9 +1,10 @@
 """Compiles ahead, in a process of its own at low priority, what a workspace is about to need.
 
 The parent starts ``Warming`` and reads its progress; it then only loads what lies in the cache. The child
-prints one line per kernel, ``done total slug use``, and one with ``failed`` first where a text was refused.
-It keeps kernels where its parent does, and ends with ``full`` and the reason when nothing more can be written
-there; the parent then goes on elsewhere, if there is anywhere (see ``kernel_files``).
+prints one line per kernel, ``done total slug use``, or per module that has several, and one with ``failed``
+first where a text was refused. It keeps kernels where its parent does, and ends with ``full`` and the reason
+when nothing more can be written there; the parent then goes on elsewhere, if there is anywhere (see
+``kernel_files``).
 """
 
 import os
@@ -12,6 +13,7 @@ import sys
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -45,16 +47,18 @@ class Progress:
 class Warming:
     """A child process that compiles the entries named, most used first.
 
-    ``uses`` are those of ``USES`` that are wanted. Without a compiler, or without anything to do, no process
+    ``uses`` are those of ``USES`` that are wanted. ``modules`` have texts that are in no entry, as ``TEXTS``,
+    and a function ``compile_all``; they come last. Without a compiler, or without anything to do, no process
     is started and ``finished`` holds at once.
     """
 
-    def __init__(self, slugs: Sequence[str], uses: Sequence[str] = USES) -> None:
+    def __init__(self, slugs: Sequence[str], uses: Sequence[str] = USES, modules: Sequence[str] = ()) -> None:
         self._process: subprocess.Popen[str] | None = None
         self._starting = threading.Lock()
         self._stopped = False
-        self._words = [",".join(uses), *slugs]
-        if compiled.available() and any(not warm(slug, use) for slug, use in work(slugs, uses)):
+        self._words = [",".join(uses), *slugs, *modules]
+        cold = any(not warm(slug, use) for slug, use in work(slugs, uses))
+        if compiled.available() and (cold or not all(map(module_is_warm, modules))):
             self._start()
 
     def _start(self) -> None:
@@ -114,7 +118,21 @@ class Warming:
 
 def warm(slug: str, use: str) -> bool:
     """Whether this use of an entry needs no compilation any more."""
-    return compiled.ready(catalogue.get(slug).function, use)
+    entry = catalogue.get(slug)
+    beside = entry.beside if use == "paint" else ()
+    return compiled.ready(entry.function, use) and all(compiled.ready(b.function, "run") for b in beside)
+
+
+def module_is_warm(module: str) -> bool:
+    """Whether the texts of a module need no compilation any more."""
+    return all(compiled.ready(text, "run") for text in import_module(module).TEXTS)
+
+
+def load_module(module: str, stopped: Callable[[], bool]) -> None:
+    """Have the texts of a module at hand in this process, if they were compiled before; as ``load``."""
+    interface.wait()
+    if not stopped() and module_is_warm(module):
+        import_module(module).compile_all()
 
 
 def work(slugs: Sequence[str], uses: Sequence[str] = USES) -> list[tuple[str, str]]:
@@ -156,6 +174,8 @@ def compile_use(entry: Entry, use: str) -> None:
     image = np.zeros((4, 4), np.uint32)
     match use:
         case "paint":
+            for beside in entry.beside:
+                compiled.paint(beside.function, beside.example[0], 1, *beside.example)
             compiled.paint(function, image, 1, *example)
         case "paint_batch":
             batches.load(function, example)
@@ -180,14 +200,18 @@ def _screen_example(entry: Entry) -> tuple[Any, ...]:
 
 
 def main(arguments: Sequence[str]) -> int:
-    """The child: ``USES SLUG...``."""
+    """The child: ``USES SLUG... MODULE...``; the name of a module has a dot."""
     if hasattr(os, "nice"):
         os.nice(15)
-    uses, *slugs = arguments
-    wanted = work(slugs, uses.split(","))
+    uses, *names = arguments
+    slugs = [name for name in names if "." not in name]
+    wanted = work(slugs, uses.split(",")) + [(name, "run") for name in names if "." in name]
     for number, (slug, use) in enumerate(wanted, 1):
         try:
-            compile_use(catalogue.get(slug), use)
+            if "." in slug:
+                import_module(slug).compile_all()
+            else:
+                compile_use(catalogue.get(slug), use)
         except ValueError as error:
             print("failed", slug, use, str(error), flush=True)
         if reason := kernel_files.room().reason:

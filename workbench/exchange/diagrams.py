@@ -72,7 +72,7 @@ class Drawing:
     def __post_init__(self) -> None:
         xmin, ymin, xmax, ymax = self.window
         if not (xmin < xmax and ymin < ymax and all(map(math.isfinite, self.window))):
-            raise ValueError("A drawing's window has xmin < xmax and ymin < ymax.")
+            raise ValueError("A drawing's window must have xmin < xmax and ymin < ymax.")
 
 
 @dataclass(frozen=True, slots=True)

@@ -66,7 +66,7 @@ def _reader(suffix: str) -> Callable[[bytes, Progress], Raw]:
         from workbench.exchange.triangle_files import reader
 
         return reader(suffix)
-    sentence = _("A name that ends in {suffix} is not one of a mesh; choose .obj, .off, .ply, .stl or .glb.")
+    sentence = _("A file that ends in {suffix} is not a mesh; choose .obj, .off, .ply, .stl or .glb.")
     raise ValueError(sentence.format(suffix=repr(suffix)))
 
 
@@ -131,8 +131,8 @@ def _only_used(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
 
 def _of_corners(count: int) -> str:
     text = ngettext(
-        "{count:,} face of fewer than 3 or more than {most:,} corners",
-        "{count:,} faces of fewer than 3 or more than {most:,} corners",
+        "{count:,} face with fewer than 3 or more than {most:,} corners",
+        "{count:,} faces with fewer than 3 or more than {most:,} corners",
         count,
     )
     return text.format(count=count, most=MOST_CORNERS)
@@ -140,8 +140,8 @@ def _of_corners(count: int) -> str:
 
 def _of_missing(count: int) -> str:
     text = ngettext(
-        "{count:,} face with a vertex that is not there",
-        "{count:,} faces with vertices that are not there",
+        "{count:,} face with a vertex that does not exist",
+        "{count:,} faces with vertices that do not exist",
         count,
     )
     return text.format(count=count)
@@ -149,8 +149,8 @@ def _of_missing(count: int) -> str:
 
 def _of_bad_numbers(count: int) -> str:
     text = ngettext(
-        "{count:,} face with a coordinate that is no number or too large",
-        "{count:,} faces with coordinates that are no numbers or too large",
+        "{count:,} face with a coordinate that is not a number or too large",
+        "{count:,} faces with coordinates that are not numbers or too large",
         count,
     )
     return text.format(count=count)

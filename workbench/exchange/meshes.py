@@ -55,7 +55,7 @@ def _checked(vertices: ArrayLike, faces: AnyFaces) -> tuple[Array, Faces]:
         raise ValueError(_("The vertices are not rows of x, y and z; give each three finite numbers."))
     corners = polygons.corners
     if corners.size and (corners.min() < 0 or corners.max() >= len(points)):
-        raise ValueError(_("A face names a vertex that is not there; count them from 0."))
+        raise ValueError(_("A face names a vertex that does not exist; count them from 0."))
     return points, polygons
 
 

@@ -49,7 +49,7 @@ class MovingSheet:
                 sentence.format(width=self.size.width, height=self.size.height, most=MOST_SIDE_PX)
             )
         if self.rate and not 0.1 <= self.rate <= 100.0:
-            sentence = _("{rate:g} frames a second cannot be written; give a rate from 0.1 to 100.")
+            sentence = _("{rate:g} frames per second cannot be written; give a rate from 0.1 to 100.")
             raise ValueError(sentence.format(rate=self.rate))
 
     @property

@@ -22,13 +22,15 @@ def read_off(content: bytes, progress: Progress) -> Raw:
     lines = [line for line in text[head.end() if head else 0 :].split(b"\n") if line and not line.isspace()]
     counts = rows_of(lines[:1])
     if not (head or len(lines) > 1) or len(counts.sizes) != 1 or counts.sizes[0] not in (2, 3):
-        raise ValueError(_("The file is not an OFF: it has no numbers of vertices and faces at its head."))
+        raise ValueError(
+            _("This is not an OFF file: it does not begin with the numbers of vertices and faces.")
+        )
     if not (np.abs(counts.numbers) < 1e12).all():
-        raise ValueError(_("The numbers of vertices and faces at the head of the file are too large."))
+        raise ValueError(_("The numbers of vertices and faces at the beginning of the file are too large."))
     vertex_count, face_count = (int(number) for number in counts.numbers[:2])
     refuse_counts(vertex_count, face_count)
     if vertex_count < 0 or face_count < 0 or len(lines) < 1 + vertex_count + face_count:
-        sentence = _("The file promises {vertices:,} vertices and {faces:,} faces, and breaks off before.")
+        sentence = _("The file announces {vertices:,} vertices and {faces:,} faces, but ends before that.")
         raise ValueError(sentence.format(vertices=vertex_count, faces=face_count))
     progress(0.2)
     of_vertices = rows_of(lines[1 : 1 + vertex_count])

@@ -68,7 +68,7 @@ def read_ply(content: bytes, progress: Progress) -> Raw:
 
 def _head(content: bytes) -> tuple[list[_Element], str, int]:
     """The elements, the order of bytes (empty for text), and where the head ends."""
-    refusal = _("The file is not a PLY: its head is missing or damaged.")
+    refusal = _("This is not a PLY file: its header is missing or damaged.")
     if not content.startswith(b"ply"):
         raise ValueError(refusal)
     end = content.find(b"end_header", 0, _LONGEST_HEAD)
@@ -93,7 +93,7 @@ def _head(content: bytes) -> tuple[list[_Element], str, int]:
                 pass
             case _other:
                 raise ValueError(
-                    _("The head of the PLY has a line that says nothing known: {line!r}.").format(
+                    _("The header of the PLY file has a line that is not known: {line!r}.").format(
                         line=line.strip()[:60]
                     )
                 )
@@ -103,7 +103,7 @@ def _head(content: bytes) -> tuple[list[_Element], str, int]:
 
 
 def _breaks_off(element: _Element) -> ValueError:
-    sentence = _("The file breaks off in its list of {count:,} entries called {name}; fetch it again.")
+    sentence = _("The file ends in the middle of its list of {count:,} entries called {name}; get it again.")
     return ValueError(sentence.format(count=element.entries, name=element.name[:40]))
 
 
@@ -297,6 +297,6 @@ def _every_number(text: bytes, progress: Progress) -> Array:
             begin = end
             progress(0.5 * end / len(text))
     except ValueError:
-        sentence = _("The file has something other than numbers after its head; choose another file.")
+        sentence = _("The file has something other than numbers after its header; choose another file.")
         raise ValueError(sentence) from None
     return np.concatenate(parts or [np.zeros(0)])

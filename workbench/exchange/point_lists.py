@@ -59,7 +59,7 @@ def text_of(content: bytes, path: Path | str) -> str:
 def read_points(text: str, progress: Progress = silent) -> Array:
     """The points (n, 2) in a text, world units. Raises: PointsError."""
     if len(text) > MOST_CHARACTERS:
-        sentence = _("The list has {size:,} characters, and at most {most:,} can be read; give fewer points.")
+        sentence = _("The list has {size:,} characters, but at most {most:,} can be read; give fewer points.")
         raise PointsError(sentence.format(size=len(text), most=MOST_CHARACTERS))
     pairs = _pairs_of_json(text)
     if pairs is not None:
@@ -68,13 +68,13 @@ def read_points(text: str, progress: Progress = silent) -> Array:
     stated = _STATED.fullmatch(lines[0][1].strip()) if lines else None
     lines = lines[1:] if stated else lines
     if not lines:
-        raise PointsError(_("There are no points; give two numbers a line."))
+        raise PointsError(_("There are no points; give two numbers on each line."))
     if _is_heading(lines[0][1]):
         lines = lines[1:]
     if not lines:
-        raise PointsError(_("There is a heading and no points; give two numbers a line."))
+        raise PointsError(_("There is a heading but no points; give two numbers on each line."))
     if len(lines) > MOST_POINTS:
-        sentence = _("There are more than {most:,} points, which is all that can be read; give fewer.")
+        sentence = _("There are more than {most:,} points, the most that can be read; give fewer.")
         raise PointsError(sentence.format(most=MOST_POINTS))
     separator, comma = _dialect([line for _number, line in lines], stated[1] if stated else "")
     points = np.empty((len(lines), 2))
@@ -155,7 +155,7 @@ def _point(number: int, line: str, separator: str, comma: bool) -> tuple[float, 
     while len(cells) > 2 and not cells[-1].strip():
         cells.pop()
     if len(cells) < 2:
-        sentence = _("Line {line}: there is one value only; give x and y with {sign} between them.")
+        sentence = _("Line {line}: there is only one value; give x and y with {sign} between them.")
         raise PointsError(sentence.format(line=number, sign=_name_of(separator)))
     if len(cells) > 2:
         sentence = _("Line {line}: there are {count} values; give x and y, and nothing else.")

@@ -126,7 +126,7 @@ def read_at_once(job: Job) -> Result | None:
     Raises: ValueError with one sentence.
     """
     if not job.path and job.size > LIMITS[job.kind]:
-        sentence = _("The text has {size:,} bytes, and at most {most:,} can be read; choose less of it.")
+        sentence = _("The text has {size:,} bytes, but at most {most:,} can be read; choose less of it.")
         raise ReadingError(sentence.format(size=job.size, most=LIMITS[job.kind]))
     if job.size > AT_ONCE:
         return None
@@ -274,7 +274,7 @@ def _joined(parts: list[_Part]) -> Result:
                 return ImportedMesh(whole(pieces), tuple(notes))
             case _Points(content=content):
                 return np.frombuffer(content, np.float64).reshape(-1, 2)
-    raise ReadingError(_("The reading broke off before its end; try again, or choose a smaller file."))
+    raise ReadingError(_("Reading stopped before the end of the file; try again, or choose a smaller file."))
 
 
 class Reading:
@@ -369,7 +369,7 @@ def main() -> int:
     except ValueError as error:
         _send(out, _Refused(str(error)))
     except MemoryError:
-        _send(out, _Refused(_("It takes more memory than there is; choose a smaller file.")))
+        _send(out, _Refused(_("There is not enough memory for it; choose a smaller file.")))
     except Exception:
         _send(out, _Failed(traceback.format_exc()))
     return 0

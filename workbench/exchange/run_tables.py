@@ -17,6 +17,7 @@ _EMITTED: dict[Emits, tuple[str, ...]] = {
     "points": ("x", "y"),
     "segments": ("x0", "y0", "x1", "y1"),
     "cells": ("row", "column", "value"),
+    "cubes": ("x", "y", "z", "size", "state"),
 }
 
 

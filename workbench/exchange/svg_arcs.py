@@ -9,6 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.geometry.stretch import largest_stretch
+
 Array = NDArray[np.float64]
 
 _RIGHT = 0.5 * math.pi
@@ -54,7 +56,7 @@ def arc_pieces(arc: Arc, ends: Array, matrix: Array, tolerance: float) -> tuple[
     axes = matrix[:, :2] @ turned * radii
     middle = 0.5 * (begin + end) + axes @ aside
     axes *= max(half, 1.0)
-    radius = float(np.linalg.norm(axes, 2))
+    radius = largest_stretch(axes)
     count = max(math.ceil(whole / _RIGHT - 1e-9), 1)
     while radius * arc_error(sweep / count) > tolerance and count < _MOST_PIECES:
         count += 1

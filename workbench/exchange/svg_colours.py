@@ -91,10 +91,10 @@ class Colours:
         paper = self.palette[self._paper]
         colour = paint.over(paper)
         if paint.alpha < 1.0:
-            self._notes[_("Opacity is blended with the colour of the paper.")] = None
+            self._notes[_("Opacity is blended with the background colour.")] = None
         elif max(_apart(colour, paper)) < _UNSEEN:
             colour = _GREY
-            self._notes[_("What has the colour of the paper is drawn in grey, to be seen.")] = None
+            self._notes[_("What has the background colour is drawn in grey, so that it can be seen.")] = None
         usable = [index for index in range(len(self.palette)) if index != self._paper]
         for index in usable:
             if self.palette[index] == colour:
@@ -102,7 +102,7 @@ class Colours:
         if len(self.palette) < MAX_PALETTE:
             self.palette.append(colour)
             return len(self.palette) - 1
-        self._notes[_("The palette is full; further colours are the nearest it has.")] = None
+        self._notes[_("The palette is full; further colours are replaced by the nearest it has.")] = None
         return min(usable, key=lambda index: sum(d * d for d in _apart(self.palette[index], colour)))
 
 

@@ -135,13 +135,13 @@ def losses(shape: Shape, scale: float) -> list[str]:
     said: list[str] = []
     style = shape.style
     if any(style.get(name, "").strip().startswith("url(") for name in ("fill", "stroke")):
-        said.append(_("Gradients and patterns are left out; what they fill gets one colour."))
+        said.append(_("Gradients and patterns are left out; what they fill gets a single colour."))
     if shape.stroke is None:
         return said
     width = pixels(style.get("stroke-width", "1"), 100.0)
     size = math.sqrt(abs(float(np.linalg.det(shape.placing.matrix[:, :2])))) * scale
     if style.get("stroke-dasharray", "none").strip() not in ("", "none") or width * size > _WIDE_PX:
-        said.append(_("Lines are drawn one pixel wide and without dashes, along the middle of theirs."))
+        said.append(_("Lines are drawn one pixel wide and without dashes, along their centre."))
     return said
 
 

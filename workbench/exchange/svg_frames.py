@@ -99,7 +99,7 @@ def view_box(element: Element) -> Box | None:
         x = y = width = height = math.nan
     if not (width > 0 and height > 0 and math.isfinite(x + y + width + height)):
         text = element.attributes["viewBox"][:40]
-        sentence = _("viewBox {text!r} is not x, y, width and height, the last two above 0; correct it.")
+        sentence = _("viewBox {text!r} is not x, y, width and height with both sizes above 0; correct it.")
         raise element.unread(sentence.format(text=text))
     return x, y, width, height
 

@@ -45,7 +45,7 @@ def original(tag: str, attributes: dict[str, str]) -> AnyFigure | None:
     try:
         found: AnyFigure = _decoder.decode(text)
         return found
-    except msgspec.MsgspecError:
+    except (msgspec.MsgspecError, RecursionError):
         return None
 
 
@@ -74,10 +74,11 @@ def fault_in(figure: AnyFigure, sheet: Sheet) -> str:
 
 def first_fault(figures: Sequence[AnyFigure], sheet: Sheet) -> tuple[int, str] | None:
     """Which of ``figures`` cannot be put on an empty ``sheet``, and the sentence that says why."""
-    fresh = itertools.count(highest(Document((replace(sheet, figures=()),))) + 1)
+    empty = Document((replace(sheet, figures=()),))
+    fresh = itertools.count(highest(empty) + 1)
     added = tuple(with_ids(figure, fresh, fresh) for figure in figures)
     try:
-        check(Document((replace(sheet, figures=added),)))
+        check(Document((replace(sheet, figures=added),)), empty)
     except DocumentError as error:
         place = re.search(r"\.figures\[(\d+)\]", error.field)
         return int(place[1]) if place else len(figures) - 1, error.short

@@ -34,6 +34,7 @@ from workbench.exchange.svg_outlines import length_of
 from workbench.exchange.svg_transforms import after, chain_of, framed_inside, functions_in, transform_text
 from workbench.exchange.svg_tree import Element, SvgError, UnreadError, read_tree
 from workbench.exchange.svg_walk import drawing_of
+from workbench.geometry.stretch import largest_stretch
 from workbench.language import _, ngettext
 from workbench.rendering.mapping import device_map
 
@@ -206,7 +207,7 @@ def _made(shape: Shape, frame: Array, sheet: Sheet, colours: Colours, within: fl
     if chain:
         matrix = matrix_of(chain)
         assert matrix is not None
-        stretch = float(np.linalg.norm(matrix[:2, :2], 2))
+        stretch = largest_stretch(matrix[:2, :2])
         made = figures_of(shape, after(frame, inner), colours, within / max(stretch, 1.0))
         made.figures = [replace(figure, transforms=chain) for figure in made.figures]
         made.error *= stretch

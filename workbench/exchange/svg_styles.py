@@ -147,7 +147,7 @@ class _Declarations:
                 self._characters += len(part)
                 if self._characters > MOST_DIFFERENT:
                     sentence = _(
-                        "the style attributes say more than {most:,} different characters; "
+                        "the style attributes have more than {most:,} different characters; "
                         "choose a smaller picture."
                     )
                     raise StyleError(sentence.format(most=MOST_DIFFERENT))

@@ -121,11 +121,11 @@ def read_tree(text: str | bytes, progress: Progress = silent) -> Element:
     Raises: SvgError with line and column.
     """
     if len(text) > MOST_BYTES:
-        sentence = _("The SVG has {size:,} bytes, and at most {most:,} can be read; choose a smaller one.")
+        sentence = _("The SVG has {size:,} bytes, but at most {most:,} can be read; choose a smaller one.")
         raise SvgError(sentence.format(size=len(text), most=MOST_BYTES))
     data = text.encode("utf-8", "replace") if isinstance(text, str) else text
     if not data or data.isspace():
-        raise SvgError(_("The SVG is empty; choose a file that holds a picture."))
+        raise SvgError(_("The SVG is empty; choose a file that contains a picture."))
     begin = _FRAGMENT.match(text) if isinstance(text, str) else None
     parser = expat.ParserCreate("utf-8" if isinstance(text, str) else None, " ")
     reader = _Reader(parser, begin is not None, data.count(b"&"))
@@ -146,7 +146,7 @@ def read_tree(text: str | bytes, progress: Progress = silent) -> Element:
             raise
         raise SvgError(_("The SVG is in a character set that cannot be read; save it as UTF-8.")) from error
     if reader.root is None or reader.root.tag != "svg":
-        raise SvgError(_("This is XML, but no SVG: its outermost element is not <svg>; choose another file."))
+        raise SvgError(_("This is XML but not SVG: its outermost element is not <svg>; choose another file."))
     return reader.root
 
 

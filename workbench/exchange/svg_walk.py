@@ -175,7 +175,7 @@ class _Walk:
         name = element.attributes.get("href", "").strip()
         target = self._named.get(name.removeprefix("#")) if name.startswith("#") else None
         if target is None:
-            raise element.unread(_("it uses {name!r}, which is not there; add it.").format(name=name[:40]))
+            raise element.unread(_("it uses {name!r}, which does not exist; add it.").format(name=name[:40]))
         if any(target is used for used in self._using):
             raise element.unread(
                 _("it uses {name!r}, which uses itself; break the circle.").format(name=name[:40])

@@ -35,6 +35,7 @@ from workbench.exchange.svg_colours import written
 from workbench.exchange.svg_originals import kept
 from workbench.exchange.svg_transforms import number, transform_text
 from workbench.exchange.svg_tree import OWN, SVG
+from workbench.geometry.stretch import largest_stretch
 from workbench.language import _
 from workbench.rendering.mapping import device_map
 
@@ -91,7 +92,7 @@ def write_svg(sheet: Sheet, tolerance: float | None = None) -> Exported:
         body.append((figure.group, f"  <{tag} {_joined(said)}>{title}</{tag}>"))
     view = sheet.first_view
     if len(sheet.views) > 1:
-        notes.append(_("Only the first view is in the SVG; export a picture to have them all."))
+        notes.append(_("Only the first view is in the SVG; export a picture to get them all."))
     head = {
         "xmlns": SVG,
         "xmlns:workbench": OWN,
@@ -140,7 +141,7 @@ def path_data(figure: Curve, tolerance: float) -> tuple[str, float]:
 
 def _stretch(figure: AnyFigure) -> float:
     """How much longer the chain of a figure makes a length at most."""
-    return 1.0 if figure.matrix is None else float(np.linalg.norm(figure.matrix[:2, :2], 2))
+    return 1.0 if figure.matrix is None else largest_stretch(figure.matrix[:2, :2])
 
 
 def _growth(figure: AnyFigure) -> float:

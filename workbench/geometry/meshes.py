@@ -105,14 +105,14 @@ def face_normals(vertices: Array, faces: Faces) -> Array:
 
 def _crossed(vertices: Array, triangles: Index) -> Array:
     """(b - a) x (c - a) of triangles (t, 3) of vertices."""
-    normals = np.empty((len(triangles), 3))
+    normals = np.empty((3, len(triangles)))  # each axis in one piece: written, and later read, in a row
     for first in range(0, len(triangles), _AT_ONCE):
         a, b, c = triangles[first : first + _AT_ONCE].T
         columns = [(column[b] - start, column[c] - start) for column in vertices.T for start in (column[a],)]
         for axis, (y, z) in enumerate(((1, 2), (2, 0), (0, 1))):
             (uy, vy), (uz, vz) = columns[y], columns[z]
-            normals[first : first + _AT_ONCE, axis] = uy * vz - uz * vy
-    return normals
+            normals[axis, first : first + _AT_ONCE] = uy * vz - uz * vy
+    return normals.T
 
 
 def _fan(faces: Faces) -> tuple[Index, Index]:

@@ -48,7 +48,7 @@ def quaternion_matrix(q: Quaternion) -> NDArray[np.float64]:
     """
     largest = max(map(abs, q))
     if not (all(map(math.isfinite, q)) and largest > 0.0):
-        raise ValueError(f"The quaternion {q} is no rotation; give one that is finite and not zero.")
+        raise ValueError(f"The quaternion {q} is not a rotation; give one that is finite and not zero.")
     w, x, y, z = (part / largest for part in q)
     length = w * w + x * x + y * y + z * z
     return np.array(

@@ -12,14 +12,17 @@ from workbench.document.curves.pieces import (
     parameter_at,
     pieces_of,
     place_of,
+    points_of,
     weights_of,
 )
-from workbench.document.model import B_SPLINES, Curve, Sheet
+from workbench.document.model import B_SPLINES, THROUGH, Curve, Sheet
 from workbench.language import _
 from workbench.rendering.curves import device_pieces
 from workbench.rendering.mapping import Call, figure_map
 
+_CUBIC = 3
 _SAMPLES_PER_SPAN = 8
+_DIVIDING = {"b_spline": "de_boor", "nurbs": "de_boor_rational"}
 
 
 def construction_of(curve: Curve, chosen: str = "") -> str:
@@ -31,25 +34,37 @@ def construction_of(curve: Curve, chosen: str = "") -> str:
 
 
 def constructions_of(curve: Curve) -> list[str]:
-    """The slugs of the texts that can be run on a curve, the construction of its kind first."""
+    """The slugs of the texts that can be run on a curve, what is usually stepped first."""
     return [slug for slug in _constructing(curve) if not construction_fault(curve, slug)]
 
 
 def _constructing(curve: Curve) -> tuple[str, ...]:
-    """The texts of the curve's own kind, then those of what it is made into: Bézier pieces, or, where the
-    weights are equal, a B-spline without any."""
-    own = catalogue.constructing(curve.spline)
-    return (*own, *(slug for slug in catalogue.constructing("b_spline", "bezier") if slug not in own))
+    """What divides legs, as that is drawn beside the curve; then the other texts of the curve's own kind, and
+    those of what it is made into: Bézier or, where cubic, Hermite pieces, or, where the weights are equal, a
+    B-spline without any."""
+    slugs = (
+        _DIVIDING.get(curve.spline, "de_casteljau"),
+        *catalogue.constructing(curve.spline),
+        *catalogue.constructing("b_spline", "bezier", "hermite"),
+    )
+    return tuple(dict.fromkeys(slugs))
 
 
 def construction_fault(curve: Curve, slug: str) -> str:
     """The sentence that says why a text cannot be run on a curve; empty where it can."""
-    takes = catalogue.get(slug).parameter_names
-    if "knots" in takes and curve.spline not in B_SPLINES:
+    entry = catalogue.get(slug)
+    takes = entry.parameter_names
+    if "knots" in takes and curve.spline not in B_SPLINES and curve.spline not in entry.constructs:
         return _("This curve is not a B-spline and has no knots; step de Casteljau's construction instead.")
     if curve.spline == "nurbs" and "weights" not in takes and np.ptp(weights_of(curve)) > 0:
-        return _("This takes no weights, and those of the curve differ; step its own construction instead.")
-    return fault_of(curve)
+        return _(
+            "This algorithm has no weights, but those of the curve differ; step the curve's "
+            "own construction instead."
+        )
+    fault = fault_of(curve)
+    if "tangents" in takes and not fault and pieces_of(curve).degree != _CUBIC:
+        return _("The pieces of this curve are not cubic; step de Casteljau's construction instead.")
+    return fault
 
 
 def curve_calls(sheet: Sheet, curve: Curve, slug: str, share: float) -> list[Call]:
@@ -64,7 +79,12 @@ def curve_calls(sheet: Sheet, curve: Curve, slug: str, share: float) -> list[Cal
         return []
     u = parameter_at(curve, share)
     given: dict[str, Any]
-    if "knots" in entry.parameter_names:
+    if curve.spline in entry.constructs and curve.spline in THROUGH and "knots" in entry.parameter_names:
+        given = {
+            "points": figure_map(sheet, curve).points(points_of(curve)),
+            "knots": pieces_of(curve).knots,
+        }
+    elif "knots" in entry.parameter_names:
         points, knots, weights = b_spline_of(curve)
         given = {
             "points": figure_map(sheet, curve).points(points),
@@ -78,4 +98,7 @@ def curve_calls(sheet: Sheet, curve: Curve, slug: str, share: float) -> list[Cal
         piece, v = place_of(pieces_of(curve).knots, u)
         controls: NDArray[np.float64] = np.ascontiguousarray(device_pieces(sheet, curve).controls[piece])
         given = {"points": controls, "u": v, "tolerance": curve.tolerance_px}
+        if "tangents" in entry.parameter_names:
+            given["points"] = np.ascontiguousarray(controls[[0, -1]])
+            given["tangents"] = 3.0 * (controls[[1, -1]] - controls[[0, -2]])
     return [Call(entry, tuple(given[name] for name in entry.parameter_names))]

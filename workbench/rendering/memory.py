@@ -1,4 +1,4 @@
-"""Arrays that are dear to make, kept by what they are made of: those asked for last, up to a size."""
+"""Arrays that are costly to make, kept by what they are made of: those asked for last, up to a size."""
 
 from collections import OrderedDict
 from collections.abc import Callable, Hashable

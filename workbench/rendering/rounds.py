@@ -70,9 +70,9 @@ def reason(figure: AnyFigure) -> str:
     if not isinstance(figure, Circle | Ellipse) or stays_round(figure):
         return ""
     if isinstance(figure, Circle):
-        text = _("The transforms make an ellipse of this circle, so its exact curve is drawn as {parts}.")
+        text = _("The transforms turn this circle into an ellipse, so its exact curve is drawn as {parts}.")
     else:
-        text = _("The transforms turn this ellipse's axes, so its exact curve is drawn as {parts}.")
+        text = _("The transforms rotate this ellipse's axes, so its exact curve is drawn as {parts}.")
     return text.format(parts=_("a filled polygon") if is_area(figure) else _("short lines"))
 
 

@@ -40,10 +40,8 @@ def clipped_away(sheet: Sheet, x: int, y: int) -> str:
     called = _(catalogue.get(clipper).title)
     step = _step(sheet, figure, x, y) if is_lines(figure) else 0
     if step:
-        return _("{said}: {clipper} cuts it away in step {step}.").format(
-            said=said, clipper=called, step=step
-        )
-    return _("{said}: {clipper} cuts it away.").format(said=said, clipper=called)
+        return _("{said}: {clipper} cuts it off in step {step}.").format(said=said, clipper=called, step=step)
+    return _("{said}: {clipper} cuts it off.").format(said=said, clipper=called)
 
 
 def _where(sheet: Sheet, x: int, y: int) -> str:

@@ -4,6 +4,7 @@ It counts *steps* (rows of the hand table, 0 is before the first) or, in detail,
 lines is the end).
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -25,13 +26,17 @@ _MOST_LINES = 100_000
 
 
 class Cursor(RecordedRun):
-    """A recorded run and a cursor in it. ``moved``: the cursor, or what it counts."""
+    """A recorded run and a cursor in it. ``moved``: the cursor, or what it counts.
+
+    ``before`` gives one sentence where less is run than what was to be, empty where all is.
+    """
 
     moved = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.detail = False
+        self.before: Callable[[], str] = str
         self._position = 0
         self._wanted: int | None = None
         self._seen = 0
@@ -162,7 +167,10 @@ class Cursor(RecordedRun):
         if self.detail and not self._at_end:
             return self.steps.told(self._event())
         step = self.step
-        return step.sentence if step else ()
+        told = step.sentence if step else ()
+        if step is None or step.number or not (before := self.before()):
+            return told
+        return (Part(f"{before} ", None), *told)
 
     def own_call(self, number: int | None = None) -> OwnCall | None:
         """How far the text's own call has come, at the cursor or at the end of a step; None where that is

@@ -1,6 +1,7 @@
 """Makes the runs of a session follow its subject, and keeps the lead's cursor in the session's state."""
 
 from collections.abc import Sequence
+from functools import cache, partial
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
@@ -54,6 +55,7 @@ class Following(QObject):
         before = lead.subject, lead.entry
         self._telling = True
         try:
+            lead.before = cache(partial(kind_of(subject).before, session.sheet, subject))
             self._follow(lead, subject)
             lead.landmarks = kind_of(subject).landmarks(session.sheet, subject)
             self.switch(stays=False)

@@ -111,4 +111,6 @@ def _read(reading: Reading, prepare: Prepare, tell: Callable[[_Said], None]) -> 
         return _Said(reading, problem=reason_of(error))
     except Exception:
         report()
-    return _Said(reading, problem=_("Something in the program failed while this was read; try another file."))
+    return _Said(
+        reading, problem=_("Something in the program failed while this was being read; try another file.")
+    )

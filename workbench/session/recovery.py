@@ -202,11 +202,11 @@ class RecoveryFile:
         if isinstance(error, OSError):
             sentence = _(
                 "Unsaved work is not kept, as {folder} cannot be written ({reason}). "
-                "This is tried again by itself; save often until then."
+                "This is tried again automatically; save often until then."
             )
             return sentence.format(folder=self._folder, reason=error.strerror or error)
         sentence = _(
-            "Unsaved work is not kept: {reason} This is tried again by itself; save often until then."
+            "Unsaved work is not kept: {reason} This is tried again automatically; save often until then."
         )
         return sentence.format(reason=error if isinstance(error, DocumentError) else f"{error!r}.")
 

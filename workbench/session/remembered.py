@@ -16,6 +16,6 @@ def runnable(state: SessionState) -> tuple[SessionState, list[str]]:
             checked(position.subject)
             positions[workspace] = position
         except DocumentError as problem:
-            sentence = _("A place in a run was left out of what was opened: {problem}")
+            sentence = _("The step to open at was left out: {problem}")
             sentences.append(sentence.format(problem=problem))
     return (replace(state, positions=positions), sentences) if sentences else (state, [])

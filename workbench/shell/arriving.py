@@ -1,19 +1,16 @@
-"""Brings workspaces: their modules on a thread, then their panels, one in each turn of the event loop."""
+"""Brings workspaces: their modules, then their panels, one in each turn of the event loop."""
 
 from __future__ import annotations
 
-from contextlib import suppress
-from functools import partial
-from importlib import import_module
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
 from workbench.language import _
-from workbench.session.answers import Answers
+from workbench.shell.importing import import_each
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Iterator
 
     from workbench.shell.slices import Slices
     from workbench.shell.window import MainWindow
@@ -28,8 +25,7 @@ class Arriving(QObject):
         self._window = window
         self._coming: dict[str, Workspace] = {}
         self._awaited: tuple[str, str, Callable[[], object]] = "", "", lambda: None
-        self._answers = Answers(self)
-        self._answers.arrived.connect(lambda slug: slices.add(self._make(slug)))
+        self._slices = slices
 
     def enter(self, workspace: Workspace, then: Callable[[], object]) -> None:
         """Begin to make the panels of a workspace, unless that is under way; show it and do ``then``."""
@@ -40,10 +36,12 @@ class Arriving(QObject):
         self._coming[slug] = workspace
         self._window.bar.set_waiting(slug, True)
         self._window.say_status(_("Preparing {title}").format(title=workspace.title))
-        self._answers.ask(partial(_imported, slug, workspace.modules), "imports")
+        self._slices.add(self._make(workspace))
 
-    def _make(self, slug: str) -> Iterator[None]:
+    def _make(self, workspace: Workspace) -> Iterator[None]:
+        slug = workspace.slug
         try:
+            yield from import_each(workspace.modules)
             yield from self._window.prepare(slug)
         finally:
             del self._coming[slug]
@@ -51,10 +49,3 @@ class Arriving(QObject):
         awaited, place, then = self._awaited
         if (slug, self._window.place) == (awaited, place):
             self._window.enter(slug, then)
-
-
-def _imported(slug: str, modules: Sequence[str]) -> str:
-    with suppress(Exception):  # the same failure is said where the panel is made
-        for module in modules:
-            import_module(module)
-    return slug

@@ -56,7 +56,7 @@ class Exports(QObject):
         from workbench.exchange.svg_writing import Exported, write_svg
 
         def notes(exported: Exported) -> list[str]:
-            inexact = _("What SVG cannot say exactly is at most {error} off.")
+            inexact = _("What SVG cannot express exactly is approximated within {error}.")
             error = [inexact.format(error=at_most(exported.error))] if exported.error > 0 else []
             return [*error, *exported.notes]
 
@@ -91,9 +91,9 @@ class Exports(QObject):
             return _("{count}: {names}").format(count=count, names=names)
 
         texts = {
-            ".png": _("PNG, a file for each step"),
-            ".pdf": _("PDF, a page for each step"),
-            ".gif": _("GIF that moves"),
+            ".png": _("PNG, one file per step"),
+            ".pdf": _("PDF, one page per step"),
+            ".gif": _("Animated GIF"),
         }
         formats = [(each, texts.get(each.suffix, each.title)) for each in formats_of("run")]
         speeds = [(_speed_text(seconds), seconds) for seconds in _SECONDS]
@@ -154,7 +154,7 @@ class Exports(QObject):
             offers.append(TableOffer(title, partial(self.writing.ask, "table", title.lower(), make)))
 
         if figure is not None:
-            offer(_("Pixels in the order of painting"), partial(_pixels, session.sheet, figure))
+            offer(_("Pixels in the order in which they are painted"), partial(_pixels, session.sheet, figure))
         if run.recording is not None and not run.ask_first:
             from workbench.exchange.run_tables import lines
 
@@ -181,7 +181,7 @@ class Exports(QObject):
             if panel.exporter is not None:
                 return panel.exporter
         self._window.say_status(
-            _("Go first to Draw, Fill, Clip, Transform, View or Curves, where steps are shown.")
+            _("First go to Draw, Fill, Clip, Transform, View or Curves, where steps are shown.")
         )
         return None
 
@@ -205,6 +205,6 @@ def _table(columns: tuple[str, ...], rows: Any) -> Any:
 
 def _speed_text(seconds: float) -> str:
     if seconds > 1:
-        return _("{n:g} seconds a step").format(n=seconds)
+        return _("{n:g} seconds per step").format(n=seconds)
     each = round(1 / seconds)
-    return ngettext("{n} step a second", "{n} steps a second", each).format(n=each)
+    return ngettext("{n} step per second", "{n} steps per second", each).format(n=each)

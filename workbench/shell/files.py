@@ -164,7 +164,7 @@ class Files(QObject):
         self._session.open_example(slug)
         if beside:
             self._window.messages.say(
-                _("{name} stays open beside this example: View, Sheets shows it again.").format(
+                _("{name} stays open beside this example: View > Sheets shows it again.").format(
                     name=legible(before.name)
                 )
             )
@@ -236,7 +236,7 @@ class Files(QObject):
         if not self._session.dirty:
             then()
             return
-        self._unsaved = _("{name} has changes that are not saved.").format(name=legible(self.name))
+        self._unsaved = _("{name} has unsaved changes.").format(name=legible(self.name))
         self._window.messages.ask(
             self._unsaved,
             [
@@ -278,7 +278,7 @@ class Files(QObject):
         if self._session.changed_on_disk:
             self._window.messages.say(
                 _(
-                    "{name} was changed after this work was kept; saving it asks before that is replaced."
+                    "{name} was changed after this work was kept; you will be asked before it is replaced."
                 ).format(name=lost.name),
                 "warn",
             )

@@ -41,9 +41,9 @@ def export_animation(window: MainWindow) -> None:
         chosen = MovingSheet(content.sheet, Size(width, min(height, MOST_SIDE_PX)), rate)
         writing.ask_pictures(_("Export the animation"), _("animation"), file_format, chosen, _mixed_delays)
 
-    texts = {".gif": _("GIF that moves"), ".png": _("PNG, a file for each frame")}
+    texts = {".gif": _("Animated GIF"), ".png": _("PNG, one file per frame")}
     formats = [(each, texts.get(each.suffix, each.title)) for each in formats_of("animation")]
-    speeds = [(_("{n:g} frames a second").format(n=rate), 1 / rate) for rate in rates]
+    speeds = [(_("{n:g} frames per second").format(n=rate), 1 / rate) for rate in rates]
     writing.card.offer(Pictures(_("Export the animation"), formats, speeds, 1 / own, note, then))
 
 
@@ -74,6 +74,6 @@ def _mixed_delays(content: MovingSheet) -> list[str]:
     if len(delays) < 2:
         return []
     sentence = _(
-        "A GIF counts hundredths of a second: some frames are seen for {short} of them, some for {long}."
+        "A GIF counts in hundredths of a second: some frames are shown for {short} of them, some for {long}."
     )
     return [sentence.format(short=delays[0], long=delays[-1])]

@@ -105,7 +105,7 @@ def questions() -> tuple[Question, ...]:
             _("Row by row or stroke by stroke: how do raster and random scan draw?"),
             _("Display"),
             "display",
-            "octants",
+            "raster-or-random",
         ),
         Question(
             11,

@@ -26,7 +26,7 @@ class SettingsPage(SidePage):
         form = QFormLayout()
         form.setHorizontalSpacing(16)
         self.theme = QComboBox()
-        for name, title in (("system", _("As the system")), ("light", _("Light")), ("dark", _("Dark"))):
+        for name, title in (("system", _("Same as the system")), ("light", _("Light")), ("dark", _("Dark"))):
             self.theme.addItem(title, name)
         self.theme.setCurrentIndex(max(0, self.theme.findData(settings.get("theme"))))
         self.theme.setToolTip(_("The colours of the program"))
@@ -37,14 +37,14 @@ class SettingsPage(SidePage):
         label.setBuddy(self.theme)
         form.addRow(label, self.theme)
         self.column.addLayout(form)
-        self.large = self._choice("large_text", _("Larger type"), _("Words a quarter larger everywhere"))
+        self.large = self._choice("large_text", _("Larger type"), _("All text a quarter larger"))
         self.large.toggled.connect(lambda on: window.themes.choose(window.themes.choice, on))
         heading(self.column, _("Comfort"))
         self.calm = self._choice("calm", _("Calm"), _("Hold flicker, flashing and motion still"))
         self.calm.toggled.connect(comfort.set_calm)
         paragraph(
             self.column,
-            _("With Calm on, tubes show steady light and nothing moves that was not asked to."),
+            _("With Calm on, tubes show steady light, and nothing moves unless you ask for it."),
             "muted",
         )
         heading(self.column, _("Stepping"))
@@ -53,7 +53,7 @@ class SettingsPage(SidePage):
         )
         self.ask.toggled.connect(self._take_ask_first)
         heading(self.column, _("Hints and history"))
-        self.hints = self._choice("hints", _("Show hints in Draw"), _("Three short hints for the first time"))
+        self.hints = self._choice("hints", _("Show hints in Draw"), _("Three short hints to begin with"))
         forget = QPushButton(_("Forget recent pictures"))
         forget.setToolTip(_("Empty the list of recent pictures; the files stay"))
         forget.clicked.connect(self._forget)

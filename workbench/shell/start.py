@@ -5,9 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping
-from contextlib import suppress
-from functools import partial
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +12,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from workbench.language import _
+from workbench.shell.importing import OF_QT, import_below_qt, import_each
 from workbench.shell.settings import Settings
 from workbench.shell.slices import Slices
 from workbench.shell.theme import ThemeSwitch
@@ -32,12 +30,11 @@ if TYPE_CHECKING:
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 FIRST = "draw"
-_SLOW_IMPORTS = ("numpy", "workbench.session.session", "workbench.shell.home_examples", "qtawesome")
 QUIT_AFTER_FIRST_FRAME = "--quit-after-first-frame"
 
 
 class Building(QObject):
-    """Builds the rest of the window after the first frame: imports on a thread, then slices on this one."""
+    """Builds the rest of the window after the first frame, a slice in each turn of the event loop."""
 
     built = Signal()
 
@@ -59,16 +56,17 @@ class Building(QObject):
         self._window.complete()
         answers = Answers(self)
         answers.arrived.connect(lambda _imported: self._slices.add(self._build()))
-        self._importing = answers.ask(partial(_imported, self._window.workspace(FIRST).modules), "imports")
+        self._importing = answers.ask(import_below_qt, "imports")
 
     def end(self) -> None:
-        """Prepare nothing further; no thread imports what is Qt's own while Qt comes to its end."""
+        """Prepare nothing further."""
         if self._importing is not None:
             self._importing.end()
         if self._warming is not None:
             self._warming.stop()
 
     def _build(self) -> Iterator[None]:
+        yield from import_each((*OF_QT, *self._window.workspace(FIRST).modules))
         from workbench.session.session import Session
         from workbench.shell.arriving import Arriving
 
@@ -108,15 +106,6 @@ class Building(QObject):
         self.built.emit()
 
 
-def _imported(modules: Sequence[str]) -> bool:
-    for module in (*_SLOW_IMPORTS, *modules):
-        with suppress(Exception):  # the same failure is said where the module is needed
-            import_module(module)
-    with suppress(Exception):
-        import_module("workbench.display.setup").TubeSetup().check()  # reads the tables of phosphors
-    return True
-
-
 def make_window(settings: Settings | None = None, offered: Sequence[Workspace] | None = None) -> MainWindow:
     """The window in its theme, over the running QApplication."""
     application = QApplication.instance()
@@ -145,9 +134,7 @@ def start(argv: Sequence[str]) -> int:
     """Open the window, with the file named on the command line if there is one; the exit status."""
     words = [word for word in argv if word != QUIT_AFTER_FIRST_FRAME]
     if len(words) > 1 or (words and words[0].startswith("-")):
-        sys.stderr.write(
-            _("Give one picture to open, or nothing: {words}").format(words=" ".join(words)) + "\n"
-        )
+        sys.stderr.write(_("Give one picture to open, or none: {words}").format(words=" ".join(words)) + "\n")
         return 2
     path = Path(words[0]).absolute() if words else None
     if path is not None:

@@ -23,8 +23,8 @@ class TabList(QToolButton):
         set_icon(self, "caret-down")
         self.setAutoRaise(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setToolTip(_("All views that share this place"))
-        self.setAccessibleName(_("All views that share this place"))
+        self.setToolTip(_("All views in this place"))
+        self.setAccessibleName(_("All views in this place"))
         self.clicked.connect(self.open)
         for arrow in self._arrows:
             arrow.installEventFilter(self)

@@ -45,7 +45,7 @@ class _Words(argparse.ArgumentParser):
 def main(argv: Sequence[str]) -> int:
     """``tour DIR --theme light,dark --scale 1,1.5,2 --size WxH``; the exit status."""
     words = _Words(prog="graphics-workbench tour", description=_("A picture of every place in the program."))
-    words.add_argument("folder", type=Path, help=_("where the pictures go"))
+    words.add_argument("folder", type=Path, help=_("the folder for the pictures"))
     words.add_argument("--theme", type=_themes, default=("light", "dark"))
     words.add_argument("--scale", type=_scales, default=(1.0,))
     words.add_argument("--size", type=_size, default=(1280, 680))
@@ -68,7 +68,9 @@ def main(argv: Sequence[str]) -> int:
             if status:
                 return status
     except OSError as error:
-        sys.stderr.write(_("tour: its settings cannot be kept meanwhile: {error}").format(error=error) + "\n")
+        sys.stderr.write(
+            _("tour: its settings cannot be kept while it runs: {error}").format(error=error) + "\n"
+        )
         return 1
     return 0
 

@@ -48,7 +48,7 @@ def view_commands() -> tuple[Command, ...]:
             lambda w: choose_theme(w, "light"),
             (),
             "sun",
-            _("Dark words on light"),
+            _("Dark text on a light background"),
             "view",
             separated=True,
         ),
@@ -58,7 +58,7 @@ def view_commands() -> tuple[Command, ...]:
             lambda w: choose_theme(w, "dark"),
             (),
             "moon",
-            _("Light words on dark"),
+            _("Light text on a dark background"),
             "view",
         ),
         Command(
@@ -67,7 +67,7 @@ def view_commands() -> tuple[Command, ...]:
             lambda w: choose_type(w, not w.settings.get("large_text")),
             (),
             "text-aa",
-            _("Words a quarter larger everywhere, or as before"),
+            _("All text a quarter larger, or as before"),
             "view",
         ),
         Command(
@@ -116,6 +116,16 @@ def view_commands() -> tuple[Command, ...]:
             separated=True,
         ),
         Command(
+            "read",
+            _("Read"),
+            lambda w: w.views.read(),
+            ("R",),
+            "book-open",
+            _("Give source and tables half of the window, side by side, or bring the docks back"),
+            "view",
+            "document",
+        ),
+        Command(
             "alone",
             _("Focused view alone"),
             lambda w: w.views.toggle_alone(),
@@ -130,7 +140,7 @@ def view_commands() -> tuple[Command, ...]:
             lambda w: w.reset_workspace(),
             (),
             "layout",
-            _("Put every dock back where it was at first"),
+            _("Put every dock back where it was originally"),
             "view",
         ),
     )

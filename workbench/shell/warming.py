@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
 
 
+_MODULES = {"scanning": ("workbench.display.face_kernels",)}
+"""By topic, where there are compiled texts beside those of the entries."""
+
+
 class Warming(QObject):
     """One child process at a time, followed by a thread; the interface only takes what they report."""
 
@@ -101,17 +105,20 @@ class _Followed:
         from workbench.algorithms import catalogue
         from workbench.engine import compiled
         from workbench.engine.warm import Warming as Child
-        from workbench.engine.warm import load
+        from workbench.engine.warm import load, load_module
 
         if not self._stopped and compiled.available():
             slugs = [entry.slug for entry in catalogue.entries() if entry.topic in self._topics]
-            self._child = Child(slugs)
+            modules = [module for topic in self._topics for module in _MODULES.get(topic, ())]
+            self._child = Child(slugs, modules=modules)
             if self._stopped:
                 self._child.stop()
             else:
                 self._child.follow(tell)
             for slug in slugs:
                 load(slug, lambda: self._stopped)
+            for module in modules:
+                load_module(module, lambda: self._stopped)
 
 
 def readiness() -> tuple[str, str]:
@@ -128,5 +135,5 @@ def readiness() -> tuple[str, str]:
         "one in {variable}."
     ).format(folder=cache_folder(), reason=room.reason, variable=CACHE)
     if room.folder is None:
-        return _("Nothing compiled can be kept: large pictures take longer."), why
-    return _("What is compiled is kept only until you quit."), why
+        return _("Compiled algorithms cannot be kept: large pictures take longer."), why
+    return _("Compiled algorithms are kept only until you quit."), why

@@ -228,7 +228,7 @@ class MainWindow(QMainWindow):
         self.bar.show_current(slug)
         self.status.in_workspace(self._offered[slug].steps)
         if not usable:
-            self.messages.say(_("The remembered arrangement could not be used; this is the first one again."))
+            self.messages.say(_("The remembered arrangement could not be used, so this is the original one."))
         elif self.settings.drop_older_arrangements():
             self.messages.say(_("Docks are arranged differently in this version; your old layout was reset."))
         self.entered.emit(slug)

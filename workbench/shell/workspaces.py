@@ -135,7 +135,7 @@ def workspaces() -> tuple[Workspace, ...]:
         Workspace(
             "clip",
             _("Clip"),
-            _("What of lines, polygons and points a window keeps"),
+            _("What a window keeps of lines, polygons and points"),
             "crop",
             ("workbench.panels.clip.panel:ClipPanel", inspector, compare, why, tube),
             steps=True,
@@ -160,7 +160,7 @@ def workspaces() -> tuple[Workspace, ...]:
             ("workbench.panels.viewing.panel:ViewingPanel", inspector, tube),
             steps=True,
             topics=("viewing", "clipping"),
-            lower=("hand_table", "point", "source", "variables", "about", "tube"),
+            lower=("hand_table", "point", "variables", "tube"),
         ),
         Workspace(
             "curves",
@@ -179,7 +179,7 @@ def workspaces() -> tuple[Workspace, ...]:
             "cube",
             ("workbench.panels.space.panel:SpacePanel", inspector),
             steps=True,
-            topics=("projection", "visibility", "shading"),
+            topics=("projection", "visibility", "shading", "solids"),
             lower=("hand_table", "fragments", "depth_cost", "growth", "variables"),
         ),
         Workspace(
@@ -199,7 +199,7 @@ def workspaces() -> tuple[Workspace, ...]:
             "monitor",
             ("workbench.panels.display.panel:DisplayPanel", inspector),
             steps=True,
-            topics=("scanning",),
-            lower=("hand_table", "source", "variables", "about"),
+            topics=("scanning", "colour", "visibility"),
+            lower=("hand_table", "source", "variables", "about", "phosphors"),
         ),
     )

@@ -121,8 +121,8 @@ class Writing(QObject):
             return
         self._close_card()
         sentence = ngettext(
-            "{first} is there already; {all} files, {from_} to {to}, would be written.",
-            "{n} of the {all} files {from_} to {to} are there already, the first of them {first}.",
+            "{first} already exists; {all} files, {from_} to {to}, would be written.",
+            "{n} of the {all} files {from_} to {to} already exist, the first of them {first}.",
             len(there),
         )
         self._window.messages.ask(
@@ -226,6 +226,6 @@ class Writing(QObject):
 def _written(paths: tuple[Path, ...]) -> str:
     folder = paths[0].parent
     if len(paths) == 1:
-        return _("{name} is written in {folder}.").format(name=paths[0].name, folder=folder)
-    sentence = _("{n} files, {first} to {last}, are written in {folder}.")
+        return _("{name} has been written to {folder}.").format(name=paths[0].name, folder=folder)
+    sentence = _("{n} files, {first} to {last}, have been written to {folder}.")
     return sentence.format(n=len(paths), first=paths[0].name, last=paths[-1].name, folder=folder)

@@ -104,7 +104,7 @@ def test_ids_are_unique_over_figures_and_scenes() -> None:
     assert {"m1", "l1", "t6", "sp8"} <= set(every)
     scene = scene_of(document)
     twice = replace(scene, lights=(Light("t6"),))
-    with pytest.raises(DocumentError, match="is 't6', which another has too"):
+    with pytest.raises(DocumentError, match="is 't6', which another one already has"):
         check(replace(document, sheets=(replace(document.sheets[0], scene=twice),)), document)
 
 
@@ -201,18 +201,18 @@ def linked(link: AnyLink3D) -> Callable[[Scene], Scene]:
         (seen_by(look_at=Point3D(1.0, 2.0, 9.0)), "camera sees nothing .*eye is at the point it looks at"),
         (seen_by(look_at=Point3D(1.0, 2.0, 9.0), projection="isometric"), "eye is at the point"),
         (seen_by(up=Point3D(1.0, 2.0, 9.0)), "up runs along the line of sight"),
-        (seen_by(up=Point3D(0.0, 0.0, 0.0)), "camera has no upward direction"),
-        (seen_by(up=Point3D(0.0, 0.0, 0.0), projection="isometric"), "camera has no upward direction"),
+        (seen_by(up=Point3D(0.0, 0.0, 0.0)), "camera has no up direction"),
+        (seen_by(up=Point3D(0.0, 0.0, 0.0), projection="isometric"), "camera has no up direction"),
         (seen_by(projection="matrix", entries=(1.0,) * 16), "matrix of the camera is singular"),
         (seen_by(projection="matrix", entries=(1.0,) * 9), "has 9 of at least 16"),
         (seen_by(projection="fish eye"), "projection is 'fish eye'; choose one of orthographic"),
         (seen_by(projection="oblique", oblique_alpha=0.0), "must lie between 0 and 180"),
-        (first(material="m9"), r"objects\[0\]\.material is 'm9', and the scene has no such material"),
+        (first(material="m9"), r"objects\[0\]\.material is 'm9', but the scene has no such material"),
         (first(solid=Extrusion()), r"objects\[0\]\.points has 0 entries, and this solid needs 3 to 2000"),
         (linked(Scale3D("t1", sx=math.nan)), "sx is nan"),
         (linked(Rotate3D("t1", y_axis=0.0)), r"transforms cannot be worked out \("),
         (linked(Scale3D("t1", sx=1e6, sy=1e6)), ""),
-        (first(solid=MeshSolid(Blob(b"no mesh"))), "solid cannot be made .the content is no mesh"),
+        (first(solid=MeshSolid(Blob(b"no mesh"))), "solid cannot be made .the content is not a mesh"),
         (first(solid=MeshSolid(b"bytes")), r"solid\.content is not the content of a file"),  # type: ignore[arg-type]
         (first(solid=Box(width=0.0)), "width is 0.0; give a number between 1e-06 and"),
     ],
@@ -230,7 +230,7 @@ def test_what_is_no_scene_is_refused_in_one_sentence(change: Callable[[Scene], S
 def test_a_surface_needs_whole_rows() -> None:
     scene = full_scene()
     bent = replace(scene.objects[-1], solid=Surface(2))
-    with pytest.raises(DocumentError, match="9 points do not make 2 rows of equally many"):
+    with pytest.raises(DocumentError, match="9 points do not make 2 rows of equal length"):
         no_scene(lambda _scene: replace(scene, objects=(*scene.objects[:-1], bent)))
 
 
@@ -301,7 +301,7 @@ def test_ids_that_are_too_high_are_given_anew_in_scenes_too() -> None:
     "damage", [lambda b: b[:-1], lambda b: b[:40], lambda b: b"x" + b[1:], lambda b: b + b"\0"]
 )
 def test_a_damaged_mesh_is_refused(damage: Callable[[bytes], bytes]) -> None:
-    with pytest.raises(ValueError, match="no mesh, or it is damaged"):
+    with pytest.raises(ValueError, match="not a mesh, or it is damaged"):
         mesh_of(Blob(damage(blob_of(solids.cube()))))
 
 

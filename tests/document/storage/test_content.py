@@ -46,7 +46,7 @@ def test_a_part_of_the_work_tells_its_part_of_the_whole() -> None:
 def test_a_file_larger_than_the_limit_is_not_read(tmp_path: Path) -> None:
     (tmp_path / "a").write_bytes(b"a" * 101)
     assert read_content(tmp_path / "a", 101) == b"a" * 101
-    with pytest.raises(DocumentError, match=r"has 101 bytes, and at most 100 can be opened"):
+    with pytest.raises(DocumentError, match=r"has 101 bytes, but at most 100 can be opened"):
         read_content(tmp_path / "a", 100)
 
 

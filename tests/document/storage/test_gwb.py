@@ -15,7 +15,7 @@ from tests.document.made_documents import documents
 from tests.document.storage.content_of_a_file import written_example
 from workbench.document import DocumentError, Stored, load, read, save, write
 from workbench.document.edits import add_sheet, set_algorithm, set_attribute
-from workbench.document.model import Document
+from workbench.document.model import Document, Polygon
 from workbench.document.samples.examples import example_document
 from workbench.document.state import SessionState, TubeSettings
 from workbench.document.storage.files import VERSION, decode, encode, upgraded
@@ -71,6 +71,7 @@ STEPPED = {
     5: ("curve", 3),
     6: ("curve", 3),
     7: ("curve", 3),
+    8: ("curve", 3),
 }
 
 
@@ -92,6 +93,32 @@ def test_the_sample_of_version_7_has_a_named_view() -> None:
     assert [(view.name, view.camera.projection) for view in scene.named_views] == [
         ("From above", "isometric")
     ]
+
+
+@pytest.mark.parametrize("version", range(2, 8))
+def test_polygons_of_older_versions_are_drawn_as_they_were(version: int) -> None:
+    raw = json.loads((SAMPLES / f"version-{version}.gwb").read_text("utf-8"))
+    raw["session"]["compare"] = "scan_line_fill"
+    if version > 3:
+        raw["session"]["positions"]["fill"] = {"subject": {"kind": "figure", "entry": "scan_line_fill"}}
+    stored = decode(json.dumps(raw).encode())
+    polygons = [figure for figure in stored.document.sheets[0].figures if isinstance(figure, Polygon)]
+    assert [polygon.algorithm for polygon in polygons] == ["scan_line_exact"]
+    assert stored.session.compare == "scan_line_exact"
+    if version > 3:
+        assert stored.session.positions["fill"].subject.entry == "scan_line_exact"
+
+
+def test_since_version_8_the_fill_of_the_course_keeps_its_name() -> None:
+    raw = json.loads((SAMPLES / "version-8.gwb").read_text("utf-8"))
+    figures = raw["document"]["sheets"][0]["figures"]
+    (polygon,) = [each for each in figures if "ring_ends" in each]
+    assert polygon["algorithm"] == "scan_line_exact"
+    polygon["algorithm"] = raw["session"]["compare"] = "scan_line_fill"
+    stored = decode(json.dumps(raw).encode())
+    kept = [each for each in stored.document.sheets[0].figures if isinstance(each, Polygon)]
+    assert [each.algorithm for each in kept] == ["scan_line_fill"]
+    assert stored.session.compare == "scan_line_fill"
 
 
 def test_what_version_3_stepped_stands_in_the_workspaces_that_step_it() -> None:

@@ -30,7 +30,7 @@ def said(panel: AnimatePanel) -> list[str]:
     [
         ("rate", "0", "The rate is 0.0; give a number between 0.1 and 240."),
         ("rate", "inf", "The rate is inf; give a finite number."),
-        ("rate", "", "“” is no number; type one such as 24."),
+        ("rate", "", "“” is not a number; type one such as 24."),
         ("length", "-1", "The last frame cannot be -1; give a whole number from 0 to 999999."),
         ("length", "1000000", "The last frame cannot be 1000000; give a whole number from 0 to 999999."),
         ("length", "2.5", "The last frame cannot be 2.5; give a whole number from 0 to 999999."),
@@ -66,7 +66,7 @@ def test_keys_scaled_onto_one_frame_are_refused_and_all_stay(
     qtbot.mouseMove(panel.timeline, end)
     qtbot.mouseRelease(panel.timeline, LEFT, Qt.KeyboardModifier.ControlModifier, end)
     settle()
-    assert any("would come to one frame; scale them less" in sentence for sentence in said)
+    assert any("would land on the same frame; scale them less" in sentence for sentence in said)
     assert panel.session.document == before
 
 
@@ -81,7 +81,7 @@ def test_a_handle_beside_the_curve_never_runs_back_in_time(
     qtbot.mouseRelease(curve, LEFT, pos=curve.place(-0.4, 0.5).toPoint())
     settle()
     assert motion_of(panel.session.sheet).tracks[0].keys[0].x1 == 0.0
-    assert any("would run back in time" in sentence for sentence in said)
+    assert any("would go back in time" in sentence for sentence in said)
 
 
 def _file(panel: AnimatePanel, old: bytes, new: bytes) -> bytes:

@@ -5,8 +5,9 @@ import math
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent, QWheelEvent
+from PySide6.QtGui import QMouseEvent, QPixmap, QWheelEvent
 from PySide6.QtWidgets import QApplication
+from pytestqt.exceptions import capture_exceptions
 
 from tests.panels.by_hand import LEFT, settle
 from workbench.document.motion.edits import set_key
@@ -260,3 +261,15 @@ def test_an_edit_of_a_key_elsewhere_is_seen_at_once(curves: AnimatePanel) -> Non
     settle()
     assert [key.frame for key in track_of(curves).keys] == [0, 16, 28, 34, 40, 49, 58]
     assert len({round(at.x()) for _key, at in curves.curves.keys_seen()}) == 7
+
+
+@pytest.mark.parametrize("size", [(1, 1), (40, 30), (170, 60), (176, 400)])
+def test_it_is_painted_however_small_it_is(curves: AnimatePanel, size: tuple[int, int]) -> None:
+    choose(curves, 0)
+    picture = QPixmap(*size)
+    for view in (curves.curves, curves.timeline):
+        view.setMinimumSize(1, 1)
+        view.resize(*size)
+        with capture_exceptions() as raised:
+            view.render(picture)
+        assert not raised

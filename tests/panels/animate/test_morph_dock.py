@@ -179,7 +179,7 @@ def test_a_curve_between_two_is_the_mix_of_both_where_that_is_said(
     letter.session.frames.show(3)
     settle()
     assert letter.morph.shift.isHidden()
-    assert letter.morph.note.text().startswith("Each point goes to the point of its number.")
+    assert letter.morph.note.text().startswith("Each point moves to the point with the same number.")
     assert ("straight line" in letter.morph.note.text()) == straight
     ends = [at(sheet, frame).figures[0].points_world for frame in (0, 3, 10)]
     if straight:

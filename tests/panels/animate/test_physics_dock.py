@@ -1,4 +1,4 @@
-"""Keys beside physics: a fall, a swing, a spacing chart, and a ball that keeps its area."""
+"""Keys and physics: a fall, a swing, a spacing chart, and a ball that keeps its area."""
 
 import math
 

@@ -48,13 +48,17 @@ def test_a_camera_that_looks_at_where_it_stands_stays_and_that_is_said() -> None
     sheet = replace(sheet, motion=sheet_of(track("scene.camera.eye", (0, aim))).motion)
     assert at(sheet, 0).scene == sheet.scene
     told = held_text(sheet, in_frame(sheet, 0).held)
-    assert told == "Camera: cannot be drawn as its keys have it here, and stays as the sheet has it."
+    assert (
+        told == "Camera: its keys make something here that cannot be drawn, so it stays as the sheet has it."
+    )
 
 
 def test_the_speed_along_a_path_is_evened_by_its_command(panel: AnimatePanel) -> None:
     target = "f1/p1/*"
     opened(panel, track(target, (0, (0.0, 0.0)), (2, (30.0, 0.0)), (20, (30.0, 10.0)), easing="ease_in"))
-    next(action for action in panel.actions() if action.text() == "Even the speed along the path").trigger()
+    next(
+        action for action in panel.actions() if action.text() == "Make the speed along the path constant"
+    ).trigger()
     settle()
     places = [at(panel.session.sheet, frame).figures[0].points_world[0] for frame in range(21)]
     steps = [math.dist((a.x, a.y), (b.x, b.y)) for a, b in pairwise(places)]

@@ -86,4 +86,4 @@ def test_in_very_many_pieces_nothing_is_searched_and_that_is_said(monkeypatch):
     assert len(crossing_marks(few)) > 10
     monkeypatch.setattr(curves, "self_meetings", lambda *_given: pytest.fail("takes seconds"))
     assert crossing_marks(many) == []
-    assert crossing_words(many) == "not searched in more than 300 pieces"
+    assert crossing_words(many) == "not searched for above 300 pieces"

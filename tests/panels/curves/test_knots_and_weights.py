@@ -58,7 +58,7 @@ def test_the_knot_nearest_to_u_is_removed_by_a_command(qtbot):
     panel.hover_text.connect(said.append)
     panel.session.apply(set_spline(the_curve(panel).id, "bezier"), "Change kind")
     panel.commands.remove_knot_at_u()
-    assert said == ["Only a B-spline or NURBS curve has knots; convert the curve before."]
+    assert said == ["Only a B-spline or NURBS curve has knots; convert the curve first."]
 
 
 def test_a_knot_that_would_pass_its_neighbour_is_refused_in_words(qtbot):

@@ -182,7 +182,7 @@ def test_curves_that_are_joined_are_no_farther_off_than_is_said(qtbot, spline):
     panel.commands.join()
     away = distances(pieces_of(the_curve(panel)), before).max()
     if spline == "b_spline":
-        assert said[-1] == "The curves are one now, and look as before."
+        assert said[-1] == "The curves are now one, and look as before."
         assert away < 1e-9
         return
     (told,) = re.findall(r"at most ([\d.]+) off", said[-1])
@@ -208,7 +208,7 @@ def test_the_chosen_joints_are_made_smooth_and_an_end_is_none(qtbot):
     said, ids = sentences(panel), [point.id for point in the_curve(panel).points_world]
     panel.focus.choose([ids[9]])
     panel.commands.smooth_here("G1")
-    assert said[-1] == "An end of the curve is no joint; choose a point between two pieces."
+    assert said[-1] == "An end of the curve is not a joint; choose a point between two pieces."
     panel.focus.choose([ids[7]])  # a handle of the second joint
     panel.commands.smooth_here("G1")
     assert places(panel)[:5] == [*path[:5]]

@@ -10,16 +10,17 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QSlider
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
+from tests.panels.display.strips import cut_texts, lies_whole
 from workbench.display import RasterBeam
 from workbench.display.retrace import RetracingBeam
 from workbench.document.edits import remove_figures
 from workbench.document.state import SessionState
 from workbench.document.storage.files import read
-from workbench.panels.display.instruments import span_text
 from workbench.panels.display.tubes_page import TubesPage
 from workbench.panels.shared.tube_dock import TubeDock
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.spans import span_text
 
 
 @pytest.fixture
@@ -167,6 +168,20 @@ def test_every_control_has_a_name_and_a_tooltip(panel: TubesPage) -> None:
         for control in panel.controls.findChildren(kind):
             assert control.toolTip(), control.accessibleName()
             assert control.accessibleName(), control.toolTip()
+
+
+@pytest.mark.parametrize("width", [480, 776, 1260])
+def test_no_control_of_the_strip_is_cut(panel: TubesPage, qtbot: QtBot, width: int) -> None:
+    strip = panel.controls
+    assert panel.strip.takeWidget() is strip
+    keep_until_the_end(qtbot, strip)
+    strip.show()
+    strip.resize(width, strip.heightForWidth(width))
+    for number in range(strip.phosphor.count()):
+        strip.phosphor.setCurrentIndex(number)
+        assert cut_texts(strip) == []
+    assert strip.width() == width
+    assert lies_whole(strip)
 
 
 def test_the_strip_does_not_hold_the_window_wide(panel: TubesPage) -> None:

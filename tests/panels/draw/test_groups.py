@@ -123,7 +123,7 @@ def test_grouping_is_said_and_the_card_tells_a_group_from_figures(qtbot, session
     settle()
     assert panel.card.title.text() == "2 figures"
     qtbot.keyClick(panel.canvas, Qt.Key.Key_G, CTRL | SHIFT)
-    assert said[-1] == "Each of the 3 figures is by itself again."
+    assert said[-1] == "Each of the 3 figures is on its own again."
     settle()
     assert panel.card.title.text() == "2 figures"
 

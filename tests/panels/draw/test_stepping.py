@@ -1,15 +1,21 @@
 """The canvas follows the run: stepping, asking first, comparing, pointing."""
 
 import numpy as np
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QToolButton
 
 from tests.panels.by_hand import LEFT, at, drag, points, recorded, settle
 from workbench.algorithms.marks import Word
+from workbench.document.edits import add_figure, set_attribute
+from workbench.document.model import Circle
+from workbench.document.samples.figures import points_at
 from workbench.rendering import frame_buffer
 from workbench.rendering.comparing import BOTH, ONLY_FIRST, TIE_FIRST
 from workbench.widgets.look.tokens import LIGHT
 from workbench.widgets.stepping.step_bar import Steps
+
+CIRCLE = Circle("", points_at((9, 9)), "midpoint_circle", radius_world=5.0)
 
 
 def shown_cells(panel, colour):
@@ -83,7 +89,7 @@ def test_a_wrong_click_is_tried_again_or_shown_by_the_step_bar(qtbot, session, p
     qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 21, 10))
     settle()
     assert panel.canvas.overlay.wrong == ((21, 10),)
-    assert bar.sentence.plain.startswith("Not so: (21, 10) does not come next.")
+    assert bar.sentence.plain.startswith("No: (21, 10) does not come next.")
     qtbot.mouseClick(again, LEFT)
     settle()
     assert panel.canvas.overlay.wrong == ()
@@ -163,3 +169,25 @@ def test_hover_names_the_pixel_and_what_painted_it(qtbot, session, panel, line):
     assert said[-1] == "(21, 11) Line, Bresenham's line"
     qtbot.mouseMove(panel.canvas, at(panel, 2, 2))
     assert said[-1] == "(2, 2)"
+
+
+def test_what_was_cut_before_the_algorithm_began_is_said_at_its_first_step(qtbot, session, panel, line):
+    bar = Steps(session.run)
+    qtbot.addWidget(bar)
+    bar.show()
+    recorded(qtbot, session)
+    assert bar.sentence.plain.startswith("Start at (20, 10).")
+    figure = line()
+    start, _end = figure.points_world
+    session.apply(set_attribute(f"{session.sheet.id}/{figure.id}/{start.id}/x", 100_000.0), "Move")
+    settle()
+    recorded(qtbot, session)
+    assert bar.sentence.plain.startswith("This line is cut 16,384 pixels beyond the picture: the algorithm")
+    assert "Start at (16424, " in bar.sentence.plain
+    session.run.go(1)
+    settle()
+    assert "is cut" not in bar.sentence.plain
+    session.apply(add_figure(session.sheet.id, replace(CIRCLE, radius_world=1e5)), "Circle")
+    session.update_state(active=session.sheet.figures[-1].id)
+    settle()
+    assert bar.sentence.plain.startswith("This figure is not drawn: it reaches 100,000 pixels")

@@ -80,7 +80,7 @@ def test_a_seed_fill_of_the_outline_paints_what_the_scan_lines_paint_and_the_out
     sheet = sheet_of("triangle")
     (triangle,) = sheet.figures
     for slug in ("boundary_fill_4", "boundary_fill_spans", "flood_fill_4", "boundary_fill_recursive"):
-        job = Job(sheet, of("figure", triangle), "scan_line_fill", slug)
+        job = Job(sheet, of("figure", triangle), "scan_line_exact", slug)
         outcome = outcome_of(job, Stop())
         assert outcome.both == 25
         assert outcome.only_first == 0

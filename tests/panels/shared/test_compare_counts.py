@@ -36,7 +36,7 @@ def emitted_by(slug, *arguments):
 JOBS = [
     job_of("line", "bresenham_line", "dda_line"),
     job_of("clip", "cohen_sutherland", "liang_barsky", "clipper"),
-    job_of("triangle", "scan_line_fill", "boundary_fill_spans"),
+    job_of("triangle", "scan_line_exact", "boundary_fill_spans"),
     job_of("pond", "boundary_fill_4", "flood_fill_8"),
 ]
 
@@ -68,7 +68,7 @@ def test_the_operations_of_two_lines_reckoned_by_hand():
 
 
 def test_each_label_reads_its_own_number():
-    job = job_of("triangle", "scan_line_fill", "boundary_fill_spans")
+    job = job_of("triangle", "scan_line_exact", "boundary_fill_spans")
     names = ("tests", "additions", "multiplications", "divisions", "emitted", "writes", "before", "calls")
     sides = [
         Work(
@@ -94,7 +94,7 @@ def test_each_label_reads_its_own_number():
     )
     expected = {label: (100 + number, 200 + number) for number, label in enumerate(labels)}
     expected |= {"Pixels": (100, 200), "Largest stack": ("100", "200")}
-    assert rows == expected | {"Only this one": (5, 6), "Both alike": (7, 7), "Ties": (4, 4)}
+    assert rows == expected | {"This one only": (5, 6), "The same": (7, 7), "Ties": (4, 4)}
 
 
 @pytest.mark.parametrize(
@@ -127,8 +127,8 @@ def test_pixels_that_one_alone_paints_are_counted_for_it_and_ties_apart():
     sheet = replace(job.sheet, figures=(line,))
     rows = rows_of(outcome_of(Job(sheet, job.subjects, job.first, job.second), Stop()))
     assert rows["Pixels"] == (11, 11)
-    assert rows["Both alike"] == (len(first & second),) * 2
-    assert rows["Only this one"] == (0, 0)
+    assert rows["The same"] == (len(first & second),) * 2
+    assert rows["This one only"] == (0, 0)
     assert rows["Ties"] == (len(first - second),) * 2 == (5, 5)
 
 

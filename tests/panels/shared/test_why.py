@@ -54,7 +54,7 @@ def test_a_key_at_the_pointer_asks_and_a_click_goes_to_the_step(qtbot, missed):
     assert verbs.count("wrote") == 1
     assert verbs.count("refused") == 3
     stands = next(k for k, answer in enumerate(why.answers) if answer.stands)
-    assert "its colour stands" in why.list.item(stands).text()
+    assert "its colour remains" in why.list.item(stands).text()
     assert session.sheet.figures[why.answers[stands].figure].id == why.answers[stands].figure_id
     why.list.itemClicked.emit(why.list.item(stands))
     qtbot.waitUntil(lambda: session.run.position == why.answers[stands].step)

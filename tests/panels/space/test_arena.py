@@ -21,7 +21,7 @@ from workbench.rendering.scene.growth import Growth
 from workbench.session.session import Session
 
 LEFT = Qt.MouseButton.LeftButton
-METHODS = 9
+METHODS = 10
 
 
 @pytest.fixture
@@ -67,7 +67,7 @@ def test_every_method_has_a_tile_that_tells_what_it_does_and_the_wrong_one_says_
     tiles = page.grid.tiles
     assert list(tiles) == [
         "depth_buffer", "scan_line_surfaces", "painter", "depth_sort", "bsp_tree", "area_subdivision",
-        "octree", "ray_casting", "a_buffer",
+        "octree", "ray_casting", "ray_casting_boxes", "a_buffer",
     ]  # fmt: skip
     assert {method for method, tile in tiles.items() if tile.wrong} == {"painter"}
     painter = tiles["painter"]
@@ -214,12 +214,12 @@ def test_a_wrong_pixel_that_is_asked_about_tells_what_was_painted_there(qtbot, s
     qtbot.waitUntil(lambda: told.list.count() >= 2)
     assert f"({x}, {y})" in told.caption.text()
     last = told.list.item(told.list.count() - 1).text()
-    assert "painted, and stands" in last
+    assert "painted, and remains" in last
     assert "over what is nearer" in last
     page.grid.point_at(None)
     assert {tile.ring for tile in page.grid.tiles.values()} == {(x, y)}
     qtbot.mouseClick(page.grid.tiles["depth_buffer"], LEFT, pos=QPoint(20, 10))
-    qtbot.waitUntil(lambda: "fragments came to it" in told.caption.text())
+    qtbot.waitUntil(lambda: "fragments reached it" in told.caption.text())
 
 
 def test_a_pixel_that_the_pictures_do_not_have_is_not_ringed(page, session):
@@ -302,6 +302,11 @@ def test_the_two_spaces_are_exported_as_a_labelled_page(qtbot, page):
     assert any(f"{wrong} of 176 pixels are wrong" in text for text in said)
     assert sum(isinstance(block, Drawing) for block in made.blocks) == 4
     assert "<svg" in write_diagram(made)
+    seen_by_none = {each: grown(each)._replace(by_polygons=()) for each in page.grid.tiles}
+    page.measures = page.measures._replace(growth=seen_by_none)
+    made = page.derivation()
+    assert made is not None
+    assert sum(isinstance(block, Drawing) for block in made.blocks) == 3
 
 
 def test_every_control_has_a_name_and_a_tip(page):

@@ -39,7 +39,7 @@ def test_hidden_lines_are_left_out_however_long_that_takes(
     page.next_shows()
     assert (seen_in(page), told.pop()) == (edges_of(page), "All edges are shown, hidden ones too.")
     page.next_shows()
-    assert told.pop() == "Edges are shown as far as no face hides them."
+    assert told.pop() == "Edges are shown where no face hides them."
     settle(qtbot, page)
     seen = seen_in(page)
     assert 0 < seen < edges_of(page)

@@ -37,7 +37,7 @@ TURNED = Ellipse(
     radius_y_world=3.0,
     transforms=(Rotate("", angle=30.0, x_pivot=30.0, y_pivot=34.0),),
 )
-POLYGON = Polygon("", at((22, 22), (34, 22), (28, 29)), "scan_line_fill", 1)
+POLYGON = Polygon("", at((22, 22), (34, 22), (28, 29)), "scan_line_exact", 1)
 CURVE = Curve(
     "",
     tuple(CurvePoint("", *place) for place in ((20.0, 40.0), (26.0, 44.0), (36.0, 38.0))),

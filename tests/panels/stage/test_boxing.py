@@ -237,7 +237,7 @@ def test_what_is_not_seen_has_no_box_and_is_said(qtbot, opened):
     before = panel.session.document
     panel.boxing.turn(True)
     assert panel.session.document is before
-    assert said == ["Select something that is seen first."]
+    assert said == ["Select something visible first."]
 
 
 def test_the_frame_is_drawn_where_the_figures_have_come_to(qtbot, opened):

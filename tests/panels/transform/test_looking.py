@@ -218,7 +218,7 @@ def test_the_inverse_and_the_parts_say_what_is_lost(panel, session):
     np.testing.assert_allclose(again, matrix_of(chain(session)), atol=1e-9)
     inverse.click()
     assert panel.whole.inverse.isHidden()
-    assert "no matrix brings it back" in panel.whole.backwards.text()
+    assert "no matrix can undo it" in panel.whole.backwards.text()
     panel.whole.hide()
 
 

@@ -193,7 +193,7 @@ def test_a_link_is_switched_off_and_removed_and_an_empty_chain_offers_a_rotation
     settle()
     assert chain(session) == ()
     assert session.run.entry is None
-    assert panel.chain.sentence.text() == "This figure stands as it was drawn."
+    assert panel.chain.sentence.text() == "This figure is as it was drawn."
     qtbot.mouseClick(panel.chain.first, LEFT)
     settle()
     assert [type(link) for link in chain(session)] == [Rotate]

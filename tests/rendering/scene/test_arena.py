@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from workbench.algorithms import catalogue
 from workbench.document.model import Sheet
@@ -148,8 +149,19 @@ def test_the_table_of_the_two_spaces_tells_the_numbers_of_the_scene() -> None:
         "scan_line_surfaces",
         "area_subdivision",
         "ray_casting",
+        "ray_casting_boxes",
     ]
 
 
 def test_the_table_is_there_before_anything_is_measured() -> None:
     assert all(row.object_space and row.image_space for row in space_rows(Measures()))
+
+
+def test_where_nothing_is_seen_no_cost_grows_with_polygons(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(growth, "FACTORS", (1, 2))
+    sheet = sheet_of("arena-ring")
+    assert sheet.scene is not None
+    hidden = tuple(replace(each, visible=False) for each in sheet.scene.objects)
+    told = growth_of("painter", replace(sheet.scene, objects=hidden), SIZE, window_of(sheet))
+    assert told.by_polygons == ()
+    assert len(told.by_pixels) == 2

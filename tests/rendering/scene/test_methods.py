@@ -41,6 +41,7 @@ def test_every_method_that_takes_triangles_is_one() -> None:
         "area_subdivision",
         "octree",
         "ray_casting",
+        "ray_casting_boxes",
     }
     assert set(RENDERED) == set(METHODS)
 

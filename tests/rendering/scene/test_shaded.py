@@ -106,8 +106,9 @@ def test_a_scene_without_polygons_is_an_empty_picture() -> None:
 
 
 def test_too_many_blockers_are_said() -> None:
-    large = replace(scene(), objects=(Object("o1", Sphere(1.0, 90, 60), "m1"),))
-    with pytest.raises(ValueError, match=r"Shadows are cast by up to 4,000 triangles, and there are .*\.$"):
+    balls = tuple(Object(f"o{k}", Sphere(1.0, 200, 150), "m1") for k in (1, 2))
+    large = replace(scene(), objects=balls)
+    with pytest.raises(ValueError, match=r"Shadows are cast by up to 100,000 triangles, but there are .*\.$"):
         shaded(large, "phong", SIZE, WINDOW, Model(shadows=True))
 
 

@@ -124,7 +124,7 @@ def test_every_table_that_is_offered_is_written(qtbot: QtBot, window: MainWindow
     recorded(qtbot, window)
     window.session.run.go(3)
     titles = [each.title for each in window.files.exports.tables()]
-    assert titles[:2] == ["Pixels in the order of painting", "Every line with its variables"]
+    assert titles[:2] == ["Pixels in the order in which they are painted", "Every line with its variables"]
     assert any("at this step" in title for title in titles)
     for number in range(len(titles)):
         window.files.exports.tables()[number].ask()

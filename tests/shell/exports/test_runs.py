@@ -62,7 +62,7 @@ def test_frames_say_exactly_what_they_replace(qtbot: QtBot, window: MainWindow, 
     choose_run(window, ".png")
     assert type_name(qtbot, window, "walk") == []
     assert window.messages.text == (
-        "2 of the 11 files walk-000.png to walk-010.png are there already, the first of them walk-003.png."
+        "2 of the 11 files walk-000.png to walk-010.png already exist, the first of them walk-003.png."
     )
     assert names(tmp_path) == before
     next(each for each in window.messages.buttons() if each.text() == "Replace them").click()
@@ -110,7 +110,7 @@ def test_a_picture_that_is_changed_meanwhile_is_not_half_of_each(
     type_name(qtbot, window, "walk")
     qtbot.waitUntil(lambda: window.files.exports.writing.card.bar.value() >= 2, timeout=10_000)
     window.session.apply(move_figures([window.session.sheet.figures[0].id], 1, 1), "Move")
-    assert written(qtbot, window).startswith("The picture was changed before all its steps were written")
+    assert written(qtbot, window).startswith("The picture changed before all its steps were written")
     assert names(tmp_path) == ["work.gwb"]
 
 
@@ -146,7 +146,7 @@ def test_a_failed_export_does_not_close_the_window(
     if when == "after":
         qtbot.waitUntil(lambda: not window.files.exports.writing.writer.busy, timeout=10_000)
     wish.click()
-    assert written(qtbot, window).startswith("The picture was changed before all its steps were written")
+    assert written(qtbot, window).startswith("The picture changed before all its steps were written")
     assert window.isVisible()
     assert names(tmp_path) == ["work.gwb"]
 

@@ -78,7 +78,7 @@ def test_what_is_drawn_while_a_picture_is_read_is_asked_about(
     qtbot.keyClick(window, "O", CONTROL)
     draw_a_line(qtbot, window)
     drawn = window.session.document
-    qtbot.waitUntil(lambda: "changes that are not saved" in window.messages.text, timeout=30_000)
+    qtbot.waitUntil(lambda: "unsaved changes" in window.messages.text, timeout=30_000)
     assert window.session.document is drawn
     answer(window, "Discard changes")
     assert window.session.document == document

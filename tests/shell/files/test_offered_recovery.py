@@ -36,7 +36,7 @@ def test_recovering_asks_about_what_was_drawn_meanwhile(qtbot: QtBot, window: Ma
     draw_a_line(qtbot, window)
     drawn = window.session.document
     answer(window, "Recover")
-    assert window.messages.text == "Untitled has changes that are not saved."
+    assert window.messages.text == "Untitled has unsaved changes."
     answer(window, "Cancel")
     assert window.session.document == drawn
     window.files.offer_recovery()
@@ -57,7 +57,7 @@ def test_recovered_work_asks_before_it_replaces_what_was_saved_since(
     window.files.offer_recovery()
     answer(window, "Recover")
     assert window.messages.text == (
-        "my lines.gwb was changed after this work was kept; saving it asks before that is replaced."
+        "my lines.gwb was changed after this work was kept; you will be asked before it is replaced."
     )
     qtbot.keyClick(window, "S", CONTROL)
     assert window.messages.text == "Another program has changed my lines.gwb since it was opened here."

@@ -149,7 +149,7 @@ def test_a_picture_that_was_stepped_by_a_newer_program_opens_and_what_is_left_ou
     write(Stored(example_document(), session), chosen)
     window.files.open()
     qtbot.waitUntil(lambda: window.session.path == chosen)
-    qtbot.waitUntil(lambda: "“flea_circus” is nothing that this version" in window.messages.text)
+    qtbot.waitUntil(lambda: "cannot step “flea_circus”" in window.messages.text)
     assert "circus" not in window.session.state.positions
 
 
@@ -233,7 +233,7 @@ def test_the_sheets_are_in_the_menu_and_among_the_commands(qtbot: QtBot, window:
     draw_a_line(qtbot, window)
     mine = window.session.sheet
     window.open_example("octants")
-    assert window.messages.text == "A line stays open beside this example: View, Sheets shows it again."
+    assert window.messages.text == "A line stays open beside this example: View > Sheets shows it again."
     window.menus._fill_sheets()
     first, second = window.menus._sheets.actions()
     assert [(each.text(), each.isChecked()) for each in (first, second)] == [

@@ -25,7 +25,7 @@ def test_closing_asks_and_cancel_keeps_the_window(qtbot: QtBot, window: MainWind
     draw_a_line(qtbot, window)
     window.close()
     assert window.isVisible()
-    assert window.messages.text == "Untitled has changes that are not saved."
+    assert window.messages.text == "Untitled has unsaved changes."
     answer(window, "Cancel")
     assert window.isVisible()
     assert window.messages.text == ""
@@ -83,7 +83,7 @@ def test_what_is_drawn_after_a_close_that_came_to_nothing_is_asked_about(
     draw_a_line(qtbot, window)
     window.close()
     assert window.isVisible()
-    assert window.messages.text == "Untitled has changes that are not saved."
+    assert window.messages.text == "Untitled has unsaved changes."
 
 
 def test_opening_asks_too_and_a_failed_save_loses_nothing(
@@ -132,7 +132,7 @@ def test_a_file_that_could_not_be_written_leaves_the_picture_unsaved(
     assert window.isWindowModified()
     window.close()
     assert window.isVisible()
-    assert window.messages.text == "my lines has changes that are not saved."
+    assert window.messages.text == "my lines has unsaved changes."
     window.files.save()
     qtbot.waitUntil(lambda: not window.session.saving, timeout=10_000)
     assert window.messages.text == ""  # neither is true any longer

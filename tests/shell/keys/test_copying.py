@@ -12,7 +12,7 @@ from workbench.document.model import Line
 from workbench.exchange.figures import MIME
 from workbench.panels.stage.clipboard import copy_figures, figures_held
 from workbench.shell.window import MainWindow
-from workbench.widgets.stepping.source_view import SourceText
+from workbench.widgets.stepping.source_text import SourceText
 
 
 def copied_by(widget: QWidget, key: str = "Ctrl+C") -> str:
@@ -207,7 +207,7 @@ def test_selected_words_of_a_message_are_copied(window: MainWindow, qtbot: QtBot
 
 def test_a_tube_is_copied_as_it_glows(window: MainWindow) -> None:
     work_in(window, "display")
-    tube = window.panels("display")[0].raster
+    tube = window.panels("display")[0].page_of("display").raster
     copied_by(tube)
     assert QGuiApplication.clipboard().image().size() == tube.grab().size()
 
@@ -236,4 +236,6 @@ def test_text_that_is_only_read_leaves_copy_and_paste_to_the_picture(window: Mai
     assert figures_held()  # the one that was pasted is selected
     source.selectAll()
     press(source, "Ctrl+C")
-    assert QGuiApplication.clipboard().text() == source.toPlainText()
+    copied = QGuiApplication.clipboard().text()
+    source.fold(False)
+    assert copied == source.toPlainText()

@@ -1,23 +1,11 @@
-"""Curves of growth: both scales logarithmic, the powers told, and the library of plots from any thread."""
-
-import threading
+"""Curves of growth: both scales logarithmic, the powers told."""
 
 import numpy as np
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPixmap
-from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from workbench.widgets.plots.growth_plot import GrowthCurve, GrowthPlot
-from workbench.widgets.plots.library import _Library
-
-
-class _Told(QWidget):
-    times = 0
-
-    def take(self) -> None:
-        self.times += 1
-
 
 CURVES = [
     GrowthCurve("Painter's algorithm", [(10, 1e-4), (100, 1e-3)], 1.0),
@@ -64,15 +52,3 @@ def test_a_low_plot_is_numbered_by_powers_of_ten_and_no_number_covers_another(qt
     qtbot.waitUntil(are_laid)
     assert not numbers[0][0].intersects(numbers[1][0])
     assert "●</span>&nbsp;Depth&nbsp;buffer&nbsp;n<sup>" in plot.caption.text()
-
-
-def test_the_library_comes_though_it_was_first_imported_on_a_thread_that_is_over(qtbot: QtBot) -> None:
-    made: list[_Library] = []
-    thread = threading.Thread(target=lambda: made.append(_Library()))
-    thread.start()
-    thread.join()
-    widget = _Told()
-    qtbot.addWidget(widget)
-    made[0].loaded.connect(widget.take)
-    made[0].ask()
-    qtbot.waitUntil(lambda: widget.times == 1, timeout=20_000)

@@ -44,7 +44,7 @@ def morph(
     end = divided(second, shift if closed else 0, second_edges, most)
 
     for i in range(len(start)):
-        # Move a vertex that part of its way
+        # Move a vertex that fraction of its way
         x0, y0 = start[i]
         x1, y1 = end[i]
         x = (1.0 - t) * x0 + t * x1
@@ -133,13 +133,21 @@ ENTRY = Entry(
     function=morph,
     topic="animation",
     title="Morphing",
-    summary="Cuts the edges of the simpler outline until both have as many, and moves each vertex on a line.",
+    summary="Cuts the edges of the simpler outline until both have equally many, and moves each "
+    "vertex straight.",
     parameters=(
         Parameter("first", "P_i", "points", _HOUSE, meaning="the vertices of the first key"),
         Parameter("second", "Q_i", "points", _LETTER, meaning="the vertices of the second key"),
         Parameter("closed", "closed", "bool", True, meaning="whether the last vertex is joined to the first"),
-        Parameter("shift", "shift", "int", 0, low=0, meaning="vertex of the second to which vertex 0 goes"),
-        Parameter("t", "t", "float", 0.5, low=0, high=1, meaning="how far on the way, from 0 to 1"),
+        Parameter(
+            "shift",
+            "shift",
+            "int",
+            0,
+            low=0,
+            meaning="the vertex of the second outline that vertex 0 moves to",
+        ),
+        Parameter("t", "t", "float", 0.5, low=0, high=1, meaning="how far along the way, from 0 to 1"),
     ),
     arguments=_arguments,
     emits="points",
@@ -154,7 +162,7 @@ ENTRY = Entry(
         View(
             block="Share the edges of the longer list among those of the shorter",
             when="most == fewest",
-            sentence="Both have {most} edges: each vertex has one to go to.",
+            sentence="Both have {most} edges: each vertex has one to move to.",
         ),
         View(
             block="Share the edges of the longer list among those of the shorter",
@@ -168,7 +176,7 @@ ENTRY = Entry(
             "N_s = {most} div {fewest} = {pieces}.",
         ),
         View(
-            block="Move a vertex that part of its way",
+            block="Move a vertex that fraction of its way",
             row=_ROW,
             sentence="Vertex {i}: (1 − {t}) {(x0, y0)} + {t} {(x1, y1)} = {(x, y)}.",
         ),
@@ -183,7 +191,8 @@ ENTRY = Entry(
             "animation/test_morph.py::test_edges_are_shared_by_the_rule_of_the_course",
         ),
         Law(
-            "It has as many vertices as the outline with more, and each moves evenly on a straight line.",
+            "It has as many vertices as the larger outline, and each moves at a constant speed "
+            "along a straight line.",
             "animation/test_morph.py::test_every_vertex_moves_evenly_on_a_line",
         ),
     ),

@@ -5,10 +5,10 @@ from random import Random
 from workbench.algorithms.entry import Parameter
 
 BEZIER_HANDLES = (
-    Parameter("x1", "x_1", "float", 0.25, low=0, high=1, meaning="of a Bézier easing: when it leaves"),
-    Parameter("y1", "y_1", "float", 0.1, meaning="and where to"),
-    Parameter("x2", "x_2", "float", 0.25, low=0, high=1, meaning="when it arrives"),
-    Parameter("y2", "y_2", "float", 1.0, meaning="and where from"),
+    Parameter("x1", "x_1", "float", 0.25, low=0, high=1, meaning="of a Bézier easing: x of its first handle"),
+    Parameter("y1", "y_1", "float", 0.1, meaning="y of its first handle"),
+    Parameter("x2", "x_2", "float", 0.25, low=0, high=1, meaning="x of its second handle"),
+    Parameter("y2", "y_2", "float", 1.0, meaning="y of its second handle"),
 )
 
 

@@ -49,7 +49,7 @@ def slerp(first: NDArray[Any], second: NDArray[Any], n: int) -> Iterator[tuple[f
     omega = 2.0 * math.atan2(apart, length(w1 + w0, x1 + x0, y1 + y0, z1 + z0))
 
     for j in range(n + 2):
-        # Go that part of the angle
+        # Go that fraction of the angle
         t = j / (n + 1)
         a, b = shares(omega, t)
         yield a * w0 + b * w1, a * x0 + b * x1, a * y0 + b * y1, a * z0 + b * z1
@@ -118,7 +118,7 @@ ENTRY = Entry(
     function=slerp,
     topic="animation",
     title="Slerp: turning evenly in space",
-    summary="Goes from one quaternion to the other on the shorter arc, the same angle in each frame.",
+    summary="Goes from one quaternion to the other along the shorter arc, by the same angle in each frame.",
     parameters=(
         Parameter("first", "q_0", "floats", np.array([1.0, 0, 0, 0]), meaning="quaternion w, x, y, z"),
         Parameter(
@@ -152,13 +152,13 @@ ENTRY = Entry(
             "and the figure turns by twice that, {turn_degrees(omega, 1.0)}°.",
         ),
         View(
-            block="Go that part of the angle",
+            block="Go that fraction of the angle",
             when="omega < 1e-9",
             row="(j, t, a, b, turn_degrees(omega, t), straight_turn_degrees(omega, t))",
-            sentence="t = {j} / {n + 1} = {t}: both are the same orientation, and it stays.",
+            sentence="t = {j} / {n + 1} = {t}: both orientations are the same, so nothing turns.",
         ),
         View(
-            block="Go that part of the angle",
+            block="Go that fraction of the angle",
             row="(j, t, a, b, turn_degrees(omega, t), straight_turn_degrees(omega, t))",
             options="turns_in_question(omega, j / (n + 1))",
             answer="rounded_degrees(turn_degrees(omega, t))",
@@ -173,13 +173,17 @@ ENTRY = Entry(
             "From each in-between to the next it turns by the same angle about the same axis.",
             "animation/test_slerp.py::test_it_turns_evenly_about_one_axis",
         ),
-        Law("It takes the shorter of both arcs.", "animation/test_slerp.py::test_the_shorter_arc_is_taken"),
+        Law(
+            "It takes the shorter of the two arcs.", "animation/test_slerp.py::test_the_shorter_arc_is_taken"
+        ),
         Law(
             "It begins and ends in the keys' orientations.",
             "animation/test_slerp.py::test_it_begins_and_ends_in_the_keys_orientations",
         ),
     ),
-    not_laws=("Going straight from one quaternion to the other is as good: it turns faster in the middle.",),
+    not_laws=(
+        "Going straight from one quaternion to the other is just as good: it turns faster in the middle.",
+    ),
     questions=(9,),
     labs=("Animation: key frames and in-betweens",),
     marks=marks,

@@ -129,12 +129,19 @@ ENTRY = Entry(
     function=spline_tween,
     topic="animation",
     title="Spline through keys",
-    summary="Gives each key a slope made of its neighbours, and joins the keys by cubics with these slopes.",
+    summary="Gives each key a slope computed from its neighbours, and joins the keys by cubics "
+    "with these slopes.",
     parameters=(
         Parameter("frames", "frame_k", "ints", np.array([0, 4, 6, 12]), meaning="the frames of the keys"),
         Parameter("values", "P_k", "floats", np.array([2.0, 10, 14, 6]), meaning="the values at the keys"),
         Parameter("tensions", "t_k", "floats", np.zeros(4), meaning="tension: 1 stops at the key"),
-        Parameter("continuities", "c_k", "floats", np.zeros(4), meaning="continuity: not 0 for a corner"),
+        Parameter(
+            "continuities",
+            "c_k",
+            "floats",
+            np.zeros(4),
+            meaning="continuity, with Hearn and Baker's sign: not 0 for a corner",
+        ),
         Parameter("biases", "b_k", "floats", np.zeros(4), meaning="bias: above 0 overshoots the key"),
     ),
     arguments=_arguments,
@@ -179,16 +186,17 @@ ENTRY = Entry(
             "animation/test_spline_tween.py::test_a_spline_passes_through_its_keys",
         ),
         Law(
-            "With all shapes 0 it is the spline of Catmull and Rom over unequal distances in time: its slope "
-            "at a key is that of the parabola through the key and its two neighbours.",
+            "With tension, continuity and bias 0 it is the Catmull-Rom spline over unequal "
+            "distances in time: its "
+            "slope at a key is that of the parabola through the key and its two neighbours.",
             "animation/test_spline_tween.py::test_without_shapes_the_slope_is_that_of_the_parabola",
         ),
         Law(
-            "Without a continuity the speed never jumps at a key, however unequal the distances in time.",
+            "With continuity 0 the speed never jumps at a key, however unequal the distances in time.",
             "animation/test_spline_tween.py::test_the_speed_does_not_jump_at_a_key",
         ),
         Law(
-            "Keys on a straight line in time make an even motion.",
+            "Keys on a straight line in time give a uniform motion.",
             "animation/test_spline_tween.py::test_keys_on_a_line_make_an_even_motion",
         ),
     ),

@@ -91,10 +91,17 @@ ENTRY = Entry(
     function=tween,
     topic="animation",
     title="In-betweens of two keys",
-    summary="Counts how much of the time is over, eases it, and goes that part of the way.",
+    summary="Finds what fraction of the time has passed, eases it, and goes that fraction of the way.",
     parameters=(
         Parameter("first_frame", "frame_k", "int", 28, low=0, meaning="the frame of the first key"),
-        Parameter("second_frame", "frame_{k+1}", "int", 40, low=1, meaning="that of the second, later"),
+        Parameter(
+            "second_frame",
+            "frame_{k+1}",
+            "int",
+            40,
+            low=1,
+            meaning="the frame of the second key, which is later",
+        ),
         Parameter("first", "P_k", "float", 46.0, meaning="the value at the first key"),
         Parameter("second", "P_{k+1}", "float", 10.0, meaning="the value at the second key"),
         Parameter(
@@ -153,7 +160,7 @@ ENTRY = Entry(
             "animation/test_tween.py::test_a_value_never_turns_back",
         ),
     ),
-    not_laws=("Easing changes which values are passed; it changes only when.",),
+    not_laws=("Easing changes which values are passed: it changes only when they are.",),
     questions=(9,),
     labs=("Animation: key frames and in-betweens",),
     marks=marks,

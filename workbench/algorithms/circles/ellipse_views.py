@@ -1,4 +1,4 @@
-"""What the midpoint ellipse shows of its blocks. The hand table gives p as the book does, in quarters."""
+"""What the midpoint ellipse shows of its blocks."""
 
 from workbench.algorithms.entry import Parameter, View
 
@@ -14,24 +14,24 @@ COLUMNS = ("region", "k", "p_k", "(x_{k+1}, y_{k+1})", "2r_y^2x_{k+1}", "2r_x^2y
 _HERE = "((xc + x, yc + y),)"
 _EAST = "((xc + x + 1, yc + y), (xc + x + 1, yc + y - 1))"
 _SOUTH = "((xc + x, yc + y - 1), (xc + x + 1, yc + y - 1))"
-_ROW_1 = "(1, x - 1, before.p_times_4 / 4, (x, y), px, py)"
-_ROW_2 = "(2, k, before.p_times_4 / 4, (x, y), px, py)"
+_ROW_1 = "(1, x - 1, before.p, (x, y), px, py)"
+_ROW_2 = "(2, k, before.p, (x, y), px, py)"
 
 VIEWS = (
     View(
         block="Start region 1 at the top",
         chosen=_HERE,
-        sentence="Start at (0, {ry}) from the centre. p1 = r_y² − r_x² r_y + r_x²/4 = {p_times_4 / 4}.",
+        sentence="Start at (0, {ry}) from the centre. p1 = r_y² − r_x² r_y + r_x²/4 = {p}.",
     ),
     View(
         block="Region 1: choose E or SE",
-        when="before.p_times_4 < 0",
+        when="before.p < 0",
         candidates=_EAST,
         chosen=_HERE,
         rejected="((xc + x, yc + y - 1),)",
         row=_ROW_1,
-        sentence="p1 = {before.p_times_4 / 4} is negative: the midpoint is inside, take E, ({x}, {y}) "
-        "from the centre. Next p1 = {before.p_times_4 / 4} + {px} + {ry2} = {p_times_4 / 4}.",
+        sentence="p1 = {before.p} is negative: the midpoint is inside, take E, ({x}, {y}) "
+        "from the centre. Next p1 = {before.p} + {px} + {ry2} = {p}.",
     ),
     View(
         block="Region 1: choose E or SE",
@@ -39,15 +39,15 @@ VIEWS = (
         chosen=_HERE,
         rejected="((xc + x, yc + before.y),)",
         row=_ROW_1,
-        sentence="p1 = {before.p_times_4 / 4} is not negative: take SE, ({x}, {y}) from the centre. "
-        "Next p1 = {before.p_times_4 / 4} + {px} − {py} + {ry2} = {p_times_4 / 4}.",
+        sentence="p1 = {before.p} is not negative: take SE, ({x}, {y}) from the centre. "
+        "Next p1 = {before.p} + {px} − {py} + {ry2} = {p}.",
     ),
     View(
         block="Change to region 2",
         when="y > 0",
-        row="('1 → 2', '', p_times_4 / 4, (x, y), px, py)",
+        row="('1 → 2', '', p, (x, y), px, py)",
         sentence="2r_y²x = {px} has reached 2r_x²y = {py}: the slope passes −1, region 2 begins at ({x}, "
-        "{y}). p2 = r_y²(x + ½)² + r_x²(y − 1)² − r_x² r_y² = {p_times_4 / 4}.",
+        "{y}). p2 = r_y²(x + ½)² + r_x²(y − 1)² − r_x² r_y² = {p}.",
     ),
     View(
         block="Change to region 2",
@@ -56,13 +56,13 @@ VIEWS = (
     ),
     View(
         block="Region 2: choose S or SE",
-        when="before.p_times_4 > 0",
+        when="before.p > 0",
         candidates=_SOUTH,
         chosen=_HERE,
         rejected="((xc + x + 1, yc + y),)",
         row=_ROW_2,
-        sentence="p2 = {before.p_times_4 / 4} is positive: the midpoint is outside, take S, ({x}, {y}) "
-        "from the centre. Next p2 = {before.p_times_4 / 4} − {py} + {rx2} = {p_times_4 / 4}.",
+        sentence="p2 = {before.p} is positive: the midpoint is outside, take S, ({x}, {y}) "
+        "from the centre. Next p2 = {before.p} − {py} + {rx2} = {p}.",
     ),
     View(
         block="Region 2: choose S or SE",
@@ -70,8 +70,8 @@ VIEWS = (
         chosen=_HERE,
         rejected="((xc + before.x, yc + y),)",
         row=_ROW_2,
-        sentence="p2 = {before.p_times_4 / 4} is not positive: take SE, ({x}, {y}) from the centre. "
-        "Next p2 = {before.p_times_4 / 4} + {px} − {py} + {rx2} = {p_times_4 / 4}.",
+        sentence="p2 = {before.p} is not positive: take SE, ({x}, {y}) from the centre. "
+        "Next p2 = {before.p} + {px} − {py} + {rx2} = {p}.",
     ),
     View(
         block="Finish the tip of a flat ellipse",

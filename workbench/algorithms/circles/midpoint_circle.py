@@ -75,7 +75,7 @@ ENTRY = Entry(
     function=midpoint_circle,
     topic="circles",
     title="Midpoint circle",
-    summary="Walks one eighth of the circle by the sign of an integer; seven mirrors make the rest.",
+    summary="Walks one eighth of the circle by the sign of an integer; mirroring gives the other seven.",
     parameters=(
         Parameter("xc", "x_c", "int", 0, -32768, 32767, "px", "centre, column"),
         Parameter("yc", "y_c", "int", 0, -32768, 32767, "px", "centre, row"),
@@ -95,7 +95,7 @@ ENTRY = Entry(
             block="Drop the duplicates",
             when="new < 8",
             sentence="Of the eight mirror images of ({x}, {y}) only {new} are new: on an axis, on the "
-            "diagonal and past it mirrors coincide.",
+            "diagonal and past it mirror images coincide.",
         ),
         View(
             block="Choose E or SE",

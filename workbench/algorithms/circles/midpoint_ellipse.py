@@ -4,7 +4,7 @@ x, y                point of the quarter from the top to the right, seen from th
 rx2, ry2            squares of the two radii
 px, py              2 ry2 x and 2 rx2 y; where px reaches py the slope is -1 and region 2 begins
 k                   number of the step of region 2, from 0
-p_times_4           four times the book's p, so that its quarters stay whole and no sign is rounded
+p                   decision parameter: the ellipse's function at the midpoint, in quarters, never rounded
 """
 
 from collections.abc import Iterator
@@ -44,34 +44,35 @@ def midpoint_ellipse(xc: int, yc: int, rx: int, ry: int) -> Iterator[tuple[int, 
     y = ry
     px = 0
     py = 2 * rx2 * y
-    p_times_4 = 4 * (ry2 - rx2 * ry) + rx2
+    p = ry2 - rx2 * ry + rx2 / 4
     yield from four_points(xc, yc, x, y)
 
     while px < py:
         # Region 1: choose E or SE
         x += 1
         px += 2 * ry2
-        if p_times_4 < 0:
-            p_times_4 += 4 * (ry2 + px)
+        if p < 0:
+            p += ry2 + px
         else:
             y -= 1
             py -= 2 * rx2
-            p_times_4 += 4 * (ry2 + px - py)
+            p += ry2 + px - py
         yield from four_points(xc, yc, x, y)
 
     # Change to region 2
-    p_times_4 = ry2 * (2 * x + 1) * (2 * x + 1) + 4 * rx2 * (y - 1) * (y - 1) - 4 * rx2 * ry2
+    # where (x + 1/2)^2 = x (x + 1) + 1/4
+    p = ry2 * x * (x + 1) + rx2 * (y - 1) * (y - 1) - rx2 * ry2 + ry2 / 4
 
     for k in range(y):
         # Region 2: choose S or SE
         y -= 1
         py -= 2 * rx2
-        if p_times_4 > 0:
-            p_times_4 += 4 * (rx2 - py)
+        if p > 0:
+            p += rx2 - py
         else:
             x += 1
             px += 2 * ry2
-            p_times_4 += 4 * (rx2 - py + px)
+            p += rx2 - py + px
         yield from four_points(xc, yc, x, y)
 
     while x < rx:
@@ -113,7 +114,11 @@ ENTRY = Entry(
             "circles/test_circles.py::test_with_equal_radii_the_ellipse_is_the_circle",
         ),
     ),
-    not_laws=("Every pixel is the nearest to the ellipse: at the ends of a very flat one they need not be.",),
+    not_laws=(
+        "Every pixel is the nearest to the ellipse: at the ends of a very flat one they need not be.",
+        "Turned by a quarter it is the ellipse with its radii swapped: about the slope −1 the two choose by "
+        "other midpoints. Of radii up to 90 every 17th pair differs, among them 2 and 3.",
+    ),
     labs=("Ellipse drawing: midpoint",),
     tie="Hearn and Baker: region 1 takes SE on p >= 0, region 2 takes S on p > 0",
     extent="xc - rx, yc - ry, xc + rx, yc + ry",

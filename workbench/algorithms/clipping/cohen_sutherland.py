@@ -20,7 +20,7 @@ from workbench.algorithms.clipping.cutting import (
     pixels,
 )
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP, between, intersection, region_code
-from workbench.algorithms.clipping.window import LINE, LINES, NO_LINE_LAW, WINDOW, line_and_window
+from workbench.algorithms.clipping.window import LINE, LINES, WINDOW, line_and_window
 from workbench.algorithms.entry import Entry, Law, View
 
 
@@ -150,9 +150,8 @@ ENTRY = Entry(
             "clipping/test_lines.py::test_no_more_intersections_than_are_promised",
         ),
         Law(
-            "Of lines and windows of whole numbers within 2^24 nothing visible is lost, not even the "
-            "touch of a corner.",
-            "clipping/test_lines.py::test_of_whole_numbers_nothing_visible_is_lost",
+            "A line is found where any of it is visible, be it the touch of a corner, and no other is.",
+            "clipping/test_lines.py::test_cohen_sutherland_finds_a_line_just_where_any_of_it_is_visible",
         ),
         Law(
             "Mirrored left to right or top to bottom, line and window give the mirrored line, to the "
@@ -161,7 +160,6 @@ ENTRY = Entry(
         ),
     ),
     not_laws=(
-        NO_LINE_LAW,
         "Only intersections on the window are computed: some lie on an edge's extension and are cut again.",
     ),
     labs=("Clipping: Cohen-Sutherland",),

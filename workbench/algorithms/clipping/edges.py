@@ -4,7 +4,16 @@ code        top, bottom, right, left from the highest bit; a bit is set where th
 edge        one of these bits
 """
 
+import math
+
+import numpy as np
+
+from workbench.geometry.orientation import side_of
+
 TOP, BOTTOM, RIGHT, LEFT = 8, 4, 2, 1
+
+# An intersection is off by less than its line's ends, halved so many times.
+ROUNDING_BITS = 48
 
 
 def region_code(x: float, y: float, xmin: float, ymin: float, xmax: float, ymax: float) -> int:
@@ -42,7 +51,6 @@ def intersection(
 ) -> tuple[float, float]:
     """Where the line from (x0, y0) to (x1, y1) crosses ``edge``, which has one end on either side.
 
-    The product comes before the quotient: of whole numbers it is exact, and a touched corner is not missed.
     Source: Hearn and Baker, Computer Graphics, C Version, section 6-7.
     """
     # Find the intersection
@@ -53,5 +61,21 @@ def intersection(
         x = xmax if edge == RIGHT else xmin
         y = y0 + (y1 - y0) * (x - x0) / (x1 - x0)
 
-    # Let no rounding carry it past an end
+    # Let no rounding carry it past a corner or an end
+    if edge in (TOP, BOTTOM):
+        x = beside_corner(beside_corner(x, xmin, y, x0, y0, x1, y1), xmax, y, x0, y0, x1, y1)
+    else:
+        y = beside_corner(beside_corner(y, ymin, x, y0, x0, y1, x1), ymax, x, y0, x0, y1, x1)
     return between(x, x0, x1), between(y, y0, y1)
+
+
+def beside_corner(x: float, corner: float, y: float, x0: float, y0: float, x1: float, y1: float) -> float:
+    """``x``, where a line meets row y, on its true side of a corner at (``corner``, y), or in it."""
+    if abs(x - corner) > math.ldexp(abs(x0) + abs(x1), -ROUNDING_BITS):
+        return x
+    side = side_of(x0, y0, x1, y1, corner, y)
+    if side == 0.0:
+        return corner
+    if (side > 0.0) == (y1 > y0):
+        return min(x, float(np.nextafter(corner, -math.inf)))
+    return max(x, float(np.nextafter(corner, math.inf)))

@@ -1,11 +1,15 @@
 """Curves: Bézier, B-splines and NURBS, and splines that pass through their points."""
 
 from workbench.algorithms.curves.b_spline_curve import b_spline_curve
+from workbench.algorithms.curves.b_spline_sum import b_spline_sum
+from workbench.algorithms.curves.bernstein_curve import bernstein_curve
 from workbench.algorithms.curves.closest_point import closest_point
 from workbench.algorithms.curves.de_boor import de_boor
 from workbench.algorithms.curves.de_boor_rational import de_boor_rational
 from workbench.algorithms.curves.de_casteljau import de_casteljau
 from workbench.algorithms.curves.flatten_bezier import flatten_bezier
+from workbench.algorithms.curves.hermite_blend import hermite_blend
+from workbench.algorithms.curves.natural_cubic_system import natural_cubic_system
 from workbench.geometry.curves.arc_length import arc_length
 from workbench.geometry.curves.at_length import at_length, equal_lengths
 from workbench.geometry.curves.basis_functions import (
@@ -66,10 +70,12 @@ __all__ = [
     "at_length",
     "b_spline_curve",
     "b_spline_point",
+    "b_spline_sum",
     "b_spline_to_bezier",
     "basis_functions",
     "basis_table",
     "bernstein",
+    "bernstein_curve",
     "bezier_point",
     "bounding_box",
     "cardinal",
@@ -98,6 +104,7 @@ __all__ = [
     "flatten_bezier",
     "gap_between",
     "hermite",
+    "hermite_blend",
     "homogeneous",
     "in_rows",
     "inflections",
@@ -110,6 +117,7 @@ __all__ = [
     "lower_degree",
     "multiplicity",
     "natural_cubic",
+    "natural_cubic_system",
     "nurbs_point",
     "nurbs_to_polyline",
     "open_uniform_knots",

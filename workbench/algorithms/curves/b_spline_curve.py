@@ -70,7 +70,7 @@ ENTRY = Entry(
     function=b_spline_curve,
     topic="curves",
     title="B-spline, sampled",
-    summary="Makes the polynomial of each knot span once, and evaluates it at equal steps of u.",
+    summary="Finds the polynomial of each knot span once, and evaluates it at equal steps of u.",
     parameters=(*B_SPLINE, Parameter("samples", "samples", "int", 13, low=2, high=1_000_000)),
     arguments=b_spline_and_samples,
     constructs=("b_spline",),

@@ -1,10 +1,12 @@
 """De Boor's construction of a point of a B-spline.
 
 span        number of the knot span that u lies in: t_span <= u < t_{span+1}
-triangle    all points, level by level: first the control points that matter, last the point of the curve
-start       number of the first point of the level above, r - 1
-r           level
-i           number of a point, counted as the control points are
+level       the points of level r - 1, first the degree + 1 control points that matter
+next_level  those of level r
+r           number of a level
+j           number of a leg of the level
+i           number of the point on it, counted as the control points are
+triangle    all levels so far
 alpha       how far u lies from t_i to t_{i+p+1-r}, as a part of 1
 """
 
@@ -45,33 +47,33 @@ def de_boor(
         span -= 1
 
     # Begin with the control points that matter
-    triangle = [(float(points[i, 0]), float(points[i, 1])) for i in range(span - degree, span + 1)]
-    start = 0
+    level = [(float(x), float(y)) for x, y in points[span - degree : span + 1]]
+    triangle = [level]
 
     for r in range(1, degree + 1):
-        for i in range(span - degree + r, span + 1):
+        next_level = level[:0]
+        for j, i in enumerate(range(span - degree + r, span + 1)):
             # Divide a leg
             left = float(knots[i])
             right = float(knots[i + degree + 1 - r])
             alpha = (u - left) / (right - left)
-            x0, y0 = triangle[start + i - (span - degree + r)]
-            x1, y1 = triangle[start + i - (span - degree + r) + 1]
+            x0, y0 = level[j]
+            x1, y1 = level[j + 1]
             x = (1.0 - alpha) * x0 + alpha * x1
             y = (1.0 - alpha) * y0 + alpha * y1
-            triangle.append((x, y))
+            next_level.append((x, y))
             yield x, y
 
-        # Go down to the level just made
-        start += degree + 2 - r
+        # Go down to the next level
+        level = next_level
+        triangle.append(level)
 
 
 _LEG = "Divide a leg"
 _ROW = "(r, i, alpha, (x0, y0), (x1, y1), (x, y))"
 _MARKS = "leg_marks((x0, y0), (x1, y1), (x, y), r == degree)"
-_TABLES = {
-    "Triangle": ("level_rows(triangle, degree + 1)", ("r", "points")),
-    **KNOT_TABLES,
-}
+_COLUMNS = ("r", "points")
+_TABLES = {"Triangle": ("level_rows([*triangle, next_level])", _COLUMNS), **KNOT_TABLES}
 
 ENTRY = Entry(
     function=de_boor,
@@ -92,7 +94,11 @@ ENTRY = Entry(
             "n = {len(points) - 1}, d = {degree + 1}, and n + d + 1 knots. Is u in span {span}?",
         ),
         NEXT_SPAN,
-        View(block="Begin with the control points that matter", tables=_TABLES, sentence=IN_SPAN),
+        View(
+            block="Begin with the control points that matter",
+            tables={"Triangle": ("level_rows(triangle)", _COLUMNS), **KNOT_TABLES},
+            sentence=IN_SPAN,
+        ),
         View(
             block=_LEG,
             when="r == degree",

@@ -1,14 +1,15 @@
 """De Boor's construction of a point of a B-spline whose points have weights.
 
 span        number of the knot span that u lies in: t_span <= u < t_{span+1}
-triangle    all points with their weights, level by level, the point of the curve last
-first       number of the first control point that matters
-start       number of the first point of the level above, r - 1
-r           level
-i           number of a point, counted as the control points are
+level       the points of level r - 1 with their weights, first the degree + 1 control points that matter
+next_level  those of level r
+r           number of a level
+j           number of a leg of the level
+i           number of the point on it, counted as the control points are
 alpha       how far u lies from t_i to t_{i+p+1-r}, as a part of 1
-rest        1 - alpha, not rounded where alpha is nearly 1: a heavy weight makes much of little
-share       how far the new point lies along its leg: alpha, drawn to the end that weighs more
+beta        1 - alpha, exact where alpha is nearly 1: a heavy weight makes much of little
+share       what the second end gives to the new point: alpha, drawn to the end that weighs more
+triangle    all levels so far
 """
 
 from collections.abc import Iterator
@@ -53,36 +54,42 @@ def de_boor_rational(
 
     # Begin with the control points that matter
     first = span - degree
-    triangle = [(float(points[i, 0]), float(points[i, 1]), float(weights[i])) for i in range(first, span + 1)]
-    start = 0
+    level = [(float(points[i, 0]), float(points[i, 1]), float(weights[i])) for i in range(first, span + 1)]
+    triangle = [level]
 
     for r in range(1, degree + 1):
-        for i in range(first + r, span + 1):
+        next_level = level[:0]
+        for j, i in enumerate(range(first + r, span + 1)):
             # Divide a leg
             left = float(knots[i])
             right = float(knots[i + degree + 1 - r])
             alpha = (u - left) / (right - left)
-            x0, y0, w0 = triangle[start + i - first - r]
-            x1, y1, w1 = triangle[start + i - first - r + 1]
-            rest = (right - u) / (right - left)
-            w = rest * w0 + alpha * w1
+            beta = (right - u) / (right - left)
+            x0, y0, w0 = level[j]
+            x1, y1, w1 = level[j + 1]
+            w = beta * w0 + alpha * w1
             share = alpha * w1 / w
-            x = rest * w0 / w * x0 + share * x1
-            y = rest * w0 / w * y0 + share * y1
-            triangle.append((x, y, w))
+            x = beta * w0 / w * x0 + share * x1
+            y = beta * w0 / w * y0 + share * y1
+            next_level.append((x, y, w))
             yield x, y
 
-        # Go down to the level just made
-        start += degree + 2 - r
+        # Go down to the next level
+        level = next_level
+        triangle.append(level)
 
 
 _LEG = "Divide a leg"
 _ROW = "(r, i, alpha, w0, w1, w, share, (x, y))"
-_TABLES = {
-    "Triangle": ("level_rows(triangle, degree + 1)", ("r", "points")),
-    "Weights": ("weight_rows(triangle, degree + 1)", ("r", "weights")),
-    **KNOT_TABLES,
-}
+
+
+def _tables(levels: str) -> dict[str, tuple[str, tuple[str, ...]]]:
+    return {
+        "Triangle": (f"level_rows({levels})", ("r", "points")),
+        "Weights": (f"weight_rows({levels})", ("r", "weights")),
+        **KNOT_TABLES,
+    }
+
 
 ENTRY = Entry(
     function=de_boor_rational,
@@ -98,12 +105,12 @@ ENTRY = Entry(
     view_functions=(level_rows, leg_marks, weight_rows, basis_rows, knot_rows),
     views=(
         NEXT_SPAN,
-        View(block="Begin with the control points that matter", tables=_TABLES, sentence=IN_SPAN),
+        View(block="Begin with the control points that matter", tables=_tables("triangle"), sentence=IN_SPAN),
         View(
             block=_LEG,
             row=_ROW,
             marks="leg_marks((x0, y0), (x1, y1), (x, y), r == degree)",
-            tables=_TABLES,
+            tables=_tables("[*triangle, next_level]"),
             sentence="α = {alpha}, so the weight is (1 − α) {w0} + α {w1} = {w}; the leg is divided at "
             "α {w1} / {w} = {share}: {(x, y)}.",
         ),

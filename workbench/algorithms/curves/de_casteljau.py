@@ -1,9 +1,10 @@
 """De Casteljau's construction of a point of a Bézier curve.
 
-triangle    all points, level by level: first the control points, last the point of the curve
-start       number of the first point of the level above, r - 1
-r           level; its points divide the legs of the level above in the ratio u to 1 - u
+level       the points of level r - 1, first the control points
+next_level  those of level r, which divide the legs of the level above in the ratio u to 1 - u
+r           number of a level
 i           number of a point in its level
+triangle    all levels so far
 """
 
 from collections.abc import Iterator
@@ -28,28 +29,31 @@ def de_casteljau(points: NDArray[Any], u: float) -> Iterator[tuple[float, float]
     """
     # Begin with the control points
     refuse_bezier(points, u)
-    triangle = [(float(point[0]), float(point[1])) for point in points]
-    n = len(triangle) - 1
-    start = 0
+    n = len(points) - 1
+    level = [(float(x), float(y)) for x, y in points]
+    triangle = [level]
 
     for r in range(1, n + 1):
+        next_level = level[:0]
         for i in range(n + 1 - r):
             # Divide a leg
-            x0, y0 = triangle[start + i]
-            x1, y1 = triangle[start + i + 1]
+            x0, y0 = level[i]
+            x1, y1 = level[i + 1]
             x = (1.0 - u) * x0 + u * x1
             y = (1.0 - u) * y0 + u * y1
-            triangle.append((x, y))
+            next_level.append((x, y))
             yield x, y
 
-        # Go down to the level just made
-        start += n + 2 - r
+        # Go down to the next level
+        level = next_level
+        triangle.append(level)
 
 
 _LEG = "Divide a leg"
 _ROW = "(r, i, (x0, y0), (x1, y1), (x, y))"
 _MARKS = "leg_marks((x0, y0), (x1, y1), (x, y), r == n)"
-_TABLES = {"Triangle": ("level_rows(triangle, n + 1)", ("r", "points"))}
+_COLUMNS = ("r", "points")
+_TABLES = {"Triangle": ("level_rows([*triangle, next_level])", _COLUMNS)}
 
 ENTRY = Entry(
     function=de_casteljau,
@@ -66,7 +70,7 @@ ENTRY = Entry(
     views=(
         View(
             block="Begin with the control points",
-            tables=_TABLES,
+            tables={"Triangle": ("level_rows(triangle)", _COLUMNS)},
             sentence="{n + 1} control points make a curve of degree {n}; the parameter is u = {u}.",
         ),
         View(
@@ -110,6 +114,6 @@ ENTRY = Entry(
     ),
     questions=(8,),
     labs=("Curves: Bézier",),
-    next_rung="de_boor",
+    next_rung="b_spline_sum",
     marks=bezier_marks,
 )

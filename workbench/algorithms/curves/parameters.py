@@ -17,7 +17,12 @@ BEZIER_POINTS = Parameter(
 )
 U = Parameter("u", "u", "float", 0.5, low=0, high=1, meaning="where on the curve, from 0 to 1")
 TOLERANCE = Parameter(
-    "tolerance", "tolerance", "float", 0.05, low=1e-9, meaning="how far the chain may be off"
+    "tolerance",
+    "tolerance",
+    "float",
+    0.05,
+    low=1e-9,
+    meaning="how far the chain of lines may be from the curve",
 )
 B_SPLINE = (
     Parameter(
@@ -32,7 +37,7 @@ B_SPLINE = (
         "t_i",
         "floats",
         np.array([0, 0, 0, 0, 1, 2, 3, 3, 3, 3], np.float64),
-        meaning="the knots, ascending, as many as points and degree + 1 more",
+        meaning="the knots, ascending, degree + 1 more than there are points",
     ),
     Parameter(
         "degree", "p", "int", 3, low=1, high=7, meaning="degree of the curve; the course's d is one more"
@@ -55,6 +60,38 @@ PIECES = (
     ),
     Parameter("weights", "w_i", "floats", np.ones(8), meaning="their weights, 1 for a plain curve"),
     Parameter("degree", "p", "int", 3, low=1, high=7, meaning="degree of the pieces"),
+)
+HERMITE = (
+    Parameter(
+        "points",
+        "P_k",
+        "points",
+        np.array([[1, 1], [7, 3]], np.float64),
+        meaning="the points where the piece begins and ends",
+    ),
+    Parameter(
+        "tangents",
+        "DP_k",
+        "points",
+        np.array([[4, 8], [6, -6]], np.float64),
+        meaning="the derivatives by u there",
+    ),
+)
+THROUGH = (
+    Parameter(
+        "points",
+        "P_i",
+        "points",
+        np.array([[1, 1], [3, 5], [6, 4], [9, 6]], np.float64),
+        meaning="the points that the curve passes",
+    ),
+    Parameter(
+        "knots",
+        "t_i",
+        "floats",
+        np.array([0, 1, 2, 3], np.float64),
+        meaning="the parameter at each point, strictly ascending",
+    ),
 )
 
 _Array = NDArray[np.float64]
@@ -107,6 +144,20 @@ def _b_spline(chance: Random) -> tuple[_Array, _Array, int]:
 def bezier_and_u(chance: Random) -> tuple[Any, ...]:
     """Two to seven control points, and a place on the curve."""
     return _points(chance, chance.randint(2, 7)), _part(chance)
+
+
+def hermite_and_u(chance: Random) -> tuple[Any, ...]:
+    """Two points, two tangents, and a place between."""
+    return _points(chance, 2), _points(chance, 2), _part(chance)
+
+
+def points_to_pass(chance: Random) -> tuple[Any, ...]:
+    """Two to seven points, and ascending parameters, some of them close to each other."""
+    count = chance.randint(2, 7)
+    lengths = [
+        chance.choice((1.0, 1.0, 2.0, 1e-3, chance.uniform(0.0625, 4.0))) for _piece in range(count - 1)
+    ]
+    return _points(chance, count), np.append(0.0, np.cumsum(lengths))
 
 
 def bezier_and_tolerance(chance: Random) -> tuple[Any, ...]:

@@ -9,7 +9,7 @@ k               number of the step, from 0
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, Law, View
-from workbench.algorithms.lines.axes import neighbours, pixel
+from workbench.algorithms.lines.axes import LONGER, SHORTER, neighbours, pixel, starts
 from workbench.algorithms.lines.ends import DRAWS, END_POINTS, EXTENT
 
 
@@ -74,10 +74,11 @@ ENTRY = Entry(
     columns=("k", "p_k", "(x_{k+1}, y_{k+1})"),
     view_functions=(neighbours, pixel),
     views=(
-        View(
+        *starts(
             block="Plot the first end point",
             chosen="(pixel(x, y, steep),)",
-            sentence="Start at {pixel(x, y, steep)}. The first p is 2Δy − Δx = {two_dy} − {dx} = {p}.",
+            sentence="Start at {pixel(x, y, steep)}. The first p is "
+            f"2{SHORTER} − {LONGER} = {{two_dy}} − {{dx}} = {{p}}.",
         ),
         View(
             block="Choose the nearer row",
@@ -87,7 +88,7 @@ ENTRY = Entry(
             rejected="(pixel(x + step_x, y + step_y, steep),)",
             row=_ROW,
             sentence="p = {before.p} is negative: the line is nearer to {pixel(x + step_x, y, steep)} "
-            "than to {pixel(x + step_x, y + step_y, steep)}. Next p = {before.p} + 2Δy = {p}.",
+            f"than to {{pixel(x + step_x, y + step_y, steep)}}. Next p = {{before.p}} + 2{SHORTER} = {{p}}.",
         ),
         View(
             block="Choose the nearer row",
@@ -97,7 +98,7 @@ ENTRY = Entry(
             rejected=_STRAIGHT,
             row=_ROW,
             sentence="p = {before.p}: the line passes exactly halfway, and the book takes the diagonal, "
-            "{pixel(x + step_x, y, steep)}. Next p = {before.p} + 2Δy − 2Δx = {p}.",
+            f"{{pixel(x + step_x, y, steep)}}. Next p = {{before.p}} + 2{SHORTER} − 2{LONGER} = {{p}}.",
         ),
         View(
             block="Choose the nearer row",
@@ -106,7 +107,8 @@ ENTRY = Entry(
             rejected=_STRAIGHT,
             row=_ROW,
             sentence="p = {before.p} is positive: the line is nearer to {pixel(x + step_x, y, steep)} "
-            "than to {pixel(x + step_x, before.y, steep)}. Next p = {before.p} + 2Δy − 2Δx = {p}.",
+            f"than to {{pixel(x + step_x, before.y, steep)}}. Next p = {{before.p}} + 2{SHORTER} − 2{LONGER} "
+            "= {p}.",
         ),
     ),
     laws=(

@@ -10,7 +10,7 @@ k               number of the step, from 0
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, Law, View
-from workbench.algorithms.lines.axes import neighbours, pixel
+from workbench.algorithms.lines.axes import LONGER, SHORTER, neighbours, pixel, starts
 from workbench.algorithms.lines.ends import DRAWS, END_POINTS, EXTENT
 
 
@@ -101,11 +101,11 @@ ENTRY = Entry(
     columns=("k", "p_k", "(x_{k+1}, y_{k+1})", "from the other end"),
     view_functions=(both, neighbours, pixel),
     views=(
-        View(
+        *starts(
             block="Plot both end points",
             chosen="both(x, y, x_back, y_back, steep)",
             sentence="Start at {pixel(x, y, steep)} and {pixel(x_back, y_back, steep)}. The first p is "
-            "2Δy − Δx = {two_dy} − {dx} = {p}.",
+            f"2{SHORTER} − {LONGER} = {{two_dy}} − {{dx}} = {{p}}.",
         ),
         View(
             block="Choose the nearer row, for both",
@@ -115,7 +115,7 @@ ENTRY = Entry(
             rejected=_DIAGONAL,
             row=_ROW,
             sentence=f"p = {{before.p}} is negative: {_TAKEN}, straight on, is nearer to the line; "
-            f"{_MIRRORED}. Next p = {{before.p}} + 2Δy = {{p}}.",
+            f"{_MIRRORED}. Next p = {{before.p}} + 2{SHORTER} = {{p}}.",
         ),
         View(
             block="Choose the nearer row, for both",
@@ -125,7 +125,7 @@ ENTRY = Entry(
             rejected=_STRAIGHT,
             row=_ROW,
             sentence=f"p = {{before.p}}: the line passes exactly halfway, and the diagonal is taken, "
-            f"{_TAKEN}; {_MIRRORED}. Next p = {{before.p}} + 2Δy − 2Δx = {{p}}.",
+            f"{_TAKEN}; {_MIRRORED}. Next p = {{before.p}} + 2{SHORTER} − 2{LONGER} = {{p}}.",
         ),
         View(
             block="Choose the nearer row, for both",
@@ -134,7 +134,7 @@ ENTRY = Entry(
             rejected=_STRAIGHT,
             row=_ROW,
             sentence=f"p = {{before.p}} is positive: {_TAKEN}, the diagonal, is nearer to the line; "
-            f"{_MIRRORED}. Next p = {{before.p}} + 2Δy − 2Δx = {{p}}.",
+            f"{_MIRRORED}. Next p = {{before.p}} + 2{SHORTER} − 2{LONGER} = {{p}}.",
         ),
     ),
     laws=(

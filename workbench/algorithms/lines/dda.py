@@ -26,7 +26,7 @@ def dda_line(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, int]]:
     dy = y1 - y0
     steps = max(abs(dx), abs(dy))
 
-    # Divide the sides into that many increments
+    # Divide both sides by the number of steps
     x_increment = dx / max(steps, 1)
     y_increment = dy / max(steps, 1)
 
@@ -52,7 +52,8 @@ ENTRY = Entry(
     function=dda_line,
     topic="lines",
     title="DDA line",
-    summary="Adds the same increment at each step and rounds; the smallest errors of the sum add up too.",
+    summary="Adds the same increment at each step and rounds; the tiny rounding errors of the sum "
+    "add up too.",
     parameters=END_POINTS,
     draws=DRAWS,
     emits="pixels",
@@ -61,7 +62,7 @@ ENTRY = Entry(
     view_functions=(beside, drift, exact, others),
     views=(
         View(
-            block="Divide the sides into that many increments",
+            block="Divide both sides by the number of steps",
             sentence="{steps} steps: x grows by {dx}/{steps} = {x_increment}, "
             "y by {dy}/{steps} = {y_increment}.",
         ),

@@ -29,7 +29,7 @@ def dda_line_single(x0: int, y0: int, x1: int, y1: int) -> Iterator[tuple[int, i
     dy = y1 - y0
     steps = max(abs(dx), abs(dy))
 
-    # Divide the sides into that many increments
+    # Divide both sides by the number of steps
     x_increment = np.float32(dx) / np.float32(max(steps, 1))
     y_increment = np.float32(dy) / np.float32(max(steps, 1))
 
@@ -78,7 +78,7 @@ ENTRY = Entry(
     function=dda_line_single,
     topic="lines",
     title="DDA line in 32 bits",
-    summary="The same sum with 24 binary digits: over some thousand steps the drift can be seen.",
+    summary="The same sum with 24 binary digits: over a few thousand steps the drift becomes visible.",
     parameters=END_POINTS,
     draws=DRAWS,
     drawn_by=DrawnBy("dda_line", _AS_IN_64_BITS, near_and_nowhere_halfway),
@@ -88,7 +88,7 @@ ENTRY = Entry(
     view_functions=(beside, drift, drift_in, others),
     views=(
         View(
-            block="Divide the sides into that many increments",
+            block="Divide both sides by the number of steps",
             sentence="{steps} steps: x grows by {dx}/{steps} = {x_increment}, "
             "y by {dy}/{steps} = {y_increment}.",
         ),

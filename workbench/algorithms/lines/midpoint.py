@@ -10,7 +10,7 @@ k                           number of the step, from 0
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, Law, View
-from workbench.algorithms.lines.axes import neighbours, pixel
+from workbench.algorithms.lines.axes import neighbours, pixel, starts
 from workbench.algorithms.lines.ends import DRAWS, END_POINTS, EXTENT
 
 
@@ -73,11 +73,11 @@ ENTRY = Entry(
     columns=("k", "F(M_k)", "(x_{k+1}, y_{k+1})"),
     view_functions=(neighbours, pixel),
     views=(
-        View(
+        *starts(
             block="Plot the first end point",
             chosen="(pixel(x, y, steep),)",
-            sentence="Start at {pixel(x, y, steep)}. F is a = {a} times x and b = {b} times y; at the first "
-            "midpoint 2F = 2a + b = {p}.",
+            sentence="Start at {pixel(x, y, steep)}. F is a = {a} times {'y' if steep else 'x'} and b = {b} "
+            "times {'x' if steep else 'y'}; at the first midpoint 2F = 2a + b = {p}.",
         ),
         View(
             block="Ask on which side the midpoint lies",

@@ -9,7 +9,7 @@ k           number of the step, from 0
 from collections.abc import Iterator
 
 from workbench.algorithms.entry import Entry, Law, View
-from workbench.algorithms.lines.axes import pixel
+from workbench.algorithms.lines.axes import pixel, starts
 from workbench.algorithms.lines.ends import DRAWS, END_POINTS
 
 
@@ -69,7 +69,8 @@ ENTRY = Entry(
     function=wu_line,
     topic="lines",
     title="Wu's antialiased line",
-    summary="Lights the two pixels on either side of the line, each as much as it is near; stairs melt away.",
+    summary="Lights the two pixels on either side of the line, the nearer one more; the staircase "
+    "melts away.",
     parameters=END_POINTS,
     draws=DRAWS,
     emits="coverage",
@@ -77,7 +78,7 @@ ENTRY = Entry(
     columns=("k", "e_{k+1}", "near", "coverage", "far", "coverage"),
     view_functions=(pixel,),
     views=(
-        View(
+        *starts(
             block="Plot the first end point",
             chosen="(pixel(x, y, steep),)",
             sentence="Start at {pixel(x, y, steep)}, covered in full.",

@@ -1,6 +1,5 @@
 """What the fill by crossings shows of its blocks."""
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
@@ -11,9 +10,9 @@ from workbench.algorithms.marks import Mark
 from workbench.algorithms.polygons.row_crossings import Crossing
 from workbench.algorithms.polygons.scan_line_marks import row_marks
 from workbench.algorithms.polygons.scan_line_words import (
-    Pixels,
     listed,
     not_among,
+    row_of_box,
     row_spans,
     span_pixels,
     spans_text,
@@ -35,12 +34,6 @@ _TABLES = {
 def crossed(crossings: Sequence[Crossing]) -> list[float]:
     """Where edges cross the row; those that touch it or lie along it do not."""
     return [crossing.x for crossing in crossings if crossing.winding != 0]
-
-
-def row_of_box(vertices: NDArray[Any], y: int) -> Pixels:
-    """The pixels of row y from the polygon's first column to its last, and the one outside at either end."""
-    left, right = float(vertices[:, 0].min()), float(vertices[:, 0].max())
-    return span_pixels(((math.ceil(left) - 1, math.floor(right) + 1),), y)
 
 
 def pairs(crossings: Sequence[Crossing]) -> str:
@@ -79,7 +72,6 @@ def _vertices(kind: str, sentence: str) -> View:
     return _crossed(named, f"Row {{y}} has {{{named}}}: " + sentence)
 
 
-COLUMNS = ("y", "x of the crossings", "pixels", "count")
 VIEW_FUNCTIONS = (
     crossed,
     listed,

@@ -1,5 +1,6 @@
 """The inside-outside test of one point.
 
+after           for each vertex, the number of the next one round its ring
 crossings       how many edges the ray from the point to the right has crossed so far
 winding         those that go up less those that go down: how often the polygon goes round the point
 side            negative where the point is left of the edge, 0 where it is on the edge's line
@@ -16,6 +17,7 @@ from workbench.algorithms.entry import Entry, Law, Parameter
 from workbench.algorithms.polygons.parameters import NONZERO, POLYGON, polygon_and_point
 from workbench.algorithms.polygons.ray_marks import marks
 from workbench.algorithms.polygons.ray_views import COLUMNS, VIEWS, end_points, nearest_pixel
+from workbench.algorithms.polygons.row_crossings import corner, next_vertices
 from workbench.geometry.orientation import side_of
 
 
@@ -33,34 +35,27 @@ def inside_outside(
     Source: Hearn and Baker, Computer Graphics, C Version, section 3-11.
     """
     # Start at the point, with nothing crossed
-    crossings = 0
-    winding = 0
+    crossings = winding = 0
     on_boundary = False
-    start = 0
+    after = next_vertices(vertices, ring_ends)
 
-    for ring_end in ring_ends:
-        # Take the next ring
-        first = start
-        end = min(int(ring_end), len(vertices))
-        start = end
+    for k in range(len(after)):
+        # Take the next edge, lower end first
+        low, high, direction = k, after[k], 1
+        if vertices[high, 1] < vertices[low, 1]:
+            low, high, direction = high, low, -1
+        x_low, y_low = corner(vertices, low)
+        x_high, y_high = corner(vertices, high)
 
-        for k in range(first, end):
-            # Take the next edge, lower end first
-            low, high, direction = k, k + 1 if k + 1 < end else first, 1
-            if vertices[high, 1] < vertices[low, 1]:
-                low, high, direction = high, low, -1
-            x_low, y_low = float(vertices[low, 0]), float(vertices[low, 1])
-            x_high, y_high = float(vertices[high, 0]), float(vertices[high, 1])
-
-            # Does the ray cross it?
-            side = side_of(x_low, y_low, x_high, y_high, x, y)
-            crosses = y_low <= y < y_high and side < 0.0
-            if crosses:
-                crossings += 1
-                winding += direction
-                yield x_low + (y - y_low) / (y_high - y_low) * (x_high - x_low), y, direction
-            if side == 0.0 and y_low <= y <= y_high and min(x_low, x_high) <= x <= max(x_low, x_high):
-                on_boundary = True
+        # Does the ray cross it?
+        side = side_of(x_low, y_low, x_high, y_high, x, y)
+        crosses = y_low <= y < y_high and side < 0.0
+        if crosses:
+            crossings += 1
+            winding += direction
+            yield x_low + (y - y_low) / (y_high - y_low) * (x_high - x_low), y, direction
+        if side == 0.0 and y_low <= y <= y_high and min(x_low, x_high) <= x <= max(x_low, x_high):
+            on_boundary = True
 
     # Decide
     inside = winding != 0 if nonzero else crossings % 2 == 1

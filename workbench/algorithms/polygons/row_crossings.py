@@ -1,13 +1,21 @@
 """What the fill by crossings stands on: rows, neighbours round a ring, and sorting."""
 
 import math
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol, TypeVar
 
-import numpy as np
 from numpy.typing import NDArray
 
 FAR_LEFT = -(1 << 40)
-EXACT = 2.0**14
+
+
+class HasX(Protocol):
+    """What is on a row at x."""
+
+    @property
+    def x(self) -> float: ...
+
+
+Placed = TypeVar("Placed", bound=HasX)
 
 
 class Crossing(NamedTuple):
@@ -19,6 +27,11 @@ class Crossing(NamedTuple):
     x: float
     x_end: float
     winding: int
+
+
+def corner(vertices: NDArray[Any], k: int) -> tuple[float, float]:
+    """x and y of a vertex."""
+    return float(vertices[k, 0]), float(vertices[k, 1])
 
 
 def rows_of(vertices: NDArray[Any]) -> tuple[int, int]:
@@ -35,7 +48,7 @@ def rows_of(vertices: NDArray[Any]) -> tuple[int, int]:
 
 def next_vertices(vertices: NDArray[Any], ring_ends: NDArray[Any]) -> list[int]:
     """For each vertex of the rings the number of the one after it: after a ring's last comes its first."""
-    after = [0 for _none in range(0)]
+    after: list[int] = []
     start = 0
     for ring_end in ring_ends:
         end = min(int(ring_end), len(vertices))
@@ -45,7 +58,7 @@ def next_vertices(vertices: NDArray[Any], ring_ends: NDArray[Any]) -> list[int]:
     return after
 
 
-def sort_by_x(crossings: list[Crossing]) -> None:
+def sort_by_x(crossings: list[Placed]) -> None:
     """Put crossings in order from left to right: each moves left past those that are further right."""
     for k in range(1, len(crossings)):
         crossing = crossings[k]
@@ -56,7 +69,6 @@ def sort_by_x(crossings: list[Crossing]) -> None:
         crossings[place] = crossing
 
 
-def is_on_quarters(vertices: NDArray[Any], _ring_ends: Any, _closed: Any, _nonzero: Any) -> bool:
-    """Whether all vertices lie on quarters of a pixel, and so near that rounding decides nothing."""
-    quarters = np.asarray(vertices, np.float64) * 4
-    return bool((quarters == np.floor(quarters)).all() and (np.abs(quarters) <= 4 * EXACT).all())
+def last_pixel(crossing: Crossing, closed: bool) -> int:
+    """The last pixel up to a crossing, which closed takes in; of an edge along the row the last one on it."""
+    return math.floor(crossing.x_end) if closed else math.ceil(crossing.x) - 1

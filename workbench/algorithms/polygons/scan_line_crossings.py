@@ -14,16 +14,19 @@ from typing import Any
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import DrawnBy, Entry, Law
-from workbench.algorithms.polygons.crossing_views import COLUMNS, VIEW_FUNCTIONS, VIEWS, marks
+from workbench.algorithms.polygons.crossing_views import VIEW_FUNCTIONS, VIEWS, marks
+from workbench.algorithms.polygons.exactness import is_on_quarters
 from workbench.algorithms.polygons.parameters import CLOSED, NONZERO, POLYGON, polygon_and_rules
 from workbench.algorithms.polygons.row_crossings import (
     FAR_LEFT,
     Crossing,
-    is_on_quarters,
+    corner,
+    last_pixel,
     next_vertices,
     rows_of,
     sort_by_x,
 )
+from workbench.algorithms.polygons.scan_line_words import COLUMNS
 
 
 def scan_line_crossings(
@@ -46,10 +49,10 @@ def scan_line_crossings(
 
     for y in range(lowest, highest + 1):
         # Find all crossings of the row with the edges
-        crossings = [Crossing(0.0, 0.0, 0) for _row in range(0)]
+        crossings: list[Crossing] = []
         for k in range(len(after)):
-            x0, y0 = float(vertices[k, 0]), float(vertices[k, 1])
-            x1, y1 = float(vertices[after[k], 0]), float(vertices[after[k], 1])
+            x0, y0 = corner(vertices, k)
+            x1, y1 = corner(vertices, after[k])
             if y0 <= y < y1 or y1 <= y < y0:
                 x = x0 + (y - y0) * (x1 - x0) / (y1 - y0)
                 crossings.append(Crossing(x, x, 1 if y0 < y1 else -1))
@@ -65,15 +68,13 @@ def scan_line_crossings(
         # Fill between each pair of crossings
         winding = left = 0
         covered = FAR_LEFT
-        for k in range(len(crossings)):
-            x, x_end, turn = crossings[k]
+        for crossing in crossings:
             if winding == 0:
-                left = max(math.ceil(x), covered + 1)
-            covered = max(covered, math.floor(x_end) if closed else math.ceil(x) - 1)
-            if nonzero or winding == 0:
-                winding += turn
-            elif turn != 0:
-                winding = 0
+                left = max(math.ceil(crossing.x), covered + 1)
+            covered = max(covered, last_pixel(crossing, closed))
+            winding += crossing.winding
+            if not nonzero:
+                winding %= 2
             if winding == 0 and left <= covered:
                 yield y, left, covered
 
@@ -91,7 +92,7 @@ ENTRY = Entry(
     parameters=(*POLYGON, CLOSED, NONZERO),
     arguments=polygon_and_rules,
     draws=("polygon",),
-    drawn_by=DrawnBy("scan_line_fill", _AS_EXACT, is_on_quarters),
+    drawn_by=DrawnBy("scan_line_exact", _AS_EXACT, is_on_quarters),
     emits="spans",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,

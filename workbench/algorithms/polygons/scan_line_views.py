@@ -1,6 +1,7 @@
-"""What the scan-line fill shows of its blocks."""
+"""What the exact scan-line fill shows of its blocks."""
 
 from workbench.algorithms.entry import View
+from workbench.algorithms.polygons.fill_views import edge_table_views
 from workbench.algorithms.polygons.scan_line_words import (
     active_rows,
     crossings,
@@ -16,16 +17,16 @@ from workbench.algorithms.polygons.scan_line_words import (
 )
 
 _FILL = "Fill between the crossings"
-_CHANGE = "Drop the edges that have ended and let in those that begin"
-_SPANS = "row_spans(scan_line_fill, vertices, ring_ends, closed, nonzero, row)"
+_SPANS = "row_spans(scan_line_exact, vertices, ring_ends, closed, nonzero, row)"
 _CHOSEN = f"span_pixels({_SPANS}, row)"
 _REACHED = "reached(active, edges, vertices, row)"
-_XS = "listed(crossings(active))"
-_FIRST, _SECOND = "listed([active[0].x])", "listed([active[1].x])"
+_CROSSINGS = "crossings(active, edges, vertices, ring_ends)"
+_XS = f"listed({_CROSSINGS})"
+_FIRST, _SECOND = f"listed({_CROSSINGS}[:1])", f"listed({_CROSSINGS}[1:])"
 _CROSSED = f"Row {{row}} is crossed at x = {{{_XS}}}"
 _TABLES = {
     "Active edge table": (
-        "active_rows(active, edges, vertices)",
+        "active_rows(active, edges, vertices, ring_ends)",
         ("from", "to", "last y", "x", "1/m", "winding"),
     ),
     "Edge table": (
@@ -48,16 +49,15 @@ def _filled(when: str, sentence: str) -> View:
     )
 
 
-def _changed(when: str, sentence: str) -> View:
-    return View(block=_CHANGE, when=when, sentence=sentence)
-
-
 def _vertices(kind: str, condition: str, sentence: str) -> View:
-    found = f"vertices_on(vertices, ring_ends, y, '{kind}')"
-    return _changed(f"{condition}{found}", f"Row {{y}} has {{{found}}}: " + sentence)
+    named = f"vertices_on(vertices, ring_ends, row, '{kind}')"
+    return _filled(
+        f"{condition}{named}",
+        f"Row {{row}} has {{{named}}}: {sentence} Crossed at x = {{{_XS} or 'none'}}: fill "
+        f"{{spans_text({_SPANS}) or 'nothing'}}.",
+    )
 
 
-COLUMNS = ("y", "x of the crossings", "pixels", "count")
 VIEW_FUNCTIONS = (
     active_rows,
     crossings,
@@ -72,26 +72,16 @@ VIEW_FUNCTIONS = (
     vertices_on,
 )
 VIEWS = (
-    View(block="Make the edge table", sentence="The edge table has {len(edges)} edges, lowest first."),
-    _vertices(
-        "top",
-        "closed and ",
-        "the edges on both sides end there, so both count. They are a pair, and closed fills it.",
-    ),
-    _vertices(
-        "top",
-        "",
-        "the edges on both sides end there, so both count. Half-open leaves out the pair, which is empty.",
-    ),
+    *edge_table_views(_TABLES),
+    _vertices("top", "closed and ", "the edges on both sides end there, so both count, as a pair."),
+    _vertices("top", "", "the edges on both sides end there, and half-open leaves out upper ends."),
     _vertices("bottom", "", "the edges on both sides begin there, so both count, as a pair."),
     _vertices("through", "", "one edge ends and the next goes on, so only one counts."),
-    _changed("len(active) == 0", "No edge is left."),
-    _changed("True", "From row {y} on {len(active)} edges are active."),
-    _filled(f"len({_SPANS}) == 0", _CROSSED + ": no pixel's centre lies between."),
     _filled(
-        "closed and len(crossings(active)) < len(active)",
-        _CROSSED + f", and an edge lies along it: closed takes that in and fills {{spans_text({_SPANS})}}.",
+        f"len({_CROSSINGS}) == 0",
+        f"Row {{row}} has level edges only: nothing crosses it, and closed fills {{spans_text({_SPANS})}}.",
     ),
+    _filled(f"len({_SPANS}) == 0", _CROSSED + ": no pixel's centre lies between."),
     _filled(
         f"closed and len(active) == 2 and len({_SPANS}) == 1",
         _CROSSED + f": closed fills from ⌈{{{_FIRST}}}⌉ to ⌊{{{_SECOND}}}⌋, {{spans_text({_SPANS})}}.",

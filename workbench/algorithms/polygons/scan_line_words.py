@@ -17,6 +17,10 @@ Fill = Callable[..., Iterator[tuple[int, int, int]]]
 Point = tuple[float, float]
 Pixels = tuple[tuple[int, int], ...]
 
+COLUMNS = ("y", "x of the crossings", "pixels", "count")
+
+LEVEL = "level"
+
 _LISTED = 12
 _KINDS = ("bottom", "through", "top")
 
@@ -63,9 +67,47 @@ def reached(active: Sequence[Crossing], edges: Sequence[Edge], vertices: NDArray
     return span_pixels(((left - 1, max(ends, default=0) + 1),), y)
 
 
-def crossings(active: Sequence[Crossing]) -> list[float]:
-    """Where edges cross the row; those along it do not."""
-    return [crossing.x for crossing in active if crossing.slope < math.inf]
+def crossings(
+    active: Sequence[Crossing], edges: Sequence[Edge], vertices: NDArray[Any], ring_ends: NDArray[Any]
+) -> list[float]:
+    """Where edges cross the row by the vertex rule; those along it do not."""
+    return [c.x for c in active if counted_winding(c, edges[c.edge], vertices, ring_ends) != 0]
+
+
+def counted_winding(crossing: Crossing, edge: Edge, vertices: NDArray[Any], ring_ends: NDArray[Any]) -> int:
+    """The winding of a crossing; at an upper end, which the text leaves uncounted, by the vertex rule.
+
+    An edge along the row has none, nor one after whose upper end the ring goes on upwards.
+    """
+    if crossing.winding != 0 or crossing.slope == math.inf:
+        return crossing.winding
+    way = winding_of(edge, vertices, ring_ends)
+    return 0 if goes_on_upwards(edge.high, way, vertices, ring_ends) else way
+
+
+def winding_of(edge: Edge, vertices: NDArray[Any], ring_ends: NDArray[Any]) -> int:
+    """1 for an edge that goes up round its ring, -1 for one that goes down."""
+    return 1 if edge.high == _next(edge.low, 1, ring_ends) else -1
+
+
+def goes_on_upwards(vertex: int, way: int, vertices: NDArray[Any], ring_ends: NDArray[Any]) -> bool:
+    """Whether the ring, followed from a vertex that way round, leaves the vertex's row upwards."""
+    further = _next(vertex, way, ring_ends)
+    while vertices[further, 1] == vertices[vertex, 1]:
+        further = _next(further, way, ring_ends)
+    return bool(vertices[further, 1] > vertices[vertex, 1])
+
+
+def _next(vertex: int, way: int, ring_ends: NDArray[Any]) -> int:
+    ring = int(np.searchsorted(ring_ends, vertex, side="right"))
+    start = int(ring_ends[ring - 1]) if ring else 0
+    return start + (vertex + way - start) % (int(ring_ends[ring]) - start)
+
+
+def row_of_box(vertices: NDArray[Any], y: int) -> Pixels:
+    """The pixels of row y from the polygon's first column to its last, and the one outside at either end."""
+    left, right = float(vertices[:, 0].min()), float(vertices[:, 0].max())
+    return span_pixels(((math.ceil(left) - 1, math.floor(right) + 1),), y)
 
 
 def not_among(pixels: Pixels, others: Pixels) -> Pixels:
@@ -75,15 +117,28 @@ def not_among(pixels: Pixels, others: Pixels) -> Pixels:
 
 
 def active_rows(
-    active: Sequence[Crossing], edges: Sequence[Edge], vertices: NDArray[Any]
+    active: Sequence[Crossing], edges: Sequence[Edge], vertices: NDArray[Any], ring_ends: NDArray[Any]
 ) -> list[tuple[Any, ...]]:
     """The active edge table: both ends of each edge, its last row, x, 1/m and the way it goes."""
-    return [(*_ends(edges[c.edge], vertices), edges[c.edge].y_end, c.x, c.slope, c.winding) for c in active]
+    return [
+        (
+            *_ends(edges[c.edge], vertices),
+            edges[c.edge].y_end,
+            c.x,
+            _gain(c.slope),
+            counted_winding(c, edges[c.edge], vertices, ring_ends),
+        )
+        for c in active
+    ]
 
 
 def edge_rows(edges: Sequence[Edge], vertices: NDArray[Any]) -> list[tuple[Any, ...]]:
     """The edge table: first and last row, x on the first one, 1/m and both ends of each edge."""
-    return [(e.y_start, e.y_end, e.x, e.slope, *_ends(e, vertices)) for e in edges]
+    return [(e.y_start, e.y_end, e.x, _gain(e.slope), *_ends(e, vertices)) for e in edges]
+
+
+def _gain(slope: float) -> float | str:
+    return LEVEL if slope == math.inf else slope
 
 
 def _ends(edge: Edge, vertices: NDArray[Any]) -> tuple[Point, Point]:

@@ -69,7 +69,7 @@ def standard_view(name: str) -> Matrix:
     Returns: (4, 4), homogeneous, for points as columns. Raises: LookupError for any other name.
     """
     if name not in STANDARD_VIEWS:
-        raise LookupError(f"There is no view {name!r}; there are {', '.join(STANDARD_VIEWS)}.")
+        raise LookupError(f"There is no view {name!r}; choose one of {', '.join(STANDARD_VIEWS)}.")
     toward, up = STANDARD_VIEWS[name]
     return _looking(np.zeros(3), _vector(toward), up, "")
 
@@ -96,7 +96,9 @@ def _looking(origin: Vector, toward: Vector, up: Sequence[float], no_length: str
     forward = toward / length
     aside = np.cross(forward, _vector(up))
     if np.linalg.norm(aside) <= _PARALLEL * np.linalg.norm(up):
-        raise ValueError("Up runs along the line of sight, so that the picture could be turned at will.")
+        raise ValueError(
+            "Up runs along the line of sight, so it does not say which way is up in the picture."
+        )
     right = aside / np.linalg.norm(aside)
     matrix = np.eye(4)
     matrix[:3, :3] = right, np.cross(right, forward), forward
@@ -107,5 +109,5 @@ def _looking(origin: Vector, toward: Vector, up: Sequence[float], no_length: str
 def _vector(values: Sequence[float]) -> Vector:
     vector = np.array(values, np.float64)
     if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise ValueError(f"{tuple(values)} is no point or direction in space; give three finite numbers.")
+        raise ValueError(f"{tuple(values)} is not a point or direction in space; give three finite numbers.")
     return vector

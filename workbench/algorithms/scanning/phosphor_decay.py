@@ -7,7 +7,7 @@ emitted         light given off so far; with what is still stored it makes all t
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from random import Random
 from typing import Any
 
@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law, Parameter, View
+from workbench.algorithms.marks import MOST_SPOTS, Mark, Spot, Stroke
 
 
 def phosphor_decay(terms: NDArray[Any], dt: float, steps: int) -> Iterator[tuple[float, float]]:
@@ -49,6 +50,19 @@ def phosphor_decay(terms: NDArray[Any], dt: float, steps: int) -> Iterator[tuple
         # Show the light that is left
         t = (k + 1) * dt
         yield t, light
+
+
+def marks(
+    _arguments: tuple[Any, ...], _now: Mapping[str, Any], emitted: NDArray[Any], _ended: bool
+) -> Iterator[Mark]:
+    """The light over time so far; the last step is ringed."""
+    if len(emitted) > 1:
+        yield Stroke(np.asarray(emitted, np.float64), "data1", "medium")
+    for t, light in emitted.tolist() if len(emitted) <= MOST_SPOTS else ():
+        yield Spot(t, light, "data1", "dot", "small")
+    if len(emitted):
+        t, light = emitted[-1].tolist()
+        yield Spot(t, light, "accent", "ring", "large")
 
 
 _P31 = np.array([[0.942464, 0.1163], [0.05172, 2.001], [0.005816, 18.18]])
@@ -86,12 +100,12 @@ ENTRY = Entry(
         View(
             block="Let every term fade",
             tables={"Terms": ("[(j, states[j]) for j in range(len(states))]", ("k", "light"))},
-            sentence="Each term keeps exp(-dt/tau) of its light; together {light} is left.",
+            sentence="In {dt} ms each term keeps exp(−dt/tau) of its light; together {light} is left.",
         ),
         View(
             block="Show the light that is left",
             row="(k, t, light, emitted, stored)",
-            sentence="At {t} the light is {light}; {emitted} was given off, {stored} is still to come.",
+            sentence="At {t} ms the light is {light}; {emitted} was given off, {stored} is still to come.",
         ),
     ),
     laws=(
@@ -103,7 +117,13 @@ ENTRY = Entry(
             "What was given off and what is stored make the energy of the hit, at every step.",
             "scanning/test_scanning.py::test_what_was_given_off_and_what_is_stored_make_the_energy_of_the_hit",
         ),
+        Law(
+            "From what all hits before have left it steps the closed form of a steady refresh.",
+            "display/test_flicker.py::test_the_text_steps_the_light_of_a_steady_refresh",
+        ),
     ),
     questions=(6,),
     labs=("Phosphor and persistence",),
+    marks=marks,
+    frame="view",
 )

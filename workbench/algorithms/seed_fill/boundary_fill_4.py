@@ -7,11 +7,11 @@ colour      what the neighbour is now; beyond the edge of the picture counts as 
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import DrawnBy, Entry, Law
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
+from workbench.algorithms.seed_fill.pixels import get_pixel
 from workbench.algorithms.seed_fill.regions import bounded_4
 from workbench.algorithms.seed_fill.stack_views import BOUNDARY_VIEWS, COLUMNS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
@@ -30,10 +30,7 @@ def boundary_fill_4(
     its recursion.
     """
     # Test the seed
-    height, width = image.shape
-    colour = np.int64(boundary)
-    if 0 <= x < width and 0 <= y < height:
-        colour = np.int64(image[y, x])
+    colour = get_pixel(image, x, y, boundary)
     if colour in (boundary, fill):
         return
 
@@ -48,9 +45,7 @@ def boundary_fill_4(
 
         for next_x, next_y in ((x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)):
             # Look at a neighbour
-            colour = np.int64(boundary)
-            if 0 <= next_x < width and 0 <= next_y < height:
-                colour = np.int64(image[next_y, next_x])
+            colour = get_pixel(image, next_x, next_y, boundary)
 
             # Colour it and push it, unless it is boundary or filled
             if colour != boundary and colour != fill:

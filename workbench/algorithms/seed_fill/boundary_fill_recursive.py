@@ -6,11 +6,11 @@ current     what the pixel is now; beyond the edge of the picture counts as boun
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import CALLS, Entry, Law, View
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
+from workbench.algorithms.seed_fill.pixels import get_pixel
 from workbench.algorithms.seed_fill.waiting_marks import call_marks
 
 
@@ -26,10 +26,7 @@ def boundary_fill_recursive(
     Source: Hearn and Baker, Computer Graphics, C Version, section 3-11.
     """
     # Test the pixel and colour it, unless it is boundary or filled
-    height, width = image.shape
-    current = np.int64(boundary)
-    if 0 <= x < width and 0 <= y < height:
-        current = np.int64(image[y, x])
+    current = get_pixel(image, x, y, boundary)
     if current != boundary and current != fill:
         image[y, x] = fill
         yield x, y

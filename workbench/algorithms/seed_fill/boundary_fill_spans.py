@@ -9,11 +9,11 @@ step                        1 when the row is above that span, -1 when it is bel
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
+from workbench.algorithms.seed_fill.pixels import get_pixel
 from workbench.algorithms.seed_fill.regions import bounded_4
 from workbench.algorithms.seed_fill.span_views import COLUMNS, VIEWS, tested_pixels
 from workbench.algorithms.seed_fill.waiting_marks import span_marks
@@ -21,14 +21,14 @@ from workbench.algorithms.seed_fill.waiting_marks import span_marks
 
 def run_left(row: NDArray[Any], x: int, fill: int, boundary: int) -> int:
     """The first pixel of the run of free pixels that ends at x; x + 1 when x is boundary or filled."""
-    while x >= 0 and np.int64(row[x]) != boundary and np.int64(row[x]) != fill:
+    while x >= 0 and row[x] != boundary and row[x] != fill:
         x -= 1
     return x + 1
 
 
 def run_right(row: NDArray[Any], x: int, fill: int, boundary: int) -> int:
     """The last pixel of the run of free pixels that begins at x; x - 1 when x is boundary or filled."""
-    while x < len(row) and np.int64(row[x]) != boundary and np.int64(row[x]) != fill:
+    while x < len(row) and row[x] != boundary and row[x] != fill:
         x += 1
     return x - 1
 
@@ -46,22 +46,20 @@ def boundary_fill_spans(
     3-11; Heckbert, A Seed Fill Algorithm, Graphics Gems, 1990.
     """
     # Fill the seed's run and look from it both ways
-    height, width = image.shape
-    stack = [(y, x, x, 0)]
-    stack.pop()
-    if 0 <= x < width and 0 <= y < height:
+    stack: list[tuple[int, int, int, int]] = []
+    colour = get_pixel(image, x, y, boundary)
+    if colour != boundary and colour != fill:
         left = run_left(image[y], x, fill, boundary)
         right = run_right(image[y], x, fill, boundary)
-        if left <= right:
-            image[y, left : right + 1] = fill
-            yield y, left, right
-            stack.append((y - 1, left, right, -1))
-            stack.append((y + 1, left, right, 1))
+        image[y, left : right + 1] = fill
+        yield y, left, right
+        stack.append((y - 1, left, right, -1))
+        stack.append((y + 1, left, right, 1))
 
     while stack:
         # Take a span and a direction from the stack
         y, span_left, span_right, step = stack.pop()
-        if not 0 <= y < height:
+        if not 0 <= y < len(image):
             continue
         row = image[y]
 

@@ -8,12 +8,12 @@ colour      what the neighbour is now; beyond the edge of the picture counts as 
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.seed_fill.example import FLOOD, picture_and_seed
 from workbench.algorithms.seed_fill.neighbours import EIGHT_STEPS
+from workbench.algorithms.seed_fill.pixels import get_pixel
 from workbench.algorithms.seed_fill.regions import flooded_8
 from workbench.algorithms.seed_fill.stack_views import COLUMNS, FLOOD_VIEWS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
@@ -29,10 +29,7 @@ def flood_fill_8(image: NDArray[Any], x: int, y: int, fill: int) -> Iterator[tup
     Source: Hearn and Baker, Computer Graphics, C Version, section 3-11, with a stack for its recursion.
     """
     # Test the seed
-    height, width = image.shape
-    old = np.int64(fill)
-    if 0 <= x < width and 0 <= y < height:
-        old = np.int64(image[y, x])
+    old = get_pixel(image, x, y, fill)
     if old == fill:
         return
 
@@ -49,9 +46,7 @@ def flood_fill_8(image: NDArray[Any], x: int, y: int, fill: int) -> Iterator[tup
             # Look at a neighbour
             next_x = x + step_x
             next_y = y + step_y
-            colour = np.int64(fill)
-            if 0 <= next_x < width and 0 <= next_y < height:
-                colour = np.int64(image[next_y, next_x])
+            colour = get_pixel(image, next_x, next_y, fill)
 
             # Colour it and push it, if it has the seed's old colour
             if colour == old:

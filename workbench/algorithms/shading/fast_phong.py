@@ -105,7 +105,7 @@ ENTRY = Entry(
     function=fast_phong,
     topic="shading",
     title="Fast Phong shading",
-    summary="Phong shading with each cosine as a series of the second degree, stepped along the row by two "
+    summary="Phong shading with each cosine as a series of degree two, stepped along the row by two "
     "additions.",
     parameters=PARAMETERS,
     arguments=shaded_scene,
@@ -154,7 +154,7 @@ ENTRY = Entry(
     ),
     not_laws=(
         "It is Phong shading: far from the middle of a large, strongly bent triangle the series leaves it.",
-        "A near light is told by its direction: L and V are those of the middle of the triangle.",
+        "A near light is given by its direction: L and V are those of the middle of the triangle.",
     ),
     labs=("Shading: fast Phong",),
     tie="Strictly nearer wins, so the first drawn stays",

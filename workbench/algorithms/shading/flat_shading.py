@@ -82,7 +82,7 @@ ENTRY = Entry(
     function=flat_shading,
     topic="shading",
     title="Flat shading",
-    summary="Lights each triangle once, in its middle and with its own normal.",
+    summary="Lights each triangle once, at its centre and with its own normal.",
     parameters=PARAMETERS,
     arguments=shaded_scene,
     emits="coverage",
@@ -94,7 +94,7 @@ ENTRY = Entry(
             block="Find the middle of the triangle and its normal",
             sentence="Triangle {face} is lit in its middle {P}, with the normal {N} of its plane.",
         ),
-        View(block="Light it there, once", sentence="All of triangle {face} has the light {here}."),
+        View(block="Light it there, once", sentence="All of triangle {face} gets the light {here}."),
         _pixel_view("z < stored", True, "{(x, y)} has the light of its triangle, {here}."),
         _pixel_view(
             "True", False, "{(x, y)}: z = {z} is not less than {stored}, so the triangle is hidden here."
@@ -111,7 +111,8 @@ ENTRY = Entry(
         ),
     ),
     not_laws=(
-        "With enough faces it looks smooth: the eye sees the edges between two almost equal lights, the Mach "
+        "With enough faces it looks smooth: the eye still sees the edges between almost equal "
+        "shades, the Mach "
         "bands.",
     ),
     labs=("Shading: flat",),

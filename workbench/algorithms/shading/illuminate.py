@@ -76,7 +76,7 @@ ENTRY = Entry(
     function=illuminate,
     topic="shading",
     title="Light of a point",
-    summary="Ambient light, and of each light what the surface scatters and what it mirrors.",
+    summary="Ambient light, and for each lamp what the surface scatters and what it reflects.",
     parameters=(
         Parameter("place", "P", "floats", np.zeros(3), meaning="the point of the surface, in the world"),
         Parameter("normal", "N", "floats", np.array([0.0, 0, 1]), meaning="normal of the surface there"),
@@ -108,12 +108,12 @@ ENTRY = Entry(
         View(
             block=_ARRIVES,
             when="intensity == 0.0",
-            sentence="Nothing arrives of light {light}: it is out, or something is in its way.",
+            sentence="Nothing arrives from light {light}: it is switched off, or something is in its way.",
         ),
         View(
             block=_ARRIVES,
             when="d == 0.0",
-            sentence="Light {light} is in the surface: no way leads to it, and it adds nothing.",
+            sentence="Light {light} lies in the surface itself, so it adds nothing.",
         ),
         View(
             block=_ARRIVES,
@@ -149,6 +149,10 @@ ENTRY = Entry(
         Law(
             "A triangle between the point and a light takes all of it away, one beyond nothing.",
             "shading/test_illuminate.py::test_what_is_between_takes_the_light_away",
+        ),
+        Law(
+            "Boxes in boxes around what may be in the way leave all shadows as they are.",
+            "shading/test_shadow_boxes.py::test_the_same_places_are_in_shadow",
         ),
         Law(
             "Several lights add up: their order does not matter.",

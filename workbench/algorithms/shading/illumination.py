@@ -2,7 +2,8 @@
 
 A row of lights is x, y, z, w, I, a0, a1, a2: a point of the world, or with w = 0 a direction; its intensity;
 and the coefficients of its attenuation. A row of materials is k_a, k_d, k_s, n, the first with the ambient
-light in it. Blockers are corners (3 k, 3) of triangles of the world that may take the light away.
+light in it. Blockers are corners (3 k, 3) of triangles of the world that may take the light away, and boxes
+around them as of ``shadow_boxes``.
 """
 
 import math
@@ -21,6 +22,7 @@ from workbench.algorithms.shading.directions import (
     towards,
     unit,
 )
+from workbench.algorithms.shading.shadow_boxes import is_box, passes_by
 from workbench.algorithms.visibility.back_faces import SpaceVector, dot_product, vector_of
 
 Array = NDArray[Any]
@@ -53,12 +55,20 @@ def arriving(lights: Array, light: int, place: SpaceVector, blockers: Array) -> 
 
 
 def in_shadow(place: SpaceVector, way: SpaceVector, reach: float, blockers: Array) -> bool:
-    """Whether a ray from a place along a way meets a triangle before it has gone ``reach`` ways."""
-    for k in range(0, len(blockers), 3):
-        a, b, c = vector_of(blockers, k), vector_of(blockers, k + 1), vector_of(blockers, k + 2)
-        share = met_at(place, way, a, b, c)
-        if JUST_OFF < share < reach:
-            return True
+    """Whether a ray from a place along a way meets a triangle before it has gone ``reach`` ways.
+
+    What is in a box that it passes by is left out.
+    """
+    k = 0
+    while k < len(blockers):
+        if is_box(blockers, k):
+            if passes_by(place, way, reach, blockers, k):
+                k += int(blockers[k + 2, 0])
+        else:
+            a, b, c = vector_of(blockers, k), vector_of(blockers, k + 1), vector_of(blockers, k + 2)
+            if JUST_OFF < met_at(place, way, a, b, c) < reach:
+                return True
+        k += 3
     return False
 
 

@@ -47,7 +47,7 @@ def decomposed(matrix: Matrix) -> Parts:
     may be lost. Raises: ValueError when it is not affine or not finite.
     """
     if matrix.shape != (3, 3) or not np.isfinite(matrix).all() or not is_affine(matrix):
-        raise ValueError("Only a finite 3 x 3 matrix with the last row 0 0 1 can be taken apart.")
+        raise ValueError("Only a finite 3 x 3 matrix with the last row 0 0 1 can be decomposed.")
     (a, b, tx), (c, d, ty), _last = matrix.tolist()
     first_size, second_size = max(abs(a), abs(c)), max(abs(b), abs(d))
     cos, sin, sx = _direction(a, c, first_size)

@@ -35,7 +35,7 @@ def matrix_product(a: NDArray[Any], b: NDArray[Any]) -> Iterator[tuple[int, int,
     each cell of the (n, p) product, row by row, counted from 0. Raises: ValueError where they do not fit.
     Source: Hearn and Baker, Computer Graphics, C Version, section A-4.
     """
-    # Check that rows and columns fit
+    # Check that rows and columns match
     refuse_product(a, b)
 
     for row in range(a.shape[0]):
@@ -87,7 +87,7 @@ ENTRY = Entry(
     view_functions=(factors_text, product_marks, sums_in_question, numeral),
     views=(
         View(
-            block="Check that rows and columns fit",
+            block="Check that rows and columns match",
             sentence="A matrix of {a.shape[0]} × {a.shape[1]} times one of {b.shape[0]} × {b.shape[1]} "
             "is one of {a.shape[0]} × {b.shape[1]}; each of its elements is a row times a column.",
         ),
@@ -117,13 +117,12 @@ ENTRY = Entry(
             "transforms/test_texts.py::test_the_identity_changes_nothing",
         ),
         Law(
-            "It does not matter which product of a chain is worked out first, but for rounding.",
+            "Which product of a chain is worked out first does not matter, apart from rounding.",
             "transforms/test_texts.py::test_products_may_be_taken_in_any_order_of_working",
         ),
     ),
     not_laws=(
-        "A B and B A are the same: what is turned and then moved lies elsewhere than what is moved and then "
-        "turned.",
+        "A B and B A are the same: turning and then moving ends elsewhere than moving and then turning.",
     ),
     questions=(12,),
     labs=("Transformations in 2D and 3D",),

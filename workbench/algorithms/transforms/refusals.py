@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 def refuse_product(a: NDArray[Any], b: NDArray[Any]) -> None:
     """Raise ValueError unless the rows of ``a`` are as long as the columns of ``b``, and not empty."""
     if a.shape[1] != b.shape[0] or a.size == 0 or b.size == 0:
-        raise ValueError("The first matrix needs as many columns as the second has rows, and one at least.")
+        raise ValueError("The first matrix needs as many columns as the second has rows, and at least one.")
 
 
 def refuse_point(matrix: NDArray[Any], point: NDArray[Any]) -> None:

@@ -147,7 +147,8 @@ ENTRY = Entry(
     function=rotate_about_axis,
     topic="transforms",
     title="Rotation about any axis",
-    summary="Seven matrices: two turns bring the axis onto z, the point turns about z, and all is undone.",
+    summary="Seven matrices: two rotations bring the axis onto z, the point is rotated about z, "
+    "and the rest is undone.",
     parameters=(
         Parameter("theta", "θ", "float", math.radians(90), -1e6, 1e6, "rad", "angle of the turn"),
         _place("x", "x", 3.0, "the point"),
@@ -173,7 +174,7 @@ ENTRY = Entry(
         ),
         View(
             block="Find the turn about x, from the projection on the yz plane",
-            sentence="On the yz plane its projection is d = √(b² + c²) = {d} long.",
+            sentence="On the yz plane its projection has the length d = √(b² + c²) = {d}.",
         ),
         *(_step_view(number, *step) for number, step in enumerate(_STEPS)),
     ),
@@ -191,7 +192,7 @@ ENTRY = Entry(
             "transforms/test_texts.py::test_the_point_stays_as_far_from_the_axis",
         ),
     ),
-    not_laws=("Two rotations may change places: about different axes it matters which one comes first.",),
+    not_laws=("Two rotations can be exchanged: about different axes it matters which one comes first.",),
     questions=(12,),
     labs=("Transformations in 2D and 3D",),
     frame="world",

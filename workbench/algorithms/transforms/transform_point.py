@@ -114,7 +114,7 @@ ENTRY = Entry(
     function=transform_point,
     topic="transforms",
     title="Point times matrix",
-    summary="Each row of the matrix times the point gives one coordinate; w tells what to divide them by.",
+    summary="Each row of the matrix, times the point, gives one coordinate; w says what to divide them by.",
     parameters=(
         Parameter(
             "matrix", "M", "matrix", rotation_about(math.radians(45), 3, 3), meaning="homogeneous, 3 × 3"

@@ -10,6 +10,7 @@ from workbench.algorithms.visibility.hidden_lines import hidden_lines
 from workbench.algorithms.visibility.octree import octree
 from workbench.algorithms.visibility.painter import painter
 from workbench.algorithms.visibility.ray_casting import ray_casting
+from workbench.algorithms.visibility.ray_casting_boxes import ray_casting_boxes
 from workbench.algorithms.visibility.scan_line_surfaces import scan_line_surfaces
 
 __all__ = [
@@ -23,5 +24,6 @@ __all__ = [
     "octree",
     "painter",
     "ray_casting",
+    "ray_casting_boxes",
     "scan_line_surfaces",
 ]

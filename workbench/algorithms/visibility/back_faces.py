@@ -151,13 +151,13 @@ ENTRY = Entry(
             "visibility/test_back_faces.py::test_a_face_is_seen_where_the_eye_is_outside_its_plane",
         ),
         Law(
-            "On the screen a seen face goes round counter-clockwise, any other clockwise.",
+            "On the screen a visible face runs counter-clockwise, any other clockwise.",
             "visibility/test_back_faces.py::test_a_seen_face_goes_round_counter_clockwise_on_the_screen",
         ),
     ),
     not_laws=(
-        "The sign of C tells in perspective, too: it does only where all projectors are parallel.",
-        "Without its back faces a solid is drawn rightly: only a convex one, alone in the picture.",
+        "The sign of C decides in perspective too: it does so only where all projectors are parallel.",
+        "Without its back faces a solid is drawn correctly: only a convex one, alone in the picture.",
     ),
     works_in="object space",
     fails_where="a face turned to the eye hides another such face, since nothing compares the two",

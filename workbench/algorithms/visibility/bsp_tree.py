@@ -70,7 +70,7 @@ def bsp_tree(
                 pieces[member] = part_of(plane, piece, 1)
                 front.append(member)
                 back.append(add_piece(pieces, part_of(plane, piece, -1)))
-        # Hang both halves under the node
+        # Attach both halves to the node
         in_front = add_half(nodes, work, pieces, front)
         behind = add_half(nodes, work, pieces, back)
         nodes[here] = Node(number, same, in_front, behind)
@@ -99,7 +99,8 @@ ENTRY = Entry(
     function=bsp_tree,
     topic="visibility",
     title="BSP tree",
-    summary="Divides space by the planes of the surfaces; for any eye a walk of the tree goes back to front.",
+    summary="Divides space by the planes of the surfaces; for any eye, a walk through the tree "
+    "goes from back to front.",
     parameters=SURFACES,
     arguments=surfaces_at_will,
     emits="spans",
@@ -117,7 +118,7 @@ ENTRY = Entry(
         ),
     ),
     not_laws=(
-        "The tree must be built again when the eye moves: it holds for every eye, only the walk is another.",
+        "The tree must be built again when the eye moves: it holds for every eye, and only the walk changes.",
         "The order in which planes are taken does not matter: it changes how many surfaces are split.",
     ),
     works_in="object and image space",

@@ -81,7 +81,7 @@ VIEWS = (
         "The plane of surface {number} cuts surface {piece.number}: one part is in front, one behind.",
     ),
     View(
-        block="Hang both halves under the node",
+        block="Attach both halves to the node",
         tables=_TREE,
         sentence="Node {here} is done: in front of its plane {numbers_of(pieces, front)}, behind it "
         "{numbers_of(pieces, back)}.",

@@ -75,7 +75,7 @@ def depth_sort(
             passed = projections_apart(P, Q)
             if passed:
                 continue
-            # Swap: Q goes to the end and is marked, unless it was before
+            # Swap: Q goes to the end and is marked, unless it was marked already
             settled, split, plane = False, NONE, plane_of(surfaces, Q.number)
             if q in marked or not pass_exchanged(surfaces, P, Q):
                 split, plane = cut_between(surfaces, pieces, p, q)
@@ -121,8 +121,8 @@ ENTRY = Entry(
         ),
     ),
     not_laws=(
-        "Some order always paints rightly: three surfaces that overlap in a cycle have none.",
-        "A surface that fails all tests must be split: mostly it is enough to swap it with the other.",
+        "Some order always paints correctly: three surfaces that overlap in a cycle have none.",
+        "A surface that fails all tests must be split: usually it is enough to swap it with the other one.",
     ),
     works_in="object and image space",
     questions=(7,),

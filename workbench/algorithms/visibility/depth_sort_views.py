@@ -56,7 +56,7 @@ def _test_views(title: str, number: int, foley: str, holds: str, fails: str) -> 
 
 def _swap_view(when: str, so: str, sentence: str) -> View:
     return View(
-        block="Swap: Q goes to the end and is marked, unless it was before",
+        block="Swap: Q goes to the end and is marked, unless it was marked already",
         when=when,
         row=f"(P.number, Q.number, 'swap', '3\u2032, 4\u2032', answer(split == -1), {so!r})",
         tables=_TABLES,

@@ -129,11 +129,11 @@ ENTRY = Entry(
     ),
     not_laws=(
         "Where two surfaces pierce one another a line is drawn: only edges are, and none runs there.",
-        "An edge is seen whole or not at all: a surface may hide its middle and leave both ends.",
+        "An edge is seen whole or not at all: a surface may hide its middle and leave both ends visible.",
     ),
     works_in="object space",
     questions=(7,),
     labs=("Hidden lines",),
-    tie="What lies in a surface's plane is seen; what runs behind its very side is hidden",
+    tie="What lies in a surface's plane is seen; what runs exactly behind its side is hidden",
     marks=marks,
 )

@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 from numpy.typing import NDArray
 
+from workbench.algorithms.visibility.boxes import X_HIGH, X_LOW, Y_HIGH, Y_LOW, Z_HIGH, Z_LOW
 from workbench.algorithms.visibility.surfaces import (
     NEAR_ZERO,
     NOTHING,
@@ -22,6 +23,9 @@ X, Y, Z = 4, 2, 1
 """The bits of an octant: the upper half along each axis, z away from the eye."""
 
 EYE_OCTANT = 0
+
+FEW, MANY = 4, 64
+"""Where there are MANY surfaces, cells with FEW of them are drawn: to part these would cost more."""
 _TURNS = (0, Z, Y, X, Y + Z, X + Z, X + Y, X + Y + Z)
 
 
@@ -52,26 +56,31 @@ def whole_cell(surfaces: list[Surface], size: int) -> Cell:
     return Cell(0, 0, size, z_near - NEAR_ZERO, z_far + NEAR_ZERO, members)
 
 
-def octant_of(cell: Cell, octant: int, surfaces: list[Surface]) -> Cell:
-    """One of the eight parts of a cell, with the surfaces whose boxes reach into it."""
+def enough(surfaces: list[Surface]) -> int:
+    """With no more surfaces than this a cell is drawn."""
+    return 1 if len(surfaces) < MANY else FEW
+
+
+def octant_of(cell: Cell, octant: int, extents: Array) -> Cell:
+    """One of the eight parts of a cell, with the surfaces whose extents (m, 6) reach into it."""
     half, middle = cell.size // 2, (cell.z_near + cell.z_far) / 2
     x = cell.x + half if octant & X else cell.x
     y = cell.y + half if octant & Y else cell.y
     z_near, z_far = (middle, cell.z_far) if octant & Z else (cell.z_near, middle)
     members = cell.members[:0]
     for number in cell.members:
-        if reaches_into(surfaces[number], x, y, half, z_near, z_far):
+        if reaches_into(extents, number, x, y, half, z_near, z_far):
             members.append(number)
     return Cell(x, y, half, z_near, z_far, members)
 
 
-def reaches_into(surface: Surface, x: int, y: int, size: int, z_near: float, z_far: float) -> bool:
+def reaches_into(extents: Array, number: int, x: int, y: int, size: int, z_near: float, z_far: float) -> bool:
     """Whether the box around a surface reaches into a cell."""
-    x_low = min(surface.low.x, surface.middle.x, surface.high.x)
-    x_high = max(surface.low.x, surface.middle.x, surface.high.x)
-    if x_high < x or x + size - 1 < x_low or surface.high.y < y or y + size - 1 < surface.low.y:
+    if extents[number, X_HIGH] < x or x + size - 1 < extents[number, X_LOW]:
         return False
-    return nearest_z(surface) - NEAR_ZERO < z_far and z_near <= farthest_z(surface) + NEAR_ZERO
+    if extents[number, Y_HIGH] < y or y + size - 1 < extents[number, Y_LOW]:
+        return False
+    return bool(extents[number, Z_LOW] < z_far and z_near <= extents[number, Z_HIGH])
 
 
 def nearest_in(surfaces: list[Surface], cell: Cell, x: int, y: int) -> int:

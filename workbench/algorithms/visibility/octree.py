@@ -1,6 +1,7 @@
 """The octree, front to back: space in eight octants, each of them in eight, the nearest drawn first.
 
 waiting     cells that are still to be looked at, the nearest last
+few         with so few surfaces in it a cell is drawn: one, or more where there are very many
 hidden      whether all pixels of the cell are painted
 cell        the one in hand: its lower left pixel, its side, its depths, the surfaces that may be in it
 painted     the pixels that have their colour: what lies behind them is hidden
@@ -13,9 +14,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.visibility.boxes import extents_of
 from workbench.algorithms.visibility.octants import (
     EYE_OCTANT,
     all_painted,
+    enough,
     front_to_back,
     nearest_in,
     octant_of,
@@ -44,9 +47,10 @@ def octree(
     z; faces (m, 3); colours (m,). Emits: (x, y, surface) of each pixel.
     Source: Hearn and Baker, Computer Graphics, C Version, section 13-9.
     """
-    # Begin with a cell that holds all
+    # Begin with a cell that holds everything
     height, width = image.shape
     surfaces = surfaces_of(vertices, faces)
+    extents, few = extents_of(surfaces), enough(surfaces)
     painted = np.zeros((height, width), np.bool_)
     waiting = [whole_cell(surfaces, least_size(width, height))]
 
@@ -57,18 +61,20 @@ def octree(
         if hidden or not cell.members:
             continue
 
-        if len(cell.members) > 1 and cell.size > 1:
+        if len(cell.members) > few and cell.size > 1:
             # Divide it: the farthest octants wait longest
             octants = front_to_back(EYE_OCTANT)
             while octants:
-                waiting.append(octant_of(cell, octants.pop(), surfaces))
+                waiting.append(octant_of(cell, octants.pop(), extents))
             continue
 
         for y in range(cell.y, min(cell.y + cell.size, height)):
             for x in range(cell.x, min(cell.x + cell.size, width)):
                 # Paint the pixel unless something nearer has
-                seen = nearest_in(surfaces, cell, x, y)
-                if seen != NOTHING and not painted[y, x]:
+                seen = NOTHING
+                if not painted[y, x]:
+                    seen = nearest_in(surfaces, cell, x, y)
+                if seen != NOTHING:
                     painted[y, x] = True
                     image[y, x] = int(colours[seen])
                     yield x, y, seen

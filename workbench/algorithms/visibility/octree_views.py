@@ -10,11 +10,11 @@ COLUMNS = ("cell at", "size", "z from", "z to", "surfaces", "so")
 _FATES = ("hidden", "empty", "divide", "draw")
 
 
-def fate(cell: Cell, hidden: bool) -> str:
+def fate(cell: Cell, hidden: bool, few: int) -> str:
     """What becomes of a cell."""
     if hidden or not cell.members:
         return _FATES[0] if hidden else _FATES[1]
-    return _FATES[2] if len(cell.members) > 1 and cell.size > 1 else _FATES[3]
+    return _FATES[2] if len(cell.members) > few and cell.size > 1 else _FATES[3]
 
 
 def cell_rows(waiting: list[Cell]) -> list[tuple[int, int, int, float, float, str]]:
@@ -32,9 +32,9 @@ def _cell_view(number: int, sentence: str) -> View:
     name = _FATES[number]
     return View(
         block="Take the nearest cell",
-        when=f"fate(cell, hidden) == {name!r}",
+        when=f"fate(cell, hidden, few) == {name!r}",
         row="((cell.x, cell.y), cell.size, cell.z_near, cell.z_far, listed(cell.members), "
-        "fate(cell, hidden))",
+        "fate(cell, hidden, few))",
         tables={"Cells that wait, the nearest last": ("cell_rows(waiting)", _COLUMNS)},
         options=repr(_FATES),
         answer=repr(name),
@@ -45,7 +45,7 @@ def _cell_view(number: int, sentence: str) -> View:
 
 VIEWS = (
     View(
-        block="Begin with a cell that holds all",
+        block="Begin with a cell that holds everything",
         sentence="One cell holds {len(waiting[0].members)} surfaces.",
     ),
     _cell_view(0, "all its pixels are painted by what is nearer, so it is hidden."),

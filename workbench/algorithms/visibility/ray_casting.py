@@ -10,7 +10,7 @@ nearest, seen   the nearest place so far, and whose it is, or NOTHING
 import math
 from collections.abc import Iterator
 
-from workbench.algorithms.entry import Entry
+from workbench.algorithms.entry import DrawnBy, Entry, Law
 from workbench.algorithms.visibility.ray_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
 from workbench.algorithms.visibility.surface_marks import marks
 from workbench.algorithms.visibility.surface_scene import ONE_PICTURE, SURFACES, surfaces_at_will
@@ -58,6 +58,11 @@ def ray_casting(
                 yield x, y, seen
 
 
+_THROUGH_BOXES = Law(
+    "Through boxes in boxes every pixel shows the same.",
+    "visibility/test_ray_casting_boxes.py::test_every_pixel_shows_what_ray_casting_shows",
+)
+
 ENTRY = Entry(
     function=ray_casting,
     topic="visibility",
@@ -71,7 +76,7 @@ ENTRY = Entry(
     columns=COLUMNS,
     views=VIEWS,
     view_functions=VIEW_FUNCTIONS,
-    laws=(ONE_PICTURE,),
+    laws=(ONE_PICTURE, _THROUGH_BOXES),
     not_laws=(
         "A ray must be tried on every surface: this first rung does so; boxes around many at once save most "
         "of the work.",
@@ -79,6 +84,8 @@ ENTRY = Entry(
     works_in="image space",
     questions=(7,),
     labs=("Hidden surfaces: ray casting",),
+    next_rung="ray_casting_boxes",
+    drawn_by=DrawnBy("ray_casting_boxes", _THROUGH_BOXES),
     tie="Of equal depths the lower number is taken",
     writes="image",
     marks=marks,

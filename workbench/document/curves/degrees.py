@@ -48,12 +48,14 @@ def lowered(curve: Curve) -> tuple[Curve, float]:
         return _with_bezier(curve, points), error
     _refuse_others(curve)
     if curve.closed:
-        raise ValueError(_("The degree of a closed B-spline is not lowered; open it before."))
+        raise ValueError(_("The degree of a closed B-spline cannot be lowered; open the curve first."))
     whole = rows_of(curve)
     rows, knots, error = curves.lower_b_spline(whole.rows, whole.knots, whole.degree)
     if curve.spline == "nurbs":
         if not (rows[:, 2] > 0).all():
-            raise ValueError(_("One degree lower a weight would not be above 0; convert the curve instead."))
+            raise ValueError(
+                _("With a lower degree a weight would no longer be above 0; convert the curve instead.")
+            )
         # |A / w - A' / w'| is at most (|A - A'| + |A / w| |w - w'|) / w'.
         far = float(np.linalg.norm(pieces_of(curve).controls, axis=-1).max())
         error = error * (1.0 + far) / float(rows[:, 2].min())
@@ -62,12 +64,12 @@ def lowered(curve: Curve) -> tuple[Curve, float]:
 
 def _refuse_highest(degree: int, most: int) -> None:
     if degree >= most:
-        raise ValueError(_("The degree is {most} already, the highest one.").format(most=most))
+        raise ValueError(_("The degree is already {most}, the highest there is.").format(most=most))
 
 
 def _refuse_others(curve: Curve) -> None:
     if curve.spline not in B_SPLINES:
-        raise ValueError(_("This kind of curve has one degree only; convert it to a B-spline before."))
+        raise ValueError(_("This kind of curve has a fixed degree; convert it to a B-spline first."))
 
 
 def _with_bezier(curve: Curve, rows: Array) -> Curve:

@@ -66,11 +66,11 @@ __all__ = [
 
 def _by_figure(addresses: Iterable[Address | str]) -> dict[str, list[str]]:
     """Ids of points, or knots, by the figure that they are on."""
-    found: dict[str, list[str]] = {}
+    by_figure: dict[str, list[str]] = {}
     for text in addresses:
         where = parse(text)
-        found.setdefault(where.figure, []).append(where.point)
-    return found
+        by_figure.setdefault(where.figure, []).append(where.point)
+    return by_figure
 
 
 @checked
@@ -79,14 +79,14 @@ def move_curve_points(points: Mapping[Address | str, tuple[float, float]]) -> Ed
 
     An address names its point, whatever its attribute. See ``curve_paths.with_followers``.
     """
-    wanted: dict[str, Places] = {}
+    by_figure: dict[str, Places] = {}
     for text, (x, y) in points.items():
         where = parse(text)
-        wanted.setdefault(where.figure, {})[where.point] = (number(x), number(y))
+        by_figure.setdefault(where.figure, {})[where.point] = (number(x), number(y))
 
     def edit(document: Document) -> Document:
         return with_changed(
-            document, [moved_points(curve_with(document, figure), wanted[figure]) for figure in wanted]
+            document, [moved_points(curve_with(document, figure), by_figure[figure]) for figure in by_figure]
         )
 
     return edit
@@ -120,7 +120,9 @@ def add_points(figure: str, places_world: Iterable[tuple[float, float]], index: 
         if not is_path(curve):
             return with_points(curve, at, tuple(CurvePoint("", *where) for where in places))
         if 0 < at < count:
-            raise ValueError(_("A path takes points at its ends; between them, insert a point on the curve."))
+            raise ValueError(
+                _("A path takes new points at its ends only; elsewhere, insert a point on the curve.")
+            )
         return _grown(curve, [(where, None) for where in (places if at else places[::-1])], at == 0)
 
     return changing(figure, change)
@@ -151,7 +153,7 @@ def add_path_point(
 
 def _grown(curve: Curve, added: list[tuple[Place, Place | None]], first: bool) -> Curve:
     if curve.closed:
-        raise ValueError(_("The path is closed, so it has no end to go on from; insert a point on it."))
+        raise ValueError(_("The path is closed, so it has no end to continue from; insert a point on it."))
     return refitted(with_joints_added(curve, added, first))
 
 
@@ -161,11 +163,11 @@ def remove_points(addresses: Iterable[Address | str]) -> Edit:
 
     On a path a point takes its handles with it, and a handle alone is drawn into its point.
     """
-    wanted = _by_figure(addresses)
+    by_figure = _by_figure(addresses)
 
     def edit(document: Document) -> Document:
         after = document
-        for figure, points in wanted.items():
+        for figure, points in by_figure.items():
             curve = curve_with(document, figure)
             for point in points:
                 point_with(curve, point)
@@ -200,11 +202,12 @@ def set_joint(addresses: Iterable[Address | str], joint: str) -> Edit:
 
     An address of a handle means its point.
     """
-    wanted = _by_figure(addresses)
+    by_figure = _by_figure(addresses)
 
     def edit(document: Document) -> Document:
         return with_changed(
-            document, [joints_made(curve_with(document, f), points, joint)[0] for f, points in wanted.items()]
+            document,
+            [joints_made(curve_with(document, f), points, joint)[0] for f, points in by_figure.items()],
         )
 
     return edit

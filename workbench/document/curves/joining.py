@@ -45,7 +45,9 @@ def join(first: str, second: str) -> Edit:
     def edit(document: Document) -> Document:
         one, other = curve_with(document, first), curve_with(document, second)
         if first == second:
-            raise DocumentError(first, _("These are one curve; close it instead, or choose another one."))
+            raise DocumentError(
+                first, _("These are the two ends of one curve; close it instead, or choose another curve.")
+            )
         try:
             made, _error = joined(one, other)
         except ValueError as problem:
@@ -64,7 +66,7 @@ def joined(one: Curve, other: Curve) -> tuple[Curve, float]:
     It has the chain of ``one``, and the error is in world units before that. Raises: ValueError.
     """
     if goes_round(one) or goes_round(other):
-        raise ValueError(_("A closed curve has no end to join; open it before."))
+        raise ValueError(_("A closed curve has no end to join; open it first."))
     for curve in (one, other):
         refuse_waiting(curve)
     other, error = _in_frame_of(one, other)
@@ -219,17 +221,17 @@ def aligned(curve: Curve, points: Iterable[str], how: str) -> dict[str, Place]:
 @checked
 def align(addresses: Iterable[Address | str], how: str) -> Edit:
     """Align control points of one curve: left, centre, right (in x), bottom, middle, top (in y)."""
-    wanted = [parse(text) for text in addresses]
+    chosen = [parse(text) for text in addresses]
 
     def edit(document: Document) -> Document:
-        if not wanted:
+        if not chosen:
             return document
-        curve = curve_with(document, wanted[0].figure)
+        curve = curve_with(document, chosen[0].figure)
         try:
-            places = aligned(curve, [where.point for where in wanted], how)
+            places = aligned(curve, [where.point for where in chosen], how)
         except ValueError as problem:
             raise DocumentError(curve.id, str(problem)) from problem
-        return move_curve_points({_address(wanted[0], point): at for point, at in places.items()})(document)
+        return move_curve_points({_address(chosen[0], point): at for point, at in places.items()})(document)
 
     return edit
 

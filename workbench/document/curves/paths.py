@@ -267,7 +267,10 @@ def refuse_waiting(curve: Curve) -> None:
     """Raise ValueError for a path with points that wait, where they would be lost."""
     if is_path(curve) and joints_of(curve)[1]:
         raise ValueError(
-            _("The last points of the path are no whole piece yet; add what is missing, or remove them.")
+            _(
+                "The last points of the path do not make a whole piece yet; add what is missing, or "
+                "remove them."
+            )
         )
 
 

@@ -158,7 +158,7 @@ def scale_keys(sheet: str, keys: Collection[str], factor: float, about: int) -> 
         for track in motion_of(sheet_with(document, sheet)).tracks:
             frames = [scaled(key).frame for key in track.keys if key.id in chosen]
             if len(set(frames)) < len(frames):
-                sentence = _("Two keys of one track would come to one frame; scale them less.")
+                sentence = _("Two keys of one track would land on the same frame; scale them less.")
                 raise DocumentError(track.target, sentence)
         return _changing(sheet, chosen, scaled)(document)
 
@@ -215,7 +215,7 @@ def even_speed(sheet: str, target: str) -> Edit:
         on = sheet_with(document, sheet)
         track, group = track_on(on, target), group_of(on, target)
         if track is None or group is None or group.kind != "numbers" or len(track.keys) < 3:
-            sentence = _("The track has no keys between its first and its last one; set some.")
+            sentence = _("The track has no keys between its first and its last; set some.")
             raise DocumentError(target, sentence)
         first, last = track.keys[0].frame, track.keys[-1].frame
         keyed = np.array([key.frame for key in track.keys], np.float64)
@@ -254,7 +254,7 @@ def keep_area(sheet: str, figure: str) -> Edit:
         if len(tracked) != 1:
             raise DocumentError(
                 figure,
-                _("Just one of the two radii must have keys; set some, or remove those of the other."),
+                _("Exactly one of the two radii must have keys; set some, or remove those of the other."),
             )
         groups = [group_of(on, target) for target in (*tracked, *free)]
         (moving,), (still,) = (value_of(at(on, 0), group) for group in groups if group is not None)

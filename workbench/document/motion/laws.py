@@ -25,7 +25,7 @@ def _one_each(motion: Motion, before: Motion | None) -> Fault | None:
     known: set[str] = set()
     for index, track in enumerate(motion.tracks):
         if track.target in known:
-            problem = _("is {target}, which another track has too; put the keys into one")
+            problem = _("is {target}, which another track has too; put all the keys into one track")
             return f"tracks[{index}].target", problem.format(target=track.target)
         known.add(track.target)
     return None

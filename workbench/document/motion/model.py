@@ -52,7 +52,7 @@ class Key(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults
     bias: Annotated[float, _height(_("bias"), "b")] = 0.0
     shift: Annotated[
         int,
-        Number(label=_("vertex that vertex 0 goes to"), low=0, high=_MOST_CORNERS, whole=True, keyed=False),
+        Number(label=_("vertex that vertex 0 moves to"), low=0, high=_MOST_CORNERS, whole=True, keyed=False),
     ] = 0
     turning: Annotated[str, Choice(TURNINGS)] = QUATERNION
 

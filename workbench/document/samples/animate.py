@@ -30,7 +30,7 @@ def animate_examples() -> list[Example]:
         Example(
             "animate-ball",
             _("A bouncing ball"),
-            _("Four key frames a bounce: it leaves the ground fast and turns slowly, by its easing alone."),
+            _("Four key frames per bounce: easing alone makes it leave the ground fast and turn slowly."),
             "animate",
             _ball(),
             dock="between",
@@ -38,7 +38,7 @@ def animate_examples() -> list[Example]:
         Example(
             "animate-letter",
             _("A letter becomes another"),
-            _("An L of six corners becomes an E of twelve: its edges are cut until both have as many."),
+            _("An L of six corners becomes an E of twelve: its edges are cut until both have equally many."),
             "animate",
             _letter(),
             frame=18,
@@ -47,7 +47,7 @@ def animate_examples() -> list[Example]:
         Example(
             "animate-clock",
             _("A clock runs"),
-            _("Each hand is one angle with two keys; the long one goes round twelve times as often."),
+            _("Each hand is one angle with two keys; the long hand goes round twelve times as fast."),
             "animate",
             _clock(),
             dock="between",
@@ -72,7 +72,7 @@ def animate_examples() -> list[Example]:
         Example(
             "animate-turn",
             _("Two ways to turn in space"),
-            _("Two equal houses with equal keys: one turns by quaternion, the other by Euler's angles."),
+            _("Two identical houses with the same keys: one turns by quaternion, the other by Euler angles."),
             "animate",
             _turn(),
             frame=24,
@@ -262,7 +262,7 @@ def _turn() -> Document:
     turns = [(0, (0.0, 0.0, 1.0, 0.0)), (16, (90.0, 0.0, 1.0, 0.0)), (48, (120.0, 1.0, 1.0, 1.0))]
     houses = (
         (_("By quaternion"), -1.9, QUATERNION, 0x9CC8E6),
-        (_("By Euler's angles"), 1.9, EULER, 0xF0A878),
+        (_("By Euler angles"), 1.9, EULER, 0xF0A878),
     )
     placed = [
         (name, House(1.4, 1.0, 1.8, 0.8), (x, 0.0, 0.0), 0.0, colour) for name, x, _way, colour in houses

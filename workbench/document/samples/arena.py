@@ -28,7 +28,10 @@ def arena_examples() -> list[Example]:
         Example(
             "arena-ring",
             _("Three bars in a ring"),
-            _("A hides a part of B, B of C, C of A: no order is right, and the painter's algorithm fails."),
+            _(
+                "A hides part of B, B part of C, C part of A: no order is right, and the painter's "
+                "algorithm fails."
+            ),
             "space",
             _ring(),
             PAGE,
@@ -36,7 +39,7 @@ def arena_examples() -> list[Example]:
         Example(
             "arena-bracket",
             _("A bracket with a notch"),
-            _("Faces turned to the eye hide one another: to leave out the back faces is not enough."),
+            _("Faces turned towards the eye hide one another: leaving out the back faces is not enough."),
             "space",
             _solid(_("A bracket with a notch"), Bracket(2.6, 2.2, 1.4, 0.6), Point3D(-4.0, 5.0, -4.0), 0.9),
             PAGE,
@@ -44,7 +47,10 @@ def arena_examples() -> list[Example]:
         Example(
             "arena-coplanar",
             _("Two squares in one plane"),
-            _("Depths are equal where they overlap: all that compare depths keep the lower number."),
+            _(
+                "Depths are equal where they overlap: every method that compares depths keeps the "
+                "lower number."
+            ),
             "space",
             _coplanar(),
             PAGE,
@@ -52,7 +58,7 @@ def arena_examples() -> list[Example]:
         Example(
             "arena-solid",
             _("One convex solid"),
-            _("Nothing hides but faces that are turned away: here every method is right."),
+            _("The only hidden faces are those turned away: here every method is right."),
             "space",
             _solid(_("One convex solid"), Regular("dodecahedron", 1.3), Point3D(2.0, 1.5, 7.0)),
             PAGE,

@@ -13,7 +13,7 @@ def clip_examples() -> list[Example]:
         Example(
             "clip",
             _("Lines at a window"),
-            _("One line is inside, two are outside, three are cut: region codes tell which, step by step."),
+            _("One line is inside, two are outside, three are cut: the region codes tell which is which."),
             "clip",
             document_of(_("Lines at a window"), 50, 42, _lines(), _WINDOW),
         ),

@@ -25,7 +25,10 @@ def curve_examples() -> list[Example]:
         _example(
             "interpolation",
             _("Through the points, or near them"),
-            _("Six points by natural cubic, Catmull-Rom, Bézier and B-spline: which pass, which only lean."),
+            _(
+                "Six points by natural cubic, Catmull-Rom, Bézier and B-spline: which pass through, "
+                "which only approach."
+            ),
             [
                 _curve(
                     COURSE,
@@ -45,13 +48,13 @@ def curve_examples() -> list[Example]:
         _example(
             "local-control",
             _("What one point of a B-spline moves"),
-            _("Drag a point in the middle: four spans of the B-spline move, of the Bézier curve all of it."),
+            _("Drag a point in the middle: four spans of the B-spline move, but all of the Bézier curve."),
             [_curve(_wave(), "b_spline", 1, _("B-spline"), beside=("bezier",))],
         ),
         _example(
             "circle",
             _("An exact circle"),
-            _("Nine weighted points make a NURBS circle; with all weights 1 it is not a circle any more."),
+            _("Nine weighted points make a NURBS circle; with all weights 1 it is no longer a circle."),
             [_circle()],
         ),
         _example(

@@ -4,7 +4,9 @@ from workbench.document.model import AnyFigure, Circle, Document, Ellipse
 from workbench.document.samples.animate import animate_examples
 from workbench.document.samples.arena import arena_examples
 from workbench.document.samples.clip import clip_examples
+from workbench.document.samples.colour import colour_examples
 from workbench.document.samples.curves import curve_examples
+from workbench.document.samples.display import display_examples
 from workbench.document.samples.figures import (
     PALETTE,
     Example,
@@ -14,6 +16,7 @@ from workbench.document.samples.figures import (
     polyline,
 )
 from workbench.document.samples.fill import fill_examples
+from workbench.document.samples.raster import raster_examples
 from workbench.document.samples.shading import shading_examples
 from workbench.document.samples.space import space_examples
 from workbench.document.samples.transform import transform_examples
@@ -66,7 +69,7 @@ def examples() -> list[Example]:
         Example(
             "circles",
             _("Circle and ellipse"),
-            _("The midpoint circle plots eight points at a time, the ellipse changes region half-way."),
+            _("The midpoint circle plots eight points at a time; the ellipse changes region on the way."),
             "draw",
             _circles(),
         ),
@@ -94,6 +97,9 @@ def examples() -> list[Example]:
         *shading_examples(),
         *arena_examples(),
         *animate_examples(),
+        *raster_examples(),
+        *display_examples(),
+        *colour_examples(),
     ]
 
 

@@ -80,13 +80,18 @@ def polyline(places: Places, colour: int, name: str, closed: bool) -> Polyline:
 
 
 def polygon(
-    rings: Sequence[Places], colour: int, name: str, closed: bool = False, nonzero: bool = False
+    rings: Sequence[Places],
+    colour: int,
+    name: str,
+    closed: bool = False,
+    nonzero: bool = False,
+    algorithm: str = "scan_line_exact",
 ) -> Polygon:
     """A filled polygon of one or more rings."""
     ends = tuple(accumulate(len(ring) for ring in rings)) if len(rings) > 1 else ()
     corners = points_at(*(place for ring in rings for place in ring))
     return Polygon(
-        "", corners, "scan_line_fill", colour, name, ring_ends=ends, closed_interior=closed, nonzero=nonzero
+        "", corners, algorithm, colour, name, ring_ends=ends, closed_interior=closed, nonzero=nonzero
     )
 
 

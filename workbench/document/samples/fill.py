@@ -18,7 +18,8 @@ Rings = list[list[tuple[float, float]]]
 
 def fill_examples() -> list[Example]:
     """In the order of the list that a person sees."""
-    triangle = polygon([[(2, 1), (8, 1), (5, 7)]], 1, _("Triangle"), closed=True)
+    first_rung = "scan_line_crossings"
+    triangle = polygon([[(2, 1), (8, 1), (5, 7)]], 1, _("Triangle"), closed=True, algorithm=first_rung)
     return [
         Example(
             "triangle",
@@ -30,7 +31,10 @@ def fill_examples() -> list[Example]:
         Example(
             "two-interiors",
             _("A star with two interiors"),
-            _("The same crossing outline by even-odd and by winding number: what becomes of its middle."),
+            _(
+                "The same self-crossing outline by even-odd and by winding number: see what happens "
+                "to its middle."
+            ),
             "fill",
             document_of(
                 _("A star with two interiors"),
@@ -59,14 +63,14 @@ def fill_examples() -> list[Example]:
         Example(
             "leak",
             _("A boundary that leaks"),
-            _("Pixels that touch only at corners stop the 4-connected fill; 8-connected it runs out."),
+            _("Pixels that touch only at corners stop the 4-connected fill; the 8-connected one leaks out."),
             "fill",
             document_of(_("A boundary that leaks"), 31, 27, _leak("boundary_fill_8")),
         ),
         Example(
             "missed",
             _("A region that is missed"),
-            _("Two rooms that touch only at a corner: 4-connected the second one stays empty."),
+            _("Two rooms that touch only at a corner: a 4-connected fill leaves the second one empty."),
             "fill",
             document_of(_("A region that is missed"), 21, 20, _missed("boundary_fill_4")),
         ),

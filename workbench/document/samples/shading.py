@@ -20,7 +20,10 @@ def shading_examples() -> list[Example]:
         Example(
             "shading-ball",
             _("A ball with a highlight"),
-            _("Few faces: flat shows them, Gouraud tears the highlight, Phong finds it inside one of them."),
+            _(
+                "A coarse ball: flat shading shows its faces, Gouraud tears the highlight, Phong "
+                "finds it inside a face."
+            ),
             "space",
             _ball(),
             PAGE,
@@ -38,7 +41,7 @@ def shading_examples() -> list[Example]:
         Example(
             "shading-lamps",
             _("A jug between two lamps"),
-            _("A warm lamp near by, whose light fades with the distance, and a cold one far away."),
+            _("A warm lamp nearby, whose light fades with distance, and a cold one far away."),
             "space",
             _lamps(),
             PAGE,

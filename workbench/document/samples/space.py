@@ -24,28 +24,31 @@ def space_examples() -> list[Example]:
         Example(
             "space-house",
             _("A house in perspective"),
-            _("Two vanishing points on the horizon: see what runs together, and why depth divides."),
+            _("Two vanishing points on the horizon: see which lines converge, and why we divide by depth."),
             "space",
             _house(),
         ),
         Example(
             "space-isometric",
             _("A cube in isometric projection"),
-            _("Seen from (1, 1, 1): x, y and z are shortened alike, to 0.816, and parallels stay parallel."),
+            _(
+                "Seen from (1, 1, 1): x, y and z are shortened equally, to 0.816, and parallels "
+                "stay parallel."
+            ),
             "space",
             _cube("isometric", _("A cube in isometric projection")),
         ),
         Example(
             "space-street",
             _("Three equal houses, one behind another"),
-            _("Equal in a parallel picture, smaller with distance in perspective: press 5 to exchange them."),
+            _("Equal in a parallel picture, smaller with distance in perspective: press 5 to switch."),
             "space",
             _street(),
         ),
         Example(
             "space-cabinet",
             _("A cube in cabinet projection"),
-            _("The front in true size, and what recedes at half its length."),
+            _("The front in true size, and receding lines at half their length."),
             "space",
             _cube("cabinet", _("A cube in cabinet projection")),
         ),

@@ -51,7 +51,7 @@ def transform_examples() -> list[Example]:
         Example(
             "transform-order",
             _("Turned and moved"),
-            _("A flag turned by 90° and then moved: take the two links in the other order and compare."),
+            _("A flag turned by 90° and then moved: exchange the two links and compare."),
             "transform",
             _document(_("Turned and moved"), (-5, -3, 11, 8), [_flag()]),
         ),

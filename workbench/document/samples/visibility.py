@@ -1,5 +1,7 @@
 """The built-in scenes of hidden surfaces: small enough that every fragment can be looked at."""
 
+import math
+
 import numpy as np
 
 from workbench.document.model import Document, Rectangle, Sheet, View, whole_sheet
@@ -7,7 +9,7 @@ from workbench.document.samples.figures import PALETTE, Example
 from workbench.document.scene.links import Rotate3D
 from workbench.document.scene.meshes import blob_of
 from workbench.document.scene.model import Camera, Material, Object, Point3D, Scene
-from workbench.document.scene.solids import Box, MeshSolid, PiercingPlanes
+from workbench.document.scene.solids import Box, MeshSolid, PiercingPlanes, Sphere, Torus
 from workbench.geometry.meshes import Faces, Mesh
 from workbench.language import _
 
@@ -30,7 +32,7 @@ def visibility_examples() -> list[Example]:
         Example(
             "piercing-planes",
             _("Piercing planes"),
-            _("Three squares through one another: no order of painting is right, the depth buffer is."),
+            _("Three squares through one another: no painting order is right, but the depth buffer is."),
             "space",
             _piercing_planes(),
             PAGE,
@@ -38,9 +40,20 @@ def visibility_examples() -> list[Example]:
         Example(
             "almost-one-plane",
             _("Two faces almost in one plane"),
-            _("A box lies a little before a wall: with few bits for depth their surfaces fight."),
+            _(
+                "A box just in front of a wall: with few bits of depth their surfaces flicker into "
+                "each other."
+            ),
             "space",
             _almost_one_plane(),
+            PAGE,
+        ),
+        Example(
+            "octree-solids",
+            _("A ring and a ball in cubes"),
+            _("A solid divided into octants; two of them are joined, or one is cut by a plane."),
+            "space",
+            _solids(),
             PAGE,
         ),
     ]
@@ -102,6 +115,19 @@ def _almost_one_plane() -> Document:
     camera = Camera(eye=Point3D(0.0, 0.0, 8.0), near=1.0, far=100.0, distance=5.0)
     scene = Scene(objects, (even_material(0x0072B2), even_material(0xD55E00, "m2")), (), camera)
     return scene_document(_("Two faces almost in one plane"), scene, Rectangle(-1.8, -1.2, 1.8, 1.2))
+
+
+def _solids() -> Document:
+    """A ring that lies about a ball."""
+    objects = (
+        Object("o1", Torus(1.1, 0.4), "m1", _("Ring")),
+        Object("o2", Sphere(0.9), "m2", _("Ball")),
+    )
+    materials = Material("m1", colour=0x2F7FC4), Material("m2", colour=0xD98A3A)
+    eye = Point3D(2.6, 3.2, 5.2)
+    camera = Camera(eye=eye, near=2.0, far=14.0, distance=math.dist(eye.xyz, (0.0, 0.0, 0.0)))
+    scene = Scene(objects, materials, (), camera)
+    return scene_document(_("A ring and a ball in cubes"), scene, Rectangle(-2.7, -1.8, 2.7, 1.8))
 
 
 def scene_document(name: str, scene: Scene, window: Rectangle) -> Document:

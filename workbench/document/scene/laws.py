@@ -51,7 +51,7 @@ def _camera(camera: Camera, _before: Any) -> Fault | None:
     from workbench.document.scene.viewing import projection_matrix, view_matrix  # as the solids' makers
 
     if not any(camera.up.xyz):
-        return "", _("has no upward direction: u_x, u_y and u_z are all 0; make one of them another number")
+        return "", _("has no up direction: u_x, u_y and u_z are all 0; change one of them")
     try:
         view_matrix(camera)
         projection_matrix(camera)
@@ -64,7 +64,7 @@ def _materials(scene: Scene, _before: Any) -> Fault | None:
     known = {material.id for material in scene.materials}
     for index, thing in enumerate(scene.objects):
         if thing.material not in known:
-            problem = _("is {id!r}, and the scene has no such material; choose one of its own")
+            problem = _("is {id!r}, but the scene has no such material; choose one that it has")
             return f"objects[{index}].material", problem.format(id=thing.material)
     return None
 

@@ -23,7 +23,7 @@ def blob_of(mesh: Mesh) -> Blob:
 @lru_cache(maxsize=64)
 def mesh_of(blob: Blob) -> Mesh:
     """The mesh of some bytes, read-only. Raises: ValueError, a sentence, where they are none."""
-    refusal = ValueError(_("The content is no mesh, or it is damaged; open another copy."))
+    refusal = ValueError(_("The content is not a mesh, or it is damaged; open another copy."))
     if blob[: len(_HEAD)] != _HEAD or len(blob) < len(_HEAD) + 24:
         raise refusal
     n, k, m = np.frombuffer(blob, "<i8", 3, len(_HEAD)).tolist()

@@ -257,7 +257,7 @@ class Surface(Solid, frozen=True, tag="surface"):
         from workbench.geometry.curves.knots import open_uniform_knots
 
         if len(points) % self.rows:
-            sentence = _("{count} points do not make {rows} rows of equally many; add or remove some.")
+            sentence = _("{count} points do not make {rows} rows of equal length; add or remove some.")
             raise ValueError(sentence.format(count=len(points), rows=self.rows))
         net = np.array([(p.x, p.y, p.z) for p in points]).reshape(self.rows, -1, 3)
         weights = np.array([p.weight for p in points]).reshape(self.rows, -1)

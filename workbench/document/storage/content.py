@@ -63,7 +63,7 @@ def _said_of(where: str) -> Iterator[None]:
     except FileNotFoundError as error:
         raise DocumentError("", _("There is no file {path}; choose another.").format(path=where)) from error
     except PermissionError as error:
-        sentence = _("{path} may not be read by you; change its permissions or choose another file.")
+        sentence = _("You are not allowed to read {path}; change its permissions or choose another file.")
         raise DocumentError("", sentence.format(path=where)) from error
     except (OSError, ValueError) as error:
         if isinstance(error, DocumentError):
@@ -104,7 +104,7 @@ def _refuse_irregular(status: os.stat_result, where: str, most: int) -> None:
 
 
 def _too_large(where: str, size: int, most: int) -> DocumentError:
-    sentence = _("{path} has {size:,} bytes, and at most {most:,} can be opened; choose another file.")
+    sentence = _("{path} has {size:,} bytes, but at most {most:,} can be opened; choose another file.")
     return DocumentError("", sentence.format(path=where, size=size, most=most))
 
 

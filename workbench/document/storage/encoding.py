@@ -74,7 +74,7 @@ def _proven(value: Any, decoder: msgspec.json.Decoder[Any]) -> bytes:
     except (TypeError, ValueError) as error:
         sentence = _("This cannot be put into a file ({reason}).")
         raise DocumentError("", sentence.format(reason=error)) from error
-    sentence = _("What was written reads back differently, so the old file was kept; save again.")
+    sentence = _("What was written did not read back the same, so the old file was kept; save again.")
     raise DocumentError("", sentence)
 
 

@@ -1,6 +1,6 @@
 """The `.gwb` file: one readable, versioned JSON text; ``saving`` puts it on the disk.
 
-    {"format": "graphics-workbench", "version": 7, "document": ..., "session": ..., "blobs": {...}}
+    {"format": "graphics-workbench", "version": 8, "document": ..., "session": ..., "blobs": {...}}
 
 Blobs (large meshes, pictures) are base64 by the SHA-256 of their content. Whatever is wrong with a file is
 told as a DocumentError that names the field.
@@ -28,7 +28,7 @@ from workbench.document.storage.upgrades import UPGRADES, Upgrade
 from workbench.language import _, legible
 
 FORMAT = "graphics-workbench"
-VERSION = 7
+VERSION = 8
 # What is opened, and so what is saved: a few of the largest blobs, and fewer values than memory is there for.
 MAX_BYTES = 128 * 2**20
 MAX_VALUES = 2_000_000  # numbers, texts, lists and objects together
@@ -145,13 +145,13 @@ def decode(data: bytes) -> Stored:
 
 def _refuse_too_much(data: bytes) -> None:
     if len(data) > MAX_BYTES:
-        sentence = _("The file has {size:,} bytes, and at most {most:,} can be opened; choose a smaller one.")
+        sentence = _("The file has {size:,} bytes, but at most {most:,} can be opened; choose a smaller one.")
         raise DocumentError("", sentence.format(size=len(data), most=MAX_BYTES))
     # Every value but the first in a list or an object follows a comma; those in texts are counted too.
     values = sum(data.count(sign) for sign in (b",", b"[", b"{"))
     if values > MAX_VALUES:
         sentence = _(
-            "The file has {count:,} values, and at most {most:,} can be opened; choose a smaller one."
+            "The file has {count:,} values, but at most {most:,} can be opened; choose a smaller one."
         )
         raise DocumentError("", sentence.format(count=values, most=MAX_VALUES))
 
@@ -211,7 +211,7 @@ def upgraded(
         try:
             raw = upgrades[version](raw)
         except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
-            problem = _("is {value}, but the file does not hold what such a file must; open another copy")
+            problem = _("is {value}, but the file lacks what such a file must contain; open another copy")
             raise refuse("version", problem.format(value=version)) from error
         version += 1
     return {**raw, "version": newest}
@@ -246,10 +246,10 @@ def sound_blobs(blobs: Mapping[str, bytes]) -> dict[str, bytes]:
 
 
 def _malformed(data: bytes, message: str) -> DocumentError:
-    found = re.search(r"\(byte (\d+)\)", message)
-    if found is None:
+    offset = re.search(r"\(byte (\d+)\)", message)
+    if offset is None:
         return _broken(data, len(data), _("breaks off"))
-    at = int(found.group(1))
+    at = int(offset.group(1))
     around = data[max(0, at - 1) : at + _LONGEST_CONSTANT]
     constant = re.match(rb"-?(NaN|Infinity)", around.lstrip(b" :[,\n")) or re.match(
         rb"-?(NaN|Infinity)", data[at : at + _LONGEST_CONSTANT]
@@ -300,10 +300,10 @@ def _translated(message: str) -> DocumentError:
     kinds = _kinds()
     wrong = re.fullmatch(r"Expected `([^`]*)`, got `([^`]*)`.*", what, re.DOTALL)
     if wrong:
-        wanted = _(" or ").join(kinds.get(kind, kind) for kind in wrong.group(1).split(" | "))
+        kinds_wanted = _(" or ").join(kinds.get(kind, kind) for kind in wrong.group(1).split(" | "))
         got = kinds.get(wrong.group(2), wrong.group(2))
         problem = _("is {got} where {wanted} belongs; correct it in the file or open another copy")
-        return refuse(field or "document", problem.format(got=got, wanted=wanted))
+        return refuse(field or "document", problem.format(got=got, wanted=kinds_wanted))
     problem = _("is not right ({what}); correct it in the file or open another copy")
     return refuse(
         field or "document", problem.format(what=legible(what[0].lower() + what[1:], _LONGEST_REASON))

@@ -79,7 +79,9 @@ class Replacement:
             raise refusal(path, error) from error
         if back != written:
             raise SavingError(
-                _("{path} reads back from the disk differently; save under another name.").format(path=path)
+                _("{path} does not read back from the disk the same; save under another name.").format(
+                    path=path
+                )
             )
 
     def commit(self) -> None:
@@ -141,9 +143,9 @@ def refusal(path: Path, error: OSError | ValueError) -> SavingError:
         case errno.ENOENT | errno.ENOTDIR if not os.path.isdir(path.parent):
             sentence = _("There is no folder {folder} for {name}; choose another folder.")
         case errno.EACCES | errno.EPERM:
-            sentence = _("You may not write {name} in the folder {folder}; choose another folder.")
+            sentence = _("You are not allowed to write {name} in the folder {folder}; choose another folder.")
         case errno.EROFS:
-            sentence = _("The disk of {path} can only be read; choose a folder on another disk.")
+            sentence = _("The disk of {path} is read-only; choose a folder on another disk.")
         case errno.ENOSPC | errno.EDQUOT:
             sentence = _("{path} cannot be written ({reason}); make room, or choose another disk.")
         case errno.EFBIG:

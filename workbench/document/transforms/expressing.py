@@ -26,10 +26,14 @@ def expressed(figure: AnyFigure, matrix: Matrix) -> AnyFigure | str:
 def _beyond(figure: AnyFigure, matrix: Matrix) -> str:
     match figure:
         case Circle() if not stays_circle(matrix, figure.radius_world):
-            return _("A circle has one radius and would become an ellipse, so its chain got the transform.")
+            return _(
+                "A circle has one radius and would become an ellipse, so the transform was "
+                "added to its chain."
+            )
         case Ellipse() if not axes_stay(matrix, figure.radius_x_world, figure.radius_y_world):
             return _(
-                "The axes of an ellipse lie along x and y and would turn, so its chain got the transform."
+                "The axes of an ellipse lie along x and y and would turn, so the transform was "
+                "added to its chain."
             )
         case Curve(spline="catmull_rom") if figure.alpha != 0.0 and not stays_circle(matrix, 1.0):
             return _(

@@ -60,7 +60,7 @@ def continuity(
     Raises: ValueError for too few points, lengths not above 0, weights that are not.
     """
     if not (length_before > 0 and length_after > 0):
-        raise ValueError("A piece has no length in the parameter; part its knots, or leave it out.")
+        raise ValueError("A piece has no length in the parameter; move its knots apart, or leave it out.")
     refuse(faults(before, weights=weights[0]) + faults(after, weights=weights[1]))
     one, other = np.asarray(before, float), np.asarray(after, float)
     size = np.ptp(np.vstack([one, other]), axis=0).max(keepdims=True)

@@ -46,7 +46,7 @@ def fit_pieces(
     refuse_tolerance(tolerance)
     way = np.append(0.0, np.cumsum(lengths(np.diff(given, axis=0))))
     if way[-1] <= 0.0:
-        raise ValueError("All points are in one place; draw a line that has a length.")
+        raise ValueError("All points are in one place; draw a longer line.")
     # A step that the way is too long to feel leads nowhere; the first point stays, and so does the last.
     kept = np.append(np.diff(way) > 0, True)
     kept[way == way[0]] = False

@@ -47,7 +47,7 @@ def split_b_spline(
     t = np.asarray(knots, float)
     refuse(faults(points, t, degree))
     if not t[degree] < u < t[len(t) - degree - 1]:
-        raise ValueError(f"At u = {u:g} there is nothing to part; choose a u between both ends of the curve.")
+        raise ValueError(f"At u = {u:g} there is nothing to split; choose a u between the ends of the curve.")
     needed = max(degree - multiplicity(t, u), 0)
     controls, t = insert_knot(points, t, degree, u, needed) if needed else (np.asarray(points, float), t)
     begin = int(np.searchsorted(t, u, side="left"))

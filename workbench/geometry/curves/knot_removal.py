@@ -46,7 +46,7 @@ def remove_knot(
     if not (t[degree] < u < t[len(t) - degree - 1] and multiplicity(t, u)):
         raise ValueError(f"There is no knot {u:g} between the ends of the curve; choose one that is there.")
     if multiplicity(t, u) > degree:
-        raise ValueError(f"At u = {u:g} the curve is in two parts; take no knot out there.")
+        raise ValueError(f"At u = {u:g} the curve is in two parts; no knot can be removed there.")
     done, error = 0, 0.0
     while done < min(times, multiplicity(knots, u)):
         fewer, apart = _once_less(controls, t, degree, u, rational)

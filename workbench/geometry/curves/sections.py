@@ -19,7 +19,7 @@ def with_neighbours(points: ArrayLike, ends: Ends) -> NDArray[np.float64]:
     Raises: ValueError for too few points (4, 2 or 3), or for another word.
     """
     if ends not in _LEAST:
-        raise ValueError(f"{ends!r} says nothing of the ends; write one of {', '.join(get_args(Ends))}.")
+        raise ValueError(f"{ends!r} is not a choice for the ends; write one of {', '.join(get_args(Ends))}.")
     refuse(faults(points, least=_LEAST[ends]))
     given = np.asarray(points, float)
     if ends == "through":

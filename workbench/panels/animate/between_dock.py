@@ -54,7 +54,7 @@ class BetweenDock(QScrollArea):
         self.easing.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.easing.setMinimumContentsLength(5)
         self.easing.setAccessibleName(_("Easing"))
-        self.easing.setToolTip(_("How the value goes from this key to the next one"))
+        self.easing.setToolTip(_("How the value changes from this key to the next one"))
         tell_choice(self.easing)
         self.easing.activated.connect(lambda _index: self.easing_wanted.emit(self.easing.currentData()))
         self.curve = EasingCurve()
@@ -143,7 +143,7 @@ def _note(key: Key, code: int) -> str:
     if code == BEZIER:
         return _("Drag the handles to shape it.")
     if code == LINEAR:
-        return _("Even speed. Drag a handle, and it becomes a Bézier easing.")
+        return _("Constant speed. Drag a handle, and it becomes a Bézier easing.")
     return _("The handles are those of the Bézier easing that fits best; drag one, and it becomes that.")
 
 
@@ -168,9 +168,12 @@ def _sums(sheet: Sheet, shown: Sheet, track: Track, around: tuple[Key, Key], fra
     part = eased(code, *first.handles, j / (n + 1))
     lines.append(f"{easing_formula(code, j / (n + 1))} = {numeral(part)}")
     if group.kind == "outline":
-        return [*lines, _("Each of {n} points goes that part of its way.").format(n=len(group.slots) // 2)]
+        return [
+            *lines,
+            _("Each of the {n} points goes that fraction of its way.").format(n=len(group.slots) // 2),
+        ]
     if group.kind == "turn":
-        return [*lines, _("It has turned by that part of the angle, about one axis.")]
+        return [*lines, _("It has turned by that fraction of the angle, about one axis.")]
     if len(first.value) == 1 and (square := _squared(first, j / (n + 1))) is not None:
         a, b = first.value[0], second.value[0]
         fallen = numeral(a + square * (b - a))

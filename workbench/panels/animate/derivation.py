@@ -55,7 +55,8 @@ def derivation(sheet: Sheet, track: Track, figure: AnyFigure | None, frame: int)
         ),
         Sentence(
             _(
-                "Morphing is the same for a shape: both outlines get as many vertices, and each vertex moves "
+                "Morphing is the same for a shape: both outlines get equally many vertices, and "
+                "each vertex moves "
                 "from its place in one key to its place in the next."
             )
         ),

@@ -127,14 +127,14 @@ class KeyEdits(QObject):
     def turn_outline(self, key: Key | None, shift: int) -> None:
         """Let vertex 0 of an outline go to another vertex of the next key."""
         if key is not None:
-            self._show(set_correspondence(self._sheet, key.id, shift), _("Turn correspondence"))
+            self._show(set_correspondence(self._sheet, key.id, shift), _("Shift correspondence"))
 
     # By a command
 
     def turn_by(self, key: Key | None, turning: str) -> None:
         """Let a turn in space go on by quaternion or by Euler's angles."""
         if key is not None:
-            self._edit(set_turning(self._sheet, [key.id], turning), _("Change turning"))
+            self._edit(set_turning(self._sheet, [key.id], turning), _("Change rotation method"))
 
     def delete(self) -> None:
         """Remove the chosen keys."""
@@ -153,7 +153,7 @@ class KeyEdits(QObject):
 
     def even_speed(self, target: str) -> None:
         """Let a track take its ways in times as they are long."""
-        self._edit(even_speed(self._sheet, target), _("Even the speed"))
+        self._edit(even_speed(self._sheet, target), _("Make the speed constant"))
 
     def keep_area(self, figure: str) -> None:
         """Let a figure that is squashed become as much wider."""
@@ -180,7 +180,7 @@ class KeyEdits(QObject):
     def paste(self) -> None:
         """Put the keys that were copied on their tracks, the first of them in the frame that is shown."""
         if not self.copied:
-            self.said.emit(_("No keys are copied; choose some and copy them."))
+            self.said.emit(_("No keys have been copied; choose some and copy them."))
             return
         before = self._session.document
         self._edit(paste_keys(self._sheet, self.copied, self._session.frames.number), _("Paste keys"))

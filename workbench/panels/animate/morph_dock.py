@@ -26,22 +26,22 @@ class MorphDock(TrackDock):
     held = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(_("Correspondence of both outlines"), parent)
+        super().__init__(_("Correspondence of the two outlines"), parent)
         self._pair: Correspondence | None = None
         self._held = ""
         self._before = 0
         self.shift = NumberField(
-            _("Vertex 0 goes to vertex"),
+            _("Vertex 0 moves to vertex"),
             low=0,
             integer=True,
-            meaning=_("Number of the vertex of the second outline to which vertex 0 of the first one goes"),
+            meaning=_("The vertex of the second outline that vertex 0 of the first one moves to"),
         )
         self.shift.edited.connect(self._typed)
         self.shift.scrubbed.connect(lambda value: self._want(int(value)))
         self.shift.scrub_ended.connect(self.shift_dropped)
         self.fields.addWidget(self.shift)
         self.picture.setToolTip(
-            _("Drag an end on the second outline to another vertex, or turn all of them by the arrow keys")
+            _("Drag an end on the second outline to another vertex, or shift all of them with the arrow keys")
         )
         self.picture.pressed.connect(self._press)
         self.picture.moved.connect(self._move)
@@ -78,7 +78,7 @@ class MorphDock(TrackDock):
             return
         self._pair = pair
         self.shift.set_value(pair.shift)
-        note = _("Both ends of an open outline keep each other.") if not closed else ""
+        note = _("The ends of an open outline always move to the ends of the other.") if not closed else ""
         self.show_drawn(title, drawn(pair, part), box, _rule(pair), note, grips(pair))
 
     # By hand, by number, by key
@@ -121,7 +121,7 @@ class MorphDock(TrackDock):
 
 def _of_points(figure: AnyFigure) -> str:
     """What becomes of what has as many points in each key."""
-    told = _("Each point goes to the point of its number.")
+    told = _("Each point moves to the point with the same number.")
     if not isinstance(figure, Curve) or figure.spline in THROUGH:
         return told
     more = _(
@@ -136,7 +136,7 @@ def _rule(pair: Correspondence) -> list[str]:
     most, fewest = max(pair.edges), min(pair.edges)
     lines = [_("L_max = {most} edges, L_min = {fewest}").format(most=most, fewest=fewest)]
     if most == fewest:
-        return [*lines, _("as many: each vertex has one to go to")]
+        return [*lines, _("equally many: each vertex has one to move to")]
     extra, pieces = most % fewest, most // fewest
     cut = _("{extra} edges in {more} pieces, {rest} in {pieces}").format(
         extra=extra, more=pieces + 1, rest=fewest - extra, pieces=pieces

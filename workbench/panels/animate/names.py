@@ -64,9 +64,9 @@ def held_text(sheet: Sheet, held: Iterable[str]) -> str:
     if things:
         what = ", ".join(dict.fromkeys(things))
         told.append(
-            _("{what}: cannot be drawn as its keys have it here, and stays as the sheet has it.").format(
-                what=what
-            )
+            _(
+                "{what}: its keys make something here that cannot be drawn, so it stays as the sheet has it."
+            ).format(what=what)
         )
     return " ".join(told)
 

@@ -73,7 +73,7 @@ class AnimatePanel(SteppedPanel):
                 ("curves", _("Curve of the track, or the tracks"), "chart-line", "", self._turn_page),
                 ("copy_keys", _("Copy the chosen keys"), "copy", "", self.keys.copy),
                 ("paste_keys", _("Paste keys here"), "clipboard-text", "", self.keys.paste),
-                ("even_speed", _("Even the speed along the path"), "path", "", self._even_speed),
+                ("even_speed", _("Make the speed along the path constant"), "path", "", self._even_speed),
                 ("insert_time", _("Insert a frame here"), "plus", "", self.keys.insert_time),
                 ("remove_time", _("Remove this frame"), "minus", "", self.keys.remove_time),
                 ("step_track", _("Step through the in-betweens"), "list-numbers", "", self._step_track),
@@ -301,7 +301,7 @@ class AnimatePanel(SteppedPanel):
         if self.isVisible() and not self._steps and (run.ask_first or run.playing):
             self._step(True)
         if self.isVisible() and asked_axis(self.session) is not None and run.answered is None:
-            self.hover_text.emit(_("Where is it in the next frame? Click there, or choose the value."))
+            self.hover_text.emit(_("Where will it be in the next frame? Click there, or choose the value."))
 
     def showEvent(self, event: QShowEvent) -> None:
         """The run is that of the frame that is shown."""

@@ -26,11 +26,14 @@ class PhysicsDock(TrackDock):
     area_wanted = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(_("Keys beside physics"), parent)
+        super().__init__(_("Keys and physics"), parent)
         self._figure = ""
         self.keep = QPushButton(_("Keep the area"))
         self.keep.setToolTip(
-            _("Make it as much wider as it is lower, in every key: squash and stretch without losing area")
+            _(
+                "In every key, make it wider by as much as it is flatter: squash and stretch "
+                "without losing area"
+            )
         )
         self.keep.clicked.connect(lambda: self.area_wanted.emit(self._figure))
         self.layout_below.addWidget(self.keep)

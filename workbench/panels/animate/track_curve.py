@@ -22,7 +22,7 @@ def curve_of(sheet: Sheet, target: str) -> CurveShown:
     if track is None:
         return CurveShown()
     if group is None:
-        return CurveShown(note=_("This track moves nothing: what it hangs on is not there."))
+        return CurveShown(note=_("This track moves nothing: what it belongs to has been removed."))
     whole = group.kind in ("outline", "turn")
     drawn = _by_keys(track) if whole else track
     keys = tuple(

@@ -41,10 +41,10 @@ class TurningDock(TrackDock):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(_("Ways to turn"), parent)
         self.way = QComboBox()
-        for title, turning in zip((_("By quaternion"), _("By Euler's angles")), TURNINGS, strict=True):
+        for title, turning in zip((_("By quaternion"), _("By Euler angles")), TURNINGS, strict=True):
             self.way.addItem(title, turning)
-        self.way.setAccessibleName(_("How it turns to the next key"))
-        self.way.setToolTip(_("How this turn goes on to the next key, in the picture too"))
+        self.way.setAccessibleName(_("How it turns on its way to the next key"))
+        self.way.setToolTip(_("How it turns on its way to the next key, in the picture too"))
         self.way.activated.connect(lambda _index: self.turning_wanted.emit(self.way.currentData()))
         self.fields.addWidget(self.way)
 
@@ -103,7 +103,7 @@ def _shrinks(theta: float, part: float) -> str:
     told = _(
         "The entries go along the chord: det = 1 − 2 t (1 − t) (1 − cos θ) = "
         "1 − 2 · {t} (1 − {t}) (1 − cos {theta}°) = {det}. "
-        "That is no rotation: the figure shrinks, so a track keeps the angle instead."
+        "That is not a rotation: the figure shrinks, so a track keeps the angle instead."
     )
     return told.format(
         t=numeral(part), theta=numeral(math.degrees(theta)), det=numeral(entries_determinant(theta, part))
@@ -120,5 +120,5 @@ def _locks(angles: Triple) -> str:
     if apart > _NEARLY_LOCKED:
         return told + "."
     return told + _(
-        ": they line up, turning about either does the same, and one way to turn is lost: gimbal lock."
+        ": they line up, turning about either does the same, and one degree of freedom is lost: gimbal lock."
     )

@@ -125,8 +125,8 @@ class ClipCard(ParameterCard):
         ]
         if edges := degenerate_count(sheet, active):
             said = ngettext(
-                "{n} degenerate edge: the polygon is concave, and its parts hang together along the window.",
-                "{n} degenerate edges: the polygon is concave, and its parts hang together along the window.",
+                "{n} degenerate edge: the polygon is concave, and its parts are joined along the window.",
+                "{n} degenerate edges: the polygon is concave, and its parts are joined along the window.",
                 edges,
             )
             lines.append(f'<span style="color:{now.error}">▪┈▪</span>&nbsp; {said.format(n=edges)}')

@@ -153,7 +153,7 @@ class CurveCommands(QObject):
                 name = _("Open the curve") if curve.closed else _("Close the curve")
                 self.apply(set_curve_closed(curve.id, not curve.closed), name)
             elif goes_round(curve):
-                self.said.emit(_("A curve of this kind always goes round; choose another kind to open it."))
+                self.said.emit(_("A curve of this kind is always closed; choose another kind to open it."))
             else:
                 self.said.emit(_("A curve of this kind has two ends; choose another kind to close it."))
 

@@ -39,12 +39,14 @@ def measures() -> list[Measure]:
         Measure(_("farthest point"), "px", _("How far the farthest point is from the curve"), "least"),
         Measure(_("mean distance"), "px", _("How far the points are from the curve on average"), "least"),
         Measure(_("overshoot"), "px", _("How far the curve swings out beyond its points"), "least"),
-        Measure(_("overshoot between"), "px", _("The same between two neighbours"), "least"),
+        Measure(_("overshoot between"), "px", _("The same between two neighbouring points"), "least"),
         Measure(_("turning"), "°", _("How much the direction turns in all: wiggle"), "least"),
-        Measure(_("inflections"), "", _("How often the curve changes the side it bends to"), "least"),
+        Measure(
+            _("inflections"), "", _("How often the curve changes the side towards which it bends"), "least"
+        ),
         Measure(_("length"), "px", _("Arc length of the curve"), "least"),
-        Measure(_("one point moves"), "", _("What of the curve follows a point that is moved")),
-        Measure(_("smoothness"), "", _("The worst joint of the curve: of the parameter, of the shape")),
+        Measure(_("one point moves"), "", _("How much of the curve follows a point that is moved")),
+        Measure(_("smoothness"), "", _("The worst joint of the curve: parametric, geometric")),
         Measure(
             _("degree"),
             "",

@@ -83,7 +83,7 @@ def crossing_words(pieces: Pieces) -> str:
     """At how many places a curve meets itself, and from where to where it runs along itself."""
     crossings = crossings_of(pieces)
     if crossings is None:
-        return _("not searched in more than {most} pieces").format(most=MOST_PIECES)
+        return _("not searched for above {most} pieces").format(most=MOST_PIECES)
     count, stretches = len(crossings.places), crossings.stretches
     if crossings.more:
         return _("{most} or more").format(most=MOST_CROSSINGS)

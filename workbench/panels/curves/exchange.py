@@ -148,13 +148,13 @@ class CurveExchange(QObject):
         if not self._is_still(sheet, say):
             return
         if not drawing.figures:
-            say(" ".join(drawing.notes) or _("This SVG shows nothing that is a figure."))
+            say(" ".join(drawing.notes) or _("This SVG contains no figures."))
             return
         if self._add(edit, _("Import SVG"), say):
             count = len(drawing.figures)
             said = [ngettext("{n} figure imported.", "{n} figures imported.", count).format(n=count)]
             if drawing.error > 0:
-                text = _("Arcs and curved insides are at most {error} off.")
+                text = _("Arcs and curved outlines are approximated within {error}.")
                 said.append(text.format(error=at_most(drawing.error)))
             say(" ".join([*said, *drawing.notes]))
 
@@ -162,7 +162,7 @@ class CurveExchange(QObject):
         """Whether the sheet that something was read for is still the current one; says so if not."""
         if self.session.sheet.id == sheet.id:
             return True
-        say(_("Another sheet was opened before this was read; import it again here."))
+        say(_("Another sheet was opened before this had been read; import it again here."))
         return False
 
     def _add(self, edit: Edit, name: str, say: Say) -> bool:

@@ -54,7 +54,7 @@ class FreehandTool(FigureTool):
         points, self.band = np.array([*self._drawn, (x, y)]), None
         if float(np.ptp(points, axis=0).max()) < 1.0:
             self.cancel()
-            self.failed.emit(_("Drag to draw a line that has a length."))
+            self.failed.emit(_("Drag farther: the line has no length yet."))
             return
         closes = float(np.hypot(*(points[-1] - points[0]))) <= _CLOSE_PX / self.focus.cell_px
         if closes and len(points) > 8:
@@ -72,8 +72,8 @@ def fit_words(curve: Curve, count: int, error: float) -> str:
     """What became of drawn or pasted points."""
     pieces = len(curve.points_world) // 3
     text = ngettext(
-        "{pieces} piece passes the {count} points, none of which is more than {error} px off.",
-        "{pieces} pieces pass the {count} points, none of which is more than {error} px off.",
+        "{pieces} piece passes the {count} points, none of which is more than {error} px away.",
+        "{pieces} pieces pass the {count} points, none of which is more than {error} px away.",
         pieces,
     )
     return text.format(pieces=pieces, count=count, error=at_most(error))

@@ -17,27 +17,38 @@ def switches() -> list[tuple[str, str, str]]:
     return [
         ("construction", _("Construction at u"), _("De Casteljau's or de Boor's levels; drag the ring (U)")),
         ("tangent", _("Tangent"), _("The derivative by u at u, and its direction")),
-        ("circle", _("Osculating circle"), _("The circle that bends like the curve at u")),
-        ("comb", _("Curvature comb"), _("Teeth across the curve as long as it bends; a jump is a jump (K)")),
+        ("circle", _("Osculating circle"), _("The circle that bends as the curve does at u")),
+        (
+            "comb",
+            _("Curvature comb"),
+            _(
+                "Teeth across the curve, longer where it bends more; a jump in them is a jump of "
+                "curvature (K)"
+            ),
+        ),
         ("polygon", _("Control polygon"), _("The legs between the control points, and handles")),
         ("hull", _("Convex hull"), _("The hull of the points; a Bézier curve or B-spline stays within it")),
         ("box", _("Bounding box"), _("The smallest box around the curve itself")),
         ("extrema", _("Extrema"), _("Where x or y turns back")),
-        ("inflections", _("Inflections"), _("Where the curve changes the side it bends to")),
+        ("inflections", _("Inflections"), _("Where the curve changes the side towards which it bends")),
         (
             "crossings",
             _("Self-intersections"),
             _("Where a curve of up to {most} pieces crosses itself").format(most=MOST_PIECES),
         ),
         ("steps_u", _("Equal steps of u"), _("Points at equal steps of the parameter")),
-        ("steps_length", _("Equal steps of length"), _("As many points at equal steps along the curve")),
+        (
+            "steps_length",
+            _("Equal steps of length"),
+            _("The same number of points at equal steps along the curve"),
+        ),
         (
             "influence",
             _("Region of influence"),
             _("What follows the chosen points"),
         ),
         ("names", _("Names"), _("P0, P1 and so on at the points")),
-        ("pixels", _("Full pixels"), _("The pixels in their own colour, not pale")),
+        ("pixels", _("Full pixels"), _("The pixels in their own colour, not faded")),
     ]
 
 

@@ -105,7 +105,7 @@ class CurveOperations(CurveCommands):
             anchors = [k for k in new if now.spline != "bezier_path" or k % 3 == 0]
             self.focus.choose(now.points_world[k].id for k in anchors or new)
             note = insertion_note(curve)
-            self.said.emit(note or _("The curve stays as it was, with one point more."))
+            self.said.emit(note or _("The curve is the same as before, with one more point."))
 
     def insert_at_u(self) -> None:
         """Put a point into the curve at u."""
@@ -115,7 +115,7 @@ class CurveOperations(CurveCommands):
         """Take a knot, by id or # and its number, out of the curve where that stays nearly as it was."""
         curve = self.focus.curve
         if curve is not None and self.apply(self.knot_edit(curve, knot, remove_knot), _("Remove a knot")):
-            sentence = _("The knot is gone, and with it a point; the curve is off by {most:g} at most.")
+            sentence = _("The knot is gone, and a point with it; the curve has changed by {most:g} at most.")
             self.said.emit(sentence.format(most=TOLERANCE_WORLD))
 
     def remove_knot_at_u(self) -> None:
@@ -139,7 +139,7 @@ class CurveOperations(CurveCommands):
             if u is not None and self.apply(split(curve.id, u), _("Split the curve")):
                 made = [f.id for f in self.session.sheet.figures if f.id not in known]
                 self.session.update_state(selection=(curve.id, *made), active=curve.id)
-                self.said.emit(_("The curve is cut at u; both parts look as before."))
+                self.said.emit(_("The curve is cut at u; together the two parts look as before."))
 
         self.with_curve(cut)
 
@@ -157,8 +157,8 @@ class CurveOperations(CurveCommands):
         if self.apply(join(first.id, second.id), _("Join curves")):
             self.session.update_state(selection=(first.id,), active=first.id)
             error = joined(first, second)[1]
-            off = _("The curves are one now, at most {error} off.").format(error=at_most(error))
-            self.said.emit(off if error > _EXACT else _("The curves are one now, and look as before."))
+            off = _("The curves are now one, changed by {error} at most.").format(error=at_most(error))
+            self.said.emit(off if error > _EXACT else _("The curves are now one, and look as before."))
 
     # The whole curve
 
@@ -175,7 +175,7 @@ class CurveOperations(CurveCommands):
 
         def lower(curve: Curve) -> None:
             if self.apply(lower_degree(curve.id), _("Lower the degree")):
-                text = _("One degree less; the curve is at most {error} off.")
+                text = _("The degree is one lower; the curve has changed by {error} at most.")
                 self.said.emit(text.format(error=at_most(lowered(curve)[1])))
 
         self.with_curve(lower)
@@ -197,7 +197,9 @@ class CurveOperations(CurveCommands):
                 return
             error, kind = converted(curve, spline)[1], spline_title(spline)
             if error > _EXACT:
-                self.said.emit(_("{kind}, at most {error} off.").format(kind=kind, error=at_most(error)))
+                self.said.emit(
+                    _("{kind}, changed by {error} at most.").format(kind=kind, error=at_most(error))
+                )
             else:
                 self.said.emit(_("{kind}, exactly the same curve.").format(kind=kind))
 
@@ -223,7 +225,7 @@ class CurveOperations(CurveCommands):
             if self.apply(edit, _("Convert the curve")):
                 made = self.session.sheet.figures[place].id
                 self.session.update_state(selection=(made,), active=made)
-                text = _("A polyline of {count} corners, at most {error} px off.")
+                text = _("A polyline of {count} corners, {error} px from the curve at most.")
                 self.said.emit(text.format(count=len(points), error=at_most(curve.tolerance_px)))
 
         self.with_curve(replace_by_chords)
@@ -257,7 +259,7 @@ class CurveOperations(CurveCommands):
         after = {point.id: place(point) for point in smoother.points_world}
         names = [point_name(curve, k) for k, p in enumerate(curve.points_world) if place(p) != after[p.id]]
         if not names:
-            return _("The joint is {kind} already.").format(kind=kind)
+            return _("The joint is already {kind}.").format(kind=kind)
         edit = both(*(smooth_joint(curve.id, joint, kind) for joint in joints))
         if not self.apply(edit, _("Make it {kind}").format(kind=kind)):
             return ""
@@ -279,7 +281,7 @@ class CurveOperations(CurveCommands):
             joints = sorted({(k - 1) % count if around else k - 1 for k in points})
             inner = [joint for joint in joints if 0 <= joint < count - 1 or around]
             if not inner:
-                raise ValueError(_("An end of the curve is no joint; choose a point between two pieces."))
+                raise ValueError(_("An end of the curve is not a joint; choose a point between two pieces."))
             return inner
         u = parameter_at(curve, self.focus.u)
         ends = knots[1:] if around else knots[1:-1]

@@ -79,7 +79,7 @@ class CurvesPanel(SteppedPanel):
         for _name, _title, dock, _area in self.beside.parts():
             dock.installEventFilter(self)
         self.start(
-            _("Click on the canvas, point after point; Enter ends the curve."),
+            _("Click points on the canvas one after another; Enter ends the curve."),
             [
                 *self._show_rows(),
                 ("snap", _("Snap to pixels"), "magnet", "N", self._toggle_snap),
@@ -127,7 +127,9 @@ class CurvesPanel(SteppedPanel):
 
     def _toggle_snap(self) -> None:
         self.focus.snaps = not self.focus.snaps
-        self.hover_text.emit(_("Points snap to pixels.") if self.focus.snaps else _("Points do not snap."))
+        self.hover_text.emit(
+            _("Points now snap to pixels.") if self.focus.snaps else _("Points no longer snap.")
+        )
 
     def _double_click(self, x: float, y: float, _modifiers: object) -> None:
         """On the curve, at u too, a point is inserted; on a point or a tangent nothing more happens."""

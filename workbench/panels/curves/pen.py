@@ -164,7 +164,9 @@ class PenTool(FigureTool):
 
     def _place_text(self, place: Place) -> str:
         count = len(self._nodes)
-        return f"P{count} ({place[0]:g}, {place[1]:g})\n" + _("Enter ends, Backspace takes a point back")
+        return f"P{count} ({place[0]:g}, {place[1]:g})\n" + _(
+            "Enter ends the curve, Backspace removes the last point"
+        )
 
     def _grow(self, pointer: Place | None, closes: bool = False) -> None:
         nodes = [*self._nodes, Node(pointer)] if pointer is not None else list(self._nodes)

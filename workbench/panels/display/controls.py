@@ -5,16 +5,12 @@ from fractions import Fraction
 
 from msgspec.structs import replace
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QCheckBox,
     QComboBox,
-    QFrame,
-    QGridLayout,
     QHBoxLayout,
     QLabel,
-    QSizePolicy,
     QSlider,
     QToolButton,
     QWidget,
@@ -24,16 +20,16 @@ from workbench.display import VectorTiming, vector_displays
 from workbench.display.phosphor import Phosphor
 from workbench.display.setup import COLOUR_TUBE, phosphor_choices
 from workbench.language import _
-from workbench.panels.display.instruments import span_text
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.icons import icon
+from workbench.widgets.look.spans import span_text
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.tokens import theme
 
 _PER_DECADE = 20
-_WIDE_PX = 1180
 
 
 def phosphor_title(name: str) -> str:
@@ -54,24 +50,21 @@ class DisplayControls(QWidget):
         self._session = session
         self._showing = False
         self._buttons: list[tuple[QToolButton, str]] = []
-        self._narrow: bool | None = None
-        self._groups = [QWidget() for _group in range(6)]
+        flow = flowing(self)
         rows = []
-        for group in self._groups:
+        for _group in range(8):
+            group = QWidget()
             row = QHBoxLayout(group)
             row.setContentsMargins(0, 0, 0, 0)
             row.setSpacing(8)
             rows.append(row)
-        first, displays, numbers, time, meter, knobs = rows
-        self._grid = QGridLayout(self)
-        self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setSpacing(6)
-        self._grid.setHorizontalSpacing(16)
-        # The strip bends into three rows where it has no room, so it must not hold the window wide.
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+            flow.addWidget(group)
+        first, screens, displays, numbers, knobs, clock, time, meter = rows
         self._make_views(first)
         self.phosphor = self._combo(
-            first, _("Phosphor"), _("What the screen is coated with, and the time in which it decays to 10 %")
+            screens,
+            _("Phosphor"),
+            _("What the screen is coated with, and the time in which it decays to 10 %"),
         )
         for name in phosphor_choices():
             self.phosphor.addItem(phosphor_title(name), name)
@@ -80,8 +73,6 @@ class DisplayControls(QWidget):
         )
         for name in vector_displays():
             self.vector.addItem(VectorTiming.named(name).name, name)
-        first.addStretch(1)
-        displays.addStretch(1)
         self.refresh = NumberField(
             _("Refresh"), "Hz", low=1.0, high=240.0, step=1.0, meaning=_("Pictures per second")
         )
@@ -111,10 +102,9 @@ class DisplayControls(QWidget):
         numbers.addWidget(self.persistence)
         knobs.addWidget(self.brightness)
         knobs.addWidget(self.contrast)
-        knobs.addStretch(1)
+        self._make_steps(clock)
         self._make_time(time)
         self._make_meter(meter)
-        self._arrange(False)
         self.phosphor.activated.connect(lambda _i: self._set(phosphor=self.phosphor.currentData()))
         self.vector.activated.connect(lambda _i: self._set(vector_display=self.vector.currentData()))
         for field, name in (
@@ -134,8 +124,7 @@ class DisplayControls(QWidget):
         label = QLabel(name)
         label.setProperty("role", "muted")
         box = QComboBox()
-        box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        box.setMinimumContentsLength(15)
+        box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         box.setToolTip(meaning)
         tell_choice(box)
         box.setAccessibleName(name)
@@ -170,7 +159,7 @@ class DisplayControls(QWidget):
         self.views.idClicked.connect(lambda number: self._set(shown=self._shown[number]))
         row.addSpacing(8)
 
-    def _make_time(self, row: QHBoxLayout) -> None:
+    def _make_steps(self, row: QHBoxLayout) -> None:
         self.pause = self._button(row, "pause", _("Pause"), _("Hold the tube's time (or let it run on)"))
         self.pause.setCheckable(True)
         self.pause.clicked.connect(lambda on: self._set(paused=on))
@@ -182,9 +171,8 @@ class DisplayControls(QWidget):
         )
         self.line.clicked.connect(lambda: self._step("line"))
         self.pixel.clicked.connect(lambda: self._step("pixel"))
-        mark = QFrame()
-        mark.setFrameShape(QFrame.Shape.VLine)
-        row.addWidget(mark)
+
+    def _make_time(self, row: QHBoxLayout) -> None:
         label = QLabel(_("Slow motion"))
         label.setProperty("role", "muted")
         row.addWidget(label)
@@ -193,7 +181,7 @@ class DisplayControls(QWidget):
         self.slow.setPageStep(_PER_DECADE)
         self.slow.setTickInterval(_PER_DECADE)
         self.slow.setTickPosition(QSlider.TickPosition.TicksBelow)
-        self.slow.setMinimumWidth(170)
+        self.slow.setMinimumWidth(120)
         self.slow.setAccessibleName(_("Slow motion"))
         self.slow.setToolTip(
             _("How many times slower the tube runs, from 1 to 1,000,000; one mark is a factor of 10")
@@ -206,7 +194,6 @@ class DisplayControls(QWidget):
         row.addWidget(self.factor)
 
     def _make_meter(self, row: QHBoxLayout) -> None:
-        row.addStretch(1)
         self.flicker = QLabel()
         self.flicker.setProperty("role", "muted")
         self.flicker.setToolTip(
@@ -227,31 +214,6 @@ class DisplayControls(QWidget):
     def show_calm(self) -> None:
         """Whether flicker is held still."""
         self.calm.setChecked(comfort.calm)
-
-    def _arrange(self, narrow: bool) -> None:
-        if narrow == self._narrow:
-            return
-        self._narrow = narrow
-        views, displays, numbers, time, meter, knobs = self._groups
-        wide_places = (
-            *((views, 0, 0), (displays, 0, 1), (numbers, 0, 2)),
-            *((time, 1, 0, 1, 2), (meter, 1, 2), (knobs, 2, 0)),
-        )
-        narrow_places = (
-            *((views, 0, 0), (numbers, 0, 1), (time, 1, 0, 1, 2)),
-            *((displays, 2, 0), (meter, 2, 1), (knobs, 3, 0, 1, 2)),
-        )
-        for group in self._groups:
-            self._grid.removeWidget(group)
-        for widget, *place in narrow_places if narrow else wide_places:
-            self._grid.addWidget(widget, *place)
-        self._grid.setColumnStretch(0, 1 if narrow else 0)
-        self._grid.setColumnStretch(1, 0 if narrow else 1)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Two rows where there is room, else three."""
-        super().resizeEvent(event)
-        self._arrange(event.size().width() < _WIDE_PX)
 
     def _colour_icons(self) -> None:
         for button, name in self._buttons:

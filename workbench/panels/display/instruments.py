@@ -6,23 +6,18 @@ import numpy as np
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
+from workbench.display.flicker import light_over_refresh
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.vector_beam import VectorBeam
-from workbench.display.waveforms import Waveforms, light_of_hits, nearest_pass, waveforms
+from workbench.display.waveforms import Waveforms, nearest_pass, waveforms
 from workbench.language import _
+from workbench.widgets.look.spans import span_text
 from workbench.widgets.plots.trace_plot import TracePlot
 from workbench.widgets.tube.view import TubeView
 
 _REFRESH_MS = 90
 _LINES_SHOWN = 2
-
-
-def span_text(seconds: float) -> str:
-    """A time with the unit that keeps it readable."""
-    for factor, unit in ((1 / 3600, "h"), (1 / 60, "min"), (1.0, "s"), (1e3, "ms"), (1e6, "us"), (1e9, "ns")):
-        if seconds * factor >= 1.0:
-            return f"{seconds * factor:.3g} {unit}".replace("us", "\N{MICRO SIGN}s")
-    return f"{seconds * 1e12:.3g} ps"
+_LIGHT_STEPS = 240
 
 
 class TubeInstruments(QWidget):
@@ -128,8 +123,11 @@ class TubeInstruments(QWidget):
         if hit is None:
             self.light.show_words(_("The beam is dark at ({x}, {y}).").format(x=pixel[0], y=pixel[1]))
             return
-        seconds = np.linspace(0.0, float(period), 240)
-        light = light_of_hits(tube.driver.tube.guns[0], float(period), seconds - hit)
+        # From hit to hit, cut where the picture begins
+        after, light = light_over_refresh(tube.driver.tube.guns[0], float(period), _LIGHT_STEPS)[:-1].T
+        seconds = np.mod(after + hit, float(period))
+        order = np.argsort(seconds)
+        seconds, light = seconds[order], light[order]
         span = _("({x}, {y}), 1 picture, {time}").format(
             x=pixel[0], y=pixel[1], time=span_text(float(period))
         )

@@ -2,11 +2,11 @@
 
 from fractions import Fraction
 
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from workbench.display.flicker import critical_frequency_hz, modulation
 from workbench.display.raster_beam import RasterBeam
+from workbench.display.refresh_limit import needed_hz
 from workbench.language import _
 from workbench.panels.display.controls import DisplayControls
 from workbench.panels.display.instruments import TubeInstruments
@@ -15,9 +15,10 @@ from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering import unshown
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.flow_layout import FlowArea
 from workbench.widgets.tube.view import TubeView
 
-_EYE_CD_M2 = 100.0
+_SIDE_PX = 12
 
 
 class TubesPage(PlainPage, QWidget):
@@ -38,9 +39,10 @@ class TubesPage(PlainPage, QWidget):
         self.tubes.addWidget(self.raster)
         self.tubes.addWidget(self.vector)
         whole = QVBoxLayout(self)
-        whole.setContentsMargins(12, 8, 12, 8)
+        whole.setContentsMargins(_SIDE_PX, 8, _SIDE_PX, 8)
         whole.setSpacing(8)
-        whole.addWidget(self.controls)
+        self.strip = FlowArea(self.controls)
+        whole.addWidget(self.strip)
         whole.addLayout(self.tubes, 1)
         whole.addWidget(self.note)
         whole.addWidget(self.instruments)
@@ -55,6 +57,11 @@ class TubesPage(PlainPage, QWidget):
         self._said = ""
         self.raster.shown.connect(self._probe_something)
         self._show_state()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The strip has the rows that it needs."""
+        super().resizeEvent(event)
+        self.strip.fit(event.size().width() - 2 * _SIDE_PX, event.size().height())
 
     def copy(self) -> bool:
         """Put the tube that is measured, as it glows now, on the clipboard."""
@@ -128,8 +135,7 @@ class TubesPage(PlainPage, QWidget):
         tube = self.instruments.tube
         if tube is None or tube.driver is None:
             return ""
-        strongest = max(modulation(gun, 1.0 / tube.refresh_hz) for gun in tube.driver.tube.guns)
-        fusion = critical_frequency_hz(_EYE_CD_M2, strongest)
+        fusion = needed_hz(tube.driver.tube.guns, 1.0 / tube.refresh_hz)
         words = _("flickers") if tube.refresh_hz < fusion else _("steady")
         said = _("{words}: {rate:.3g} Hz, fuses from {fusion:.0f} Hz").format(
             words=words, rate=tube.refresh_hz, fusion=fusion

@@ -53,7 +53,7 @@ class FillCard(ParameterCard):
         self.limit.scrubbed.connect(lambda value: self._put("recursion_limit", int(value), "scrub"))
         self.limit.scrub_ended.connect(self._session.end_merge)
         self.heat = QCheckBox(_("Tests of each pixel"))
-        self.heat.setToolTip(_("Colours and numbers the pixels by the tests made of them so far"))
+        self.heat.setToolTip(_("Colours and numbers each pixel by how often it has been tested so far"))
         self.heat.toggled.connect(self.heat_changed)
         self.note = QLabel()
         self.note.setWordWrap(True)

@@ -57,7 +57,7 @@ class FillPanel(SteppedPanel):
             session, self.canvas, self.second, card, self.plot, self.inside, self.refresh_soon
         )
         self.start(
-            _("Click corner after corner to draw a polygon; Enter closes it."),
+            _("Click the corners of a polygon one after another; Enter closes it."),
             [("heat", _("How often each pixel was tested"), "thermometer", "H", card.heat.toggle)],
         )
 

@@ -231,7 +231,7 @@ def seed_problem(
     if stops_at_boundary(algorithm) and found == sheet.palette[boundary]:
         return _("The seed ({x}, {y}) is on the boundary: put it inside the region.").format(x=x, y=y)
     if found == sheet.palette[fill]:
-        text = _("The seed ({x}, {y}) has the fill's colour already: choose another colour or place.")
+        text = _("The seed ({x}, {y}) already has the fill colour: choose another colour or place.")
         return text.format(x=x, y=y)
     return ""
 

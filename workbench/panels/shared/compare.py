@@ -73,7 +73,12 @@ class CompareView(QWidget):
         self.first, self.second = QComboBox(), QComboBox()
         for box, name, tip, choose in (
             (self.first, _("First algorithm"), _("The algorithm that is stepped"), self._choose_first),
-            (self.second, _("Second algorithm"), _("What it is compared with, in step"), self._choose_second),
+            (
+                self.second,
+                _("Second algorithm"),
+                _("The algorithm it is compared with, in step"),
+                self._choose_second,
+            ),
         ):
             box.setAccessibleName(name)
             box.setToolTip(tip)
@@ -83,7 +88,7 @@ class CompareView(QWidget):
             tell_choice(box)
             box.activated.connect(choose)
         self.whole = QCheckBox(_("Whole sheet"))
-        self.whole.setToolTip(_("Count every figure of the sheet that the algorithm works on"))
+        self.whole.setToolTip(_("Count over every figure of the sheet that the algorithm can draw"))
         self.whole.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.whole.toggled.connect(self.refresh)
         self.model = CompareModel(self)
@@ -250,19 +255,19 @@ class CompareView(QWidget):
         said = [work.stopped for work in (outcome.first, outcome.second) if work is not None and work.stopped]
         _now, second, others = self._entries()
         if outcome.second is None and second:
-            said.append(_("Counting what both do ..."))
+            said.append(_("Counting the work of both ..."))
         elif outcome.second is None:
             said += [_("Choose a second algorithm to see both side by side.")] if others else []
         else:
             said.append(_summary(outcome))
         here = [_position(run) for run in self._runs if run.entry is not None]
         if len(here) == 2 and session.run.position:
-            said.append(_("In step now: {first}; {second}.").format(first=here[0], second=here[1]))
+            said.append(_("Now in step: {first}; {second}.").format(first=here[0], second=here[1]))
         self.note.setText(" ".join(said))
 
     def _failed(self, problem: str) -> None:
         self.note.setText(
-            _("The counts could not be made: {problem}. The picture is kept.").format(problem=problem)
+            _("The work could not be counted: {problem}. The picture is kept.").format(problem=problem)
         )
 
     def content(self) -> Table:

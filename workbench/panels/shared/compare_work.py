@@ -44,8 +44,8 @@ def table_rows(outcome: Outcome) -> list[ComparedCount]:
     if first.deepest or (second is not None and second.deepest):
         rows.append((_("Largest stack"), first.deepest, second.deepest if second is not None else ""))
     if second is not None and outcome.classes is not None:
-        rows.append((_("Only this one"), outcome.only_first, outcome.only_second))
-        rows.append((_("Both alike"), outcome.both, outcome.both))
+        rows.append((_("This one only"), outcome.only_first, outcome.only_second))
+        rows.append((_("The same"), outcome.both, outcome.both))
         if outcome.ties:
             rows.append((_("Ties"), outcome.ties, outcome.ties))
     return rows

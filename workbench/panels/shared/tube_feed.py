@@ -10,15 +10,17 @@ from PySide6.QtCore import QObject, QTimer
 from workbench.display.monitor import Knobs
 from workbench.display.setup import TubeSetup, too_many_pixels
 from workbench.document.model import AnyFigure, Sheet
-from workbench.document.state import LONGEST_TIME_S, TubeSettings
+from workbench.document.state import LONGEST_TIME_S, Look, TubeSettings, as_seen
 from workbench.panels.stage.picture import without
-from workbench.rendering import display_list, frame_buffer
+from workbench.rendering import display_list
+from workbench.rendering.scene.backdrop import can_be_lit, whole_picture
 from workbench.rendering.scene.line_drawing import scene_strokes
 from workbench.session.session import Session
 from workbench.widgets.tube.refusal import Refusal
 from workbench.widgets.tube.view import TubeView
 
 _SETTLE_MS = 120
+_LIGHT_MS = 500
 _NOTHING = np.zeros((3, 4), np.uint32)
 
 
@@ -49,13 +51,15 @@ class TubeFeed(QObject):
     def __init__(self, session: Session, views: list[TubeView], parent: QObject) -> None:
         super().__init__(parent)
         self._session, self._views = session, views
-        self._fed: dict[TubeView, tuple[Sheet, AnyFigure | None]] = {}
+        self._fed: dict[TubeView, tuple[Sheet, AnyFigure | None, Look | None, bool, object]] = {}
         self._refusals = {view: Refusal(view) for view in views}
         self._times = dict.fromkeys(views, 0.0)
         self._resting = QTimer(self)
         self._resting.setSingleShot(True)
         self._resting.setInterval(_SETTLE_MS)
         self._resting.timeout.connect(self.feed)
+        self._lighting = QTimer(self, singleShot=True, interval=_LIGHT_MS)
+        self._lighting.timeout.connect(self.feed)
         session.changed.connect(self._changed)
         for told in (session.state_changed, session.run.asked, session.unfolding.grown):
             told.connect(self.feed)
@@ -84,28 +88,42 @@ class TubeFeed(QObject):
         session = self._session
         return session.shown_figure if session.run.ask_first and not session.run.ended else None
 
+    @property
+    def _scanned(self) -> object:
+        """What beside the sheet decides what a raster tube is given, to be compared."""
+        return None
+
+    def _scan(self, view: TubeView, sheet: Sheet) -> None:
+        """Give a raster tube the picture of a sheet."""
+        refused = too_many_pixels((sheet.width_px, sheet.height_px))
+        self._refusals[view].say(refused)
+        view.set_image(_NOTHING if refused else whole_picture(sheet))
+
     def feed(self) -> None:
         """Bring every visible view up to date."""
         sheet, settings, asked = self._session.shown, self._session.state.tube, self._asked
+        scanned = self._scanned
+        look, lit = self._session.state.looks.get(sheet.id), can_be_lit(sheet)
+        if not lit and any(view.sight.now for view in self._views):
+            self._lighting.start()
         setup = setup_of(settings)
         for view in self._views:
             if not view.sight.now:
                 continue
             view.set_setup(setup)
+            view.set_slow_motion(settings.slow_motion)
+            view.set_paused(settings.paused)
             if settings.time_s != self._times[view]:
                 self._times[view] = settings.time_s
                 view.set_seconds(Fraction(settings.time_s))
-            view.set_slow_motion(settings.slow_motion)
-            view.set_paused(settings.paused)
             fed = self._fed.get(view)
-            if fed is not None and fed[0] is sheet and fed[1] is asked:
+            shaped = look, lit, scanned
+            if fed is not None and fed[0] is sheet and fed[1] is asked and fed[2:] == shaped:
                 continue
-            self._fed[view] = sheet, asked
-            shown = sheet if asked is None else without(sheet, asked)
+            self._fed[view] = sheet, asked, *shaped
+            shown = as_seen(self._session.state, sheet if asked is None else without(sheet, asked))
             if view.kind == "raster":
-                refused = too_many_pixels((sheet.width_px, sheet.height_px))
-                self._refusals[view].say(refused)
-                view.set_image(_NOTHING if refused else frame_buffer(shown))
+                self._scan(view, shown)
             else:
                 strokes = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(shown)]
                 strokes += scene_strokes(shown)

@@ -125,9 +125,9 @@ class WhyList(QWidget):
             self.caption.setText(f"<b>({x}, {y})</b><br>" + html.escape(said).replace("\n", "<br>"))
             return
         count = len(answers)
-        text = ngettext("{n} step came to it.", "{n} steps came to it.", count)
+        text = ngettext("{n} step reached it.", "{n} steps reached it.", count)
         if count == MOST:
-            text = _("The last {n} steps that came to it.")
+            text = _("The last {n} steps that reached it.")
         self.caption.setText(f"<b>({x}, {y})</b> " + text.format(n=count))
         for answer in answers:
             self.list.addItem(self._item(sheet, answer))
@@ -137,7 +137,7 @@ class WhyList(QWidget):
         title = _(catalogue.get(figure.drawn_with).title)
         verb = {"wrote": _("wrote it"), "tested": _("tested it"), "refused": _("refused it")}[answer.verb]
         if answer.stands:
-            verb = _("wrote it, and its colour stands")
+            verb = _("wrote it, and its colour remains")
         where = _("Step {n}").format(n=answer.step) if answer.step else _("Before the first step")
         head = f"{where}: {figure.name or kind_title(figure)}, {title}, {verb}."
         item = QListWidgetItem(icon(*_ICONS[answer.verb]), f"{head}\n{answer.sentence}".strip())

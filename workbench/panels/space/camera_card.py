@@ -69,7 +69,7 @@ class CameraCard(QFrame):
         self._looking = looking
         self.kind = QComboBox()
         self.kind.setAccessibleName(_("Projection"))
-        self.kind.setToolTip(_("How the scene is brought to the view plane"))
+        self.kind.setToolTip(_("How the scene is projected onto the view plane"))
         self._fill()
         self.kind.activated.connect(lambda index: self.chosen.emit(self.kind.itemData(index)))
         self._body = QWidget()
@@ -114,10 +114,12 @@ class CameraCard(QFrame):
         self.note = QLabel()
         self.note.setProperty("role", "muted")
         self.keep = QPushButton(_("Keep this view"))
-        self.keep.setToolTip(_("The document keeps its own view; write where you look from into it"))
+        self.keep.setToolTip(
+            _("Write where you are looking from into the document, which keeps its own view until then")
+        )
         self.keep.clicked.connect(lambda: self.said.emit(looking.keep()))
         self.back = QPushButton(_("Back to the track"))
-        self.back.setToolTip(_("See the scene by its own camera again, which moves"))
+        self.back.setToolTip(_("See the scene through its own moving camera again"))
         self.back.clicked.connect(lambda: self.said.emit(looking.look(None)))
         column_ = QVBoxLayout(self)
         column_.setContentsMargins(8, 6, 6, 6)

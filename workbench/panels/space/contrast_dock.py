@@ -10,11 +10,11 @@ from workbench.document.scene.model import Camera, Scene
 from workbench.exchange.tables import Table
 from workbench.geometry.meshes import Array
 from workbench.language import _, reason_of
-from workbench.panels.space.feature_table import FeatureTable
 from workbench.rendering.scene.contrast import Contrast, Row, contrast
 from workbench.widgets.look.empty_state import EmptyState
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.scrolled import scrolled
+from workbench.widgets.tables.feature_table import FeatureTable
 
 _PARALLEL, _PERSPECTIVE = 1, 2
 _TELLING_ROW = 2
@@ -74,7 +74,10 @@ class ContrastDock(QWidget):
         scene = self._scene
         if scene is None:
             return
-        now, without = None, _("No edge of the scene is before the camera, so there is nothing to measure.")
+        now, without = (
+            None,
+            _("No edge of the scene is in front of the camera, so there is nothing to measure."),
+        )
         try:
             now = contrast(self._as_begun(scene))
         except ValueError as error:

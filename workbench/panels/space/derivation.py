@@ -190,9 +190,10 @@ def similar_lines(d: float, point: InView) -> list[str]:
     ]
     if not point.z > 0:
         lines.append(
-            _("$w = {z} / {d}$ is not positive: there is no image, the point is not before the eye.").format(
-                z=z, d=shown_d
-            )
+            _(
+                "$w = {z} / {d}$ is not positive: there is no image, since the point is not in "
+                "front of the eye."
+            ).format(z=z, d=shown_d)
         )
         return lines
     w = point.z / d

@@ -62,7 +62,7 @@ class NamedViewsDock(QWidget):
         self.menu = QMenu(self.list.accessibleName(), self)
         self.menu.aboutToShow.connect(self._fill_menu)
         self.empty = EmptyState(self.list, _("No view has a name yet."), self.keep.text())
-        self.empty.button.setToolTip(_("Keep what is seen now, to come back to it"))
+        self.empty.button.setToolTip(_("Keep this view, to come back to it later"))
         self.empty.wanted.connect(self.name_view)
         self.add = QPushButton(self.keep.text())
         self.add.setToolTip(self.empty.button.toolTip())

@@ -22,8 +22,11 @@ from workbench.document.fields import Number, numbers_of
 from workbench.document.scene.edits import add_link, remove_link, set_link, set_solid_parameter
 from workbench.document.scene.links import AnyLink3D
 from workbench.document.scene.model import Object
+from workbench.document.subjects import Subject
 from workbench.language import _
 from workbench.panels.space.solids_offered import link_title, links
+from workbench.rendering.scene.solid_octree import OCTREE, placed_solid
+from workbench.rendering.subjects.visibility import KIND
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
@@ -71,7 +74,7 @@ class ObjectFields(QScrollArea):
     def _add_fields(self, column: QVBoxLayout, thing: Object) -> None:
         if thing.solid.equation:
             equation = QLabel(thing.solid.equation)
-            equation.setToolTip(_("The equation of the surface that the faces come near to"))
+            equation.setToolTip(_("The equation of the surface that the faces approximate"))
             equation.setAccessibleName(_("Equation: {equation}").format(equation=thing.solid.equation))
             equation.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             equation.setWordWrap(True)
@@ -86,8 +89,8 @@ class ObjectFields(QScrollArea):
             title.setStyleSheet("font-weight: 600;")
             remove = QToolButton()
             set_icon(remove, "trash", "muted")
-            remove.setToolTip(_("Take this transform away"))
-            remove.setAccessibleName(_("Take this transform away"))
+            remove.setToolTip(_("Remove this transform"))
+            remove.setAccessibleName(_("Remove this transform"))
             edit, name = remove_link(thing.id, link.id), _("Remove the transform")
             remove.clicked.connect(partial(self._apply, edit, name))
             head.addWidget(title, 1)
@@ -97,8 +100,13 @@ class ObjectFields(QScrollArea):
             for at, (name, number) in enumerate(numbers_of(type(link)).items()):
                 label = number.symbol or number.label
                 grid.addWidget(self._field(f"{link.id}/{name}", number, label), at // 2, at % 2)
+        if placed_solid(thing) is not None:
+            octree = QPushButton(_("Divide into an octree"))
+            octree.setToolTip(_("Step how the solid is divided into cubes, on the page Visibility"))
+            octree.clicked.connect(partial(self._divide, thing.id))
+            column.addWidget(octree, 0, Qt.AlignmentFlag.AlignLeft)
         add = QPushButton(_("Add a transform"))
-        add.setToolTip(_("Move, turn or stretch the object, after what is there already"))
+        add.setToolTip(_("Move, rotate or scale the object, after the transforms it already has"))
         menu = QMenu(add)
         for title_, link in links():
             menu.addAction(title_, partial(self._add, thing.id, link))
@@ -148,6 +156,12 @@ class ObjectFields(QScrollArea):
             self._session.apply(edit, _("Change value"), merge)
         except DocumentError as problem:
             self.fields[name].refuse(problem.short, float(now))
+
+    def _divide(self, thing: str, *_checked: object) -> None:
+        """Step the octree of the object."""
+        subject = Subject(KIND, (thing,), OCTREE)
+        self._session.visit(KIND, subject)
+        self._session.update_state(subject=subject, step=0)
 
     def _add(self, thing: str, link: AnyLink3D) -> None:
         self._apply(add_link(thing, link), _("Add a transform"))

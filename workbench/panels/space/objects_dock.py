@@ -87,7 +87,7 @@ class ObjectsDock(QWidget):
         menu.addSeparator()
         self._swept = {
             "extrude": menu.addMenu(_("Extrude a figure")),
-            "turn": menu.addMenu(_("Turn a figure")),
+            "turn": menu.addMenu(_("Revolve a figure")),
         }
         menu.aboutToShow.connect(self._fill_swept)
         self.add.setMenu(menu)

@@ -14,7 +14,7 @@ def pages() -> tuple[PageRow, ...]:
         PageRow(
             "space",
             _("Projection"),
-            _("How the scene comes into the picture: projections, their matrices, vanishing points"),
+            _("How the scene gets into the picture: projections, their matrices, vanishing points"),
             "workbench.panels.space.projection_page:ProjectionPage",
         ),
         PageRow(

@@ -37,7 +37,7 @@ def sentence_of(shows: Shows) -> str:
     return {
         "both": _("Faces and edges are shown."),
         "edges": _("All edges are shown, hidden ones too."),
-        "lines": _("Edges are shown as far as no face hides them."),
+        "lines": _("Edges are shown where no face hides them."),
         "faces": _("Faces are shown without their edges."),
     }[shows]
 

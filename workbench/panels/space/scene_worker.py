@@ -151,7 +151,7 @@ def _draw(job: SceneJob, turn: _Turn) -> SceneAnswer:
     except ValueError as error:
         return SceneAnswer(job, problem=reason_of(error))
     except MemoryError:
-        sentence = _("The scene takes more memory than there is; make the picture or a solid smaller.")
+        sentence = _("There is not enough memory for this scene; make the picture or a solid smaller.")
     except Exception:
         sentence = _("Something in the program failed while this scene was drawn.")
         threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))

@@ -16,7 +16,9 @@ class SteppingChoice(QComboBox):
         self._session = session
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.setAccessibleName(_("What is stepped"))
-        self.setToolTip(_("Step a vertex on its way into the picture, or its object clipped to what is seen"))
+        self.setToolTip(
+            _("Step a vertex on its way into the picture, or the clipping of its object to the view volume")
+        )
         self.activated.connect(self._choose)
 
     def refresh(self) -> None:

@@ -54,7 +54,7 @@ def outline_of(sheet: Sheet, figure: AnyFigure) -> NDArray[np.float64]:
     flat = flat[:: -(-len(flat) // _MOST_POINTS)] if len(flat) else flat
     spread = np.ptp(flat, axis=0) if len(flat) > 2 else np.zeros(2)
     if not (spread > 0).all():
-        raise ValueError(_("This figure has no outline with an area; choose a polygon or a curve."))
+        raise ValueError(_("This figure does not enclose an area; choose a polygon or a curve."))
     low = flat.min(axis=0)
     swept: NDArray[np.float64] = (flat - low - spread / 2) * (_SIZE / spread.max())
     return swept

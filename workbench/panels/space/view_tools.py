@@ -163,7 +163,7 @@ def tools_of(page: "Viewing") -> list[Tool]:
         *(Tool(side, title, "", key, partial(page.face, side)) for side, title, key in sides),
         Tool("isometric", _("Look from (1, 1, 1), isometric"), "", "", partial(page.glance, "isometric")),
         Tool("switch", _("Perspective or parallel"), "", "(5)", page.switch),
-        Tool("trackball", _("Turn freely, as a trackball"), "", "", page.switch_trackball, False),
+        Tool("trackball", _("Rotate freely, like a trackball"), "", "", page.switch_trackball, False),
         Tool("z_towards_eye", _("z towards the eye, as in the book"), "", "", page.switch_z, False),
         Tool("keep", _("Keep this view"), "", "", page.keep),
     ]

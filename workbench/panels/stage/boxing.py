@@ -272,7 +272,7 @@ class Boxing(QObject):
         """Do ``linear`` (2, 2) about the pivot on the device."""
         extent = self.extent()
         if extent is None:
-            self.said.emit(_("Select something that is seen first."))
+            self.said.emit(_("Select something visible first."))
             return
         self.follow()
         pivot = self._pivot or ((extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2)

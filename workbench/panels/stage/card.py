@@ -113,7 +113,7 @@ class ParameterCard(FoldingCard):
         self.compare.setToolTip(_("A second algorithm on the same input"))
         self.compare.activated.connect(self._choose_compare)
         self.side_by_side = QCheckBox(_("Side by side"))
-        self.side_by_side.setToolTip(_("Two pictures instead of one over the other"))
+        self.side_by_side.setToolTip(_("Two pictures side by side instead of one on top of the other"))
         self.side_by_side.toggled.connect(self.side_by_side_changed)
         self.summary = QLabel()
         self.summary.setTextFormat(Qt.TextFormat.RichText)

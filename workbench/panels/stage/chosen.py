@@ -68,5 +68,5 @@ class ChosenFigures(PlainPanel):
             return False
         freed = sum(figure.group in groups for figure in self.session.sheet.figures)
         self.apply(ungroup_figures([figure.id for figure in figures]), _("Ungroup"))
-        self.hover_text.emit(_("Each of the {n} figures is by itself again.").format(n=freed))
+        self.hover_text.emit(_("Each of the {n} figures is on its own again.").format(n=freed))
         return True

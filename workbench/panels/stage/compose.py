@@ -69,7 +69,7 @@ def painted(run: Run, count: int) -> Cells:
     """The pixels (n, 2) of the first ``count`` rows that the run emitted, spans spread out."""
     if run.recording is None or run.entry is None or count == 0:
         return np.empty((0, 2), np.int64)
-    if run.entry.emits in ("points", "segments", "cells"):
+    if run.entry.emits in ("points", "segments", "cells", "cubes"):
         return np.empty((0, 2), np.int64)
     width, height = run.image_size
     return pixels(run.entry, run.recording.emitted.array(0, count), (0, width - 1, 0, height - 1))

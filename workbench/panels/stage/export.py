@@ -87,7 +87,7 @@ class Exporter(QObject):
         def page(number: int) -> Paintable:
             if self._what_is_shown() != begun:
                 raise ChangedError(
-                    _("The picture was changed before all its steps were written; nothing was written.")
+                    _("The picture changed before all its steps were written, so nothing was written.")
                 )
             return self.page(number)
 

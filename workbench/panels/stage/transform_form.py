@@ -46,7 +46,7 @@ class TransformForm(QWidget):
             field.edited.connect(lambda _value: self._put_pivot())
             field.scrubbed.connect(lambda _value: self._put_pivot())
             grid.addWidget(field, len(_ROWS), column)
-        self.hint = QLabel(_("Each number acts once, about the pivot."))
+        self.hint = QLabel(_("Each number is applied once, about the pivot."))
         self.hint.setWordWrap(True)
         self.hint.setProperty("role", "muted")
         whole = QVBoxLayout(self)

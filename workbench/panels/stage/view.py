@@ -180,7 +180,7 @@ class FigureView:
             (now.agreement, "■", _("{n} pixels agree").format(n=len(result.both))),
             (now.data[0], "◪", _("{n} only {title}").format(n=len(result.only_first), title=first)),
             (now.data[1], "⬔", _("{n} only {title}").format(n=len(result.only_second), title=second)),
-            (now.muted, "◈", _("{n} ties: exactly half way").format(n=result.ties)),
+            (now.muted, "◈", _("{n} ties: exactly halfway").format(n=result.ties)),
         ]
         return "<br>".join(f'<span style="color:{ink}">{mark}</span> {text}' for ink, mark, text in lines)
 

@@ -28,7 +28,7 @@ class TransformCard(ParameterCard):
         for button, text, tip in (
             (self.points, _("Move points"), _("The chain moves the figure; the axes stay")),
             (self.axes, _("the axes"), _("The chain moves the axes; the figure gets new coordinates")),
-            (self.both, _("both"), _("The points moved, and beside them the axes moved by the same chain")),
+            (self.both, _("both"), _("The points moved, and next to them the axes moved by the same chain")),
         ):
             button.setText(text)
             button.setCheckable(True)
@@ -42,7 +42,7 @@ class TransformCard(ParameterCard):
         self.ghosts = QCheckBox(_("Ghosts of every stage"))
         self.ghosts.setChecked(True)
         self.ghosts.setToolTip(_("The figure after each matrix of the chain, with its number"))
-        self.reversed = QCheckBox(_("The other order beside it"))
+        self.reversed = QCheckBox(_("The opposite order beside it"))
         self.reversed.setToolTip(_("A second picture with the links of the chain in the opposite order"))
         self.reversed.toggled.connect(self._give_way)
         self.both.toggled.connect(self._give_way)

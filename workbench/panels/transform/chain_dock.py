@@ -114,7 +114,7 @@ class ChainDock(Ground):
         self._thing = thing
         chain = () if thing is None else thing.transforms
         told = self._edits.stages(chain)
-        note = f'<span style="color:{tokens().muted}">{_("acts from the top down")}</span>'
+        note = f'<span style="color:{tokens().muted}">{_("applied from the top down")}</span>'
         self.heading.setText(f"<b>{_('Chain')}</b> {note if chain else ''}")
         self.add.setEnabled(thing is not None)
         self.sentence.setText(self._edits.none if thing is None else self._edits.bare)
@@ -126,7 +126,10 @@ class ChainDock(Ground):
             card.show_link(link, told.get(link.id, []), count, lit)
         whole = thing is not None and is_singular(thing.matrix) and not any(map(complaint_of, chain))
         self.trouble.setText(
-            _("Together the links flatten the figure, so handles are gone; change or switch off one.")
+            _(
+                "Together the links flatten the figure, so it has no handles; change or switch "
+                "off one of them."
+            )
             if whole
             else ""
         )

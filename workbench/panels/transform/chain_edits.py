@@ -82,7 +82,7 @@ class FigureChain:
     """The chain of a figure."""
 
     none = _("Draw or select a figure to transform it.")
-    bare = _("This figure stands as it was drawn.")
+    bare = _("This figure is as it was drawn.")
 
     def offers(self) -> Sequence[Offer]:
         """Every kind, mirrors in the usual lines too."""
@@ -132,7 +132,7 @@ class ObjectChain:
     """The chain of an object of the scene."""
 
     none = _("Add an object in Space, or show an example, to transform it.")
-    bare = _("This object stands as it was made.")
+    bare = _("This object is as it was made.")
 
     def offers(self) -> Sequence[Offer]:
         """Every kind, the axes and planes of the frame by their names."""

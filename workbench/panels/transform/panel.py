@@ -294,7 +294,7 @@ class TransformPanel(SteppedPanel):
         if slug in self.session.choices_of():
             self.session.choose(slug)
         else:
-            self.hover_text.emit(_("One matrix alone has nothing to be multiplied with; add a link first."))
+            self.hover_text.emit(_("A single matrix has nothing to be multiplied by; add a link first."))
 
     def _next_vertex(self) -> None:
         figure = self.session.active_figure

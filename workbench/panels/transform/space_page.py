@@ -44,7 +44,7 @@ class SpacePage(QWidget):
         self.matrices.said.connect(self.said)
         self.matrices.fit_wanted.connect(self._fit)
         self.view.next_wanted.connect(self.next_vertex)
-        self.empty = EmptyState(self.view, _("Nothing stands in space yet."), self.show_example)
+        self.empty = EmptyState(self.view, _("There is nothing in space yet."), self.show_example)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(1)

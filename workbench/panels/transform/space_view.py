@@ -38,7 +38,7 @@ class SpaceView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(200, 120)
         self.setToolTip(
-            _("Drag to look round the object; arrows turn the view, Enter follows the next vertex")
+            _("Drag to look around the object; arrows turn the view, Enter follows the next vertex")
         )
         self.setCursor(Qt.CursorShape.OpenHandCursor)
         theme.changed.connect(self.update)
@@ -186,7 +186,7 @@ class SpaceView(QWidget):
 
     def _paint_legend(self, painter: QPainter, scene: SpaceScene) -> None:
         """Which line is what, in the corner."""
-        rows = [("muted", "solid", _("as it was made")), ("data1", "solid", _("under the whole chain"))]
+        rows = [("muted", "solid", _("as it was made")), ("data1", "solid", _("after the whole chain"))]
         if scene.stage is not None:
             rows.insert(1, ("data2", "dash", _("after this step")))
         if scene.axis is not None:

@@ -72,7 +72,7 @@ class StageRow(QFrame):
         row.addWidget(self.numbers, 5)
         row.addWidget(self.words, 6)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.setToolTip(_("Lights the matrix and the figure of this stage"))
+        self.setToolTip(_("Highlights the matrix and the figure of this stage"))
         self.tell(symbols, numbers, words)
 
     def tell(self, symbols: str, numbers: str, words: str) -> None:

@@ -76,11 +76,11 @@ def parts_told(parts: Parts) -> str:
 def lost(parts: Parts) -> str:
     """What cannot be seen any more of the figure; empty where nothing is lost."""
     if parts.loss.rank == 0:
-        return _("Every point comes to lie on one place: nothing of the figure is left.")
+        return _("Every point lands in one place: nothing of the figure is left.")
     if parts.loss.rank == 1:
-        return _("Every point comes to lie on one line: how far it lay from that line is lost.")
+        return _("Every point lands on one line: its distance from that line is lost.")
     if parts.loss.mirrored:
-        return _("The factor of y is negative: the figure is mirrored, left and right have changed places.")
+        return _("The factor of y is negative: the figure is mirrored, so left and right are exchanged.")
     return ""
 
 
@@ -155,9 +155,9 @@ class WholeDock(Ground):
         self.space_told.setText(
             ""
             if point is None
-            else _("{point} is written ({x}, {y}, 1), and so are all its multiples, (2x, 2y, 2) too.").format(
-                point=place_text(*point), x=displayed(point[0]), y=displayed(point[1])
-            )
+            else _(
+                "{point} is written ({x}, {y}, 1), or as any multiple of that, such as (2x, 2y, 2)."
+            ).format(point=place_text(*point), x=displayed(point[0]), y=displayed(point[1]))
         )
 
 
@@ -186,7 +186,7 @@ def _image(whole: Matrix, point: tuple[float, float]) -> tuple[float, float]:
 
 def _backwards(chain: Sequence[Stage], there: bool) -> str:
     if not there:
-        return _("This chain flattens the figure: no matrix brings it back.")
+        return _("This chain flattens the figure: no matrix can undo it.")
     if len(chain) > 1:
         return _("The inverses of the matrices, the last one undone first.")
     return ""

@@ -104,7 +104,7 @@ class ViewCard(QScrollArea):
         self.views.setEditable(True)
         self.views.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
         self.views.setAccessibleName(_("View"))
-        self.views.setToolTip(_("The view that is worked on: choose another, or type a new name for it"))
+        self.views.setToolTip(_("The current view: choose another, or type a new name for it"))
         self.views.activated.connect(self._choose)
         line = self.views.lineEdit()
         assert line is not None
@@ -148,8 +148,8 @@ class ViewCard(QScrollArea):
         self.modes = QButtonGroup(self)
         words = (
             (_("Stretch"), _("Corners go to corners; the picture may be distorted")),
-            (_("Fit"), _("The whole window is seen, in its own proportions")),
-            (_("Fill"), _("Nothing of the viewport stays empty, in the window's proportions")),
+            (_("Fit"), _("The whole window is shown, in its own proportions")),
+            (_("Fill"), _("The viewport is filled completely, in the window's proportions")),
         )
         for number, (title, tip) in enumerate(words):
             button = QPushButton(title)
@@ -174,7 +174,7 @@ class ViewCard(QScrollArea):
         self._column.addWidget(self.warning)
 
     def _make_clipping(self) -> None:
-        self.clips = QCheckBox(_("Clip to a window of its own before"))
+        self.clips = QCheckBox(_("Clip to a separate window first"))
         self.clips.setToolTip(
             _("Figures are clipped to this rectangle first; without it the viewport cuts them off")
         )

@@ -65,7 +65,7 @@ def rewritten(view: View, place: Place, value: float) -> tuple[str, Rectangle]:
         return "viewport", moved(view.viewport_device, *((value - corner[row]) * way).tolist())
     if not value > 0.0:
         name = ("s_x", "s_y")[row]
-        text = _("{name} = {value:g} leaves nothing of the picture; give a number above 0.")
+        text = _("With {name} = {value:g} nothing of the picture is left; give a number above 0.")
         raise ValueError(text.format(name=name, value=value))
     ratio = value / float(chain_of(view)[1].cells[row][row].value)
     by = np.where(way, ratio, 1.0) if view.mode == "stretch" else np.full(2, ratio)

@@ -56,7 +56,7 @@ def tools() -> tuple[Tool, ...]:
     return (
         Tool("select", _("Select"), "cursor", "V", _("Drag a rectangle or its sides; click to send a point")),
         Tool("window", _("Window"), "selection", "W", _("Drag a new window over the world")),
-        Tool("clip", _("Clip window"), "crop", "K", _("Drag a clip window of its own over the world")),
+        Tool("clip", _("Clip window"), "crop", "K", _("Drag a separate clip window over the world")),
         Tool("point", _("Point"), "crosshair-simple", "P", _("Send a point through, and drag it")),
         Tool("pan", _("Pan"), "hand", "H", _("Drag the world under the viewport: the window moves")),
     )

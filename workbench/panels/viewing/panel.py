@@ -342,7 +342,7 @@ class ViewingPanel(PlainPanel, QWidget):
         """A window around everything, a little larger."""
         extent = world_extent(self.session.sheet)
         if extent is None:
-            self.hover_text.emit(_("There is nothing in the world to put a window around."))
+            self.hover_text.emit(_("The world is empty, so there is nothing to put a window around."))
             return
         room = 0.05 * max(extent[2] - extent[0], extent[3] - extent[1], 1e-3)
         sides = extent[0] - room, extent[1] - room, extent[2] + room, extent[3] + room

@@ -5,9 +5,21 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.visibility import depth_buffer
 from workbench.document.model import Sheet
-from workbench.rendering import painter_of
+from workbench.engine.compiled import ready
+from workbench.rendering import frame_buffer, painter_of
 from workbench.rendering.scene.render import render_scene
 from workbench.rendering.subjects.visibility import window_of
+
+
+def can_be_lit(sheet: Sheet) -> bool:
+    """Whether its scene, if it has one, can be painted without keeping a person waiting."""
+    return sheet.scene is None or ready(depth_buffer)
+
+
+def whole_picture(sheet: Sheet) -> NDArray[np.uint32]:
+    """The frame buffer (h, w), 0xRRGGBB, of figures and scene, the latter as soon as it can be lit."""
+    image = frame_buffer(sheet)
+    return with_scene(image, sheet) if can_be_lit(sheet) else image
 
 
 def with_scene(image: NDArray[np.uint32], sheet: Sheet) -> NDArray[np.uint32]:

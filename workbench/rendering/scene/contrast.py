@@ -167,7 +167,7 @@ def _sizes(edges: Array, one: _Seen, two: _Seen) -> Row:
         said.append(_("a unit is {near} near, {far} far away").format(near=_n(near), far=_n(far)))
     shares = ", ".join(_n(each) for each in foreshortenings(one.matrix))
     but = _(
-        "Without regard to distance, but not without foreshortening: what is at an angle to the view plane "
+        "Distance does not matter, but foreshortening remains: what is at an angle to the view plane "
         "is shortened. A unit along x, y and z is {shares} long in the parallel picture."
     )
     return Row(_("Size with distance"), said[0], said[1], but.format(shares=shares), segments)
@@ -202,7 +202,7 @@ def _parallels(edges: Array, one: _Seen, two: _Seen) -> Row:
     return Row(
         _("Parallel lines"),
         _("stay parallel: {angle} between their images").format(angle=angles[0]),
-        _("run together: up to {angle} between their images").format(angle=angles[1]),
+        _("converge: up to {angle} between their images").format(angle=angles[1]),
         but,
         edges[[first, second]],
     )
@@ -248,8 +248,8 @@ def _ratios(edges: Array, one: _Seen, two: _Seen) -> Row:
         if not along @ along > _SAME**2:
             return _unmeasured(_("Ratios along a line"), _("Every line across the scene is seen end on."))
         share = float((middle - start) @ along / (along @ along))
-        said.append(_("the middle comes at {share}").format(share=_n(share)))
-    but = _("This is what a parallel projection always keeps, beside parallels.")
+        said.append(_("the middle lands at {share}").format(share=_n(share)))
+    but = _("This is what a parallel projection always keeps, besides parallelism.")
     return Row(_("Ratios along a line"), said[0], said[1], but, np.stack([line[:2], line[1:]]))
 
 
@@ -270,8 +270,8 @@ def _realism(_edges: Array, one: _Seen, two: _Seen) -> Row:
     return Row(
         _("Realism"),
         _("right for an eye infinitely far away"),
-        _("right for an eye {d} before the picture").format(d=_n(two.camera.distance)),
-        _("For drawings that are measured, parallel; for pictures that are looked at, perspective."),
+        _("right for an eye {d} in front of the picture").format(d=_n(two.camera.distance)),
+        _("For drawings to be measured, parallel; for pictures to be looked at, perspective."),
         np.zeros((0, 2, 3)),
     )
 

@@ -70,6 +70,8 @@ def _measured(
     for number, run in runs:
         if stop is not None and stop.is_set:
             raise Stopped
+        if number == 0:  # nothing of the scene is seen: there is no cost that could grow
+            continue
         if len(points) > 1 or (points and points[-1][1] > MOST_S):
             foretold = foretell(points, number)
             if foretold > MOST_S:

@@ -31,11 +31,12 @@ def line_drawing(scene: Scene) -> Segments:
 
     Raises: ValueError, a sentence: there are too many edges and faces, or one is malformed.
     """
-    vertices, triangles, edges, owners = _before_camera(scene)
+    vertices, triangles, edges, owners = before_camera(scene)
     pairs = len(triangles) * len(edges)
     if pairs > MOST_PAIRS:
         said = _(
-            "The scene has {edges:,} edges and {count:,} triangles, too many to compare each with each. Hide "
+            "The scene has {edges:,} edges and {count:,} triangles, too many to compare each with "
+            "every other. Hide "
             "some of its objects, or take the wireframe with all its lines."
         )
         raise ValueError(said.format(edges=len(edges), count=len(triangles)))
@@ -54,7 +55,7 @@ def scene_strokes(sheet: Sheet) -> list[tuple[float, float, float, float, int]]:
 
 def drawn_at_once(scene: Scene) -> Segments | None:
     """The line drawing, or None where it would keep a person waiting. Raises: ValueError."""
-    vertices, triangles, edges, owners = _before_camera(scene)
+    vertices, triangles, edges, owners = before_camera(scene)
     ready = at_hand(hidden_lines, "collect")
     if len(triangles) * len(edges) > (MOST_PAIRS_AT_ONCE if ready else MOST_PAIRS_PLAIN):
         return None
@@ -89,7 +90,7 @@ def _strokes(scene: Scene, view: View, size: Size) -> tuple[tuple[float, float, 
 
 
 def _all_edges(scene: Scene) -> Segments:
-    vertices, _triangles, edges, owners = _before_camera(scene)
+    vertices, _triangles, edges, owners = before_camera(scene)
     return Segments(vertices[edges][..., :2].reshape(-1, 4), owners)
 
 
@@ -100,7 +101,7 @@ def _drawn(vertices: Array, triangles: Index, edges: Index, owners: Index, compi
     return Segments(rows[:, :4], owners[rows[:, 4].astype(np.int64)])
 
 
-def _before_camera(scene: Scene) -> tuple[Array, Index, Index, Index]:
+def before_camera(scene: Scene) -> tuple[Array, Index, Index, Index]:
     """What lies between the near and the far plane: points of the view plane with their depths (n, 3), the
     triangles (t, 3) and the edges (e, 2) over them, and the object of each edge (e,)."""
     matrix = projection_matrix(scene.camera) @ view_matrix(scene.camera)

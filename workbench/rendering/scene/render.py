@@ -168,7 +168,7 @@ def refuse_way(method: str, shading: str) -> None:
         sentence = _("There is no shading {name!r}; choose one of {names}.")
         raise ValueError(sentence.format(name=shading[:40], names=", ".join(SHADINGS)))
     if shading != QUICK and method != depth_buffer.__name__:
-        sentence = _("{shading!r} goes through the depth buffer: choose {method!r}, or {quick!r}.")
+        sentence = _("{shading!r} needs the depth buffer: choose {method!r}, or {quick!r}.")
         raise ValueError(sentence.format(shading=shading, method=depth_buffer.__name__, quick=QUICK))
 
 
@@ -181,5 +181,5 @@ def _checked(vertices: ArrayLike, faces: Any) -> Mesh:
     if polygons.sizes.min() < 3:
         raise ValueError(_("A face has fewer than three corners; leave it out."))
     if not 0 <= polygons.corners.min() <= polygons.corners.max() < len(points):
-        raise ValueError(_("A face names a vertex that is not there; count them from 0."))
+        raise ValueError(_("A face names a vertex that does not exist; count them from 0."))
     return Mesh(points, polygons)

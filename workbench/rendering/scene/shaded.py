@@ -7,6 +7,7 @@ import numpy as np
 from workbench.algorithms import catalogue
 from workbench.algorithms.shading import gouraud
 from workbench.algorithms.shading.illumination import corner_lights
+from workbench.algorithms.shading.shadow_boxes import boxed_blockers
 from workbench.display.exposure import srgb_encoded
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
@@ -15,13 +16,14 @@ from workbench.geometry.meshes import Array
 from workbench.language import _
 from workbench.rendering.gouraud_triangles import gouraud_drawn
 from workbench.rendering.mapping import Call
+from workbench.rendering.scene.corner_light import corner_light
 from workbench.rendering.scene.lit_triangles import LitTriangles, blockers_of, lit_triangles
 from workbench.rendering.scene.render import Picture
 from workbench.rendering.scene.viewpoint import Size
 from workbench.rendering.triangles import FARTHEST, in_bands
 
-MOST_BLOCKERS = 4_000
-"""A ray to a light is tried on so many triangles at most."""
+MOST_BLOCKERS = 100_000
+"""So many triangles cast shadows at most."""
 
 
 class Model(NamedTuple):
@@ -43,7 +45,7 @@ def shaded(
 
     Each of red, green and blue is shaded by itself, in linear light. Raises: ValueError, a sentence; Stopped.
     """
-    lit, blockers = lit_triangles(scene, size, window), shadow_blockers(scene, model)
+    lit, blockers = lit_triangles(scene, size, window), _boxed(shadow_blockers(scene, model), stop)
     if shading == gouraud.__name__:
         lights = [_of_corners(lit, channel, model, blockers, stop) for channel in range(3)]
         return gouraud_drawn(lit.corners, lit.triangles, np.stack(lights, axis=1), size, stop)
@@ -59,10 +61,17 @@ def shadow_blockers(scene: Scene, model: Model) -> Array:
     blockers = blockers_of(scene) if model.shadows else np.zeros((0, 3))
     if len(blockers) > 3 * MOST_BLOCKERS:
         sentence = _(
-            "Shadows are cast by up to {most:,} triangles, and there are {count:,}; hide some objects."
+            "Shadows are cast by up to {most:,} triangles, but there are {count:,}; hide some objects."
         )
         raise ValueError(sentence.format(most=MOST_BLOCKERS, count=len(blockers) // 3))
     return blockers
+
+
+def _boxed(blockers: Array, stop: Stop | None) -> Array:
+    """Blockers with boxes around them, which take the same light away. Raises: Stopped."""
+    from workbench.engine.compiled import collect
+
+    return collect(boxed_blockers, blockers, stop=stop).reshape(-1, 3) if len(blockers) else blockers
 
 
 def shading_call(
@@ -97,11 +106,11 @@ def _of_corners(
 
     materials, lights = (lit.materials, lit.lights) if channel is None else lit.in_channel(channel)
     of_corner = np.repeat(materials, 3, axis=0)
-    rest = lit.eye, lights, model.by_halfway, blockers
-    found: Array = collect(
-        corner_lights, lit.places, lit.normals, of_corner, *rest, stop=stop, compiling=channel is not None
-    )
-    return found[:, 0]
+    given = lit.places, lit.normals, of_corner, lit.eye, lights, model.by_halfway
+    if channel is None and not len(blockers):
+        return corner_light(*given)
+    fragments: Array = collect(corner_lights, *given, blockers, stop=stop, compiling=channel is not None)
+    return fragments[:, 0]
 
 
 def _channel(

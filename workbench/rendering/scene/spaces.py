@@ -74,7 +74,7 @@ def _where(measures: Measures) -> SpaceRow:
     but = ""
     if both:
         but = _(
-            "These begin with surfaces in space, and leave to the pixels what is seen in the end: {titles}."
+            "These begin with surfaces in space, but let the pixels decide what is seen in the end: {titles}."
         )
         but = but.format(titles=", ".join(both))
     return SpaceRow(
@@ -122,8 +122,8 @@ def _precision(measures: Measures) -> SpaceRow:
 
 def _accuracy(measures: Measures) -> SpaceRow:
     said = [
-        _("exact at any size, where the surfaces are what the method presumes"),
-        _("one surface a pixel: borders have steps"),
+        _("exact at any size, where the surfaces are what the method assumes"),
+        _("one surface per pixel: borders are stepped"),
     ]
     for side, methods in enumerate(_sides(measures.runs)):
         wrong = [
@@ -139,7 +139,10 @@ def _accuracy(measures: Measures) -> SpaceRow:
         _("Accuracy"),
         said[0],
         said[1],
-        _("Wrong is a pixel that shows another surface than ray casting, which compares all of them there."),
+        _(
+            "A pixel is wrong if it shows a different surface from ray casting, which compares all "
+            "of them there."
+        ),
     )
 
 
@@ -159,8 +162,11 @@ def _by_polygons(measures: Measures) -> SpaceRow:
 def _by_pixels(measures: Measures) -> SpaceRow:
     return SpaceRow(
         _("Cost, p pixels"),
-        *_powers(measures.growth, 0, "p", (_("deciding costs the same; painting grows"), _("about p"))),
-        _("Who decides a whole span or square at once grows less than p; ray casting grows with n p."),
+        *_powers(measures.growth, 0, "p", (_("deciding costs the same; painting costs more"), _("about p"))),
+        _(
+            "A method that decides a whole span or square at once grows more slowly than p; ray "
+            "casting grows with n p."
+        ),
     )
 
 

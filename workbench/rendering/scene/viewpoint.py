@@ -8,14 +8,15 @@ from workbench.algorithms.viewing import window_to_viewport
 from workbench.document.model import Rectangle, whole_sheet
 from workbench.document.scene.model import Camera
 from workbench.document.scene.viewing import projection_matrix, view_matrix
+from workbench.geometry.conventions import snapped
 from workbench.geometry.meshes import Array, Index
 from workbench.language import _
 from workbench.rendering.limits import REACH_PX
 from workbench.rendering.scene.volume import DEPTH_PLANES, LEAST_W, clip_triangles, side_planes
 
 _MARGIN = 0.05
-_SNAP = 4096.0
 _MOST_SIDE_PX = 1 << 14
+_AT_ONCE = 1 << 16  # points: what is worked out on the way takes little memory
 
 Size = tuple[int, int]
 
@@ -75,19 +76,26 @@ class Viewpoint(NamedTuple):
         ``around`` (k, 3): the corners of something convex that all points lie in. Where it is before the
         camera as a whole, ``triangles`` are themselves those that are drawn.
         """
-        points, parts, owners = self.homogeneous(points_world), triangles, np.arange(len(triangles))
         box, planes = self.homogeneous(around), np.concatenate([DEPTH_PLANES, self._reach()])
-        if (box @ planes.T < 0).any() or (box[:, 3] <= LEAST_W).any():
-            points, parts, owners = clip_triangles(points, triangles, planes)
-            good = (points[:, 3] > LEAST_W)[parts].all(axis=1)
-            used, number = np.unique(parts[good], return_inverse=True)
-            points, parts, owners = points[used], number.reshape(-1, 3), owners[good]
-        corners = points[:, :3] / points[:, 3:]
+        if not ((box @ planes.T < 0).any() or (box[:, 3] <= LEAST_W).any()):
+            corners = np.empty((len(points_world), 3))
+            for first in range(0, len(corners), _AT_ONCE):
+                part = slice(first, first + _AT_ONCE)
+                corners[part] = self._on_device(self.homogeneous(points_world[part]))
+            return Drawn(corners, triangles, np.arange(len(triangles)))
+        points, parts, owners = clip_triangles(self.homogeneous(points_world), triangles, planes)
+        good = (points[:, 3] > LEAST_W)[parts].all(axis=1)
+        used, number = np.unique(parts[good], return_inverse=True)
+        return Drawn(self._on_device(points[used]), number.reshape(-1, 3), owners[good])
+
+    def _on_device(self, points: Array) -> Array:
+        """Points (n, 4) before the division, as ``Drawn`` has its corners."""
+        corners: Array = points[:, :3] / points[:, 3:]
         device = self.device
         for axis in (0, 1):
             placed = corners[:, axis] * device[axis, axis] + device[axis, 2]
-            corners[:, axis] = np.floor(placed * _SNAP + 0.5) / _SNAP
-        return Drawn(corners, parts, owners)
+            corners[:, axis] = snapped(placed)
+        return corners
 
     def _reach(self) -> Array:
         """The planes beyond which nothing is drawn: far outside of the picture, so that few are cut there."""

@@ -8,6 +8,7 @@ from workbench.document.edits import Edit, set_algorithm
 from workbench.document.model import AnyFigure, Polygon, SeedFill, Sheet
 from workbench.document.subjects import Subject
 from workbench.language import _
+from workbench.rendering.guard_band import cut_before
 from workbench.rendering.mapping import Call
 from workbench.rendering.outline_fill import OutlineFill, outline_fill
 from workbench.rendering.raster import figure_calls
@@ -61,6 +62,11 @@ def _painted(sheet: Sheet, subject: Subject) -> Cells:
     return painted if before is None else np.concatenate([before, painted])
 
 
+def _cut(sheet: Sheet, subject: Subject) -> str:
+    figure = figure_of(sheet, subject)
+    return "" if figure is None else cut_before(sheet, figure)
+
+
 def _alike(sheet: Sheet, subject: Subject) -> tuple[Subject, ...]:
     kind = type(figure_of(sheet, subject))
     return tuple(Subject("figure", (f.id,)) for f in sheet.figures if f.visible and type(f) is kind)
@@ -73,6 +79,7 @@ register(
         calls=_calls,
         choices=choices,
         choose=_choose,
+        before=_cut,
         entries=tuple(dict.fromkeys(slug for kind in get_args(AnyFigure) for slug in kind.algorithms)),
         comparing=Comparing(choices=_compared_under, painted=_painted, before=_before, alike=_alike),
     ),

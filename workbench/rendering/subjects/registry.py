@@ -57,6 +57,11 @@ def no_landmarks(sheet: Sheet, subject: Subject) -> tuple[int, ...]:
     return ()
 
 
+def as_it_is(sheet: Sheet, subject: Subject) -> str:
+    """Nothing: the calls get all of the subject."""
+    return ""
+
+
 def painted_by_calls(sheet: Sheet, subject: Subject) -> Cells:
     """The pixels (n, 2) of the picture that the calls of a subject emit, in their order."""
     whole = 0, sheet.width_px - 1, 0, sheet.height_px - 1
@@ -92,6 +97,7 @@ class SubjectKind:
     None where the subject does. ``entries`` are all slugs that a subject may name, ``arguments`` what it may
     be given. ``on_device`` brings marks from the frame of the entry to the device. ``landmarks`` are steps
     with which a part of the run begins, which are marked rather than each change of a decision.
+    ``before`` is one sentence where the calls get less than the subject, or nothing of it.
     ``compared_as`` is another kind, of the same ids, that is compared in place of this one.
     ``invitation`` is what to do where there is nothing to run.
     """
@@ -105,6 +111,7 @@ class SubjectKind:
     arguments: Mapping[str, Given] = field(default_factory=dict)
     on_device: Callable[[Sheet, Subject, Frame, Iterable[Mark]], tuple[Mark, ...]] = mapped
     landmarks: Callable[[Sheet, Subject], tuple[int, ...]] = no_landmarks
+    before: Callable[[Sheet, Subject], str] = as_it_is
     comparing: Comparing = Comparing()
     compared_as: str = ""
 
@@ -140,7 +147,7 @@ def kind_of(subject: Subject) -> SubjectKind:
 def checked(subject: Subject) -> Subject:
     """``subject`` itself when its kind, entry and arguments are known; raises DocumentError."""
     if not known(subject.kind):
-        problem = _("“{kind}” is nothing that this version of the program can step.")
+        problem = _("This version of the program cannot step “{kind}”.")
         raise DocumentError("kind", problem.format(kind=subject.kind))
     how = kind_of(subject)
     if subject.entry and subject.entry not in how.entries:
@@ -149,7 +156,7 @@ def checked(subject: Subject) -> Subject:
     for name, value in subject.arguments.items():
         given = how.arguments.get(name)
         if given is None or (given.number is None and type(value) is not type(given.usual)):
-            problem = _("{name} = {value} is nothing that can be given here.")
+            problem = _("{name} = {value} cannot be given here.")
             raise DocumentError(name, problem.format(name=name, value=shown(value)))
         if given.number is not None and (problem := number_problem(given.number, value)):
             raise DocumentError(name, f"{name} {problem}.")

@@ -21,8 +21,18 @@ from workbench.rendering.marks import on_device
 from workbench.rendering.scene import back_face_calls
 from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.fragments import fragments_of
+from workbench.rendering.scene.line_calls import HIDDEN_LINES, line_call
 from workbench.rendering.scene.methods import A_BUFFER, METHODS, method_call
 from workbench.rendering.scene.render import DeviceTriangles, device_triangles, placed
+from workbench.rendering.scene.solid_octree import (
+    COMBINED,
+    CUT,
+    OCTREE,
+    Cutting,
+    combined_call,
+    octree_call,
+    octree_things,
+)
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
 KIND = "visibility"
@@ -30,9 +40,12 @@ DEPTH_BUFFER = depth_buffer.__name__
 LEAST_COLUMNS, USUAL_COLUMNS, MOST_COLUMNS = 8, 48, 96
 SURFACE_METHODS = (*(method for method in METHODS if method != DEPTH_BUFFER), A_BUFFER)
 """Those that keep no depths, and are told by their own marks and what they have painted."""
+OCTREES = OCTREE, COMBINED
+"""Those that divide solids into cells."""
 NOT_ROUNDED = 0
 LEAST_BITS, MOST_BITS = 4, 32
 MOST_TRIANGLES = 2_500
+USUAL_DEPTH, MOST_DEPTH = 3, 5
 _MOST_ROWS = 192
 
 Size = tuple[int, int]
@@ -109,7 +122,9 @@ def _fault(scene: Scene) -> str:
     except ValueError as problem:
         return str(problem)
     if count > MOST_TRIANGLES:
-        said = _("The scene has {count:,} triangles; up to {most:,} are stepped. Hide some of its objects.")
+        said = _(
+            "The scene has {count:,} triangles; at most {most:,} can be stepped. Hide some of its objects."
+        )
         return said.format(count=count, most=MOST_TRIANGLES)
     return ""
 
@@ -180,6 +195,49 @@ def _exact(subject: Subject) -> dict[str, Argument]:
     return {**subject.arguments, "bits": NOT_ROUNDED}
 
 
+def cutting_of(subject: Subject) -> Cutting:
+    """How deep octrees are, and what is done to them."""
+    given = subject.arguments
+    share = given.get("cut_at", 0.5)
+    assert isinstance(share, float | int)
+    return Cutting(
+        _number(subject, "depth", USUAL_DEPTH),
+        _number(subject, "operation", CUT),
+        _number(subject, "cut_axis", 2),
+        float(share),
+    )
+
+
+def octree_objects(sheet: Sheet, subject: Subject) -> tuple[Object, ...]:
+    """The objects whose octrees are stepped: that which the subject names first, and what is combined with it
+    after it."""
+    things = () if sheet.scene is None else octree_things(sheet.scene)
+    things = tuple(sorted(things, key=lambda thing: thing.id not in subject.ids))
+    two = method_of(sheet, subject) == COMBINED and cutting_of(subject).operation != CUT
+    return things[: 2 if two else 1]
+
+
+def octrees_call(sheet: Sheet, subject: Subject) -> Call | None:
+    """The run of one of OCTREES; None where there is no solid for it."""
+    things, cutting = octree_objects(sheet, subject), cutting_of(subject)
+    if not things:
+        return None
+    if method_of(sheet, subject) == OCTREE:
+        return octree_call(things, cutting.depth)
+    if cutting.operation != CUT and len(things) < 2:
+        return None
+    return combined_call(things, cutting)
+
+
+def _line_call(sheet: Sheet, subject: Subject) -> Call | None:
+    if sheet.scene is None or fault_of(sheet):
+        return None
+    return _lines(sheet.scene, scene_size(sheet, subject), window_of(sheet))
+
+
+_lines = lru_cache(maxsize=16)(line_call)
+
+
 def faces_in_order(sheet: Sheet) -> list[tuple[int, int]]:
     """The number of its object and its own of each face, in the order in which back faces are looked for."""
     return [] if sheet.scene is None else back_face_calls.faces_in_order(sheet.scene)
@@ -189,7 +247,8 @@ def _choices(sheet: Sheet, subject: Subject) -> tuple[str, ...]:
     if sheet.scene is None:
         return ()
     backs = (BACK_FACES,) if back_face_calls.looks_from_a_point(sheet.scene.camera) else ()
-    return DEPTH_BUFFER, *backs, *SURFACE_METHODS
+    octrees = OCTREES if octree_things(sheet.scene) else ()
+    return DEPTH_BUFFER, *backs, *SURFACE_METHODS, HIDDEN_LINES, *octrees
 
 
 def method_of(sheet: Sheet, subject: Subject) -> str:
@@ -201,8 +260,13 @@ def method_of(sheet: Sheet, subject: Subject) -> str:
 def _calls(sheet: Sheet, subject: Subject) -> list[Call]:
     if method_of(sheet, subject) == BACK_FACES:
         return [] if sheet.scene is None or fault_of(sheet) else back_face_calls.back_face_calls(sheet.scene)
-    make = depth_call if method_of(sheet, subject) == DEPTH_BUFFER else surface_call
-    call = make(sheet, subject)
+    others = {
+        DEPTH_BUFFER: depth_call,
+        HIDDEN_LINES: _line_call,
+        OCTREE: octrees_call,
+        COMBINED: octrees_call,
+    }
+    call = others.get(method_of(sheet, subject), surface_call)(sheet, subject)
     return [] if call is None else [call]
 
 
@@ -234,7 +298,7 @@ register(
         choices=_choices,
         on_device=_on_device,
         landmarks=_landmarks,
-        entries=(DEPTH_BUFFER, BACK_FACES, *SURFACE_METHODS),
+        entries=(DEPTH_BUFFER, BACK_FACES, *SURFACE_METHODS, HIDDEN_LINES, *OCTREES),
         arguments={
             "columns": Given(
                 USUAL_COLUMNS,
@@ -245,6 +309,12 @@ register(
                 Number(label=_("depth bits"), low=NOT_ROUNDED, high=MOST_BITS, whole=True, keyed=False),
             ),
             "backwards": Given(False),
+            "depth": Given(
+                USUAL_DEPTH, Number(label=_("depth"), low=1, high=MOST_DEPTH, whole=True, keyed=False)
+            ),
+            "operation": Given(CUT, Number(label=_("operation"), low=0, high=CUT, whole=True, keyed=False)),
+            "cut_axis": Given(2, Number(label=_("axis"), low=0, high=2, whole=True, keyed=False)),
+            "cut_at": Given(0.5, Number(label=_("place of the cut"), low=0.0, high=1.0, keyed=False)),
         },
     ),
 )

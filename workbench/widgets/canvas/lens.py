@@ -42,7 +42,7 @@ class Lens(QWidget):
         self._canvas = canvas
         self.cells: LensCells | None = None
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.setAccessibleName(_("Numbers round the pixel"))
+        self.setAccessibleName(_("Numbers around the pixel"))
         theme_changed.connect(self.update)
         self.hide()
 

@@ -48,7 +48,7 @@ class OptionButtons(QWidget):
         text = _(str(option))
         button = QPushButton(text[:1].upper() + text[1:])
         button.setShortcut(str(number))
-        button.setToolTip(_("Say that this comes next ({key})").format(key=number))
+        button.setToolTip(_("Answer that this comes next ({key})").format(key=number))
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.clicked.connect(lambda: self._run.choose(option))
         button.setProperty("low", True)

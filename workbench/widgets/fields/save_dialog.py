@@ -95,7 +95,7 @@ class SaveDialog(QFileDialog):
             SaveDialog(self._owner, self.windowTitle(), path, self._formats, self._then).open()
 
     def _may_replace(self, path: Path) -> bool:
-        question = _("{name} is there already. Replace it?").format(name=legible(path.name))
+        question = _("{name} already exists. Replace it?").format(name=legible(path.name))
         buttons = QMessageBox.StandardButton
         box = self._box(question, QMessageBox.Icon.Question, buttons.Yes | buttons.No)
         box.setDefaultButton(buttons.No)

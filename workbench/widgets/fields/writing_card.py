@@ -72,7 +72,7 @@ class WritingCard(QFrame):
         self._form = form
         self.bar = QProgressBar()
         self.bar.setTextVisible(False)
-        self.bar.setAccessibleName(_("How much is written"))
+        self.bar.setAccessibleName(_("How much is to be written"))
         self.go, self.cancel = QPushButton(_("Write...")), QPushButton(_("Cancel"))
         self.go.setProperty("primary", True)
         self.go.clicked.connect(self._go)

@@ -3,6 +3,7 @@ visible."""
 
 from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QDockWidget, QWidget
+from shiboken6 import isValid
 
 
 class InSight(QObject):
@@ -22,7 +23,7 @@ class InSight(QObject):
         if event.type() == QEvent.Type.Show:
             dock = _dock_around(self._part)
             if dock is not self._dock:
-                if self._dock is not None:
+                if self._dock is not None and isValid(self._dock):  # one of a reset workspace is not
                     self._dock.visibilityChanged.disconnect(self._set)
                 if dock is not None:
                     dock.visibilityChanged.connect(self._set)

@@ -62,7 +62,7 @@ class DepthPlot(Plot):
         first = int(np.argmax(self._depths))
         now = int(self._depths[min(self._cursor, count - 1)])
         text = (
-            _("{now} calls under way; at most {deepest}, first at step {first}.")
+            _("{now} calls active; at most {deepest}, first at step {first}.")
             if self._calls
             else _("{now} on the stack; at most {deepest}, first after step {first}.")
         )

@@ -45,7 +45,7 @@ class DistancePlot(Plot):
         super().__init__(_("Distance from the ideal curve"), parent)
         self._curves: list[tuple[str, NDArray[np.float64]]] = []
         self._lines: list[Any] = []
-        self.say(_("Select a figure to see how far its pixels lie from the ideal curve."))
+        self.say(_("Select a figure to see how far its pixels are from the ideal curve."))
 
     def show_distances(self, curves: Curves) -> None:
         """Plot these (title, distances in pixels, in the order of painting)."""

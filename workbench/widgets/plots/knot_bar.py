@@ -98,7 +98,7 @@ class KnotBar(ParameterBar):
     @property
     def words(self) -> str:
         """What is said instead."""
-        return _("A B-spline or NURBS shows its knots here.")
+        return _("The knots of a B-spline or NURBS curve are shown here.")
 
     @property
     def reading(self) -> str:

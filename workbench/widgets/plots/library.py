@@ -1,4 +1,7 @@
-"""The library that plots are drawn by, loaded beside the interface when the first of them is seen."""
+"""The library that plots are drawn by, loaded when the first of them is seen.
+
+What it needs of Python itself comes on a thread; it makes classes of Qt, which only this one may.
+"""
 
 from contextlib import suppress
 from importlib import import_module
@@ -23,20 +26,21 @@ class _Library(QObject):
         if self._there:
             QTimer.singleShot(0, self.loaded.emit)
         elif self._coming is None:
-            # Here, and by no method of ours: this module may have been imported on another thread, now over
             self._coming = Answers()
             self._coming.arrived.connect(lambda _there: self._loaded())
-            self._coming.ask(_load, "imports")
+            self._coming.ask(_load_below_qt, "imports")
 
     def _loaded(self) -> None:
+        with suppress(ImportError):  # the same failure is said where the plot is made
+            import_module("pyqtgraph")
         self._there = True
         self._coming = None
         self.loaded.emit()
 
 
-def _load() -> bool:
-    with suppress(ImportError):  # the same failure is said where the plot is made
-        import_module("pyqtgraph")
+def _load_below_qt() -> bool:
+    for module in ("cProfile", "multiprocessing.connection", "multiprocessing.shared_memory", "pydoc"):
+        import_module(module)
     return True
 
 

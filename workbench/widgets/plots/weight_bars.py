@@ -91,7 +91,7 @@ class WeightBars(ParameterBar):
     @property
     def words(self) -> str:
         """What is said instead."""
-        return _("The points of a NURBS have weights, shown here.")
+        return _("The weights of the points of a NURBS curve are shown here.")
 
     @property
     def reading(self) -> str:

@@ -36,7 +36,7 @@ class AboutView(QWidget):
         self.text.setAccessibleName(_("About this algorithm"))
         self.text.document().setDocumentMargin(12)
         self.text.anchorClicked.connect(self._follow)
-        self.state = EmptyState(self.text, _("A figure that is drawn tells of its algorithm here."))
+        self.state = EmptyState(self.text, _("Draw a figure to read about its algorithm here."))
         self.state.wanted.connect(self.example_wanted)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -89,7 +89,7 @@ def page_of(entry: Entry, linked: bool) -> str:
     if entry.laws:
         parts.append(_section(_("Always true"), _list(_(law.sentence) for law in entry.laws)))
     if entry.not_laws:
-        title = _("Not true, though one might think so")
+        title = _("Not true, though you might think so")
         parts.append(_section(title, _list(_(sentence) for sentence in entry.not_laws)))
     if entry.tie:
         parts.append(_section(_("Exactly halfway"), _paragraph(_(entry.tie))))
@@ -103,7 +103,7 @@ def page_of(entry: Entry, linked: bool) -> str:
     if entry.labs:
         parts.append(_section(_("Labs"), _list(_(lab) for lab in entry.labs)))
     if entry.compiles:
-        parts.append(_section(_("Only stepped"), _paragraph(_(entry.compiles))))
+        parts.append(_section(_("Stepped only"), _paragraph(_(entry.compiles))))
     return "".join(parts)
 
 
@@ -185,4 +185,5 @@ def _given(entry: Entry) -> str:
         "points": _("Points."),
         "segments": _("Line segments."),
         "cells": _("Cells of a matrix: row and column, counted from 0, and the number in it."),
+        "cubes": _("Cubes: the lowest corner, the side, and 0 for empty, 1 for full, 2 for partial."),
     }[entry.emits]

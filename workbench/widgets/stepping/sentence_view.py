@@ -87,7 +87,7 @@ class SentenceView(QLabel):
         """What the run says, and what it asks."""
         run = self._run
         if run.entry is None:
-            return (Part(run.invitation, None),)
+            return (Part(run.before() or run.invitation, None),)
         if run.waiting:
             score = _("Which pixel comes next? Click it. {right} right, {wrong} wrong.")
             if run.options:
@@ -151,12 +151,10 @@ class SentenceView(QLabel):
 def _not_right(answered: Answer) -> str:
     """What is said of an answer that does not show the step."""
     if answered.verdict == "far":
-        far = _(
-            "({x}, {y}) is far from the pixels in question, so it is not counted. Click one that is near."
-        )
+        far = _("({x}, {y}) is far from the pixels in question, so it does not count. Click one near them.")
         return far.format(x=answered.given[0], y=answered.given[1])
     if answered.cell is None:
-        said = _("Not so: “{choice}” is not what comes next. Try again, or have it shown.")
+        said = _("No: “{choice}” is not what comes next. Try again, or have it shown.")
         return said.format(choice=_(str(answered.given)))
-    said = _("Not so: ({x}, {y}) does not come next. Try again, or have it shown.")
+    said = _("No: ({x}, {y}) does not come next. Try again, or have it shown.")
     return said.format(x=answered.cell[0], y=answered.cell[1])

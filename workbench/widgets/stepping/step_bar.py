@@ -50,7 +50,7 @@ class StepBar(QWidget):
         self.ask.setCheckable(True)
         self.ask.toggled.connect(run.set_ask_first)
         self.try_again = self._action(
-            _("Try again"), _("Take the wrong answer away and answer anew"), "", run.try_again
+            _("Try again"), _("Clear the wrong answer and answer again"), "", run.try_again
         )
         self.show_answer = self._action(
             _("Show it"), _("Show the step that was asked for"), "", run.show_answer
@@ -68,7 +68,7 @@ class StepBar(QWidget):
         self.total.setMinimumWidth(QFontMetrics(code_font()).horizontalAdvance("/ 1000000+"))
         self._fit_jump()
         self.total.setProperty("role", "muted")
-        self.total.setToolTip(_("How many steps the run has; with + as far as it is recorded"))
+        self.total.setToolTip(_("How many steps the run has; with +, as far as it is recorded"))
         self.step = self._action(
             _("Step"), _("Count rows of the hand table"), "", lambda: run.set_detail(False)
         )
@@ -82,7 +82,7 @@ class StepBar(QWidget):
         self.speed = QComboBox()
         self.speed.addItems([_("{speed:g} / s").format(speed=speed) for speed in SPEEDS])
         self.speed.setAccessibleName(_("Speed"))
-        self.speed.setToolTip(_("Steps a second while playing"))
+        self.speed.setToolTip(_("Steps per second while playing"))
         self.speed.setCurrentIndex(SPEEDS.index(run.speed))
         self.speed.activated.connect(lambda index: run.set_speed(SPEEDS[index]))
         self.stretch_start = self._action(

@@ -61,11 +61,11 @@ class _Column:
 
 def _columns() -> tuple[_Column, ...]:
     return (
-        _Column(("C0", "G0"), "C0 G0", _("how far the ends lie apart"), "px"),
-        _Column(("C1",), "C1", _("by how much the first derivatives differ"), "px/u"),
-        _Column(("C2",), "C2", _("by how much the second derivatives differ"), "px/u²"),
+        _Column(("C0", "G0"), "C0 G0", _("how far apart the ends are"), "px"),
+        _Column(("C1",), "C1", _("how much the first derivatives differ"), "px/u"),
+        _Column(("C2",), "C2", _("how much the second derivatives differ"), "px/u²"),
         _Column(("G1",), "G1", _("the angle between the tangents"), "°"),
-        _Column(("G2",), "G2", _("by how much the curvatures differ"), "1/px"),
+        _Column(("G2",), "G2", _("how much the curvatures differ"), "1/px"),
     )
 
 
@@ -172,7 +172,7 @@ class ContinuityTable(QWidget):
         self.view.horizontalHeader().setFont(code_font(12))
         self.view.setItemDelegate(WholeRows(self.view))
         self.model.dataChanged.connect(FittedColumns(self.view).widen)
-        self.words = QLabel(_("A curve of several pieces shows its joints here."))
+        self.words = QLabel(_("The joints of a curve of several pieces are shown here."))
         self.words.setProperty("role", "caption")
         self.words.setWordWrap(True)
         self.words.setContentsMargins(8, 6, 8, 6)
@@ -224,7 +224,7 @@ class ContinuityTable(QWidget):
     def say(self, text: str) -> None:
         """A sentence beneath, such as which points a command moved; "" removes it."""
         if not text and not self.model.joints:
-            text = _("A curve of several pieces shows its joints here.")
+            text = _("The joints of a curve of several pieces are shown here.")
         elif not text and self.selected < 0:
             text = _("Choose a joint to make it smoother.")
         self.words.setText(text)

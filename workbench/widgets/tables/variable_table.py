@@ -116,7 +116,7 @@ class VariableTable(QWidget):
         self.view = CopiedTable()
         self.view.setModel(self.model)
         self.view.setAccessibleName(_("Variables"))
-        self.view.setToolTip(_("The variables here; those that this step changed are marked"))
+        self.view.setToolTip(_("The variables at this step; those that it changed are marked"))
         self.view.setShowGrid(False)
         self.view.setSelectionBehavior(QTableView.SelectionBehavior.SelectRows)
         self.view.verticalHeader().hide()

@@ -70,6 +70,8 @@ def paint_curves(
 ) -> None:
     """The line of each number over the frames that are seen, the chosen one last and strongest."""
     x = np.arange(max(scale.x(0), LABEL_PX), width + _STEP_PX, _STEP_PX)
+    if not len(x):  # a strip so narrow that the names take all of it
+        return
     seen = scale.first + (x - scale.x(scale.first)) / scale.pixels
     own = np.array([key.frame for key in curve.keys], np.float64)
     own = own[(own >= seen[0]) & (own <= seen[-1])]

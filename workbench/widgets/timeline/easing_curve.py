@@ -21,7 +21,7 @@ _NUDGE = 0.02
 
 def stays_between() -> str:
     """Why a handle goes no farther in time."""
-    return _("The handle stays between its two keys: beyond them the easing would run back in time.")
+    return _("The handle stays between its two keys: beyond them the easing would go back in time.")
 
 
 class EasingCurve(QWidget):

@@ -63,9 +63,9 @@ class Transport(QWidget):
         self.setAccessibleName(_("Frames"))
         self.leave = self._action(_("Back to the frames"), "arrow-u-up-left", self.leaving_wanted.emit)
         self.first = self._action(_("First frame"), "skip-back", lambda: frames.show(0))
-        self.back = self._action(_("Frame back"), "caret-left", lambda: frames.show(frames.number - 1))
+        self.back = self._action(_("Previous frame"), "caret-left", lambda: frames.show(frames.number - 1))
         self.play = self._action(_("Play the frames"), "play", frames.toggle)
-        self.forward = self._action(_("Frame forward"), "caret-right", lambda: frames.show(frames.number + 1))
+        self.forward = self._action(_("Next frame"), "caret-right", lambda: frames.show(frames.number + 1))
         self.last = self._action(_("Last frame"), "skip-forward", lambda: frames.show(frames.count - 1))
         self.frame = self._field(_("Frame"), _("Type a frame and press Enter to go there"), self._go)
         self.length = self._field(
@@ -74,7 +74,7 @@ class Transport(QWidget):
             lambda: self._send(self.length),
         )
         self.rate = self._field(
-            _("Frames a second"), _("How many frames are shown in a second"), lambda: self._send(self.rate)
+            _("Frames per second"), _("How many frames are shown per second"), lambda: self._send(self.rate)
         )
         self.mode = QComboBox()
         for title, mode in ((_("Loop"), "loop"), (_("Once"), "once"), (_("Back and forth"), "ping_pong")):
@@ -91,7 +91,7 @@ class Transport(QWidget):
         self.speed.activated.connect(lambda _index: frames.set_speed(self.speed.currentData()))
         self.auto_key = self._action(_("Auto-key"), "record", None)
         self.auto_key.setCheckable(True)
-        self.auto_key.setToolTip(_("Whatever is changed gets a key in the frame that is shown"))
+        self.auto_key.setToolTip(_("Whatever you change gets a key in the frame that is shown"))
         self.auto_key.toggled.connect(lambda on: session.update_state(auto_key=on))
         self.curves = self._action(_("Curves"), "chart-line", None)
         self.curves.setCheckable(True)
@@ -103,8 +103,8 @@ class Transport(QWidget):
         self.ghosts.setChecked(True)
         self.ghosts.setToolTip(_("Show the frames before and after; drag their reach on the ruler"))
         self.ghosts.toggled.connect(self.ghosts_toggled)
-        self.zoom_out = self._action(_("Frames narrower"), "magnifying-glass-minus", self._narrower)
-        self.zoom_in = self._action(_("Frames wider"), "magnifying-glass-plus", self._wider)
+        self.zoom_out = self._action(_("Narrower frames"), "magnifying-glass-minus", self._narrower)
+        self.zoom_in = self._action(_("Wider frames"), "magnifying-glass-plus", self._wider)
         self._place()
         frames.played.connect(self._played)
 
@@ -136,7 +136,7 @@ class Transport(QWidget):
         for button in (self._leaving, *self._moving):
             row.addWidget(button)
         row.addSpacing(8)
-        self._of, self._a_second = QLabel(_("of")), QLabel(_("a second"))
+        self._of, self._a_second = QLabel(_("of")), QLabel(_("per second"))
         self._of.setProperty("role", "muted")
         self._a_second.setProperty("role", "muted")
         fields = (self.frame, self._of, self.length, self.mode, self.speed, self.rate, self._a_second)
@@ -191,7 +191,7 @@ class Transport(QWidget):
         try:
             value = float(field.text().replace(",", "."))
         except ValueError:
-            self.said.emit(_("“{text}” is no number; type one such as 24.").format(text=field.text()))
+            self.said.emit(_("“{text}” is not a number; type one such as 24.").format(text=field.text()))
         else:
             if field is self.rate:
                 self.rate_wanted.emit(value)

@@ -35,6 +35,16 @@ def nearest_pixel(x: int, y: int, picture_px: tuple[int, int]) -> tuple[int, int
     return min(max(x, 0), width - 1), min(max(y, 0), height - 1)
 
 
+def lit_near_the_middle(image: NDArray[np.uint32]) -> tuple[int, int] | None:
+    """The lit pixel (x, y) of a picture (h, w) that is nearest to its middle; None where all are dark."""
+    rows, columns = np.nonzero(image)
+    if len(rows) == 0:
+        return None
+    height, width = image.shape
+    nearest = int(np.argmin((columns - width / 2) ** 2 + (rows - height / 2) ** 2))
+    return int(columns[nearest]), int(rows[nearest])
+
+
 def pixel_at(place: QPointF, glass: QRectF, picture: tuple[int, int]) -> tuple[int, int] | None:
     """The pixel of a ``picture`` (width, height) that is shown at a place of the glass, if there is one."""
     width, height = face_mm(picture)

@@ -174,7 +174,8 @@ class LiveTube(QWidget):
             return
         packed = self._screen.picture(self.driver.lights)
         rows, columns = packed.shape
-        self._shown = QImage(packed.tobytes(), columns, rows, 4 * columns, QImage.Format.Format_RGB32).copy()
+        self._packed = packed  # what the image looks at
+        self._shown = QImage(packed.data, columns, rows, 4 * columns, QImage.Format.Format_RGB32)
         self.update(self._glass.toAlignedRect())
         self.advanced.emit()
 
@@ -198,7 +199,7 @@ class LiveTube(QWidget):
         self.driver = TubeDriver(tube, beam)
         self.driver.settle()
         if not self.averaged:
-            self.driver.advance(Fraction(10**6), False)
+            self.driver.hold_at(self._seconds)
         self._screen = Screen(size, [rgb for gun in tube.guns for _name, rgb in gun.colours])
         self._cabinet = self._reflection = None
         self._refresh()
@@ -255,8 +256,8 @@ class LiveTube(QWidget):
         painter.restore()
         painter.drawPixmap(0, 0, self._reflection)
         if self._case.bottom() - self._glass.bottom() >= _PLATE_PX:
-            top = self._case.bottom() - _PLATE_PX - 3
-            plate = QRectF(self._glass.left(), top, self._glass.width(), _PLATE_PX)
+            plate = self._glass.translated(0, self._case.bottom() - _PLATE_PX - 3 - self._glass.top())
+            plate.setHeight(_PLATE_PX)
             paint_plate(painter, plate, *self.lettering)
         if self.hasFocus():
             painter.setPen(QPen(colour(tokens().accent), 2))

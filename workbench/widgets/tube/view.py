@@ -1,11 +1,10 @@
 """A frame buffer on a raster tube, or a display list on a vector tube, with a probe for one pixel."""
 
-from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QWidget
 
@@ -13,11 +12,11 @@ from workbench.display.beam import Beam
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.setup import (
     COLOUR_TUBE,
-    DeviceStroke,
+    DeviceStrokes,
     TubeSetup,
-    area_mm,
     currents_of_image,
     face_mm,
+    mm_of,
     raster_tube,
     vector_beam,
     vector_tube,
@@ -25,7 +24,7 @@ from workbench.display.setup import (
 from workbench.display.tube import Tube
 from workbench.language import _
 from workbench.widgets.canvas.pixel_canvas import ARROWS
-from workbench.widgets.tube.glass import nearest_pixel, pixel_at
+from workbench.widgets.tube.glass import lit_near_the_middle, nearest_pixel, pixel_at
 from workbench.widgets.tube.live_tube import LiveTube
 from workbench.widgets.tube.marks import paint_beam, paint_probe
 
@@ -45,7 +44,7 @@ class TubeView(LiveTube):
         self.kind = kind
         self._setup = TubeSetup()
         self._image: NDArray[np.uint32] = np.zeros((48, 64), dtype=np.uint32)
-        self._strokes: tuple[DeviceStroke, ...] = ()
+        self._strokes: DeviceStrokes = ()
         self._picture = (64, 48)
         self._probe: tuple[int, int] | None = None
         self.setAccessibleName(_("Raster tube") if kind == "raster" else _("Vector tube"))
@@ -98,10 +97,10 @@ class TubeView(LiveTube):
         else:
             self._rebuild()
 
-    def set_strokes(self, strokes: Sequence[DeviceStroke], picture_px: tuple[int, int]) -> None:
+    def set_strokes(self, strokes: DeviceStrokes, picture_px: tuple[int, int]) -> None:
         """Show a display list in the device frame of a picture of so many pixels."""
         same_size = picture_px == self._picture
-        self._strokes = tuple(strokes)
+        self._strokes = strokes
         self._take_size(picture_px)
         if self.kind != "vector":
             return
@@ -128,6 +127,16 @@ class TubeView(LiveTube):
         """What the tube is set to."""
         return self._setup
 
+    # Places of the picture
+
+    def position(self, x: float, y: float) -> QPointF:
+        """Where in the widget a place of the picture lies."""
+        return self._to_widget(*mm_of(x, y, self._picture))
+
+    def pixel_under(self, position: QPointF) -> tuple[int, int] | None:
+        """The pixel of the picture at a position of the widget; None beside the picture."""
+        return pixel_at(position, self._glass, self._picture)
+
     # The probe
 
     @property
@@ -140,30 +149,19 @@ class TubeView(LiveTube):
         self._probe = pixel
         self.update()
 
-    def _probe_mm(self, pixel: tuple[int, int]) -> tuple[float, float]:
-        left, bottom, right, _top = area_mm(self._picture)
-        pitch = (right - left) / self._picture[0]
-        return left + (pixel[0] + 0.5) * pitch, bottom + (pixel[1] + 0.5) * pitch
-
     def lit_pixel(self) -> tuple[int, int] | None:
         """The lit pixel of the frame buffer that is nearest to its middle; None for a dark picture."""
-        rows, columns = np.nonzero(self._image)
-        if len(rows) == 0:
-            return None
-        height, width = self._image.shape
-        nearest = int(np.argmin((columns - width / 2) ** 2 + (rows - height / 2) ** 2))
-        return int(columns[nearest]), int(rows[nearest])
+        return lit_near_the_middle(self._image)
 
     def probe_mm(self) -> tuple[float, float] | None:
         """Where on the face the probe sits, in millimetres."""
-        return None if self._probe is None else self._probe_mm(self._probe)
+        return None if self._probe is None else mm_of(*self._probe, self._picture)
 
     def light_at_probe(self) -> float:
         """Luminance at the probed pixel in the last step, 1 for white; 0 without a probe."""
         if self._probe is None or self.driver is None:
             return 0.0
-        x_mm, y_mm = self._probe_mm(self._probe)
-        width, height = face_mm(self._picture)
+        (x_mm, y_mm), (width, height) = mm_of(*self._probe, self._picture), face_mm(self._picture)
         columns, rows = self.driver.tube.size_px
         column, row = int(x_mm / width * columns), int(y_mm / height * rows)
         return float(sum(light[row, column] for light in self.driver.lights))
@@ -198,4 +196,4 @@ class TubeView(LiveTube):
             state = self.driver.state()
             paint_beam(painter, self._to_widget(state.x_mm, state.y_mm), self._glass.width(), state)
         if self._probe is not None:
-            paint_probe(painter, self._to_widget(*self._probe_mm(self._probe)))
+            paint_probe(painter, self.position(*self._probe))

@@ -1,20 +1,21 @@
 """The page Shading: stepped, lights dragged and typed, four side by side, what is wrong said in place."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication, QColorDialog
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
 from tests.panels.space.by_hand import drag
 from workbench.document.scene.edits import remove_thing, set_thing
 from workbench.document.scene.model import Light, Scene
+from workbench.panels.space.lamps import light_at, light_place
 from workbench.panels.space.panel import SpacePanel
-from workbench.panels.space.shading.lit_view import light_at, light_place
 from workbench.panels.space.shading.page import ShadingPage
 from workbench.rendering.scene.shading import LIT_SHADINGS
 from workbench.session.session import Session
@@ -51,6 +52,24 @@ def scene_of(page: ShadingPage) -> Scene:
     scene = page.session.sheet.scene
     assert scene is not None
     return scene
+
+
+def pick_colour(qtbot: QtBot, page: ShadingPage, colour: int, meanwhile: Callable[[], object]) -> None:
+    qtbot.mouseClick(page.lamps.colour, Qt.MouseButton.LeftButton)
+    dialog = page.lamps.findChild(QColorDialog)
+    meanwhile()
+    dialog.setCurrentColor(QColor(colour))
+    dialog.accept()
+    qtbot.waitUntil(lambda: page.lamps.findChild(QColorDialog) is None)
+
+
+def test_a_colour_goes_to_what_it_was_picked_for_and_to_nothing_else(qtbot: QtBot, page: ShadingPage) -> None:
+    light, material = scene_of(page).lights[0].id, scene_of(page).materials[0]
+    page.lamps.choose(light)
+    pick_colour(qtbot, page, 0x123456, lambda: None)
+    pick_colour(qtbot, page, 0x654321, lambda: page.lamps.choose(material.id))
+    assert scene_of(page).lights[0].colour == 0x123456
+    assert scene_of(page).materials[0] == material
 
 
 def test_a_dragged_light_comes_back_in_one_step(qtbot: QtBot, page: ShadingPage) -> None:
@@ -149,7 +168,7 @@ def test_what_is_wrong_with_a_light_is_said_in_place(qtbot: QtBot, page: Shading
     assert word() == ""
     page.session.apply(remove_thing(light.id), "remove")
     settle(qtbot, page)
-    assert page.lamps.word.text() == "The scene has no light of its own: it is lit from above the eye."
+    assert page.lamps.word.text() == "The scene has no light of its own, so it is lit from above the eye."
 
 
 def test_a_scene_without_polygons_says_so_and_keeps_its_lights(qtbot: QtBot, page: ShadingPage) -> None:

@@ -15,8 +15,8 @@ def test_why_this_pixel_tells_what_the_painter_painted_there_and_over_what(qtbot
     recorded(qtbot, session)
     listed = [page.fragments.list.item(k).text() for k in range(page.fragments.list.count())]
     assert listed == [
-        "Step 1: Triangle 1, painted.\nz = 0.5075, over the ground.",
-        "Step 2: Triangle 0, painted, and stands.\nz = 0.5200, over what is nearer, 0.5075.",
+        "Step 1: Triangle 1, painted.\nz = 0.5075, over the background.",
+        "Step 2: Triangle 0, painted, and remains.\nz = 0.5200, over what is nearer, 0.5075.",
     ]
     assert "It was painted 2 times." in page.fragments.caption.text()
     page.fragments.list.itemClicked.emit(page.fragments.list.item(1))
@@ -32,7 +32,7 @@ def test_why_this_pixel_tells_of_each_method_the_surface_that_it_shows(qtbot, pa
         session.update_state(subject=Subject("visibility", entry=method), pixel=(28, 15))
         recorded(qtbot, session)
         assert page.fragments.list.count() == 1
-        assert f"Triangle {surface}, painted, and stands" in page.fragments.list.item(0).text()
+        assert f"Triangle {surface}, painted, and remains" in page.fragments.list.item(0).text()
     session.update_state(pixel=(0, 0))
     recorded(qtbot, session)
     assert page.fragments.list.count() == 0

@@ -86,7 +86,7 @@ def test_a_click_goes_to_the_fragment_and_lists_all_that_came(qtbot, page, sessi
     listed = [page.fragments.list.item(k).text() for k in range(page.fragments.list.count())]
     assert listed == [
         "Step 332: Triangle 0, won.\n0.5200 is less than 1.0000, stored there.",
-        "Step 684: Triangle 1, won, and stands.\n0.5075 is less than 0.5200, stored there.",
+        "Step 684: Triangle 1, won, and remains.\n0.5075 is less than 0.5200, which is stored there.",
     ]
     assert page.fragments.list.currentRow() == 1
 
@@ -107,7 +107,7 @@ def test_a_pixel_that_nothing_covers_says_so(qtbot, page, session):
     said = []
     page.hover_text.connect(said.append)
     click(qtbot, page, 46, 30)
-    assert said[-1] == "No fragment comes to (46, 30)."
+    assert said[-1] == "No fragment reaches (46, 30)."
     assert "No surface covers it" in page.fragments.caption.text()
     assert session.state.step == 0
 
@@ -208,7 +208,7 @@ def test_gains_and_costs_are_measured_on_the_scene(qtbot, page, session):
     page.cost.show()
     qtbot.waitUntil(lambda: page.cost.measures is not None, timeout=5000)
     text = page.cost.words.text()
-    assert "Drawn in the other order, 1 of 622 pixels differs: its depths are equal." in text
+    assert "Drawn in the opposite order, 1 of 622 pixels differs: its depths are equal." in text
     assert "1 pair of triangles pierces" in text
     assert "2 triangles, 893 fragments" in text
     assert "12,288 bytes" in text

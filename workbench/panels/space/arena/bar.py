@@ -24,7 +24,7 @@ class ArenaBar(QWidget):
         super().__init__(parent)
         self.ready, self.size_box = QComboBox(), QComboBox()
         self.ready.setAccessibleName(_("Ready scenes"))
-        self.ready.setToolTip(_("Open a scene on which it is known which methods fail, and why"))
+        self.ready.setToolTip(_("Open a scene in which some methods are known to fail, and see why"))
         self.ready.setPlaceholderText(_("Ready scenes"))
         for number, slug in enumerate(READY):
             self.ready.addItem(example(slug).title, slug)
@@ -41,7 +41,7 @@ class ArenaBar(QWidget):
         self.size_box.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.size_box.activated.connect(lambda k: self.columns_wanted.emit(self.size_box.itemData(k)))
         self.marks = QCheckBox(_("Mark differences"))
-        self.marks.setToolTip(_("Mark the pixels that show another surface than ray casting"))
+        self.marks.setToolTip(_("Mark the pixels that show a different surface from ray casting"))
         self.marks.setChecked(True)
         self.measure = QPushButton()
         row = QHBoxLayout(self)
@@ -63,7 +63,7 @@ class ArenaBar(QWidget):
         """What the button does now."""
         self.measure.setText(_("Stop") if busy else _("Measure times"))
         self.measure.setToolTip(
-            _("Leave what is being measured (Escape)")
+            _("Stop measuring (Escape)")
             if busy
             else _("Time every method at ten times the width and height (Ctrl+M)")
         )

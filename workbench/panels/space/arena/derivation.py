@@ -34,9 +34,9 @@ def derivation(device: DeviceTriangles | None, measures: Measures) -> Derivation
             blocks.append(Sentence(said.format(text=_POWER.sub(r"$\1^{\2}$", text))))
         if row.but:
             blocks.append(Sentence(_("But: {text}").format(text=row.but)))
-    growth = list(measures.growth.values())
-    if growth:
-        for which, name in enumerate((_("Time by pixels"), _("Time by polygons"))):
+    for which, name in enumerate((_("Time by pixels"), _("Time by polygons"))):
+        growth = [each for each in measures.growth.values() if _points(each, which)]
+        if growth:
             blocks += [Heading(name), _growth(growth, which)]
     return Derivation(title, blocks, paper_inks())
 

@@ -6,9 +6,9 @@ from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from workbench.exchange.tables import Table
 from workbench.language import _
-from workbench.panels.space.feature_table import FeatureTable
 from workbench.rendering.scene.spaces import Measures, SpaceRow, space_rows
 from workbench.widgets.look.in_sight import InSight
+from workbench.widgets.tables.feature_table import FeatureTable
 
 _LOW_PX = 260
 

@@ -38,7 +38,7 @@ def sentence_of(run: MethodRun) -> str:
     """Whether a method is right, and if not, why not."""
     title, wrong = title_of(run.method), int(run.different.sum())
     if run.method == TRUTH:
-        said = _("{title} compares all surfaces at each pixel: the others are held against it.")
+        said = _("{title} compares all surfaces at each pixel: the others are checked against it.")
         return said.format(title=title)
     if not wrong:
         return _("{title} shows at every pixel what ray casting shows.").format(title=title)

@@ -120,7 +120,7 @@ class _Work:
         except ValueError as error:
             return self, reason_of(error)
         except MemoryError:
-            return self, _("The scene takes more memory than there is; hide some of its objects.")
+            return self, _("There is not enough memory for this scene; hide some of its objects.")
         except Exception:
             report()
             return self, _("Something in the program failed while the methods were run.")
@@ -150,7 +150,7 @@ def _prepare(job: ArenaJob, work: _Work, tell: Callable[[Told], None]) -> None:
     from workbench.engine.warm import Warming
 
     if not compiled.available():
-        raise ValueError(_("Times are those of compiled texts, and there is no compiler here."))
+        raise ValueError(_("Times are those of compiled algorithms, and there is no compiler here."))
     child = Warming(job.methods, ("paint", "collect", "count"))
     work.stop_child = child.stop
     if work.flag.is_set:

@@ -42,14 +42,18 @@ class ShadingBar(QWidget):
         self.progress.setProperty("role", "muted")
         for widget, name, tip in (
             (self.method, _("Shading"), _("How light or normals are spread over the faces")),
-            (self.size_box, _("Size of the picture"), _("How many pixels the stepped picture has")),
+            (self.size_box, _("Size of the picture"), _("How many pixels the picture that is stepped has")),
             (
                 self.halfway,
                 _("Halfway vector"),
                 _("Highlights by the direction halfway between L and V"),
             ),
-            (self.shadows, _("Shadows"), _("Cast a ray to each light from every place that is lit")),
-            (self.keep, _("Keep this view"), _("Step the scene as it is seen now: write the camera into it")),
+            (self.shadows, _("Shadows"), _("Cast a ray to each light from every point that is lit")),
+            (
+                self.keep,
+                _("Keep this view"),
+                _("Step the scene as it is seen now: write this camera into the document"),
+            ),
             (self.together, _("Four shadings side by side"), _("Four shadings side by side (Shift+4)")),
         ):
             widget.setAccessibleName(name)

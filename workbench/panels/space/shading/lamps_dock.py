@@ -5,7 +5,8 @@ from functools import partial
 from typing import Any
 
 from msgspec.structs import replace
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QCheckBox,
     QColorDialog,
@@ -25,6 +26,7 @@ from workbench.document.fields import Number, numbers_of
 from workbench.document.scene.edits import add_light, remove_thing, set_thing
 from workbench.document.scene.model import Light, Material, Point3D, Scene
 from workbench.language import _
+from workbench.panels.space.looking import light_moved_to
 from workbench.panels.space.shading.light_faults import word_of
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField
@@ -49,7 +51,7 @@ class LampsDock(QScrollArea):
         self.fields: dict[str, NumberField] = {}
         self.choice = QComboBox()
         self.choice.setAccessibleName(_("Light or material"))
-        self.choice.setToolTip(_("Whose numbers are shown"))
+        self.choice.setToolTip(_("The light or material whose numbers are shown"))
         self.choice.activated.connect(lambda _index: self._choose())
         self.add = self._button(_("Add light"), "plus", self.add_light, _("Put a light above the scene"))
         self.remove = self._button(_("Remove"), "trash", self.delete, _("Remove this light"))
@@ -60,9 +62,13 @@ class LampsDock(QScrollArea):
         self.word = QLabel()
         self.word.setWordWrap(True)
         self.word.setProperty("role", "warn")
-        buttons = QHBoxLayout()
-        for button in (self.add, self.remove, self.colour):
-            buttons.addWidget(button)
+        self.choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.choice.setMinimumContentsLength(10)
+        top, buttons = QHBoxLayout(), QHBoxLayout()
+        top.addWidget(self.choice, 1)
+        top.addWidget(self.colour)
+        buttons.addWidget(self.add)
+        buttons.addWidget(self.remove)
         buttons.addStretch(1)
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(10)
@@ -71,7 +77,7 @@ class LampsDock(QScrollArea):
         column = QVBoxLayout(body)
         column.setContentsMargins(10, 8, 10, 8)
         column.setSpacing(8)
-        column.addWidget(self.choice)
+        column.addLayout(top)
         column.addLayout(buttons)
         column.addLayout(self._grid)
         column.addWidget(self.distant)
@@ -143,7 +149,7 @@ class LampsDock(QScrollArea):
                 self.fields[name].setEnabled(not thing.distant)
         word = word_of(thing, scene) if isinstance(thing, Light) else ""
         if not scene.lights:
-            word = _("The scene has no light of its own: it is lit from above the eye.")
+            word = _("The scene has no light of its own, so it is lit from above the eye.")
         self.word.setText(word)
         self.word.setVisible(bool(word))
 
@@ -199,10 +205,9 @@ class LampsDock(QScrollArea):
 
     def move_light(self, identity: str, position: Point3D) -> None:
         """Put a light elsewhere, as a part of a drag."""
-        scene = self._session.sheet.scene
-        light = next((each for each in scene.lights if each.id == identity), None) if scene else None
-        if light is not None:
-            self._apply(set_thing(replace(light, position=position)), _("Move a light"), f"light {identity}")
+        edit = light_moved_to(self._session.sheet.scene or Scene(), identity, position)
+        if edit is not None:
+            self._apply(edit, _("Move a light"), f"light {identity}")
 
     def add_light(self) -> None:
         """Put a light above the scene, and choose it."""
@@ -220,12 +225,18 @@ class LampsDock(QScrollArea):
             self._apply(remove_thing(self.chosen.id), _("Remove a light"))
 
     def ask_colour(self) -> None:
-        """Have another colour chosen for the light or the material."""
+        """Have another colour chosen for the light or the material that is shown now."""
         thing = self.chosen
         if thing is None:
             return
-        colour = QColorDialog.getColor(f"#{thing.colour:06x}", self, _("Colour"))
-        if colour.isValid():
+        dialog = QColorDialog(f"#{thing.colour:06x}", self)
+        dialog.setWindowTitle(_("Colour"))
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.colorSelected.connect(partial(self._colour, thing.id))
+        dialog.open()  # exec() would hold whatever else goes on, and what it was asked for may go meanwhile
+
+    def _colour(self, identity: str, colour: QColor) -> None:
+        if self.chosen is not None and self.chosen.id == identity:
             self._change({"colour": colour.rgb() & 0xFFFFFF})
 
     def _apply(self, edit: Edit, name: str, merge: str = "") -> bool:

@@ -16,7 +16,10 @@ from workbench.document.subjects import Argument
 from workbench.language import _, ngettext
 from workbench.panels.space.visibility.back_face_run import BackFaceRun
 from workbench.panels.space.visibility.depth_run import DepthRun
+from workbench.panels.space.visibility.line_run import LineRun
+from workbench.panels.space.visibility.octree_fields import OctreeFields
 from workbench.panels.space.visibility.picture import Shown, surface_colours
+from workbench.panels.space.visibility.solid_run import SolidRun
 from workbench.panels.space.visibility.surface_run import SurfaceRun
 from workbench.panels.stage.card import number_field
 from workbench.panels.stage.folding_card import FoldingCard, fill_choices
@@ -67,9 +70,11 @@ class VisibilityCard(FoldingCard):
         self.bits.activated.connect(lambda k: self._give("bits", self.bits.itemData(k)))
         self._add_shown()
         self.backwards = QCheckBox(_("Last surface first"))
-        self.backwards.setToolTip(_("Draw the surfaces in the other order: is the picture another one?"))
+        self.backwards.setToolTip(_("Draw the surfaces in the opposite order: does the picture change?"))
         self.backwards.clicked.connect(lambda on: self._give("backwards", on))
         self.body.addWidget(self.backwards)
+        self.octree = OctreeFields(self._give)
+        self.body.addWidget(self.octree)
         self.planes: dict[str, NumberField] = {}
         grid = QGridLayout()
         grid.setHorizontalSpacing(8)
@@ -97,7 +102,7 @@ class VisibilityCard(FoldingCard):
             (
                 "writes",
                 _("Overdraw"),
-                _("How often each pixel was written: once would be enough"),
+                _("How often each pixel was written; once would be enough"),
             ),
         )
         for k, (shown, title, tip) in enumerate(each):
@@ -117,7 +122,12 @@ class VisibilityCard(FoldingCard):
         self.shown = shown
         self.shown_changed.emit()
 
-    def refresh(self, run: DepthRun | None, fighting: int, told: BackFaceRun | SurfaceRun | None) -> None:
+    def refresh(
+        self,
+        run: DepthRun | None,
+        fighting: int,
+        told: BackFaceRun | SurfaceRun | LineRun | SolidRun | None,
+    ) -> None:
         """Show what is set, and what the colours mean; ``fighting`` pixels show the wrong surface now.
 
         ``told`` is how far a method has come that keeps no depths, where one is stepped.
@@ -133,6 +143,7 @@ class VisibilityCard(FoldingCard):
         fill_choices(self.method, titles, method_of(session.sheet, subject))
         for widget in (self.backwards, *self.buttons.buttons()):
             widget.setVisible(told is None)
+        self.octree.refresh(session.sheet, subject)
         sizes = [size_of(session.sheet, columns) for columns in COLUMNS]
         choices = [(columns, f"{columns} × {rows} px") for columns, rows in sizes]
         columns = scene_size(session.sheet, subject)[0]

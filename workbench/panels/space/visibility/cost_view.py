@@ -11,14 +11,16 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
 from workbench.language import _, ngettext, reason_of
 from workbench.panels.space.visibility.depth_run import DepthRun
-from workbench.panels.space.visibility.method_words import MethodMeasures, method_words
+from workbench.panels.space.visibility.method_words import MethodMeasures, method_words, what_holds
 from workbench.rendering.mapping import Call
 from workbench.rendering.scene.arena import run_methods
 from workbench.rendering.scene.depth_measures import DepthMeasures, distance_of, least_distance, measured
 from workbench.rendering.scene.fragments import NOTHING
+from workbench.rendering.scene.line_calls import HIDDEN_LINES
 from workbench.rendering.subjects.visibility import (
     DEPTH_BUFFER,
     NOT_ROUNDED,
+    OCTREES,
     backwards,
     depth_call,
     window_of,
@@ -63,6 +65,10 @@ class CostView(QScrollArea):
             nothing = _("No surface covers a pixel, so there is nothing to measure.")
             elsewhere = _("On the page Visibility the method that is stepped is measured on this scene.")
             self.words.setText(elsewhere if run is None else nothing)
+        elif method in (HIDDEN_LINES, *OCTREES):
+            self._question += 1
+            self._asked = self.measures = self._other = None
+            self.words.setText(what_holds(method))
         elif self.isVisible() and not self._is_asked(run.call, method):
             self._ask(run)
         else:
@@ -137,9 +143,9 @@ def gains_and_costs(run: DepthRun, found: DepthMeasures) -> tuple[Told, Told]:
     """What the course says for and against the depth buffer, each with a number of this scene, rich text."""
     gives = (
         (_("Any order"), _other_order(found)),
-        (_("Pierces rightly"), _piercing(found)),
+        (_("Handles piercing"), _piercing(found)),
         (
-            _("Time about linear"),
+            _("Time roughly linear"),
             _("{triangles} triangles, {fragments:,} fragments: one comparison each.").format(
                 triangles=found.triangles, fragments=found.fragments
             ),
@@ -149,8 +155,8 @@ def gains_and_costs(run: DepthRun, found: DepthMeasures) -> tuple[Told, Told]:
         (_("Memory"), _memory(run)),
         (_("Rounded depths"), _rounded(run, found)),
         (
-            _("Work for nothing"),
-            _("{lost:,} of {writes:,} writes were written over; {refused:,} fragments were refused.").format(
+            _("Wasted work"),
+            _("{lost:,} of {writes:,} writes were overwritten; {refused:,} fragments were refused.").format(
                 lost=found.overwritten,
                 writes=found.overwritten + found.covered,
                 refused=found.fragments - found.overwritten - found.covered,
@@ -159,7 +165,7 @@ def gains_and_costs(run: DepthRun, found: DepthMeasures) -> tuple[Told, Told]:
         (_("Aliasing"), _aliasing(run)),
         (
             _("No transparency"),
-            _("{n:,} of {covered:,} covered pixels have more than one surface, and show one.").format(
+            _("{n:,} of {covered:,} covered pixels have more than one surface, but show only one.").format(
                 n=found.layered, covered=found.covered
             ),
         ),
@@ -186,19 +192,19 @@ def _aliasing(run: DepthRun) -> str:
         border |= ahead | np.roll(ahead, 1, axis)
     count = int((border & (seen != NOTHING)).sum())
     text = _(
-        "{n:,} of {covered:,} covered pixels lie at a border; each shows one surface, so borders have steps."
+        "{n:,} of {covered:,} covered pixels lie at a border; each shows one surface, so borders are stepped."
     )
     return text.format(n=count, covered=int((seen != NOTHING).sum()))
 
 
 def _other_order(found: DepthMeasures) -> str:
     if not found.other_order:
-        return _("Drawn in the other order, all {covered:,} pixels are the same.").format(
+        return _("Drawn in the opposite order, all {covered:,} pixels are the same.").format(
             covered=found.covered
         )
     text = ngettext(
-        "Drawn in the other order, {n:,} of {covered:,} pixels differs: its depths are equal.",
-        "Drawn in the other order, {n:,} of {covered:,} pixels differ: their depths are equal.",
+        "Drawn in the opposite order, {n:,} of {covered:,} pixels differs: its depths are equal.",
+        "Drawn in the opposite order, {n:,} of {covered:,} pixels differ: their depths are equal.",
         found.other_order,
     )
     return text.format(n=found.other_order, covered=found.covered)
@@ -240,7 +246,9 @@ def _rounded(run: DepthRun, found: DepthMeasures) -> str:
             bits=bits, n=found.rounded, covered=found.covered
         )
         if run.bits
-        else _("Depths are not rounded now; with few bits, surfaces close to one another fight.")
+        else _("Depths are not rounded now; with few bits, surfaces close to one another cause z-fighting.")
     )
-    where = _("{formula}: at z = {z:.4g}, b = {bits}, surfaces less than {apart:.3g} apart may fight.")
+    where = _(
+        "{formula}: at z = {z:.4g}, b = {bits}, surfaces less than {apart:.3g} apart may show z-fighting."
+    )
     return f"{wrong} {where.format(formula=formula, z=z, bits=bits, apart=apart)}"

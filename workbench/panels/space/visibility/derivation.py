@@ -27,7 +27,7 @@ def derivation(run: DepthRun, measures: DepthMeasures | None) -> Derivation:
         Heading(_("{title}, step {n} of {all}").format(title=title, n=run.reached, all=len(run.fragments))),
         _picture(run),
         Sentence(
-            _("1. The depth buffer begins with $z_max$ = {z}, the frame buffer with the ground.").format(
+            _("1. The depth buffer starts with $z_max$ = {z}, the frame buffer with the background.").format(
                 z=displayed(run.farthest)
             )
         ),
@@ -98,7 +98,7 @@ def _now(run: DepthRun, number: int) -> list[Block]:
     x, y, surface = (int(column[number]) for column in (fragments.x, fragments.y, fragments.surface))
     A, B, C, D = run.plane_of(surface)
     z, stored = float(fragments.z[number]), float(fragments.stored[number])
-    sign, word = ("<", _("it wins")) if fragments.won[number] else ("≥", _("it is refused"))
+    sign, word = ("<", _("it wins")) if fragments.won[number] else ("≥", _("it loses"))
     return [
         Heading(_("Row {y}, pixel ({x}, {y})").format(x=x, y=y)),
         _row(run, number),
@@ -112,7 +112,7 @@ def _now(run: DepthRun, number: int) -> list[Block]:
         ),
         Sentence(
             _(
-                "$z = -(A x + B y + D) / C = {z}$; a pixel further along the row it changes by "
+                "$z = -(A x + B y + D) / C = {z}$; one pixel further along the row it changes by "
                 "$-A/C = {step}$."
             ).format(z=displayed(z), step=displayed(-A / C))
         ),

@@ -49,9 +49,9 @@ class FragmentList(QWidget):
             self._shown = ()
             self.list.clear()
             self._say(
-                _("Click a pixel, or point at one and press Y: what came to it?")
+                _("Click a pixel, or point at one and press Y: what reached it?")
                 if is_of_the_scene(self._session.subject)
-                else _("The pages Visibility and Hidden surfaces tell what came to a pixel.")
+                else _("The pages Visibility and Hidden surfaces tell what reached a pixel.")
             )
             return
         if keeps_depths:
@@ -66,7 +66,7 @@ class FragmentList(QWidget):
             numbers = [number for number in numbers if number < run.reached]
         if self._is_shown(run, pixel, len(numbers)):
             return
-        text = ngettext("{n} fragment came to it.", "{n} fragments came to it.", len(numbers))
+        text = ngettext("{n} fragment reached it.", "{n} fragments reached it.", len(numbers))
         said = text.format(n=len(numbers)) if numbers else _nothing(run)
         winners = [number for number in numbers if run.fragments.won[number]]
         self._list(pixel, said, [self._item(run, number, number == winners[-1]) for number in numbers])
@@ -75,7 +75,9 @@ class FragmentList(QWidget):
         stepped = method_run(self._session)
         if method_of(self._session.sheet, self._session.subject) == BACK_FACES:
             self._shown = ()
-            self._list(pixel, _("Back faces are told of faces, not of pixels: choose another method."), [])
+            self._list(
+                pixel, _("Back-face removal decides about faces, not pixels: choose another method."), []
+            )
             return
         steps = pixel_steps(run, stepped, *pixel)
         if self._is_shown(run, pixel, (stepped and stepped.entry, *steps)):
@@ -103,11 +105,11 @@ class FragmentList(QWidget):
     def _item(self, run: DepthRun, number: int, stands: bool) -> QListWidgetItem:
         fragments = run.fragments
         won = bool(fragments.won[number])
-        verb = _("refused") if not won else _("won, and stands") if stands else _("won")
+        verb = _("refused") if not won else _("won, and remains") if stands else _("won")
         text = (
-            _("{z} is less than {stored}, stored there.")
+            _("{z} is less than {stored}, which is stored there.")
             if won
-            else _("{z} is not less than {stored}, stored there.")
+            else _("{z} is not less than {stored}, which is stored there.")
         )
         name = run.name_of(int(fragments.surface[number]))
         head = _("Step {n}: {surface}, {verb}.").format(n=number + 1, surface=name, verb=verb)
@@ -140,16 +142,16 @@ class FragmentList(QWidget):
 def _nothing(run: DepthRun) -> str:
     z = run.depth_text(run.farthest)
     if run.hidden:
-        return _("No fragment has come to it yet: it holds z = {z}.").format(z=z)
-    return _("No surface covers it: it keeps z = {z} and the colour of the ground.").format(z=z)
+        return _("No fragment has reached it yet: it holds z = {z}.").format(z=z)
+    return _("No surface covers it: it keeps z = {z} and the background colour.").format(z=z)
 
 
 def _painted_item(run: DepthRun, step: PixelStep, stands: bool) -> QListWidgetItem:
-    verb = _("painted, and stands") if stands else _("painted")
+    verb = _("painted, and remains") if stands else _("painted")
     head = _("Step {n}: {surface}, {verb}.").format(n=step.step, surface=run.name_of(step.surface), verb=verb)
     z, under = run.depth_text(step.z), run.depth_text(step.under_z)
     if step.under == NOTHING:
-        told = _("z = {z}, over the ground.").format(z=z)
+        told = _("z = {z}, over the background.").format(z=z)
     elif step.hides_nearer:
         told = _("z = {z}, over what is nearer, {under}.").format(z=z, under=under)
     else:

@@ -33,7 +33,13 @@ def method_words(measures: MethodMeasures) -> str:
     rows.append((_("Keeps at most"), kept))
     if entry.tie:
         rows.append((_("Ties"), _(entry.tie) + "."))
-    parts = [f"<h4>{_('Here')}</h4>", *(f"<p><b>{head}.</b> {text}</p>" for head, text in rows)]
+    here = [f"<h4>{_('Here')}</h4>", *(f"<p><b>{head}.</b> {text}</p>" for head, text in rows)]
+    return "".join(here) + what_holds(run.method)
+
+
+def what_holds(method: str) -> str:
+    """What the entry of a method says always holds, and what does not."""
+    entry, parts = catalogue.get(method), []
     for title, lines in (
         (_("What holds"), [law.sentence for law in entry.laws]),
         (_("What does not hold"), entry.not_laws),

@@ -22,6 +22,7 @@ from workbench.panels.space.visibility.cost_view import CostView
 from workbench.panels.space.visibility.depth_run import DepthRun, depth_run, method_run
 from workbench.panels.space.visibility.derivation import derivation
 from workbench.panels.space.visibility.fragment_list import FragmentList
+from workbench.panels.space.visibility.line_run import LineRun, line_run
 from workbench.panels.space.visibility.picture import (
     down_to_plot,
     lens_cells,
@@ -29,6 +30,7 @@ from workbench.panels.space.visibility.picture import (
     row_frame,
     row_of_depths,
 )
+from workbench.panels.space.visibility.solid_run import SolidRun, solid_run
 from workbench.panels.space.visibility.surface_run import SurfaceRun, surface_run
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.plain_page import PlainPage
@@ -36,11 +38,13 @@ from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.depth_measures import differing
 from workbench.rendering.scene.fragments import NOTHING
 from workbench.rendering.scene.framing import framed
+from workbench.rendering.scene.line_calls import HIDDEN_LINES
 from workbench.rendering.subjects.registry import marks_on_device
 from workbench.rendering.subjects.visibility import (
+    DEPTH_BUFFER,
     KIND,
     NOT_ROUNDED,
-    SURFACE_METHODS,
+    OCTREES,
     depth_call,
     fault_of,
     is_of_the_scene,
@@ -88,7 +92,7 @@ class VisibilityPage(PlainPage, QWidget):
             _("No surface covers a pixel."),
             self.frame_scene,
             _("Frame the scene"),
-            _("Move the camera so far that all of the scene is before it"),
+            _("Move the camera back until the whole scene is in front of it"),
         )
         self.fragments = FragmentList(session)
         self.cost = CostView()
@@ -250,11 +254,20 @@ class VisibilityPage(PlainPage, QWidget):
     @property
     def _keeps_depths(self) -> bool:
         """Whether fragments are compared with stored depths, which lens, plot and list show."""
-        return self._method not in (BACK_FACES, *SURFACE_METHODS)
+        return self._method == DEPTH_BUFFER
 
-    def _told(self, run: DepthRun) -> BackFaceRun | SurfaceRun:
+    @property
+    def _paints_no_pixels(self) -> bool:
+        """Whether the method is told of faces, lines or cells."""
+        return self._method in (BACK_FACES, HIDDEN_LINES, *OCTREES)
+
+    def _told(self, run: DepthRun) -> BackFaceRun | SurfaceRun | LineRun | SolidRun:
         if self._tests_faces:
             return back_face_run(run, self.session.sheet, method_run(self.session))
+        if self._method == HIDDEN_LINES:
+            return line_run(run, self.session)
+        if self._method in OCTREES:
+            return solid_run(run, self.session)
         return surface_run(run, self.session)
 
     def _show_empty(self) -> None:
@@ -326,11 +339,11 @@ class VisibilityPage(PlainPage, QWidget):
 
     def _clicked(self, x: int, y: int) -> None:
         """Go to the next fragment of the pixel, and list all that came to it."""
-        if self._tests_faces:
+        if self._paints_no_pixels:
             return
         self.session.update_state(pixel=(x, y))
         if not self.session.run.waiting and not self.session.run.run_to_pixel(x, y):
-            said = _("No fragment comes to ({x}, {y}).")
+            said = _("No fragment reaches ({x}, {y}).")
             if not self._keeps_depths:
                 said = _("Nothing is painted at ({x}, {y}).")
             self.hover_text.emit(said.format(x=x, y=y))
@@ -338,8 +351,8 @@ class VisibilityPage(PlainPage, QWidget):
     def ask_why(self) -> None:
         """List what came to the pixel that is pointed at."""
         cell = self.canvas.pointed_cell
-        if self._tests_faces:
-            self.hover_text.emit(_("Back faces are told of faces, not of pixels: choose another method."))
+        if self._paints_no_pixels:
+            self.hover_text.emit(_("This method is not told of pixels: choose one that paints some."))
         elif cell is None:
             self.hover_text.emit(_("Point at a pixel first, then ask why it is as it is."))
         else:

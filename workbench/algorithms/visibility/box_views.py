@@ -1,0 +1,213 @@
+"""What ray casting through boxes shows of its blocks, and what it is shown on."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from random import Random
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from workbench.algorithms.entry import View
+from workbench.algorithms.marks import MOST_SPOTS, Ink, Mark, Stroke, Weight, closed
+from workbench.algorithms.visibility.boxes import NONE, X_HIGH, X_LOW, Y_HIGH, Y_LOW, Boxes, Cut
+from workbench.algorithms.visibility.ray_views import offered
+from workbench.algorithms.visibility.surface_marks import marks
+from workbench.algorithms.visibility.surface_scene import SURFACES
+from workbench.algorithms.visibility.surface_words import listed
+
+COLUMNS = ("box or ray", "surfaces", "tried", "nearest z", "so")
+_AXES = "xyz"
+
+
+def _row_of_triangles() -> NDArray[np.float64]:
+    """Ten triangles (30, 3) in two rows, those below nearer and wider."""
+    corners = []
+    for k in range(5):
+        x, z = 2.5 * k, 0.25 + k / 16
+        corners += [(x, 0.5, z), (x + 4, 1.0, z), (x + 1, 5.5, z + 0.125)]
+        corners += [(x + 0.5, 4.25, 0.75), (x + 3, 4.75, 0.75 - k / 16), (x + 1, 9.0, 0.5)]
+    return np.array(corners)
+
+
+_OWN = {
+    "vertices": _row_of_triangles(),
+    "faces": np.arange(30).reshape(10, 3),
+    "colours": np.arange(1, 11),
+}
+EXAMPLE = tuple(
+    replace(parameter, example=_OWN[parameter.name]) if parameter.name in _OWN else parameter
+    for parameter in SURFACES
+)
+"""image, vertices, faces, colours, with more triangles than one box keeps."""
+
+
+def many_surfaces(chance: Random) -> tuple[Any, ...]:
+    """Up to a dozen triangles on quarters of a pixel, some of them twice, some edge on."""
+    triangles: list[list[tuple[float, float, float]]] = []
+    for _triangle in range(chance.randint(0, 12)):
+        if triangles and chance.random() < 0.2:
+            triangles.append(chance.choice(triangles))
+            continue
+        x, y = chance.randint(-8, 32) / 4, chance.randint(-8, 24) / 4
+        triangles.append(
+            [
+                (x + chance.randint(-8, 8) / 4, y + chance.randint(-8, 8) / 4, chance.randint(0, 15) / 16)
+                for _corner in range(3)
+            ]
+        )
+    count = len(triangles)
+    corners = np.array(triangles, np.float64).reshape(-1, 3)
+    faces = np.arange(3 * count).reshape(-1, 3)
+    return np.zeros((6, 8), np.int64), corners, faces, np.arange(1, count + 1)
+
+
+def box_mark(boxes: Boxes, box: int, ink: Ink = "accent", weight: Weight = "medium") -> tuple[Mark, ...]:
+    """The outline of a box as the eye sees it; of an empty one there is none."""
+    if boxes.first[box] == boxes.end[box]:
+        return ()
+    left, right, low, high = boxes.extents[box, [X_LOW, X_HIGH, Y_LOW, Y_HIGH]]
+    return (Stroke(closed(np.array([[left, low], [right, low], [right, high], [left, high]])), ink, weight),)
+
+
+def box_marks(
+    arguments: tuple[Any, ...], now: Mapping[str, Any], emitted: NDArray[Any], ended: bool
+) -> Iterator[Mark]:
+    """Outlines of the triangles, and all boxes so far that hold a surface."""
+    yield from marks(arguments, now, emitted, ended)
+    if "total" in now:
+        for box in range(min(now["total"], MOST_SPOTS)):
+            yield from box_mark(now["boxes"], box, "data4", "hair")
+
+
+def surfaces_in(boxes: Boxes, order: NDArray[np.int64], box: int) -> str:
+    """The numbers of the surfaces in a box."""
+    return listed(order[boxes.first[box] : boxes.end[box]].tolist())
+
+
+def box_rows(boxes: Boxes, order: NDArray[np.int64], total: int) -> list[tuple[int, str, str]]:
+    """Each box, its surfaces, and the boxes in it."""
+    return [
+        (box, surfaces_in(boxes, order, box), inner_of(boxes, box)) for box in range(min(total, MOST_SPOTS))
+    ]
+
+
+def inner_of(boxes: Boxes, box: int) -> str:
+    """The two boxes in a box."""
+    inner = int(boxes.inner[box])
+    return "–" if inner == NONE else f"{inner}, {inner + 1}"
+
+
+def across(cut: Cut) -> str:
+    """The axis that a cut is across, by its name."""
+    return _AXES[cut.axis]
+
+
+def waiting_boxes(waiting: NDArray[np.int64], count: int) -> list[tuple[int]]:
+    """The boxes that wait, the nearest last."""
+    return [(box,) for box in waiting[:count].tolist()]
+
+
+VIEW_FUNCTIONS = (listed, offered, box_mark, surfaces_in, box_rows, inner_of, across, waiting_boxes)
+
+_TAKE = "Take a box: few surfaces stay as they are"
+_CUT = "Find the cut that leaves rays the least to try"
+_TRY = "Try the ray on the nearest box that waits"
+_MEET = "Find where the ray meets a surface in it"
+_GIVE = "Give the pixel the colour of the nearest"
+_BOXES = {"Boxes": ("box_rows(boxes, order, total)", ("box", "surfaces", "in it"))}
+_WAITING = {"Boxes that wait, the nearest last": ("waiting_boxes(waiting, count)", ("box",))}
+_HERE = "box_mark(boxes, here)"
+_BOX = "box_mark(boxes, box)"
+
+VIEWS = (
+    View(
+        block="Put one box around all surfaces",
+        sentence="One box is put around {len(order)} surfaces.",
+    ),
+    View(
+        block=_TAKE,
+        when="end - first <= 4",
+        row="('box ' + str(here), surfaces_in(boxes, order, here), '–', '–', 'stays')",
+        tables=_BOXES,
+        marks=_HERE,
+        sentence="Box {here} holds {end - first} surfaces, so few that it is not divided.",
+    ),
+    View(
+        block=_TAKE,
+        row="('box ' + str(here), surfaces_in(boxes, order, here), '–', '–', 'may be divided')",
+        tables=_BOXES,
+        marks=_HERE,
+        sentence="Box {here} holds {end - first} surfaces: it may be divided.",
+    ),
+    View(
+        block=_CUT,
+        when="cut.axis == -1",
+        marks=_HERE,
+        sentence="All surfaces of box {here} have their middles in one place: no cut parts them.",
+    ),
+    View(
+        block=_CUT,
+        marks=_HERE,
+        sentence="The cheapest cut of box {here} is across {across(cut)} at {cut.at}.",
+    ),
+    View(
+        block="Put a box around each of the two parts",
+        row="('box ' + str(here), surfaces_in(boxes, order, here), '–', '–', "
+        "'in boxes ' + inner_of(boxes, here))",
+        tables=_BOXES,
+        marks="(*box_mark(boxes, total - 2), *box_mark(boxes, total - 1, 'data2'))",
+        sentence="{middle - first} surfaces of box {here} go into box {total - 2}, {end - middle} into box "
+        "{total - 1}.",
+    ),
+    View(
+        block=_TRY,
+        when="missed(boxes, box, x, y, nearest)",
+        tables=_WAITING,
+        marks=_BOX,
+        sentence="The ray passes box {box} by, or has met something nearer: nothing in it is tried.",
+    ),
+    View(
+        block=_TRY,
+        tables=_WAITING,
+        marks=_BOX,
+        sentence="The ray through {(x, y)} meets box {box}.",
+    ),
+    View(
+        block="Open it: the nearer one in it comes first",
+        tables=_WAITING,
+        marks="(*box_mark(boxes, near), *box_mark(boxes, far, 'data2'))",
+        sentence="Boxes {near} and {far} are in box {box}; box {near} begins no farther, so it comes first.",
+    ),
+    View(
+        block=_MEET,
+        when="hit",
+        sentence="The ray meets surface {number} at z = {z}.",
+    ),
+    View(
+        block=_MEET,
+        sentence="The ray misses surface {number}.",
+    ),
+    View(
+        block=_GIVE,
+        when="seen == -1",
+        candidates="((x, y),)",
+        rejected="((x, y),)",
+        row="((x, y), len(order), tried, '–', 'none')",
+        considers="(x, y)",
+        options="offered(sorted(order.tolist()))",
+        answer="'none'",
+        sentence="The ray through {(x, y)} is tried on {tried} of {len(order)} surfaces and meets none.",
+    ),
+    View(
+        block=_GIVE,
+        candidates="((x, y),)",
+        chosen="((x, y),)",
+        row="((x, y), len(order), tried, nearest, seen)",
+        considers="(x, y)",
+        options="offered(sorted(order.tolist()))",
+        answer="seen",
+        sentence="The ray through {(x, y)} is tried on {tried} of {len(order)} surfaces; surface {seen} is "
+        "the nearest, at z = {nearest}.",
+    ),
+)

@@ -1,0 +1,346 @@
+"""The page Raster or random: one picture on both kinds of display, under one magnifying glass."""
+
+from collections.abc import Sequence
+from dataclasses import replace as replace_setup
+from fractions import Fraction
+
+import numpy as np
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QAction,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QResizeEvent,
+    QShowEvent,
+)
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from workbench.algorithms.scanning.operations import DRAW
+from workbench.algorithms.scanning.random_scan import random_scan as text
+from workbench.display.list_time import list_time
+from workbench.display.magnified import magnified_raster, magnified_vector
+from workbench.display.refresh_limit import LineTime, longest_steady_s, needed_hz
+from workbench.display.setup import TubeSetup, too_many_pixels
+from workbench.display.timings import RasterTiming
+from workbench.document.subjects import Subject
+from workbench.exchange.diagrams import Derivation
+from workbench.exchange.tables import Table
+from workbench.language import _
+from workbench.panels.display.comparison.bar import ComparisonBar
+from workbench.panels.display.comparison.derivation import derivation
+from workbench.panels.display.comparison.facts import Facts, features, stairs_of
+from workbench.panels.panel import DockPart, KeysWhileSeen, Said
+from workbench.panels.shared.tube_feed import setup_of
+from workbench.panels.stage.plain_page import PlainPage
+from workbench.rendering import frame_buffer
+from workbench.rendering.hatching import filled_pixels, hatched
+from workbench.rendering.subjects.comparison import (
+    KIND,
+    comparison_program,
+    lens_of,
+    number_of,
+)
+from workbench.rendering.subjects.random_scan import MOST_LINES, shortest_ps_of, timing_of, units_of
+from workbench.session.session import Session
+from workbench.widgets.canvas.pixel_canvas import ARROWS
+from workbench.widgets.look.icons import set_icon
+from workbench.widgets.plots.refresh_plot import RefreshCurve, RefreshPlot
+from workbench.widgets.tables.feature_table import FeatureTable
+from workbench.widgets.tube.lens import TubeLens
+from workbench.widgets.tube.refusal import Refusal
+from workbench.widgets.tube.stroke_view import StrokeView, Trace
+from workbench.widgets.tube.view import TubeView
+
+PAGE = "comparison"
+_NOTHING = np.zeros((3, 4), np.uint32)
+_PLOT_PX, _LOW_PX = 140, 420
+
+
+class ComparisonPage(PlainPage, QWidget):
+    """``hover_text``: what is said in passing."""
+
+    hover_text = Signal(str)
+    _due = Signal()
+
+    usual = Subject(KIND)
+    example = "raster-or-random"
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.session = session
+        self._waiting = False
+        self.facts: Facts | None = None
+        self._image = _NOTHING
+        self._fed: object = None
+        self._measured: object = None
+        self.bar = ComparisonBar(session)
+        self.raster, self.vector = TubeView("raster"), StrokeView()
+        self.refusal = Refusal(self.raster)
+        self.lenses = TubeLens(self.raster), TubeLens(self.vector)
+        self.note = QLabel()
+        self.note.setProperty("role", "muted")
+        self.note.setWordWrap(True)
+        self.note.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.plot = RefreshPlot()
+        self.plot.setFixedHeight(_PLOT_PX)
+        self.table = FeatureTable(
+            _("Raster and random scan"), _("Choose a row to read what has to be added to it")
+        )
+        tubes = QHBoxLayout()
+        tubes.setSpacing(8)
+        tubes.addWidget(self.raster)
+        tubes.addWidget(self.vector)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(8, 4, 8, 6)
+        whole.setSpacing(4)
+        whole.addWidget(self.bar)
+        whole.addLayout(tubes, 1)
+        whole.addWidget(self.note)
+        whole.addWidget(self.plot)
+        self.setFocusProxy(self.raster)
+        self._resting = QTimer(self)
+        self._resting.setSingleShot(True)
+        self._resting.setInterval(80)
+        self._resting.timeout.connect(self._show_lenses)
+        self._actions = self._made_actions()
+        KeysWhileSeen(self, self._actions)
+        self._connect()
+
+    def _made_actions(self) -> list[QAction]:
+        action = QAction(_("Show the magnifying glass"), self)
+        action.setObjectName("comparison.lens")
+        action.setShortcut(QKeySequence("Shift+M"))
+        action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        action.setCheckable(True)
+        action.setChecked(True)
+        set_icon(action, "magnifying-glass-plus")
+        action.toggled.connect(lambda _on: self._show_lenses())
+        self.glass = action
+        self.addAction(action)
+        for view in (self.raster, self.vector):
+            view.addAction(action)
+            view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        return [action]
+
+    def _connect(self) -> None:
+        session = self.session
+        self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
+        for told in (session.changed, session.state_changed):
+            told.connect(self.refresh_soon)
+        for signal in (session.run.changed, session.run.moved, session.run.grown):
+            signal.connect(self.refresh_soon)
+        for view in (self.raster, self.vector):
+            view.setMouseTracking(True)
+            view.installEventFilter(self)
+            view.sight.changed.connect(self.refresh_soon)
+        self.table.currentCellChanged.connect(lambda *_cells: self._tell())
+
+    # What Display asks of a page
+
+    def docks(self) -> Sequence[DockPart]:
+        """The comparison, feature by feature."""
+        right = Qt.DockWidgetArea.RightDockWidgetArea
+        return (("raster_or_random", _("Raster or random"), self.table, right),)
+
+    def commands(self) -> Sequence[QAction]:
+        """Its commands."""
+        return self._actions
+
+    def said(self) -> Said:
+        """What is said in passing."""
+        return Said(self.hover_text)
+
+    def tables(self) -> Sequence[tuple[str, Table]]:
+        """The comparison, and the rate against the number of lines."""
+        if self.facts is None:
+            return ()
+        columns = _("feature"), _("raster scan"), _("random scan"), _("to be added")
+        rows = [tuple(row) for row in features(self.facts)]
+        tables = [(_("Raster and random scan"), Table(columns, rows, formulas=False))]
+        numbers = self.plot.numbers()
+        return [*tables, (_("Refresh rate"), numbers)] if numbers else tables
+
+    def copy(self) -> bool:
+        """Put both tubes, as they glow now, on the clipboard."""
+        QGuiApplication.clipboard().setPixmap(self.grab())
+        self.hover_text.emit(_("The picture is on the clipboard."))
+        return True
+
+    def derivation(self) -> Derivation | None:
+        """Question 10 answered, with diagrams and this picture's numbers."""
+        return None if self.facts is None else derivation(self.facts, self._image)
+
+    # What is shown
+
+    def refresh_soon(self, *_arguments: object) -> None:
+        """Show the session as it is when all that happens now has happened; unseen, when it is seen."""
+        if not self._waiting and self.isVisible():
+            self._waiting = True
+            self._due.emit()
+
+    def refresh(self) -> None:
+        """Show the session as it is now."""
+        self._waiting = False
+        if not self.isVisible() or self.session.state.workspace != PAGE:
+            return
+        self.bar.refresh()
+        facts = self._measure()
+        self._show_tubes(facts)
+        rows = features(facts)
+        headings = "", _("Raster scan"), _("Random scan")
+        self.table.show_rows(
+            headings, [(row.name, row.raster, row.random) for row in rows], [row.but for row in rows]
+        )
+        curve = RefreshCurve(
+            facts.line.total_ps * 1e-12, shortest_ps_of(self.session.state.subject) * 1e-12,
+            facts.fusion_hz, facts.most, float(facts.raster.refresh_hz),
+        )  # fmt: skip
+        self.plot.show_curve(curve, len(facts.program.strokes), MOST_LINES)
+        self._tell()
+        self._resting.start()
+
+    def _measure(self) -> Facts:
+        """What is compared, of the sheet as it is."""
+        sheet, subject = self.session.sheet, self.session.state.subject
+        if self.facts is not None and self._measured == (sheet, subject.arguments, self._setup):
+            return self.facts
+        hatch = int(number_of(subject, "hatch"))
+        program, timing = comparison_program(sheet, hatch), timing_of(subject)
+        units, shortest = units_of(sheet, subject), shortest_ps_of(subject)
+        time = list_time(program.rows, units, timing, shortest)
+        count = max(len(program.strokes), 1)
+        line = LineTime(max(time.strokes_ps // count, 1), time.jumps_ps // count, time.settles_ps // count)
+        refused = too_many_pixels((sheet.width_px, sheet.height_px))
+        self.refusal.say(refused)
+        self._image = _NOTHING if refused else frame_buffer(sheet)
+        rate = Fraction(str(number_of(subject, "refresh")))
+        guns = self._setup.guns()
+        self.facts = Facts(
+            (sheet.width_px, sheet.height_px),
+            RasterTiming.synthesised(sheet.width_px, sheet.height_px, rate),
+            timing, units, program, time, line, stairs_of(comparison_program(sheet, 0).strokes),
+            filled_pixels(sheet), len(hatched(sheet, hatch)) if hatch else 0,
+            needed_hz(guns, time.frame_ps * 1e-12), line.most_lines(longest_steady_s(guns), shortest),
+        )  # fmt: skip
+        self._measured = sheet, subject.arguments, self._setup
+        return self.facts
+
+    @property
+    def _setup(self) -> TubeSetup:
+        """Phosphor and persistence, as on the other pages; the rate is this page's."""
+        subject = self.session.state.subject
+        return replace_setup(
+            setup_of(self.session.state.tube),
+            refresh_hz=number_of(subject, "refresh"),
+            timing=timing_of(subject),
+        )
+
+    def _show_tubes(self, facts: Facts) -> None:
+        """Both pictures, or of a frame that is stepped what either beam has drawn in the same time."""
+        settings, setup = self.session.state.tube, self._setup
+        address, done_s = self._position(facts)
+        strokes = facts.program.strokes
+        image = self._image
+        if address >= 0:
+            drawn = int((facts.program.rows[: address + 1, 0] == DRAW).sum())
+            rows = facts.program.rows
+            before, now = rows[address - 1, 1:3].tolist(), rows[address, 1:3].tolist()
+            lit = int(rows[address, 0]) == DRAW
+            self.vector.set_trace(Trace(strokes.ends[drawn:], tuple(before), tuple(now), lit, address))
+            strokes = strokes.cut(drawn)
+            scanned = min(int(done_s / float(facts.raster.line_s)), len(image))
+            image = image.copy()
+            image[: len(image) - scanned] = 0
+        else:
+            self.vector.set_trace(None)
+        fed = facts, address, setup
+        for view in (self.raster, self.vector):
+            if not view.sight.now:
+                return
+            view.set_setup(setup)
+            view.set_slow_motion(settings.slow_motion)
+            view.set_paused(settings.paused)
+        if fed != self._fed:
+            self._fed = fed
+            self.raster.set_image(image)
+            self.vector.set_strokes(strokes.for_tube(), facts.size)
+
+    def _position(self, facts: Facts) -> tuple[int, float]:
+        """The address that was run last, and the seconds since the frame began; -1 where none was."""
+        run = self.session.run
+        if run.entry is None or run.entry.function is not text or not run.position or not run.step_number:
+            return -1, 0.0
+        address = min(run.step_number, len(facts.program)) - 1
+        return address, int(facts.time.each_ps[: address + 1].sum()) * 1e-12
+
+    def _show_lenses(self) -> None:
+        """The part under the glass on both tubes."""
+        facts = self.facts
+        if facts is None or not self.glass.isChecked() or not self.raster.sight.now:
+            for lens in self.lenses:
+                lens.hide()
+            return
+        sheet, subject = self.session.sheet, self.session.state.subject
+        place, power = lens_of(sheet, subject), number_of(subject, "power")
+        of_raster, of_vector = self.lenses
+        of_raster.show_part(
+            magnified_raster(self._image, self._setup, place, power, of_raster.size_px),
+            self.raster.position(*place),
+        )
+        strokes = facts.program.strokes.for_tube()
+        of_vector.show_part(
+            magnified_vector(strokes, self._setup, facts.size, place, power, of_vector.size_px),
+            self.vector.position(*place),
+        )
+
+    def _tell(self) -> None:
+        """What has to be added to the chosen row, or what cannot be shown."""
+        if self.facts is None:
+            return
+        rows, number = features(self.facts), self.table.currentRow()
+        if 0 <= number < len(rows):
+            self.note.setText(rows[number].but)
+        elif self.facts.filled:
+            said = _("A random-scan tube has no memory of areas, so what the raster fills is hatched there.")
+            self.note.setText(
+                said if self.facts.hatches else _("Areas are outlines on the random-scan tube.")
+            )
+        else:
+            self.note.setText(
+                _("Move over a tube, or use the arrows: the glass shows both in the same place.")
+            )
+
+    # The hand
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """The pointer over either tube moves the glass on both, and so do the arrows."""
+        if isinstance(watched, TubeView):
+            if isinstance(event, QMouseEvent) and event.type() == QEvent.Type.MouseMove:
+                cell = watched.pixel_under(event.position())
+                if cell is not None:
+                    self._move_glass(*cell)
+            if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+                way = ARROWS.get(Qt.Key(event.key()))
+                if way is not None:
+                    x, y = lens_of(self.session.sheet, self.session.state.subject)
+                    far = 5 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+                    self._move_glass(round(x) + far * way[0], round(y) + far * way[1])
+                    return True
+        return super().eventFilter(watched, event)
+
+    def _move_glass(self, x: int, y: int) -> None:
+        sheet = self.session.sheet
+        x, y = min(max(x, 0), sheet.width_px - 1), min(max(y, 0), sheet.height_px - 1)
+        self.bar.give(x=float(x), y=float(y))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where it is low the tubes need the height that the plot has."""
+        super().resizeEvent(event)
+        self.plot.setVisible(self.height() > _LOW_PX)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show what happened while it was hidden."""
+        super().showEvent(event)
+        self.refresh_soon()

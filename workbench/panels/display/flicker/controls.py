@@ -1,0 +1,171 @@
+"""The numbers of the page Flicker: phosphor, refresh, persistence, luminance, and what moves."""
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from workbench.display.phosphor import names
+from workbench.document.fields import Number
+from workbench.document.subjects import Argument, Subject
+from workbench.language import _
+from workbench.panels.display.controls import phosphor_title
+from workbench.panels.display.flicker.figures import moving
+from workbench.rendering.subjects.flicker import (
+    BAR,
+    LUMINANCE,
+    PERIODS,
+    PERSISTENCE,
+    REFRESH_HZ,
+    SPEED,
+    SPOT,
+    STEPS,
+    STILL,
+    given,
+    number,
+    phosphor_of,
+)
+from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.tips import tell_choice
+
+
+class FlickerControls(QWidget):
+    """``changed`` sends the arguments that a hand asks for, ``flash_wanted`` that Calm is to be left off.
+
+    ``steps`` and ``periods`` are for another place: where the numbers are that they bear on.
+    """
+
+    changed = Signal(object)
+    flash_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        above, below = QHBoxLayout(), QHBoxLayout()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(6)
+        for row in (above, below):
+            row.setSpacing(10)
+            column.addLayout(row)
+        self.phosphor = self._combo(above, _("Phosphor"), _("What the screen is coated with"), 13)
+        for name in names():
+            self.phosphor.addItem(phosphor_title(name), name)
+        self.phosphor.activated.connect(lambda _i: self._send(phosphor=self.phosphor.currentData()))
+        self.refresh = self._field(above, _("Refresh"), "Hz", REFRESH_HZ, "refresh_hz", 1.0)
+        self.persistence = self._field(
+            above, _("Persistence"), "\N{MULTIPLICATION SIGN}", PERSISTENCE, "persistence", 0.1
+        )
+        self.luminance = self._field(
+            below, _("Luminance"), "cd/m\N{SUPERSCRIPT TWO}", LUMINANCE, "luminance", 10.0
+        )
+        self.steps = self._field(None, "n", "", STEPS, "steps", 1.0, whole=True)
+        self.periods = self._field(None, _("Periods"), "", PERIODS, "periods", 1.0, whole=True)
+        self.figure = self._combo(below, _("Picture"), _("The sheet, or something that moves over it"), 7)
+        for kind, title in ((STILL, _("The sheet")), (SPOT, _("Moving spot")), (BAR, _("Moving bar"))):
+            self.figure.addItem(title, kind)
+        self.figure.activated.connect(lambda _i: self._send(figure=self.figure.currentData()))
+        self.speed = self._field(below, _("Speed"), "px/s", SPEED, "speed", 10.0)
+        self.moves = QToolButton()
+        self.moves.setText(_("Move"))
+        self.moves.setCheckable(True)
+        self.moves.setAccessibleName(_("Move"))
+        self.moves.setToolTip(_("Let the figure move and leave its trail, or hold it"))
+        self.moves.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        set_icon(self.moves, "play")
+        below.addWidget(self.moves)
+        below.addStretch(1)
+        self.calm = QCheckBox(_("Calm"))
+        self.calm.setAccessibleName(_("Calm"))
+        self.calm.setToolTip(_("Hold flicker, flashing and motion still, here and everywhere"))
+        self.calm.clicked.connect(self._calm_clicked)
+        above.addStretch(1)
+        above.addWidget(self.calm)
+        comfort.changed.connect(self.show_calm)
+        self.show_calm()
+
+    def _combo(self, row: QHBoxLayout, name: str, meaning: str, letters: int) -> QComboBox:
+        box = QComboBox()
+        box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        box.setMinimumContentsLength(letters)
+        box.setToolTip(meaning)
+        tell_choice(box)
+        box.setAccessibleName(name)
+        row.addWidget(box)
+        return box
+
+    def _field(
+        self,
+        row: QHBoxLayout | None,
+        label: str,
+        unit: str,
+        bounds: Number,
+        name: str,
+        step: float,
+        whole: bool = False,
+    ) -> NumberField:
+        meanings = {
+            "refresh_hz": _("Pictures per second"),
+            "persistence": _("How many times longer the phosphor glows than it does in life"),
+            "luminance": _("Mean luminance of what is looked at"),
+            "speed": _("How fast the figure moves"),
+            "steps": _("Steps of the run from one refresh to the next"),
+            "periods": _("Refreshes that are plotted"),
+        }
+        field = NumberField(
+            label,
+            unit,
+            low=bounds.low,
+            high=bounds.high,
+            step=step,
+            integer=whole,
+            meaning=meanings[name],
+        )
+        kind = int if whole else float
+        field.edited.connect(lambda value: self._send(**{name: kind(value)}))
+        field.scrubbed.connect(lambda value: self._send(**{name: kind(value)}))
+        if row is not None:
+            row.addWidget(field)
+        return field
+
+    def _send(self, **changes: Argument) -> None:
+        asked: Mapping[str, Argument] = changes
+        self.changed.emit(asked)
+
+    def _calm_clicked(self, calm: bool) -> None:
+        if calm:
+            comfort.set_calm(True)
+        else:
+            self.calm.setChecked(True)
+            self.flash_wanted.emit()
+
+    def show_calm(self) -> None:
+        """Whether flicker is held still."""
+        self.calm.setChecked(comfort.calm)
+
+    def show_subject(self, subject: Subject) -> None:
+        """Show the numbers of the subject."""
+        figure = str(given(subject, "figure"))
+        self.phosphor.setCurrentIndex(self.phosphor.findData(phosphor_of(subject).name))
+        self.figure.setCurrentIndex(max(self.figure.findData(figure), 0))
+        for field, name in (
+            (self.refresh, "refresh_hz"),
+            (self.persistence, "persistence"),
+            (self.luminance, "luminance"),
+            (self.speed, "speed"),
+            (self.steps, "steps"),
+            (self.periods, "periods"),
+        ):
+            field.set_value(number(subject, name))
+        self.speed.setEnabled(moving(figure))
+        self.moves.setEnabled(moving(figure))

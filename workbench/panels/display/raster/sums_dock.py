@@ -1,0 +1,247 @@
+"""The dock of the exam sums: formula, numbers and result of each, for the mode or for numbers typed in."""
+
+import re
+from fractions import Fraction
+from functools import partial
+from html import escape
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from workbench.exchange.tables import Table
+from workbench.language import _
+from workbench.panels.display.raster.setting import RasterSetting
+from workbench.panels.display.raster.sums import (
+    Numbers,
+    Pixel,
+    Sum,
+    fault_of,
+    numbers_of,
+    table_of,
+    text_of,
+    worked_out,
+)
+from workbench.panels.stage.card import number_field
+from workbench.rendering.subjects.raster import NUMBERS, depth_of
+from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.in_sight import InSight
+from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.tables.table_copies import put_on_clipboard
+
+_FIELDS = ("sum_width", "sum_height", "sum_bits", "sum_hz", "sum_h_us", "sum_v_us")
+_LINE = "sum_kbits"
+_SMALL_PX = 11
+
+
+_LEVEL = re.compile(r"([_^])(?:\{([^}]*)\}|(\w))")
+
+
+def with_levels(formula: str) -> str:
+    """A formula as rich text, with real sub- and superscripts."""
+
+    def placed(match: re.Match[str]) -> str:
+        tag = "sub" if match[1] == "_" else "sup"
+        return f"<{tag}>{match[2] or match[3]}</{tag}>"
+
+    return _LEVEL.sub(placed, escape(formula))
+
+
+class SumsDock(QWidget):
+    """``said``: what was copied."""
+
+    said = Signal(str)
+
+    def __init__(self, setting: RasterSetting, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._setting = setting
+        self._pixel: Pixel = (0, 0)
+        self.sums: list[Sum] = []
+        self.typed = QCheckBox(_("Numbers of my own"))
+        self.typed.setToolTip(_("Work the sums out for numbers that you type, or for the mode"))
+        self.typed.setAccessibleName(self.typed.text())
+        self.typed.clicked.connect(self._choose)
+        self.fields: dict[str, NumberField] = {}
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(12)
+        grid.setVerticalSpacing(4)
+        for place, name in enumerate((*_FIELDS, _LINE)):
+            number = NUMBERS[name]
+            field = self.fields[name] = number_field(number, number.label.capitalize())
+            give = partial(self._give, name)
+            field.edited.connect(give)
+            field.scrubbed.connect(give)
+            grid.addWidget(field, place // 2, place % 2)
+        self.fault = QLabel()
+        self.fault.setProperty("role", "error")
+        self.fault.setWordWrap(True)
+        self.rows = QGridLayout()
+        self.rows.setHorizontalSpacing(8)
+        self.rows.setVerticalSpacing(0)
+        self.rows.setColumnStretch(0, 1)
+        body = QWidget()
+        column = QVBoxLayout(body)
+        column.setContentsMargins(10, 8, 10, 8)
+        column.setSpacing(8)
+        column.addWidget(self.typed)
+        column.addLayout(grid)
+        column.addWidget(self.fault)
+        column.addLayout(self.rows)
+        column.addStretch(1)
+        area = QScrollArea()
+        area.setFrameShape(QScrollArea.Shape.NoFrame)
+        area.setWidgetResizable(True)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setWidget(body)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(area, 1)
+        whole.addLayout(self._buttons())
+        self._labels: list[tuple[QLabel, QLabel, QLabel]] = []
+        self.in_sight = InSight(self)
+        self.in_sight.changed.connect(lambda seen: self.refresh() if seen else None)
+
+    def _buttons(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        row.setContentsMargins(10, 4, 10, 8)
+        for title, tip, do in (
+            (_("Copy as text"), _("Put the sums on the clipboard as lines of text"), self.copy_text),
+            (_("Copy as table"), _("Put the sums on the clipboard; they paste as a table"), self.copy_table),
+        ):
+            button = QPushButton(title)
+            button.setToolTip(tip)
+            button.setAccessibleName(title)
+            button.clicked.connect(do)
+            row.addWidget(button)
+        row.addStretch(1)
+        return row
+
+    def copy_text(self) -> None:
+        """Put the sums on the clipboard as text."""
+        QGuiApplication.clipboard().setText(text_of(self.sums))
+        self.said.emit(_("The sums are on the clipboard."))
+
+    def copy_table(self) -> None:
+        """Put the sums on the clipboard as a table."""
+        put_on_clipboard(table_of(self.sums))
+        self.said.emit(_("The sums are on the clipboard."))
+
+    def content(self) -> list[tuple[str, Table]]:
+        """Title and content of the table, for export."""
+        self._work_out()
+        return [(_("Exam sums"), table_of(self.sums))] if self.sums else []
+
+    def address(self, pixel: Pixel) -> None:
+        """Tell the address of this pixel of the frame buffer."""
+        if pixel != self._pixel:
+            self._pixel = pixel
+            self.refresh()
+
+    def _choose(self, own: bool) -> None:
+        """Numbers of one's own begin with those of the mode."""
+        if own:
+            numbers = self._of_the_mode()
+            self._setting.give(
+                sums_typed=True,
+                sum_width=numbers.width,
+                sum_height=numbers.height,
+                sum_bits=numbers.bits,
+                sum_hz=float(numbers.refresh_hz),
+                sum_h_us=float(numbers.h_retrace_s * 10**6),
+                sum_v_us=float(numbers.v_retrace_s * 10**6),
+            )
+        else:
+            self._setting.give(sums_typed=False)
+
+    def _give(self, name: str, value: float) -> None:
+        self._setting.give(**{name: int(value) if NUMBERS[name].whole else float(value)})
+
+    def _of_the_mode(self) -> Numbers:
+        scan, bits = self._setting.scan, depth_of(self._setting.subject)
+        timing = self._setting.mode if scan is None else scan.timing
+        return numbers_of(timing, bits, self._line, self._pixel)
+
+    @property
+    def _line(self) -> Fraction:
+        return Fraction(str(self._setting.value(_LINE))) * 1000
+
+    def _own(self) -> Numbers:
+        value = self._setting.value
+        h, v, hz = (Fraction(str(value(name))) for name in ("sum_h_us", "sum_v_us", "sum_hz"))
+        counts = [int(value(name)) for name in ("sum_width", "sum_height", "sum_bits")]
+        million = Fraction(1, 10**6)
+        return Numbers(counts[0], counts[1], counts[2], hz, h * million, v * million, self._line, self._pixel)
+
+    def _work_out(self) -> str:
+        """Work the sums out; returns what is wrong with the numbers, "" where nothing is."""
+        self.sums = []
+        if self._setting.value("sums_typed"):
+            numbers = self._own()
+            self.sums = worked_out(numbers, None)
+            return fault_of(numbers)
+        fault = self._setting.mode.fault
+        if not fault:
+            scan = self._setting.scan
+            self.sums = worked_out(self._of_the_mode(), self._setting.mode if scan is None else scan.timing)
+        return fault
+
+    def refresh(self) -> None:
+        """Show the sums of the numbers that are set now; unseen, when it is seen."""
+        if not self.in_sight.now:
+            return
+        own = bool(self._setting.value("sums_typed"))
+        self.typed.setChecked(own)
+        for name, field in self.fields.items():
+            field.setVisible(own or name == _LINE)
+            field.set_value(float(self._setting.value(name)))
+        fault = self._work_out()
+        self.fault.setText(fault)
+        self.fault.setVisible(bool(fault))
+        self._show_rows()
+
+    def _show_rows(self) -> None:
+        while len(self._labels) < len(self.sums):
+            self._add_row()
+        for number, labels in enumerate(self._labels):
+            there = number < len(self.sums)
+            for label in labels:
+                label.setVisible(there)
+            if there:
+                each = self.sums[number]
+                title, result, numbers = labels
+                title.setText(each.title)
+                result.setText(each.result or "\N{EN DASH}")
+                said = escape(f" = {each.numbers}" + (f": {each.fault}" if each.fault else ""))
+                numbers.setText(with_levels(each.formula) + said)
+                role = "error" if each.fault else "muted"
+                if numbers.property("role") != role:
+                    numbers.setProperty("role", role)
+                    numbers.style().polish(numbers)
+
+    def _add_row(self) -> None:
+        title, result, numbers = QLabel(), QLabel(), QLabel()
+        bold = code_font(12)
+        bold.setBold(True)
+        result.setFont(bold)
+        result.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
+        numbers.setFont(code_font(_SMALL_PX))
+        numbers.setWordWrap(True)
+        numbers.setTextFormat(Qt.TextFormat.RichText)
+        numbers.setContentsMargins(0, 0, 0, 6)
+        title.setWordWrap(True)
+        row = 2 * len(self._labels)
+        self.rows.addWidget(title, row, 0)
+        self.rows.addWidget(result, row, 1)
+        self.rows.addWidget(numbers, row + 1, 0, 1, 2)
+        for label in (title, result, numbers):
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._labels.append((title, result, numbers))

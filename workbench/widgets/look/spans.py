@@ -1,0 +1,9 @@
+"""Times as they are read."""
+
+
+def span_text(seconds: float) -> str:
+    """A time with the unit that keeps it readable."""
+    for factor, unit in ((1 / 3600, "h"), (1 / 60, "min"), (1.0, "s"), (1e3, "ms"), (1e6, "us"), (1e9, "ns")):
+        if seconds * factor >= 1.0:
+            return f"{seconds * factor:.3g} {unit}".replace("us", "\N{MICRO SIGN}s")
+    return f"{seconds * 1e12:.3g} ps"
