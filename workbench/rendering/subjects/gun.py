@@ -56,6 +56,11 @@ NUMBERS: dict[str, Number] = {
 """The range of every number, by the name of its argument; those of a deflection begin with x_ or y_."""
 
 
+def is_of_a_gun(subject: Subject) -> bool:
+    """Whether the beam of a tube that is steered by hand is what is stepped."""
+    return subject.kind == KIND
+
+
 def settings_of(gun: Gun) -> dict[str, Argument]:
     """Every setting of a tube by the name of its argument."""
     tube = {each.name: getattr(gun, each.name) for each in fields(Gun) if each.name not in _WAYS}

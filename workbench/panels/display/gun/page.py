@@ -22,7 +22,7 @@ from workbench.panels.display.gun.presets import preset, presets
 from workbench.panels.display.gun.setting import Setting
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
 from workbench.panels.stage.plain_page import PlainPage
-from workbench.rendering.subjects.gun import KIND
+from workbench.rendering.subjects.gun import KIND, is_of_a_gun
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
 from workbench.widgets.stepping.step_bar import stepping_keys
@@ -254,7 +254,7 @@ class GunPage(PlainPage, QWidget):
 
     def _light_step(self) -> None:
         """Mark the part that the step is about, and speak of it where the step is another."""
-        step = self.session.run.number if self.session.state.subject.kind == KIND else 0
+        step = self.session.run.number if is_of_a_gun(self.session.state.subject) else 0
         if step != self._step:
             self._step = step
             if 0 < step <= len(STEPS):

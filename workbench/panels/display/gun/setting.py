@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, Signal
 
 from workbench.display.gun import OFF, Gun
 from workbench.language import _
-from workbench.rendering.subjects.gun import KIND, changed, gun_of, with_settings
+from workbench.rendering.subjects.gun import changed, gun_of, is_of_a_gun, with_settings
 from workbench.session.session import Session
 
 PAGE = "gun"
@@ -32,7 +32,7 @@ class Setting(QObject):
     def here(self) -> bool:
         """Whether the page is what is stepped now."""
         state = self._session.state
-        return state.workspace == PAGE and state.subject.kind == KIND
+        return state.workspace == PAGE and is_of_a_gun(state.subject)
 
     def follow(self, *_states: object) -> None:
         """Take what the session has."""
