@@ -329,3 +329,16 @@ def test_a_run_that_an_error_ends_is_told_up_to_there(slug: str, arguments: tupl
     recording = record(entry.function, *arguments)
     assert recording.error is not None
     assert all(step.first <= step.last for step in Steps(entry, recording))
+
+
+def test_while_an_error_ends_all_calls_nothing_is_told_of_what_it_broke_off() -> None:
+    entry = catalogue.get("boundary_fill_recursive")
+    recording = record(entry.function, np.zeros((9, 9), int), 0, 0, 1, 2, depth_limit=20)
+    failure, recording.error = recording.error, None  # as while the calls end, one after the other
+    assert failure is not None
+    steps = Steps(entry, recording)
+    told = [steps.row(number) for number in range(1, len(steps) + 1)]
+    recording.error = failure
+    whole = Steps(entry, recording)
+    assert told == [whole.row(number) for number in range(1, len(steps) + 1)]
+    assert len(whole) - len(steps) <= 1

@@ -56,7 +56,7 @@ def test_the_probe_stays_on_a_picture_that_shrinks(
     show(qtbot, panel)
     view = getattr(panel, tube)
     glass = view._glass
-    lowest, size = view._to_widget(*view._probe_mm(corner)), (20, 12)
+    lowest, size = view.position(*corner), (20, 12)
     assert glass.contains(lowest)
     qtbot.mouseClick(view, LEFT, pos=lowest.toPoint())
     assert view.probe == corner

@@ -32,7 +32,8 @@ from workbench.session.variables import same_value
 
 PACKAGE = Path(__file__).resolve().parents[2] / "workbench"
 KINDS = sorted({module.name for module in pkgutil.iter_modules(subjects.__path__)} - {"registry"})
-OF_A_TUBE = {"colour_model", "flicker"}  # what is run of them is set on the tube, whatever the sheet
+# What is run of them is set on the tube, or is what the sheet draws, whatever figure is active
+OF_A_TUBE = {"colour_model", "comparison", "flicker", "gun", "random_scan", "raster"}
 SHEETS = [sheet for one in examples() for sheet in one.document.sheets]
 
 

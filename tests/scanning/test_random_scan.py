@@ -6,10 +6,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from workbench.algorithms import catalogue
-from workbench.algorithms.scanning.random_scan import DRAW, JUMP, MOVE, random_scan
+from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE
+from workbench.algorithms.scanning.random_scan import random_scan
 from workbench.display import MmStroke, VectorTiming, vector_displays
 from workbench.display.refresh_limit import LineTime
-from workbench.display.vector_beam import schedule
+from workbench.display.stroke_timeline import schedule
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
 from workbench.rendering.display_program import Strokes, equal_lines, program_of

@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.scanning.beam_spot import beam_spot
+from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE
 from workbench.algorithms.scanning.phosphor_decay import phosphor_decay
-from workbench.algorithms.scanning.random_scan import DRAW, JUMP, MOVE, random_scan
+from workbench.algorithms.scanning.random_scan import random_scan
 from workbench.algorithms.scanning.raster_scan import raster_scan
 from workbench.display import Phosphor, RasterBeam, RasterTiming, Tube
 from workbench.engine.observation import Step, Steps

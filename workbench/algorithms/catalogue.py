@@ -77,6 +77,7 @@ _TEACHING_ORDER = (
     "scanning.random_scan",
     "scanning.stroke_order",
     "scanning.beam_spot",
+    "scanning.beam_strokes",
     "scanning.phosphor_decay",
     "colour.rgb_to_cmy",
     "colour.rgb_to_hsv",

@@ -4,9 +4,10 @@ from workbench.display.beam import Beam, BeamState
 from workbench.display.phosphor import Phosphor, Term
 from workbench.display.phosphor import names as phosphor_names
 from workbench.display.raster_beam import RasterBeam
+from workbench.display.stroke_timeline import MmStroke
 from workbench.display.timings import RasterTiming, raster_modes
 from workbench.display.tube import Tube
-from workbench.display.vector_beam import MmStroke, VectorBeam
+from workbench.display.vector_beam import VectorBeam
 from workbench.display.vector_timing import VectorTiming, vector_displays
 
 __all__ = [

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.scanning.random_scan import DRAW, MOVE
+from workbench.algorithms.scanning.operations import DRAW, MOVE
 from workbench.display.vector_timing import VectorTiming
 
 

@@ -3,7 +3,6 @@
 The part is drawn by a tube of its own, on which everything is larger: pixels, lines, and the spot.
 """
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -14,7 +13,6 @@ from workbench.display.driver import TubeDriver
 from workbench.display.exposure import Screen
 from workbench.display.setup import (
     VECTOR_SPOT_MM,
-    DeviceStroke,
     TubeSetup,
     face_mm,
     raster_tube,
@@ -51,29 +49,24 @@ def magnified_raster(
 
 
 def magnified_vector(
-    strokes: Sequence[DeviceStroke],
+    strokes: NDArray[np.float64],
     setup: TubeSetup,
     picture_px: tuple[int, int],
     place: tuple[float, float],
     power: float,
     size: int,
 ) -> Pixels:
-    """The part of what a display list draws, likewise. Its own speeds do not matter: it is held steady."""
+    """The part of what strokes (n, 5) draw, likewise: x0, y0, x1, y1 in pixels, and the colour."""
     x, y, across, up = part_of(picture_px, place, power)
-    near = [
-        (x0 - x, y0 - y, x1 - x, y1 - y, colour)
-        for x0, y0, x1, y1, colour in strokes
-        if max(x0, x1) >= x - 2
-        and min(x0, x1) <= x + across + 1
-        and max(y0, y1) >= y - 2
-        and min(y0, y1) <= y + up + 1
-    ]
+    low, high = np.minimum(strokes[:, 0:2], strokes[:, 2:4]), np.maximum(strokes[:, 0:2], strokes[:, 2:4])
+    near = ((high >= (x - 2, y - 2)) & (low <= (x + across + 1, y + up + 1))).all(axis=1)
+    part = strokes[near] - (x, y, x, y, 0)
     scale = picture_px[0] / across
     tube = Tube(
         (size, size), face_mm((across, up)), setup.guns(), spot_mm=VECTOR_SPOT_MM * scale, reach=4.0,
         precision=np.float32,
     )  # fmt: skip
-    return _seen(tube, vector_beam(tube, near, (across, up), replace(setup, refresh_hz=60.0)))
+    return _seen(tube, vector_beam(tube, part, (across, up), replace(setup, refresh_hz=60.0)))
 
 
 def _seen(tube: Tube, beam: Any) -> Pixels:

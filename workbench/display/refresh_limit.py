@@ -6,38 +6,29 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from workbench.display.flicker import critical_frequency_hz, modulation
+from workbench.display.flicker import critical_frequency_hz, fusion_hz, modulation
 from workbench.display.phosphor import Phosphor
 from workbench.display.vector_timing import VectorTiming
 
 EYE_CD_M2 = 100.0
 """The brightness of the picture that an eye is assumed to look at."""
 
-_SLOWEST_S, _FASTEST_S = 10.0, 1e-3
 
-
-def fusion_hz(guns: Sequence[Phosphor], period_s: float) -> float:
-    """The rate (Hz) that a picture would need not to flicker, refreshed every ``period_s`` as it is."""
+def needed_hz(guns: Sequence[Phosphor], period_s: float) -> float:
+    """The rate (Hz) that the eye asks of a picture whose light is modulated as it is every ``period_s``."""
     strongest = max(modulation(gun, period_s) for gun in guns)
     return critical_frequency_hz(EYE_CD_M2, strongest)
 
 
 def flickers(guns: Sequence[Phosphor], period_s: float) -> bool:
     """Whether an eye sees a picture flicker that is refreshed every ``period_s``."""
-    return 1.0 / period_s < fusion_hz(guns, period_s)
+    return 1.0 / period_s < needed_hz(guns, period_s)
 
 
 def longest_steady_s(guns: Sequence[Phosphor]) -> float:
-    """The longest time of a picture (s) that does not flicker: where 1 / T is the rate that T needs."""
-    steady, flickering = _FASTEST_S, _SLOWEST_S
-    if flickers(guns, steady):
-        return 0.0
-    if not flickers(guns, flickering):
-        return math.inf
-    for _halving in range(100):
-        middle = 0.5 * (steady + flickering)
-        steady, flickering = (steady, middle) if flickers(guns, middle) else (middle, flickering)
-    return steady
+    """The longest time of a picture (s) that does not flicker; infinite where none does."""
+    fastest = max(fusion_hz(gun, EYE_CD_M2) for gun in guns)
+    return 1.0 / fastest if fastest > 0.0 else math.inf
 
 
 class LineTime(NamedTuple):

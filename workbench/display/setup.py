@@ -12,9 +12,11 @@ from workbench.algorithms.clipping.liang_barsky import liang_barsky
 from workbench.display.monitor import BLANKING, IN_THE_MIDDLE, Knobs, level_current
 from workbench.display.phosphor import Phosphor, names
 from workbench.display.raster_beam import RasterBeam
+from workbench.display.retrace import RetracingBeam
+from workbench.display.stroke_timeline import StrokeTable
 from workbench.display.timings import RasterTiming
 from workbench.display.tube import Tube
-from workbench.display.vector_beam import MmStroke, VectorBeam
+from workbench.display.vector_beam import VectorBeam
 from workbench.display.vector_timing import VectorTiming
 from workbench.language import _
 
@@ -37,6 +39,9 @@ _FULL_RATE_HZ = 60.0
 
 DeviceStroke = tuple[float, float, float, float, int]
 """x0, y0, x1, y1 in device pixels and the colour 0xRRGGBB."""
+
+DeviceStrokes = Sequence[DeviceStroke] | NDArray[np.float64]
+"""Any number of them; (n, 5) as an array."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,6 +122,13 @@ def area_mm(picture_px: tuple[int, int]) -> tuple[float, float, float, float]:
     return width / 2 - half_x, height / 2 - half_y, width / 2 + half_x, height / 2 + half_y
 
 
+def mm_of(x: float, y: float, picture_px: tuple[int, int]) -> tuple[float, float]:
+    """Where on the face a place of the picture lies, from pixels to millimetres."""
+    left, bottom, right, _top = area_mm(picture_px)
+    pitch = (right - left) / picture_px[0]
+    return left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch
+
+
 def units_per_px(picture_px: tuple[int, int], timing: VectorTiming) -> float:
     """Units of a vector display's deflection, which has ``timing.grid`` across the face, per pixel."""
     left, _bottom, right, _top = area_mm(picture_px)
@@ -177,14 +189,10 @@ def raster_tube(
     pixel = tube.pitch_mm[0] * tube.pitch_mm[1]
     share = (right - left) * (top - bottom) / (width * height) / pixel
     x, y = shift_mm[0] - face[0], shift_mm[1] - face[1]
-    beam = RasterBeam(
-        tube,
-        timing,
-        currents,
-        (left + x, bottom + y, right + x, top + y),
-        power=float(WHITE * timing.clocks_per_frame * share),
-    )
-    return tube, beam
+    area, power = (left + x, bottom + y, right + x, top + y), float(WHITE * timing.clocks_per_frame * share)
+    if setup.blanked_current > 0.0:
+        return tube, RetracingBeam(tube, timing, currents, area, power, setup.blanked_current)
+    return tube, RasterBeam(tube, timing, currents, area, power)
 
 
 def vector_tube(
@@ -196,30 +204,42 @@ def vector_tube(
     return Tube(size_px, size_mm, setup.guns(), spot_mm=spot, reach=4.0, precision=precision)
 
 
+def _where_lit(tube: Tube, strokes: StrokeTable) -> StrokeTable:
+    """Of each stroke what the spot can light the face from; those that cannot are left out."""
+    margin = tube.reach * tube.spot_mm
+    low, high = np.full(2, -margin), np.array(tube.size_mm) + margin
+    inside = np.asarray(((strokes.ends >= low) & (strokes.ends <= high)).all(axis=(1, 2)))
+    if inside.all():
+        return strokes
+    ends, of = [], []
+    for number, stroke in enumerate(strokes.ends.reshape(-1, 4).tolist()):
+        kept = [tuple(stroke)] if inside[number] else liang_barsky(*stroke, *low.tolist(), *high.tolist())
+        for part in kept:
+            ends.append(part)
+            of.append(number)
+    table = np.array(ends, np.float64).reshape(-1, 2, 2)
+    return StrokeTable(table, strokes.currents[np.array(of, np.int64)])
+
+
 def vector_beam(
-    tube: Tube, strokes: Sequence[DeviceStroke], picture_px: tuple[int, int], setup: TubeSetup
+    tube: Tube, strokes: DeviceStrokes, picture_px: tuple[int, int], setup: TubeSetup
 ) -> VectorBeam:
     """The beam that draws ``strokes``; a long one refreshed 60 times a second is a little above white.
 
     It goes only where the spot can light the face: the rest of a stroke takes no time.
     """
-    left, bottom, right, _top = area_mm(picture_px)
-    pitch = (right - left) / picture_px[0]
-
-    def place(x: float, y: float) -> tuple[float, float]:
-        return left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch
-
+    pitch = mm_of(1.0, 0.0, picture_px)[0] - mm_of(0.0, 0.0, picture_px)[0]
     timing = setup.speeds
-    margin = tube.reach * tube.spot_mm
-    lit = -margin, -margin, tube.size_mm[0] + margin, tube.size_mm[1] + margin
-    drawn = [
-        MmStroke((ax, ay), (bx, by), currents_of_colour(colour, len(tube.guns), setup))
-        for x0, y0, x1, y1, colour in strokes
-        for ax, ay, bx, by in liang_barsky(*place(x0, y0), *place(x1, y1), *lit)
-    ]
+    rows = np.array(strokes, np.float64).reshape(-1, 5)
+    ends = rows[:, :4].reshape(-1, 2, 2) * pitch + mm_of(0.0, 0.0, picture_px)
+    colours, which = np.unique(rows[:, 4].astype(np.int64), return_inverse=True)
+    guns = len(tube.guns)
+    known = np.array([currents_of_colour(colour, guns, setup) for colour in colours.tolist()])
+    drawn = _where_lit(tube, StrokeTable(ends, known.reshape(-1, guns)[which.reshape(-1)]))
     shortest_ps = int(Fraction(10**12) / setup.refresh)
     # Energy per length times sqrt(2 pi) spots is the energy across a long stroke; one pixel gets its share.
     speed_mm_s = tube.size_mm[0] / timing.grid / (timing.ps_per_unit * 1e-12)
     pixel = tube.pitch_mm[0] * tube.pitch_mm[1]
     power = _LINE_PEAK * (2.0 * np.pi) ** 0.5 * tube.spot_mm * speed_mm_s / (_FULL_RATE_HZ * pixel)
-    return VectorBeam(tube, drawn, timing, power=float(power), min_frame_ps=shortest_ps)
+    blanked = setup.blanked_current
+    return VectorBeam(tube, drawn, timing, float(power), shortest_ps, blanked)

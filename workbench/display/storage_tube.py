@@ -35,6 +35,15 @@ THROUGH = 0.35
 """Share of its full current that the beam has when it writes through, without storing."""
 
 
+BAUD, BITS_PER_BYTE, BYTES_PER_VECTOR = 9600, 10, 4
+"""Of the line to a Tektronix 4010, which sets the pace; how many bytes a vector takes is uncertain."""
+
+
+def transfer_s(strokes: int) -> float:
+    """How long the line takes to bring so many strokes, in seconds."""
+    return strokes * BYTES_PER_VECTOR * BITS_PER_BYTE / BAUD
+
+
 class Written(NamedTuple):
     """What a pass of the beam left: how many pixels are stored by it, and how many were only lit."""
 

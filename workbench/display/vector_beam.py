@@ -3,53 +3,42 @@
 A picture lasts as long as its strokes, jumps and settles take together, and never less than the shortest
 frame allowed. The beam's place is found by bisection in the cumulative times. Strokes are cut into short
 pieces, so that each touches a small box of the face; a piece that lies in the past as a whole is kept as a
-patch, and runs of pieces as whole maps, already decayed to the end of the run. The times are those of the
-text ``random_scan``; the law: ``scanning/test_scanning.py::test_the_vector_tube_takes_the_time_of_the_text``.
+patch, and runs of pieces as whole maps, already decayed to the end of the run.
 """
 
-import itertools
 import math
-from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
-from typing import Any, Literal, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from workbench.display.beam import BeamState
+from workbench.display.many_strokes import draw_strokes, strokes_ready
 from workbench.display.spot import narrowed, stroke_energy, stroke_remainder
+from workbench.display.stroke_timeline import (
+    KINDS,
+    WAIT,
+    MmStroke,
+    Point,
+    Segment,
+    StrokeTable,
+    segments_of,
+    timeline,
+    with_dark,
+)
 from workbench.display.tube import Tube
 from workbench.display.vector_timing import VectorTiming
 
 Floats = NDArray[np.floating[Any]]
-Point = tuple[float, float]
 
 _PIECE_PX = 24.0
+_FEW = 64
 _RUNS = 8
 _NOTHING_LEFT = 1e-30
-
-
-class MmStroke(NamedTuple):
-    """One stroke on the face, in millimetres, with the current of each gun, 0 to 1."""
-
-    start: Point
-    end: Point
-    currents: tuple[float, ...]
-
-
-class Segment(NamedTuple):
-    """A stretch of the frame: what the beam does, from when, how long (ps), from where to where (mm)."""
-
-    kind: Literal["jump", "settle", "stroke", "wait"]
-    start_ps: int
-    duration_ps: int
-    begin: Point
-    end: Point
-    currents: tuple[float, ...]
-    stroke: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,103 +66,86 @@ def _marks(
     return _Marks((patch.rows, patch.columns), narrowed(patch.values, kind), left)
 
 
-def schedule(
-    strokes: Sequence[MmStroke],
-    timing: VectorTiming,
-    units_per_mm: float,
-    home: Point,
-    min_frame_ps: int = 0,
-) -> list[Segment]:
-    """The whole frame in order, without gaps; the last stretch waits until the frame may end.
-
-    The beam starts where the last stroke ended. Its total is the sum of its parts, in picoseconds.
-    """
-    segments: list[Segment] = []
-    clock = 0
-    at = strokes[-1].end if strokes else home
-    dark = tuple(0.0 for _ in strokes[0].currents) if strokes else (0.0,)
-
-    def add(kind: Literal["jump", "settle", "stroke", "wait"], duration: int, to: Point, *rest: Any) -> None:
-        nonlocal clock, at
-        if duration > 0:
-            segments.append(Segment(kind, clock, duration, at, to, *(rest or (dark, -1))))
-            clock += duration
-        at = to
-
-    for number, stroke in enumerate(strokes):
-        jump = timing.jump_ps(
-            (stroke.start[0] - at[0]) * units_per_mm, (stroke.start[1] - at[1]) * units_per_mm
-        )
-        moved = at != stroke.start
-        add("jump", jump, stroke.start)
-        if moved:
-            add("settle", timing.settle_ps, stroke.start)
-        dx, dy = stroke.end[0] - stroke.start[0], stroke.end[1] - stroke.start[1]
-        lit = timing.stroke_ps(dx * units_per_mm, dy * units_per_mm)
-        add("stroke", lit, stroke.end, stroke.currents, number)
-    add("wait", max(timing.min_frame_ps, min_frame_ps, 1) - clock, at)
-    return segments
-
-
 class VectorBeam:
     """Draws strokes over and over on a tube. ``power`` is the energy per second of a full current.
 
-    ``min_frame_ps`` holds short lists back, so that a phosphor is not burnt. An empty list waits.
+    ``min_frame_ps`` holds short lists back, so that a phosphor is not burnt. An empty list waits. Once
+    ``beam_strokes`` is compiled, each of many pieces is taken to fade evenly over its length. ``blanked`` is
+    the current between strokes, 0 to 1: a rest of it, where brightness is turned up.
     """
 
     def __init__(
         self,
         tube: Tube,
-        strokes: Sequence[MmStroke],
+        strokes: Sequence[MmStroke] | StrokeTable,
         timing: VectorTiming,
         power: float = 1.0,
         min_frame_ps: int = 0,
+        blanked: float = 0.0,
     ) -> None:
         self.power = power
         self._geometry = tube.size_px, tube.size_mm, tube.spot_mm, tube.reach
         self._kind = tube.stored[0].dtype
         self._taus = tuple(tuple(term.tau_s for term in gun.terms) for gun in tube.guns)
         width, height = tube.size_mm
-        units_per_mm = timing.grid / width
-        self.segments = schedule(strokes, timing, units_per_mm, (width / 2, height / 2), min_frame_ps)
-        self.frame_ps = sum(segment.duration_ps for segment in self.segments)
-        self.list_ps = sum(s.duration_ps for s in self.segments if s.kind != "wait")
-        self.pieces = self._cut(min(width / tube.size_px[0], height / tube.size_px[1]) * _PIECE_PX)
-        self._starts = np.array([piece.start_ps for piece in self.pieces], dtype=np.int64)
-        self._ends = self._starts + np.array([piece.duration_ps for piece in self.pieces], dtype=np.int64)
-        self._segment_starts = [segment.start_ps for segment in self.segments]
-        per_run = -(-len(self.pieces) // _RUNS) or 1
-        self._runs = [(i, min(i + per_run, len(self.pieces))) for i in range(0, len(self.pieces), per_run)]
+        table = strokes if isinstance(strokes, StrokeTable) else StrokeTable.of(strokes)
+        self._currents = with_dark(table.currents, len(tube.guns), blanked)
+        self.timeline = timeline(table, timing, timing.grid / width, (width / 2, height / 2), min_frame_ps)
+        self.frame_ps = int(self.timeline.duration_ps.sum())
+        waits = bool(self.timeline.kind[-1] == WAIT)
+        self.list_ps = self.frame_ps - waits * int(self.timeline.duration_ps[-1])
+        self._cut(min(width / tube.size_px[0], height / tube.size_px[1]) * _PIECE_PX)
+        count = len(self._starts)
+        per_run = -(-count // _RUNS) or 1
+        self._runs = [(i, min(i + per_run, count)) for i in range(0, count, per_run)]
         self._frames: dict[int, Floats] = {}
         self._maps: dict[tuple[int, int, float], Floats] = {}
+
+    @cached_property
+    def segments(self) -> list[Segment]:
+        """The stretches of the frame, one value each."""
+        return segments_of(self.timeline, self._currents)
+
+    @cached_property
+    def pieces(self) -> list[Segment]:
+        """The pieces into which the strokes are cut, one value each."""
+        columns = self._starts, self._ends, self._begins, self._stops, self._of
+        listed = list(map(tuple, self._currents.tolist()))
+        return [
+            Segment(
+                "stroke" if stroke >= 0 else "jump",
+                start,
+                end - start,
+                tuple(a),
+                tuple(b),
+                listed[stroke],
+                stroke,
+            )
+            for start, end, a, b, stroke in zip(*(each.tolist() for each in columns), strict=True)
+        ]
 
     @property
     def frame_s(self) -> Fraction:
         """Seconds from one picture to the next."""
         return Fraction(self.frame_ps, 10**12)
 
-    def _cut(self, longest_mm: float) -> list[Segment]:
-        pieces = []
-        for segment in self.segments:
-            if segment.kind != "stroke" or not any(segment.currents):
-                continue
-            (x0, y0), (x1, y1) = segment.begin, segment.end
-            count = max(1, math.ceil(math.hypot(x1 - x0, y1 - y0) / longest_mm))
-            times = [segment.duration_ps * i // count for i in range(count + 1)]
-            for first, last in itertools.pairwise(times):
-                a, b = self._along(segment, first), self._along(segment, last)
-                pieces.append(
-                    Segment(
-                        "stroke",
-                        segment.start_ps + first,
-                        last - first,
-                        a,
-                        b,
-                        segment.currents,
-                        segment.stroke,
-                    )
-                )
-        return [piece for piece in pieces if piece.duration_ps > 0]
+    def _cut(self, longest_mm: float) -> None:
+        """Cut every lit stretch into pieces of the same length, none longer than ``longest_mm``."""
+        frame = self.timeline
+        shining = np.asarray((self._currents > 0.0).any(axis=1))
+        lit = np.flatnonzero(shining[frame.stroke])
+        begins, ways = frame.begin[lit], frame.end[lit] - frame.begin[lit]
+        counts = np.maximum(np.ceil(np.hypot(*ways.T) / longest_mm), 1).astype(np.int64)
+        of = np.repeat(np.arange(len(lit)), counts)
+        number = np.arange(len(of)) - (np.cumsum(counts) - counts)[of]
+        durations = frame.duration_ps[lit][of]
+        first, last = durations * number // counts[of], durations * (number + 1) // counts[of]
+        there = last > first
+        of, first, last, durations = of[there], first[there], last[there], durations[there]
+        self._starts, self._ends = frame.start_ps[lit][of] + first, frame.start_ps[lit][of] + last
+        self._begins = begins[of] + ways[of] * (first / durations)[:, None]
+        self._stops = begins[of] + ways[of] * (last / durations)[:, None]
+        self._of = frame.stroke[lit][of]
 
     @staticmethod
     def _along(segment: Segment, elapsed_ps: Fraction | int) -> Point:
@@ -192,9 +164,31 @@ class VectorBeam:
     def _energy_of(self, piece: Segment, gun: int) -> float:
         return self.power * piece.currents[gun] * piece.duration_ps * 1e-12
 
+    def _left_by(self, pieces: slice | NDArray[np.int64], gun: int, weights: Floats | float = 1.0) -> Floats:
+        """What pieces leave, all at once by the compiled text, each times its weight."""
+        (columns, rows), (width, height), spot, _reach = self._geometry
+        pitch = np.array([width / columns, height / rows])
+        table = np.empty((len(self._starts[pieces]), 5))
+        table[:, 0:2] = self._begins[pieces] / pitch - 0.5
+        table[:, 2:4] = self._stops[pieces] / pitch - 0.5
+        seconds = (self._ends[pieces] - self._starts[pieces]) * 1e-12
+        table[:, 4] = self.power * self._currents[self._of[pieces], gun] * seconds * weights
+        face = np.zeros((rows, columns))
+        draw_strokes(face, table, spot / math.sqrt(float(pitch.prod())))
+        return face.astype(self._kind, copy=False)
+
+    @property
+    def _at_once(self) -> bool:
+        """Whether the pieces are so many that the compiled text draws them, if it is there already."""
+        return len(self._starts) > _FEW and strokes_ready()
+
     def _map_of_run(self, run: int, gun: int, tau_s: float) -> Floats:
         """All pieces of a run, decayed to its end with one time constant (infinite: the energy itself)."""
         key = run, gun, tau_s
+        if key not in self._maps and self._at_once:
+            part = slice(*self._runs[run])
+            kept = self._shares(part, int(self._ends[part.stop - 1]), tau_s)
+            self._maps[key] = self._left_by(part, gun, kept)
         if key not in self._maps:
             columns, rows = self._geometry[0]
             total = np.zeros((rows, columns), dtype=self._kind)
@@ -210,16 +204,28 @@ class VectorBeam:
             self._maps[key] = total
         return self._maps[key]
 
+    def _shares(self, pieces: slice | NDArray[np.int64], now: Fraction | int, tau_s: float) -> Floats | float:
+        """What of the energy of each piece is still stored at a time of the frame (ps), all in one term."""
+        if math.isinf(tau_s):
+            return 1.0
+        seconds = (self._ends[pieces] - self._starts[pieces]) * 1e-12
+        ages = (float(now) - self._ends[pieces]) * 1e-12
+        shares: Floats = np.exp(-ages / tau_s) * -np.expm1(-seconds / tau_s) / (seconds / tau_s)
+        return shares
+
     def energy_per_frame(self, gun: int = 0) -> Floats:
         """What one whole frame deposits, (face rows, face columns); read-only."""
         if gun in self._frames:
             return self._frames[gun]
         columns, rows = self._geometry[0]
-        total = np.zeros((rows, columns), dtype=self._kind)
-        for piece in self.pieces:
-            if piece.currents[gun]:
-                marks = self._marks_of(piece.begin, piece.end, 0.0, ())
-                total[marks.region] += marks.energy * self._energy_of(piece, gun)
+        if self._at_once:
+            total = self._left_by(slice(None), gun)
+        else:
+            total = np.zeros((rows, columns), dtype=self._kind)
+            for piece in self.pieces:
+                if piece.currents[gun]:
+                    marks = self._marks_of(piece.begin, piece.end, 0.0, ())
+                    total[marks.region] += marks.energy * self._energy_of(piece, gun)
         total.setflags(write=False)
         self._frames[gun] = total
         return total
@@ -275,18 +281,37 @@ class VectorBeam:
         """Deposit what pieces ``first`` to ``last`` leave from t0 to t1, seen at ``now`` (ps)."""
         for frame in range(math.floor(t0 / self.frame_ps), math.floor(t1 / self.frame_ps) + 1):
             base = frame * self.frame_ps
+            whole = range(0)
+            if self._at_once:
+                # Those that lie wholly in this time, all together; then the two at its ends
+                ends = self._starts[first:last], self._ends[first:last]
+                begun = first + int(np.searchsorted(ends[0], math.ceil(t0 - base)))
+                over = first + int(np.searchsorted(ends[1], math.floor(t1 - base), side="right"))
+                whole = range(begun, max(begun, over))
+                self._deposit_whole(tube, slice(whole.start, whole.stop), now - base)
             low = first + int(np.searchsorted(self._ends[first:last], float(t0 - base), side="right"))
-            for piece in self.pieces[max(low - 1, first) : last]:
-                begin = max(Fraction(piece.start_ps + base), t0)
-                end = min(Fraction(piece.start_ps + piece.duration_ps + base), t1)
-                if piece.start_ps + base >= t1:
+            for number in range(max(low - 1, first), last):
+                if number in whole:
+                    continue
+                start, stop = int(self._starts[number]) + base, int(self._ends[number]) + base
+                if start >= t1:
                     break
+                begin, end = max(Fraction(start), t0), min(Fraction(stop), t1)
                 if begin < end:
-                    self._play_piece(tube, piece, begin - base - piece.start_ps, end - begin, now - end)
+                    self._play_piece(tube, number, begin - start, end - begin, now - end)
+
+    def _deposit_whole(self, tube: Tube, pieces: slice, now: Fraction) -> None:
+        """Deposit pieces that are over at a time of the frame."""
+        if pieces.stop <= pieces.start:
+            return
+        for gun, taus in enumerate(self._taus):
+            left = [self._left_by(pieces, gun, self._shares(pieces, now, tau)) for tau in taus]
+            tube.deposit_aged(self._left_by(pieces, gun), left, gun)
 
     def _play_piece(
-        self, tube: Tube, piece: Segment, elapsed: Fraction, duration: Fraction, age: Fraction
+        self, tube: Tube, number: int, elapsed: Fraction, duration: Fraction, age: Fraction
     ) -> None:
+        piece = self.pieces[number]
         a = self._along(piece, elapsed)
         b = self._along(piece, elapsed + duration)
         energy = self.power * float(duration) * 1e-12
@@ -332,17 +357,18 @@ class VectorBeam:
     def state(self, seconds: Fraction) -> BeamState:
         """Where the beam is and what it does at a time."""
         frame, within = divmod(seconds * 10**12, self.frame_ps)
-        number = bisect_right(self._segment_starts, math.floor(within)) - 1
-        segment = self.segments[number]
-        x, y = self._along(segment, within - segment.start_ps)
-        place = int((within - segment.start_ps) // 1000)
-        lit = segment.kind == "stroke"
-        return BeamState(x, y, segment.currents, lit, segment.stroke, place, int(frame))
+        number = int(np.searchsorted(self.timeline.start_ps, math.floor(within), side="right")) - 1
+        start, took = (int(each[number]) for each in (self.timeline.start_ps, self.timeline.duration_ps))
+        share = float((within - start) / took)
+        begin, end = self.timeline.begin[number], self.timeline.end[number]
+        x, y = (begin + share * (end - begin)).tolist()
+        stroke = int(self.timeline.stroke[number])
+        currents = tuple(self._currents[stroke].tolist())
+        place = int((within - start) // 1000)
+        return BeamState(x, y, currents, stroke >= 0, stroke, place, int(frame))
 
     @cached_property
     def times_ps(self) -> dict[str, int]:
         """How the frame is spent: picoseconds per kind of stretch."""
-        spent = {"stroke": 0, "jump": 0, "settle": 0, "wait": 0}
-        for segment in self.segments:
-            spent[segment.kind] += segment.duration_ps
-        return spent
+        frame = self.timeline
+        return {kind: int(frame.duration_ps[frame.kind == k].sum()) for k, kind in enumerate(KINDS)}

@@ -98,6 +98,9 @@ class Visits:
         calls = self._table[_CALL, visits]
         ends = np.array(recording.frame_ends[:], np.int64)[calls]
         gone = (ends != 0) & (ends <= 2 * self.seen)
+        if recording.error is None and not recording.truncated:
+            # A call that ends with the last line may end by an error, which is told once all calls have ended
+            gone &= ends < 2 * self.seen - 1
         left: NDArray[np.bool_] = np.logical_or(gone, self._visit_in[calls] != visits)
         return left
 

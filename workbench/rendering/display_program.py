@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.scanning.random_scan import DRAW, JUMP, MOVE
+from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE
 from workbench.document.model import Sheet
 from workbench.rendering.display_list import display_list
 from workbench.rendering.scene.line_drawing import scene_strokes
@@ -39,14 +39,9 @@ class Strokes:
         """The first ``count`` of them."""
         return Strokes(self.ends[:count], self.colours[:count], self.figures[:count])
 
-    def for_tube(self) -> list[tuple[float, float, float, float, int]]:
-        """As a tube takes them: x0, y0, x1, y1 and the colour."""
-        return [
-            (*ends, colour)
-            for ends, colour in zip(
-                map(tuple, self.ends.reshape(-1, 4).tolist()), self.colours.tolist(), strict=True
-            )
-        ]
+    def for_tube(self) -> Floats:
+        """As a tube takes them, (n, 5): x0, y0, x1, y1 and the colour."""
+        return np.column_stack([self.ends.reshape(-1, 4), self.colours])
 
 
 @dataclass(frozen=True, slots=True, eq=False)

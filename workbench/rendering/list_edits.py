@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from workbench.algorithms.scanning.random_scan import DRAW, JUMP, MOVE
+from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE
 from workbench.document.addresses import sheet_with
 from workbench.document.building import Edit, all_numbered, checked, remembering, with_sheet
 from workbench.document.errors import DocumentError

@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 from tests.panels.by_hand import keep_until_the_end
 from tests.panels.display.strips import cut_texts, lies_whole
 from workbench.display import RasterBeam
+from workbench.display.retrace import RetracingBeam
 from workbench.document.edits import remove_figures
 from workbench.document.state import SessionState
 from workbench.document.storage.files import read
@@ -238,3 +239,20 @@ def test_a_time_has_the_unit_that_keeps_it_readable() -> None:
         "2 s",
         "16.7 ms",
     ]
+
+
+def test_brightness_and_contrast_reach_the_tubes_and_the_file(
+    panel: TubesPage, session: Session, tmp_path: Path
+) -> None:
+    assert panel.raster.driver is not None
+    dark = panel.raster.driver.beam.energy_per_frame().sum()
+    panel.controls.brightness.edited.emit(0.3)
+    panel.controls.contrast.edited.emit(1.4)
+    session.flush()
+    assert (session.state.tube.brightness, session.state.tube.contrast) == (0.3, 1.4)
+    for tube in (panel.raster, panel.vector):
+        assert tube.setup.knobs == (0.3, 1.4)
+    assert isinstance(panel.raster.driver.beam, RetracingBeam)
+    assert panel.raster.driver.beam.energy_per_frame().sum() > 1.5 * dark
+    session.save_as(tmp_path / "bright.gwb")
+    assert load_state(tmp_path / "bright.gwb").tube.brightness == 0.3

@@ -104,7 +104,7 @@ def test_a_step_moves_on_exactly(raster: TubeView) -> None:
 
 
 def test_a_click_probes_the_pixel_under_it(qtbot: QtBot, raster: TubeView) -> None:
-    place = raster._to_widget(*raster._probe_mm((5, 9)))
+    place = raster.position(5.0, 9.0)
     with qtbot.waitSignal(raster.probed) as caught:
         qtbot.mouseClick(raster, Qt.MouseButton.LeftButton, pos=place.toPoint())
     assert caught.args == [5, 9]

@@ -111,5 +111,5 @@ ENTRY = Entry(
     ),
     questions=(6,),
     labs=("Beam, spot and focus",),
-    next_rung="phosphor_decay",
+    next_rung="beam_strokes",
 )

@@ -9,7 +9,7 @@ took            time of this instruction, in microseconds
 time            since the frame began; the picture is refreshed when the whole list was run through
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator
 from random import Random
 from typing import Any
 
@@ -17,12 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law, Parameter, View
-from workbench.algorithms.marks import MOST_SPOTS, Mark, Spot, Stroke, Word, along
-
-MOVE = 0
-DRAW = 1
-JUMP = 2
-NAMES = ("MOVE", "DRAW", "JUMP")
+from workbench.algorithms.scanning.list_marks import list_marks
+from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE, operation_name
 
 
 def random_scan(
@@ -85,33 +81,6 @@ def random_scan(
             took = max(shortest - time, 0.0)
             time += took
             counter = len(program)
-
-
-def _marks(
-    arguments: tuple[Any, ...], now: Mapping[str, Any], emitted: NDArray[Any], ended: bool
-) -> Iterable[Mark]:
-    """The strokes of this frame, those to come, and the beam."""
-    strokes = _strokes_of(arguments[0])
-    first = max(len(emitted) - MOST_SPOTS // 2, 0)
-    for k, ends in enumerate(strokes[first : first + MOST_SPOTS], first):
-        if k < len(emitted):
-            yield Stroke(ends, "data1", "medium")
-        else:
-            yield Stroke(ends, "muted", "hair", "dot")
-    if ended or "y" not in now:
-        return
-    if now.get("operation") == MOVE and "y0" in now:
-        yield Stroke(along((now["x0"], now["y0"]), (now["x"], now["y"])), "data2", "thin", "dash")
-    lit = now.get("operation") == DRAW
-    yield Spot(now["x"], now["y"], "accent", "dot" if lit else "ring", "large")
-    if "address" in now:
-        yield Word(str(now["address"]), now["x"], now["y"], "accent", 1, 1, carded=True)
-
-
-def _strokes_of(program: NDArray[Any]) -> list[NDArray[np.float64]]:
-    """The ends (2, 2) of everything that the list draws; the beam begins where it ends."""
-    places = np.asarray(program, np.float64)[:, 1:3]
-    return [np.stack([places[k - 1], places[k]]) for k in np.flatnonzero(program[:, 0] == DRAW)]
 
 
 _PROGRAM = np.array(
@@ -179,7 +148,7 @@ ENTRY = Entry(
         ),
         View(
             block="Fetch the instruction that the counter points at",
-            sentence="The counter points at {address}: {NAMES[operation]} ({x}, {y}).",
+            sentence="The counter points at {address}: {operation_name(operation)} ({x}, {y}).",
         ),
         View(
             block="Move the beam while it is off, and let it settle",
@@ -205,7 +174,8 @@ ENTRY = Entry(
             sentence="The list took {time} us, all the time there is: it begins again at 0 without a wait.",
         ),
     ),
-    marks=_marks,
+    view_functions=(operation_name,),
+    marks=list_marks,
     laws=(
         Law(
             "Every stroke is emitted once, in the order of the list.",

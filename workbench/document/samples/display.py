@@ -7,7 +7,7 @@ from workbench.document.samples.figures import Example, document_of, line, polyg
 from workbench.language import _
 
 VECTOR, COMPARISON = "vector", "comparison"
-_PEGS, _SPANS = 72, (14, 20, 25, 29, 32)
+_PEGS, _SPANS = 48, (9, 14, 18, 21, 23)
 
 
 def display_examples() -> list[Example]:

@@ -33,6 +33,11 @@ ARGUMENTS = {
 }
 
 
+def compares_displays(subject: Subject) -> bool:
+    """Whether a picture on both kinds of display is what is stepped."""
+    return subject.kind == KIND
+
+
 def number_of(subject: Subject, name: str) -> float:
     """One of its numbers."""
     value = subject.arguments.get(name, ARGUMENTS[name].usual)

@@ -36,6 +36,11 @@ def _number(subject: Subject, name: str) -> float:
     return float(value)
 
 
+def runs_a_list(subject: Subject) -> bool:
+    """Whether a display list is what is stepped."""
+    return subject.kind == KIND
+
+
 def display_of(subject: Subject) -> str:
     """The id of the vector display; the teaching one where it is not known."""
     name = subject.arguments.get("display", TEACHING)

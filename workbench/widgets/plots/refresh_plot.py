@@ -34,9 +34,13 @@ class RefreshCurve(NamedTuple):
 
 
 class RefreshPlot(Plot):
-    """``lines_wanted`` sends a number of lines that a hand asks for: a drag, a click, or the arrow keys."""
+    """``lines_wanted`` sends a number of lines that a hand asks for: a drag, a click, or the arrow keys.
+
+    ``held`` tells whether the mark is being dragged.
+    """
 
     lines_wanted = Signal(int)
+    held = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(_("Refresh rate against the number of lines"), parent)
@@ -86,12 +90,18 @@ class RefreshPlot(Plot):
         self._grip = pyqtgraph.InfiniteLine(angle=90, movable=True)
         self._grip.addMarker("v", 0.94, 12)
         self._grip.sigDragged.connect(self._dragged)
+        self._grip.sigPositionChangeFinished.connect(self._let_go)
         self._lay(self._raster, self._fusion, self._limit, self._grip)
         self._plot.setMouseEnabled(x=False, y=False)
 
     def _dragged(self, line: Any) -> None:
         if not self._placing:
+            self.held.emit(True)
             self._choose(float(line.value()))
+
+    def _let_go(self, _line: Any) -> None:
+        if not self._placing:
+            self.held.emit(False)
 
     def _restyle(self) -> None:
         now = tokens()

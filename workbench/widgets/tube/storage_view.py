@@ -4,15 +4,14 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QElapsedTimer, QPointF, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QElapsedTimer, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QImage, QMouseEvent, QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.display.exposure import Screen
 from workbench.display.phosphor import Phosphor
-from workbench.display.setup import DeviceStroke, area_mm, face_mm
+from workbench.display.setup import DeviceStroke, face_mm, mm_of
 from workbench.display.storage_tube import StorageTube, Written
-from workbench.display.vector_timing import VectorTiming
 from workbench.language import _
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tokens import colour, tokens
@@ -68,14 +67,14 @@ class StorageView(QWidget):
         """The strokes (n, 2, 2) that can be clicked, device coordinates."""
         self._ends = ends
 
-    def take_list(
-        self, strokes: Sequence[DeviceStroke], picture_px: tuple[int, int], _timing: VectorTiming
-    ) -> None:
-        """The list that is written when it is asked for; what is on the face stays. The first is written."""
+    def take_list(self, strokes: NDArray[np.float64], picture_px: tuple[int, int]) -> None:
+        """The strokes (n, 5) that are written when it is asked for; what is on the face stays. The first are
+        written at once.
+        """
         if picture_px != self._picture or self.tube is None:
             self._picture = picture_px
             self._build()
-        self._strokes = tuple(strokes)
+        self._strokes = tuple((x0, y0, x1, y1, int(packed)) for x0, y0, x1, y1, packed in strokes.tolist())
         if self._written is None and self.tube is not None:
             self.write()
 
@@ -124,14 +123,9 @@ class StorageView(QWidget):
 
     def _in_mm(self, strokes: Sequence[DeviceStroke]) -> MmStrokes:
         """Places on the face; the beam is on or off, since what is stored has one brightness."""
-        left, bottom, right, _top = area_mm(self._picture)
-        pitch = (right - left) / self._picture[0]
+        size = self._picture
         return [
-            (
-                (left + (x0 + 0.5) * pitch, bottom + (y0 + 0.5) * pitch),
-                (left + (x1 + 0.5) * pitch, bottom + (y1 + 0.5) * pitch),
-                1.0 if packed else 0.0,
-            )
+            (mm_of(x0, y0, size), mm_of(x1, y1, size), 1.0 if packed else 0.0)
             for x0, y0, x1, y1, packed in strokes
         ]
 
@@ -193,14 +187,11 @@ class StorageView(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """A click on a stroke chooses it."""
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        left, bottom, right, _top = area_mm(self._picture)
-        pitch, face = (right - left) / self._picture[0], face_mm(self._picture)
-        scale = self._glass.width() / face[0] * pitch
-        origin = QPointF(
-            self._glass.left() + (left + 0.5 * pitch) / face[0] * self._glass.width(),
-            self._glass.bottom() - (bottom + 0.5 * pitch) / face[1] * self._glass.height(),
-        )
-        positions = self._ends * (scale, -scale) + (origin.x(), origin.y())
+        face, (x_mm, y_mm) = face_mm(self._picture), mm_of(0.0, 0.0, self._picture)
+        per_mm = self._glass.width() / face[0]
+        scale = (mm_of(1.0, 0.0, self._picture)[0] - x_mm) * per_mm
+        origin = self._glass.left() + x_mm * per_mm, self._glass.bottom() - y_mm * per_mm
+        positions = self._ends * (scale, -scale) + origin
         stroke = nearest_stroke(positions, event.position())
         if stroke is not None:
             self.stroke_clicked.emit(stroke)

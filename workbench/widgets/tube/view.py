@@ -1,6 +1,5 @@
 """A frame buffer on a raster tube, or a display list on a vector tube, with a probe for one pixel."""
 
-from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
@@ -13,11 +12,11 @@ from workbench.display.beam import Beam
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.setup import (
     COLOUR_TUBE,
-    DeviceStroke,
+    DeviceStrokes,
     TubeSetup,
-    area_mm,
     currents_of_image,
     face_mm,
+    mm_of,
     raster_tube,
     vector_beam,
     vector_tube,
@@ -45,7 +44,7 @@ class TubeView(LiveTube):
         self.kind = kind
         self._setup = TubeSetup()
         self._image: NDArray[np.uint32] = np.zeros((48, 64), dtype=np.uint32)
-        self._strokes: tuple[DeviceStroke, ...] = ()
+        self._strokes: DeviceStrokes = ()
         self._picture = (64, 48)
         self._probe: tuple[int, int] | None = None
         self.setAccessibleName(_("Raster tube") if kind == "raster" else _("Vector tube"))
@@ -77,7 +76,7 @@ class TubeView(LiveTube):
         name = _("RASTER") if self.kind == "raster" else _("VECTOR")
         return name, f"{self._setup.phosphor}   {self.refresh_hz:.4g} Hz"
 
-    def make_tube(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
+    def _made(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
         """A tube for the picture, and the beam that draws it."""
         if self.kind == "raster":
             return raster_tube(self._image, size_px, self._setup)
@@ -98,15 +97,10 @@ class TubeView(LiveTube):
         else:
             self._rebuild()
 
-    @property
-    def image(self) -> NDArray[np.uint32]:
-        """The frame buffer that is shown."""
-        return self._image
-
-    def set_strokes(self, strokes: Sequence[DeviceStroke], picture_px: tuple[int, int]) -> None:
+    def set_strokes(self, strokes: DeviceStrokes, picture_px: tuple[int, int]) -> None:
         """Show a display list in the device frame of a picture of so many pixels."""
         same_size = picture_px == self._picture
-        self._strokes = tuple(strokes)
+        self._strokes = strokes
         self._take_size(picture_px)
         if self.kind != "vector":
             return
@@ -137,9 +131,7 @@ class TubeView(LiveTube):
 
     def position(self, x: float, y: float) -> QPointF:
         """Where in the widget a place of the picture lies."""
-        left, bottom, right, _top = area_mm(self._picture)
-        pitch = (right - left) / self._picture[0]
-        return self._to_widget(left + (x + 0.5) * pitch, bottom + (y + 0.5) * pitch)
+        return self._to_widget(*mm_of(x, y, self._picture))
 
     def pixel_under(self, position: QPointF) -> tuple[int, int] | None:
         """The pixel of the picture at a position of the widget; None beside the picture."""
@@ -157,25 +149,19 @@ class TubeView(LiveTube):
         self._probe = pixel
         self.update()
 
-    def _probe_mm(self, pixel: tuple[int, int]) -> tuple[float, float]:
-        left, bottom, right, _top = area_mm(self._picture)
-        pitch = (right - left) / self._picture[0]
-        return left + (pixel[0] + 0.5) * pitch, bottom + (pixel[1] + 0.5) * pitch
-
     def lit_pixel(self) -> tuple[int, int] | None:
         """The lit pixel of the frame buffer that is nearest to its middle; None for a dark picture."""
         return lit_near_the_middle(self._image)
 
     def probe_mm(self) -> tuple[float, float] | None:
         """Where on the face the probe sits, in millimetres."""
-        return None if self._probe is None else self._probe_mm(self._probe)
+        return None if self._probe is None else mm_of(*self._probe, self._picture)
 
     def light_at_probe(self) -> float:
         """Luminance at the probed pixel in the last step, 1 for white; 0 without a probe."""
         if self._probe is None or self.driver is None:
             return 0.0
-        x_mm, y_mm = self._probe_mm(self._probe)
-        width, height = face_mm(self._picture)
+        (x_mm, y_mm), (width, height) = mm_of(*self._probe, self._picture), face_mm(self._picture)
         columns, rows = self.driver.tube.size_px
         column, row = int(x_mm / width * columns), int(y_mm / height * rows)
         return float(sum(light[row, column] for light in self.driver.lights))
@@ -204,10 +190,10 @@ class TubeView(LiveTube):
         """Whether it runs so slowly that the beam is somewhere."""
         return self._slow >= _BEAM_SEEN_FROM and (self._paused or not self.averaged)
 
-    def paint_over(self, painter: QPainter) -> None:
+    def _paint_over(self, painter: QPainter) -> None:
         """The beam, where it is seen, and the probe."""
         if self.beam_is_seen and self.driver is not None:
             state = self.driver.state()
             paint_beam(painter, self._to_widget(state.x_mm, state.y_mm), self._glass.width(), state)
         if self._probe is not None:
-            paint_probe(painter, self._to_widget(*self._probe_mm(self._probe)))
+            paint_probe(painter, self.position(*self._probe))

@@ -9,7 +9,7 @@ from workbench.display import VectorTiming, vector_displays
 from workbench.document.subjects import Argument
 from workbench.language import _
 from workbench.panels.stage.folding_card import fill_choices
-from workbench.rendering.subjects.comparison import ARGUMENTS, KIND, lens_of, number_of
+from workbench.rendering.subjects.comparison import ARGUMENTS, compares_displays, lens_of, number_of
 from workbench.rendering.subjects.random_scan import display_of
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField, complaint_label
@@ -17,7 +17,7 @@ from workbench.widgets.look.tips import tell_choice
 
 # By the name of the argument: label, unit, step, meaning.
 _FIELDS: Mapping[str, tuple[str, str, float, str]] = {
-    "refresh": (_("at most"), "Hz", 5.0, _("Refresh rate of the raster, and the highest of the vector tube")),
+    "refresh": (_("rate"), "Hz", 5.0, _("Refresh rate of the raster, and the highest of the vector tube")),
     "hatch": (_("hatch"), "px", 1.0, _("Rows from one hatch of an area to the next; 0 draws outlines only")),
     "x": ("x", "px", 1.0, _("Column under the magnifying glass")),
     "y": ("y", "px", 1.0, _("Row under the magnifying glass, counted from below")),
@@ -72,7 +72,7 @@ class ComparisonBar(QWidget):
         """Give the subject these arguments; the place of the glass leaves the run where it is."""
         session = self._session
         subject = session.state.subject
-        if subject.kind != KIND:
+        if not compares_displays(subject):
             return
         changed = replace(subject, arguments={**subject.arguments, **given})
         if given.keys() <= {"x", "y", "power"}:

@@ -115,16 +115,16 @@ def _raster(image: NDArray[np.uint32]) -> Drawing:
 
 
 def _buffer(image: NDArray[np.uint32]) -> list[Item]:
-    """A few cells of the frame buffer around the middle of the picture."""
+    """A few cells of the frame buffer, where about half of them are lit."""
     height, width = image.shape
     rows, columns = min(_ROWS + 1, height), min(_CELLS, width)
     lit = image != 0
     sums = [
-        (int(lit[y : y + rows, x : x + columns].sum()), -y, -x)
+        (-abs(int(lit[y : y + rows, x : x + columns].sum()) - rows * columns // 2), -y, -x)
         for y in range(0, height - rows + 1, 2)
         for x in range(0, width - columns + 1, 2)
     ]
-    _most, y, x = max(sums, default=(0, 0, 0))
+    _near, y, x = max(sums, default=(0, 0, 0))
     part = lit[-y : -y + rows, -x : -x + columns]
     items: list[Item] = [
         Stroke(_ring(4.0, 10.0, 34.0, 34.0), "text", "thin"),

@@ -6,14 +6,22 @@ from fractions import Fraction
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent, QShowEvent
+from PySide6.QtGui import (
+    QAction,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QResizeEvent,
+    QShowEvent,
+)
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
-from workbench.algorithms.scanning.random_scan import DRAW
+from workbench.algorithms.scanning.operations import DRAW
 from workbench.algorithms.scanning.random_scan import random_scan as text
 from workbench.display.list_time import list_time
 from workbench.display.magnified import magnified_raster, magnified_vector
-from workbench.display.refresh_limit import LineTime, fusion_hz, longest_steady_s
+from workbench.display.refresh_limit import LineTime, longest_steady_s, needed_hz
 from workbench.display.setup import TubeSetup, too_many_pixels
 from workbench.display.timings import RasterTiming
 from workbench.document.subjects import Subject
@@ -47,7 +55,7 @@ from workbench.widgets.tube.view import TubeView
 
 PAGE = "comparison"
 _NOTHING = np.zeros((3, 4), np.uint32)
-_PLOT_PX = 140
+_PLOT_PX, _LOW_PX = 140, 420
 
 
 class ComparisonPage(PlainPage, QWidget):
@@ -126,7 +134,7 @@ class ComparisonPage(PlainPage, QWidget):
         for view in (self.raster, self.vector):
             view.setMouseTracking(True)
             view.installEventFilter(self)
-            view.sight.changed.connect(lambda _seen: self.refresh_soon())
+            view.sight.changed.connect(self.refresh_soon)
         self.table.currentCellChanged.connect(lambda *_cells: self._tell())
 
     # What Display asks of a page
@@ -214,7 +222,7 @@ class ComparisonPage(PlainPage, QWidget):
             RasterTiming.synthesised(sheet.width_px, sheet.height_px, rate),
             timing, units, program, time, line, stairs_of(comparison_program(sheet, 0).strokes),
             filled_pixels(sheet), len(hatched(sheet, hatch)) if hatch else 0,
-            fusion_hz(guns, time.frame_ps * 1e-12), line.most_lines(longest_steady_s(guns), shortest),
+            needed_hz(guns, time.frame_ps * 1e-12), line.most_lines(longest_steady_s(guns), shortest),
         )  # fmt: skip
         self._measured = sheet, subject.arguments, self._setup
         return self.facts
@@ -326,6 +334,11 @@ class ComparisonPage(PlainPage, QWidget):
         sheet = self.session.sheet
         x, y = min(max(x, 0), sheet.width_px - 1), min(max(y, 0), sheet.height_px - 1)
         self.bar.give(x=float(x), y=float(y))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where it is low the tubes need the height that the plot has."""
+        super().resizeEvent(event)
+        self.plot.setVisible(self.height() > _LOW_PX)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Show what happened while it was hidden."""

@@ -21,14 +21,14 @@ from workbench.document.subjects import Argument
 from workbench.language import _
 from workbench.panels.display.controls import phosphor_title
 from workbench.panels.stage.folding_card import fill_choices
-from workbench.rendering.subjects.random_scan import ARGUMENTS, KIND, display_of, is_ordered, lines_of
+from workbench.rendering.subjects.random_scan import ARGUMENTS, display_of, is_ordered, lines_of, runs_a_list
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField, complaint_label
 from workbench.widgets.look.tips import tell_choice
 
 # By the name of the argument: label, unit, step, meaning.
 _FIELDS: Mapping[str, tuple[str, str, float, str]] = {
-    "refresh": (_("at most"), "Hz", 5.0, _("Highest refresh rate of the controller")),
+    "refresh": (_("rate"), "Hz", 5.0, _("Highest refresh rate of the controller")),
     "start": ("t_0", "µs", 0.5, _("What each stroke costs before the beam moves")),
     "pace": ("c", "µs", 0.01, _("Time of a stroke for each unit of its length")),
     "jump_pace": ("c_j", "µs", 0.01, _("Time of a dark jump for each unit of its length")),
@@ -116,7 +116,7 @@ class VectorBar(QWidget):
     def _give(self, **given: Argument) -> None:
         session = self._session
         subject = session.state.subject
-        if subject.kind == KIND:
+        if runs_a_list(subject):
             arguments = {**subject.arguments, **given}
             session.update_state(subject=replace(subject, arguments=arguments), step=0)
 

@@ -84,7 +84,10 @@ class ListChanges:
         if run.budget.test:
             self._say(run.locked)
             return False
-        strokes = [Drawn(x0, y0, x1, y1, colour) for x0, y0, x1, y1, colour in run.program.strokes.for_tube()]
+        strokes = [
+            Drawn(x0, y0, x1, y1, int(colour))
+            for x0, y0, x1, y1, colour in run.program.strokes.for_tube().tolist()
+        ]
         try:
             self._session.apply(
                 set_strokes(self._session.sheet, old, strokes), _("Keep the order of the display list")

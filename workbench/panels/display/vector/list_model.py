@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
 from workbench.algorithms.numerals import decimal
-from workbench.algorithms.scanning.random_scan import DRAW, JUMP, NAMES
+from workbench.algorithms.scanning.operations import DRAW, JUMP, NAMES
 from workbench.display.list_time import ListTime
 from workbench.exchange.tables import Table
 from workbench.language import _

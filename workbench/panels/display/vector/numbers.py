@@ -1,13 +1,17 @@
 """How long a display list takes, as a student writes it down: the formula with its numbers put in."""
 
+import html
+import re
 from typing import NamedTuple
 
 from workbench.display.list_time import ListTime
 from workbench.display.refresh_limit import LineTime
+from workbench.display.storage_tube import BAUD, ERASE_S, transfer_s
 from workbench.display.vector_timing import VectorTiming
 from workbench.language import _
 
 _US, _MS = 1e-6, 1e-9
+_INDEX = re.compile(r"T_(\w+)")
 
 
 class Budget(NamedTuple):
@@ -32,6 +36,16 @@ class Budget(NamedTuple):
     def flickers(self) -> bool:
         """Whether the picture is refreshed too seldom for the eye."""
         return self.time.refresh_hz < self.fusion_hz
+
+
+def rich(line: str) -> str:
+    """A line of the sum as rich text, with real subscripts."""
+    return _INDEX.sub(r"T<sub>\1</sub>", html.escape(line))
+
+
+def on_paper(line: str) -> str:
+    """A line of the sum as a sentence of a page, its times as formulas."""
+    return _INDEX.sub(r"$T_{\1}$", line)
 
 
 def stroke_formula(timing: VectorTiming) -> str:
@@ -79,6 +93,21 @@ def sum_lines(budget: Budget) -> list[str]:
     )
     lines.append(_limit(budget))
     return lines
+
+
+def storage_lines(strokes: int) -> list[str]:
+    """The lines of the sum where the list is written once and kept."""
+    return [
+        _("No refresh: the list is written once, over a line of {baud:,} baud (Tektronix 4010).").format(
+            baud=BAUD
+        ),
+        _("t = n · 4 bytes · 10 bits / {baud} = {n:,} · 40 / {baud} = {s:.3g} s (4 bytes: uncertain)").format(
+            baud=BAUD, n=strokes, s=transfer_s(strokes)
+        ),
+        _("To change one stroke: erase all, {erase} s (Tektronix 613), and write again, {all:.3g} s.").format(
+            erase=ERASE_S, all=ERASE_S + transfer_s(strokes)
+        ),
+    ]
 
 
 def _limit(budget: Budget) -> str:

@@ -26,14 +26,14 @@ from workbench.panels.display.vector.bar import VectorBar
 from workbench.panels.display.vector.derivation import derivation
 from workbench.panels.display.vector.list_changes import ListChanges
 from workbench.panels.display.vector.list_table import ListTable
-from workbench.panels.display.vector.numbers import saving, sum_lines, verdict
+from workbench.panels.display.vector.numbers import rich, saving, storage_lines, sum_lines, verdict
 from workbench.panels.display.vector.run import VectorRun, vector_run
 from workbench.panels.display.vector.storage_bar import StorageBar
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
 from workbench.panels.shared.tube_feed import setup_of
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.plain_page import PlainPage
-from workbench.rendering.subjects.random_scan import KIND, MOST_LINES
+from workbench.rendering.subjects.random_scan import KIND, MOST_LINES, runs_a_list
 from workbench.session.session import Session
 from workbench.widgets.formulas.drawing_view import DrawingView
 from workbench.widgets.look.icons import set_icon
@@ -44,7 +44,7 @@ from workbench.widgets.tube.stroke_view import StrokeView
 
 PAGE = "vector"
 OVERLOADED = 900
-_PLOT_PX, _LOW_PX = 150, 420
+_PLOT_PX, _LOW_PLOT_PX, _LOW_PX = 150, 104, 420
 
 
 class VectorPage(PlainPage, QWidget):
@@ -81,7 +81,7 @@ class VectorPage(PlainPage, QWidget):
             self.table, _("This sheet draws no strokes, so the display list is empty."), self._show_example
         )
         self._actions = self._made_actions()
-        KeysWhileSeen(self, self._actions)
+        KeysWhileSeen(self, self.commands())
         self._connect()
 
     def _lay_out(self) -> None:
@@ -109,7 +109,6 @@ class VectorPage(PlainPage, QWidget):
         tube_column.addWidget(self.glass, 1)
         tube_column.addWidget(self.note)
         tube_column.addWidget(self.plot)
-        self.plot.setFixedHeight(_PLOT_PX)
         halves = QSplitter(Qt.Orientation.Horizontal)
         halves.setChildrenCollapsible(False)
         halves.addWidget(left)
@@ -157,9 +156,10 @@ class VectorPage(PlainPage, QWidget):
         self.tube.stroke_clicked.connect(self._go_to_stroke)
         self.storage.stroke_clicked.connect(self._go_to_stroke)
         self.plot.lines_wanted.connect(self.bar.give_lines)
+        self.plot.held.connect(session.hold_runs)
         self.storage_bar.said.connect(self.hover_text)
         for view in (self.tube, self.storage):
-            view.sight.changed.connect(lambda _seen: self.refresh_soon())
+            view.sight.changed.connect(self.refresh_soon)
         self.table.view.installEventFilter(self)
 
     # What Display asks of a page
@@ -169,7 +169,7 @@ class VectorPage(PlainPage, QWidget):
         right = Qt.DockWidgetArea.RightDockWidgetArea
         return (("random_scan_architecture", _("Architecture"), self.architecture, right),)
 
-    def commands(self) -> Sequence[QAction]:
+    def commands(self) -> list[QAction]:
         """Its commands, and the changes to the list."""
         return [*self._actions, *self.table.changes]
 
@@ -220,7 +220,8 @@ class VectorPage(PlainPage, QWidget):
             action.setEnabled(not run.locked)
             action.setToolTip(run.locked or f"{action.text()} ({action.shortcut().toString()})")
         self._show_tube(run)
-        self.sums.setText("<br>".join(line.replace("<", "&lt;") for line in sum_lines(run.budget)))
+        sums = storage_lines(len(run.program.strokes)) if run.stores else sum_lines(run.budget)
+        self.sums.setText("<br>".join(map(rich, sums)))
         words = [verdict(run.budget), saving(run.budget), run.note]
         self.note.setText(" ".join(filter(None, words)))
         for part in (self.note, self.plot):
@@ -238,8 +239,9 @@ class VectorPage(PlainPage, QWidget):
     def _show_strokes(self, run: VectorRun) -> None:
         """The whole list as it is refreshed, or of a frame that is stepped what it has drawn so far."""
         settings = self.session.state.tube
-        rate = 1e12 / run.budget.time.frame_ps
-        setup = replace_setup(setup_of(settings), refresh_hz=rate, timing=run.budget.timing)
+        # A part of a list is refreshed as seldom as all of it
+        frame_ps = run.budget.time.frame_ps if run.steps else run.budget.shortest_ps
+        setup = replace_setup(setup_of(settings), refresh_hz=1e12 / frame_ps, timing=run.budget.timing)
         strokes = run.strokes_now
         self.tube.set_ends(strokes.ends if not run.steps else run.program.strokes.ends)
         self.tube.set_trace(run.trace)
@@ -253,7 +255,7 @@ class VectorPage(PlainPage, QWidget):
 
     def _show_storage(self, run: VectorRun) -> None:
         self.storage.set_ends(run.program.strokes.ends)
-        self.storage.take_list(run.program.strokes.for_tube(), run.size, run.budget.timing)
+        self.storage.take_list(run.program.strokes.for_tube(), run.size)
         self.storage_bar.refresh()
 
     # The hand
@@ -291,7 +293,7 @@ class VectorPage(PlainPage, QWidget):
 
     def _give(self, **given: object) -> None:
         subject = self.session.state.subject
-        if subject.kind == KIND:
+        if runs_a_list(subject):
             arguments = {**subject.arguments, **given}
             self.session.update_state(subject=replace(subject, arguments=arguments), step=0)
 
@@ -310,7 +312,9 @@ class VectorPage(PlainPage, QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Where it is low the list needs the height that the sum has."""
         super().resizeEvent(event)
-        self.sums.setVisible(self.height() > _LOW_PX)
+        low = self.height() < _LOW_PX
+        self.sums.setVisible(not low)
+        self.plot.setFixedHeight(_LOW_PLOT_PX if low else _PLOT_PX)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Show what happened while it was hidden."""

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from functools import lru_cache
 
-from workbench.algorithms.scanning.random_scan import DRAW
+from workbench.algorithms.scanning.operations import DRAW
 from workbench.display.list_time import ListTime, list_time
-from workbench.display.refresh_limit import LineTime, fusion_hz, longest_steady_s
+from workbench.display.refresh_limit import LineTime, longest_steady_s, needed_hz
 from workbench.display.setup import TubeSetup
 from workbench.language import _
 from workbench.panels.display.vector.architecture import Working
@@ -25,6 +25,7 @@ from workbench.rendering.subjects.random_scan import (
     lines_of,
     own_strokes,
     program_for,
+    runs_a_list,
     shortest_ps_of,
     timing_of,
     units_of,
@@ -92,7 +93,7 @@ class VectorRun:
 def vector_run(session: Session) -> VectorRun:
     """The list of a session's sheet under its subject; a list stepped otherwise is not stepped here."""
     sheet, subject = session.sheet, session.state.subject
-    if subject.kind != KIND:
+    if not runs_a_list(subject):
         raise ValueError("The page Random scan shows the run of a display list.")
     program, timing, units = program_for(sheet, subject), timing_of(subject), units_of(sheet, subject)
     shortest = shortest_ps_of(subject)
@@ -108,7 +109,7 @@ def vector_run(session: Session) -> VectorRun:
     longest = _longest_steady(setup_of(session.state.tube))
     budget = Budget(
         timing, units, shortest, time, len(program.strokes), line, length, test,
-        fusion_hz(guns, time.frame_ps * 1e-12), line.most_lines(longest, shortest), unordered,
+        needed_hz(guns, time.frame_ps * 1e-12), line.most_lines(longest, shortest), unordered,
     )  # fmt: skip
     address, drawn = _position(session, program)
     size = sheet.width_px, sheet.height_px

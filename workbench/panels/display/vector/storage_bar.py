@@ -1,7 +1,7 @@
 """What can be done with a storage tube: write, write through, erase all; a part cannot be erased."""
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from workbench.language import _
 from workbench.widgets.look.comfort import comfort
@@ -33,6 +33,8 @@ class StorageBar(QWidget):
         self.note = QLabel()
         self.note.setWordWrap(True)
         self.note.setProperty("role", "muted")
+        self.note.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         row = QHBoxLayout()
         row.setSpacing(6)
         for part in (self.write, self.through, self.erase, self.part, self.warning, self.flash, self.dark):
