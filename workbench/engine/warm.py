@@ -48,8 +48,8 @@ class Warming:
     """A child process that compiles the entries named, most used first.
 
     ``uses`` are those of ``USES`` that are wanted. ``modules`` have texts that are in no entry, as ``TEXTS``,
-    and a function ``compile_all``; they come last. Without a compiler, or without anything to do, no process
-    is started and ``finished`` holds at once.
+    and a function ``compile_all``; they come first, since what runs all the time stands on them. Without a
+    compiler, or without anything to do, no process is started and ``finished`` holds at once.
     """
 
     def __init__(self, slugs: Sequence[str], uses: Sequence[str] = USES, modules: Sequence[str] = ()) -> None:
@@ -205,7 +205,7 @@ def main(arguments: Sequence[str]) -> int:
         os.nice(15)
     uses, *names = arguments
     slugs = [name for name in names if "." not in name]
-    wanted = work(slugs, uses.split(",")) + [(name, "run") for name in names if "." in name]
+    wanted = [(name, "run") for name in names if "." in name] + work(slugs, uses.split(","))
     for number, (slug, use) in enumerate(wanted, 1):
         try:
             if "." in slug:

@@ -110,15 +110,21 @@ class _Followed:
         if not self._stopped and compiled.available():
             slugs = [entry.slug for entry in catalogue.entries() if entry.topic in self._topics]
             modules = [module for topic in self._topics for module in _MODULES.get(topic, ())]
+
+            def told(progress: Progress) -> None:
+                if progress.slug in modules:
+                    load_module(progress.slug, lambda: self._stopped)
+                tell(progress)
+
+            for module in modules:
+                load_module(module, lambda: self._stopped)
             self._child = Child(slugs, modules=modules)
             if self._stopped:
                 self._child.stop()
             else:
-                self._child.follow(tell)
+                self._child.follow(told)
             for slug in slugs:
                 load(slug, lambda: self._stopped)
-            for module in modules:
-                load_module(module, lambda: self._stopped)
 
 
 def readiness() -> tuple[str, str]:
