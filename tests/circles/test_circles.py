@@ -162,7 +162,7 @@ def test_with_equal_radii_the_ellipse_is_the_circle(r: int) -> None:
 
 
 def test_of_radii_up_to_90_every_17th_pair_is_not_the_other_turned() -> None:
-    quarters = {(rx, ry): set(quarter(rx, ry)) for rx in range(91) for ry in range(91)}
+    quarters = {(rx, ry): set(whole_quarter(rx, ry)) for rx in range(91) for ry in range(91)}
     differing = [
         (rx, ry) for (rx, ry), points in quarters.items() if {(y, x) for x, y in points} != quarters[ry, rx]
     ]
@@ -176,6 +176,18 @@ def test_of_radii_up_to_90_every_17th_pair_is_not_the_other_turned() -> None:
 def test_no_sign_of_a_large_ellipse_is_rounded(rx: int, ry: int) -> None:
     ours = [(x, y) for x, y in midpoint_ellipse(0, 0, rx, ry) if x >= 0 and y >= 0]
     assert ours == list(whole_quarter(rx, ry))
+
+
+@pytest.mark.parametrize(("rx", "ry"), [(8, 6), (16383, 16001), (11003, 16383)])
+def test_p_is_the_ellipses_function_at_the_next_midpoint_exactly(rx: int, ry: int) -> None:
+    """Read from the generator where it waits, every 97th pixel; a float of 53 bits holds it."""
+    walk = midpoint_ellipse(0, 0, rx, ry)
+    for number, _pixel in enumerate(walk):
+        now = walk.gi_frame.f_locals  # type: ignore[attr-defined]
+        if number % 97 or now["x"] == rx:
+            continue
+        x, y = (now["x"] + HALF, now["y"] - 1) if "k" in now else (now["x"] + 1, now["y"] - HALF)
+        assert Fraction(now["p"]) == ry * ry * x * x + rx * rx * y * y - rx * rx * ry * ry
 
 
 def whole_quarter(rx: int, ry: int) -> Iterator[tuple[int, int]]:

@@ -165,7 +165,7 @@ def test_a_picture_can_be_written_on_the_command_line(capsys: pytest.CaptureFixt
         (("trace", "nosuch"), "There is no algorithm named 'nosuch'; list shows all of them."),
         (("trace", "bresenham_line", "-5.", "0", "5", "5"), "x0 = -5.: it must be a whole number"),
         (("trace", "bresenham_line", "-1e3", "0", "5", "5"), "x0 = -1e3: it must be a whole number"),
-        (("trace", "bresenham_line", "1", "2", "3"), "4 arguments (x0 y0 x1 y1), and 3"),
+        (("trace", "bresenham_line", "1", "2", "3"), "4 arguments (x0 y0 x1 y1), but 3"),
         (("trace", "bresenham_line", "1", "2", "3", "x"), "y1 = x"),
         (("trace", "bresenham_line", "1", "2", "3", "4.5"), "y1 = 4.5: it must be a whole number"),
         (("trace", "bresenham_line", "1", "2", "3", "True"), "y1 = True"),

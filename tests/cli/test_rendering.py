@@ -47,7 +47,7 @@ def test_a_mesh_becomes_a_picture_and_its_depths(capsys: pytest.CaptureFixture[s
 def test_what_was_left_out_is_said(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
     (folder / "b.obj").write_bytes(obj(*solids.house()) + b"f 1 2 99\n")
     said = printed(capsys, "render", "b.obj", "-o", "b.png", "--size", "80x60")
-    assert said == "Left out: 1 face with a vertex that is not there.\n"
+    assert said == "Left out: 1 face with a vertex that does not exist.\n"
 
 
 def test_a_scene_is_drawn_in_the_window_of_its_sheet(

@@ -177,6 +177,20 @@ def test_kochanek_bartels_has_the_tangents_of_the_book(t: float, c: float, b: fl
     assert 3 * (end - second) == pytest.approx(arriving, abs=1e-13)
 
 
+@pytest.mark.parametrize("c", [-1.0, -0.3, 0.0, 0.6])
+def test_the_paper_writes_the_continuity_with_the_other_sign(c: float) -> None:
+    """DD_i and DS_i, the destination and source derivatives of the paper's equations 9 and 8."""
+    points, (t, b) = np.array([[0, 0], [2, 3], [5, 3], [7, 0]], float), (0.2, -0.3)
+    legs = np.diff(points, axis=0)
+    begin, first, second, end = kochanek_bartels(points, t, c, b, signed_by="paper").controls[0]
+    leaving = (1 - t) / 2 * ((1 + b) * (1 + c) * legs[0] + (1 - b) * (1 - c) * legs[1])
+    arriving = (1 - t) / 2 * ((1 + b) * (1 - c) * legs[1] + (1 - b) * (1 + c) * legs[2])
+    assert 3 * (first - begin) == pytest.approx(leaving, abs=1e-13)
+    assert 3 * (end - second) == pytest.approx(arriving, abs=1e-13)
+    theirs = kochanek_bartels(points, t, -c, b)
+    np.testing.assert_array_equal(theirs.controls[0], [begin, first, second, end])
+
+
 def test_tension_continuity_and_bias_do_what_their_names_say() -> None:
     points = np.array([[0, 0], [2, 3], [5, 3], [7, 0], [9, 4]], float)
     straight = kochanek_bartels(points, tension=1).controls

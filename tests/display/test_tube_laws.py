@@ -28,7 +28,7 @@ PICTURE = np.random.default_rng(3).random((1, 4, 6)) * (np.random.default_rng(4)
 STROKES = [MmStroke((3.0, 3.0), (12.0, 4.0), (1.0,)), MmStroke((12.0, 4.0), (6.0, 10.0), (0.4,))]
 
 names = st.sampled_from(phosphor_names())
-ticks = st.integers(0, 11).flatmap(lambda power: st.integers(1, 10**power))
+ticks = st.floats(0.0, 11.0).map(lambda power: round(10.0**power))
 
 
 def made(name: str = "P31", refresh: int = 60, spot: float = 0.8) -> tuple[Tube, RasterBeam, VectorBeam]:

@@ -211,7 +211,7 @@ def test_the_ends_of_a_range_are_accepted_and_what_lies_beyond_is_refused(place:
             knots_decrease = name == "u" and place.path[-2] != (len(before) - 1 if end else 0)
             too_many_knots = name == "degree" and place.path[3] == 6 and value != 1
             if (name, end) in WITHOUT_EXTENT or knots_decrease or too_many_knots:
-                with pytest.raises(DocumentError, match=r"has no|may not decrease|add what is missing"):
+                with pytest.raises(DocumentError, match=r"has no|must not decrease|add what is missing"):
                     change(place, value)
             else:
                 spent = name == "last_id" and change is by_file and value > 0  # ids are given anew

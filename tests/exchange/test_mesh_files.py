@@ -77,7 +77,7 @@ OBJS: dict[str, tuple[str, list[list[int]], str]] = {
     "out of range": (
         TWO + "f 1 2 3 4\nf 1 2 5\nf 0 1 2\nf -9 1 2\nf 1 2 99999999999999999999\n",
         SQUARE,
-        "Left out: 4 faces with vertices that are not there.",
+        "Left out: 4 faces with vertices that do not exist.",
     ),
     "too few corners": (
         TWO + "f 1 2 3 4\nf 1 2\nf\nf 1\n",
@@ -245,7 +245,7 @@ def test_well_known_models_are_read_as_trimesh_reads_them(name: str) -> None:
         (b"Dear reader,\nthis is a letter.\n", ".obj", "The file has no face"),
         (bytes(range(256)) * 40, ".obj", "The file has no face"),
         (b"v 0 0 0\nf 1 1 1\n", ".obj", r"No face of the file can be drawn \(1 face without area\)"),
-        (b"Dear reader", ".ply", "The file is not a PLY"),
+        (b"Dear reader", ".ply", "This is not a PLY file"),
         (b"ply\nformat ascii 1.0\nend_header\n", ".ply", "has no vertices or no faces"),
         (b"ply\nelement vertex 1\nfly away\nend_header\n", ".ply", "is not known: 'fly away'"),
         (
@@ -287,7 +287,7 @@ def test_a_child_reads_a_mesh_and_tells_how_far_it_is(tmp_path: Path) -> None:
     read = Reading(Job("mesh", str(tmp_path / "a b.obj"))).follow(shares.append)
     assert isinstance(read, ImportedMesh)
     same(read.mesh, mesh)
-    assert read.notes == ("Left out: 1 face with a vertex that is not there.",)
+    assert read.notes == ("Left out: 1 face with a vertex that does not exist.",)
     assert shares == sorted(shares)
     assert len(shares) > 1
 
@@ -311,16 +311,16 @@ HEAD = "b'ply\\nformat %s 1.0\\nelement vertex 3\\nproperty float x\\nproperty f
         ("read_mesh(b'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf' + b' 1 2 3' * 500_000, '.obj')", "No face"),
         ("read_mesh(b'f 1 2 3\\\\\\n' * 100_000, '.obj')", "No face"),
         ("read_mesh(b'v a 0 0\\n' * 100_000 + b'f 1 2 3', '.obj')", "No face"),
-        ("read_mesh(b'OFF\\n3999999 3999999 0\\n', '.off')", "breaks off"),
+        ("read_mesh(b'OFF\\n3999999 3999999 0\\n', '.off')", "ends before"),
         (
             f"read_mesh({HEAD % 'ascii'}element face 4000000\\nproperty list int int vertex_index\\n"
             "end_header\\n0 0 0 1 0 0 0 1 0\\n3 0 1 2\\n', '.ply')",
-            "breaks off",
+            "ends in the middle",
         ),
         (
             f"read_mesh({HEAD % 'binary_big_endian'}element face 9\\nproperty list uint double "
             "vertex_index\\nend_header\\n' + b'\\xff' * 200, '.ply')",
-            "breaks off",
+            "ends in the middle",
         ),
         ("read_mesh(b'solid ' + b'facet normal 0 0 1\\n' * 100_000, '.stl')", "has no face"),
     ],

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbench.geometry.conventions import round_half_up, top_row_first
+from workbench.geometry.conventions import GRID, round_half_up, snapped, top_row_first
 
 
 @given(quarters=st.integers(-(10**6), 10**6))
@@ -14,6 +14,13 @@ def test_halves_go_up_and_all_else_to_the_nearest(quarters: int) -> None:
     rounded = round_half_up(quarters / 4)
     assert isinstance(rounded, int)
     assert Fraction(-1, 2) < rounded - Fraction(quarters, 4) <= Fraction(1, 2)
+
+
+@given(places=st.integers(-(10**9), 10**9))
+def test_what_is_snapped_is_the_nearest_place_of_the_grid(places: int) -> None:
+    (place,) = snapped(np.array([places / 3])) * GRID
+    assert place == int(place)
+    assert abs(Fraction(int(place), GRID) - Fraction(places / 3)) <= Fraction(1, 2 * GRID)
 
 
 def test_the_beam_starts_at_the_last_row() -> None:

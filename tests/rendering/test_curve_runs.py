@@ -39,7 +39,8 @@ def test_the_last_point_of_a_construction_is_on_the_curve(curve: Curve, share: f
     sheet = sheet_with(curve)
     (made,) = sheet.figures
     assert isinstance(made, Curve)
-    for slug in ("", "de_casteljau", "de_boor", "de_boor_rational"):
+    constructions = ("de_casteljau", "de_boor", "de_boor_rational")
+    for slug in ("", *constructions, "b_spline_sum", "bernstein_curve", "hermite_blend"):
         calls = curve_calls(sheet, made, slug, share)
         assert bool(calls) == (not construction_fault(made, slug or construction_of(made)))
         for call in calls:
@@ -90,6 +91,21 @@ def test_samples_and_chords_are_run_too() -> None:
     (chain,) = curve_calls(sheet, curve, "flatten_bezier", 0.9)
     np.testing.assert_array_equal(chain.arguments[0], device_pieces(sheet, curve).controls[1])
     assert chain.arguments[1] == curve.tolerance_px
+
+
+def test_the_system_of_a_natural_spline_gives_the_tangents_of_its_pieces() -> None:
+    sheet = sheet_with(a_curve())
+    (curve,) = sheet.figures
+    assert isinstance(curve, Curve)
+    (call,) = curve_calls(sheet, curve, "natural_cubic_system", 0.5)
+    solved = np.array(list(call.entry.function(*call.arguments)))[::-1]
+    controls = device_pieces(sheet, curve).controls
+    np.testing.assert_allclose(solved[:-1, :2], controls[:, 0], atol=1e-9)
+    np.testing.assert_allclose(solved[:-1, 2:], 3.0 * (controls[:, 1] - controls[:, 0]), atol=1e-9)
+    assert (
+        curve_calls(sheet_with(a_curve("catmull_rom")), a_curve("catmull_rom"), "natural_cubic_system", 0.5)
+        == []
+    )
 
 
 def test_unequal_weights_have_a_construction_of_their_own() -> None:

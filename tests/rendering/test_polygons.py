@@ -23,6 +23,15 @@ def painted(sheet: Sheet) -> np.ndarray:
     return painter_of(sheet) >= 0
 
 
+def test_corners_are_given_on_the_grid_on_which_crossings_are_exact() -> None:
+    places = [(1 / 3, 0.1), (7.7, 1.0), (5.0, 20 / 3)]
+    sheet = sheet_of(polygon([places], 1, ""))
+    (call,) = figure_calls(sheet, sheet.figures[0])
+    corners = call.arguments[0]
+    assert np.array_equal(corners * 4096, np.round(corners * 4096))
+    assert np.abs(corners - places).max() <= 1 / 8192
+
+
 @pytest.mark.parametrize(("closed", "pixels"), [(True, 25), (False, 21)])
 def test_the_triangle_of_the_course(closed: bool, pixels: int) -> None:
     sheet = sheet_of(polygon([TRIANGLE], 1, "", closed=closed))

@@ -9,15 +9,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from workbench.algorithms.visibility import depth_buffer
+from workbench.algorithms.visibility.depth_tiles import parts_in_sight
+from workbench.algorithms.visibility.device_plane import Corner, row_ends
+from workbench.engine import compiled
 from workbench.engine.compiled import Stop, Stopped
 from workbench.rendering import depth_buffer_triangles
 
-Corner = tuple[int, int, float]
+Place = tuple[int, int, float]
 corner = st.tuples(st.integers(-3, 14), st.integers(-3, 11), st.sampled_from([0.25, 0.5, 0.75]))
 scene = st.lists(st.tuples(corner, corner, corner), min_size=1, max_size=6)
 
 
-def covered(triangle: tuple[Corner, ...], x: int, y: int) -> Fraction | None:
+def covered(triangle: tuple[Place, ...], x: int, y: int) -> Fraction | None:
     """Depth of a triangle at a pixel, exactly; None outside (half-open towards the right and the top)."""
     crossings = []
     for (x0, y0, z0), (x1, y1, z1) in zip(triangle, (*triangle[1:], triangle[0]), strict=True):
@@ -34,7 +37,7 @@ def covered(triangle: tuple[Corner, ...], x: int, y: int) -> Fraction | None:
 
 @given(triangles=scene)
 @settings(max_examples=40)
-def test_the_nearest_triangle_wins_and_the_first_on_equal_depths(triangles: list[tuple[Corner, ...]]) -> None:
+def test_the_nearest_triangle_wins_and_the_first_on_equal_depths(triangles: list[tuple[Place, ...]]) -> None:
     vertices = np.array(triangles, np.float64).reshape(-1, 3)
     faces = np.arange(len(vertices)).reshape(-1, 3)
     image, depth = depth_buffer_triangles(vertices, faces, np.arange(1, len(faces) + 1), (12, 9))
@@ -52,18 +55,36 @@ def test_the_nearest_triangle_wins_and_the_first_on_equal_depths(triangles: list
             assert image[y, x] in {k for k, z in found.items() if z - nearest < Fraction(1, 10**12)}
 
 
-@given(triangles=scene, step=st.sampled_from([1, 1 / 3, 1 / 4096]))
-@settings(max_examples=40)
-def test_in_bands_the_picture_is_that_of_the_text(triangles: list[tuple[Corner, ...]], step: float) -> None:
+far_corner = st.tuples(st.integers(-20, 90), st.integers(-20, 80), st.sampled_from([0.0, 0.25, 0.5, 1.0]))
+tall = st.lists(st.tuples(far_corner, far_corner, far_corner), min_size=1, max_size=12)
+
+
+@given(triangles=st.one_of(scene, tall), step=st.sampled_from([0, 1 / 3, 1 / 4096]))
+@settings(max_examples=60)
+def test_in_bands_the_picture_is_that_of_the_text(triangles: list[tuple[Place, ...]], step: float) -> None:
     vertices = np.array(triangles, np.float64).reshape(-1, 3)
-    vertices[:, :2] = np.round((vertices[:, :2] * (1 + step)) * 4096) / 4096
+    vertices[:, :2] *= 1 + step
     faces, colours = np.arange(len(vertices)).reshape(-1, 3), np.arange(1, len(triangles) + 1)
-    image, depth = depth_buffer_triangles(vertices, faces, colours, (12, 9))
-    plain, plain_depth = np.zeros((9, 12), np.int64), np.ones((9, 12))
-    for _fragment in depth_buffer(plain, plain_depth, vertices, faces, colours):
-        pass
+    image, depth = depth_buffer_triangles(vertices, faces, colours, (70, 130))
+    plain, plain_depth = np.zeros((130, 70), np.int64), np.ones((130, 70))
+    compiled.paint(depth_buffer, plain, 0, plain, plain_depth, vertices, faces, colours)
     assert np.array_equal(image, plain)
     assert depth.tobytes() == plain_depth.tobytes()
+
+
+def test_a_tile_that_a_nearer_triangle_fills_is_left_out() -> None:
+    """In front of everything stands one triangle: what is drawn behind it looks at no pixel of the tiles."""
+    front = [(-100.0, -10.0, 0.1), (300.0, -10.0, 0.1), (100.0, 300.0, 0.1)]
+    behind = [(0.0, 0.0, 0.2), (64.0, 0.0, 0.2), (32.0, 64.0, 0.2)]
+    parts, farthest = np.zeros((99, 4), np.int64), np.full((9, 5), np.inf)
+    kept = []
+    for corners in (front, behind):
+        low, middle, high = (Corner(*corner) for corner in corners)
+        ends = np.array([row_ends(low, middle, high, y) for y in range(64)])
+        starts, stops = (np.clip(np.ceil(side), 0, 64).astype(np.int64) for side in ends.T)
+        kept.append(parts_in_sight(parts, farthest, starts, stops, 0, 0, 64, 64, low, 0.0, 0.0))
+    assert kept == [8, 0]  # a part for each strip of eight rows; nothing
+    assert (farthest[:8, :4] == 0.1).all()
 
 
 def test_equal_depths_keep_the_first() -> None:

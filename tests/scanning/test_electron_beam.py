@@ -10,13 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from workbench.algorithms import catalogue
-from workbench.algorithms.scanning.electron_beam import (
-    ANODE_MM,
-    PLATES_MM,
-    beam_current,
-    electron_beam,
-    exact_speed,
-)
+from workbench.algorithms.scanning.electron_beam import electron_beam
+from workbench.algorithms.scanning.electron_optics import ANODE_MM, PLATES_MM, beam_current, exact_speed
 from workbench.display import Phosphor
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record

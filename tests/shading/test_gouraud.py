@@ -4,11 +4,16 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from tests.visibility.exact_scenes import HEIGHT, KINDS, WIDTH, arrays, piercing, scenes
 from tests.visibility.test_depth_buffer import covers, depth_at
 from workbench.algorithms.shading import gouraud
 from workbench.algorithms.visibility import depth_buffer
+from workbench.display.exposure import srgb_encoded
+from workbench.engine.compiled import paint
+from workbench.rendering.gouraud_triangles import gouraud_drawn
 
 
 def test_the_worked_example() -> None:
@@ -49,3 +54,18 @@ def test_the_pixels_are_those_of_the_depth_buffer() -> None:
             assert [(x, y) for x, y, _light in emitted] == [(x, y) for x, y, _z, won in fragments if won]
             assert np.array_equal(light, image)
             assert np.array_equal(depth, stored)
+
+
+@given(seed=st.integers(0, 2**32 - 1))
+@settings(max_examples=40)
+def test_whole_pictures_are_lit_as_the_text_does(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    vertices = np.column_stack([rng.integers(-8, 48, (15, 2)) / rng.choice([1, 4]), rng.uniform(0, 1, 15)])
+    faces, lights = rng.integers(0, 15, (6, 3)), rng.integers(0, 9, (15, 3)) / 8
+    image, depth = gouraud_drawn(vertices, faces, lights, (40, 36))
+    for channel, shift in enumerate((16, 8, 0)):
+        light, nearest = np.zeros((36, 40)), np.ones((36, 40))
+        paint(gouraud, light, 0, light, vertices, faces, np.ascontiguousarray(lights[:, channel]), nearest)
+        assert np.array_equal(depth, nearest)
+        coded = srgb_encoded(light) * 255
+        assert np.abs((image >> shift & 255) - coded).max() <= 1.01

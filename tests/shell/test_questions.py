@@ -4,7 +4,10 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
+from workbench.algorithms import catalogue
 from workbench.document.samples.examples import example_document
+from workbench.panels.display.gun.page import GunPage
+from workbench.panels.display.panel import DisplayPanel
 from workbench.panels.space.panel import SpacePanel
 from workbench.session.session import Session
 from workbench.shell.command_palette import CommandPalette
@@ -50,6 +53,34 @@ def test_questions_of_space_open_their_page_with_a_dock_and_a_diagram(
     diagram = panel.derivation()
     assert diagram is not None
     assert len(diagram.blocks) > 5
+    window.close()
+
+
+def test_the_sixth_question_opens_the_tube_cut_open_at_its_start(qtbot: QtBot) -> None:
+    window = make_window()
+    building = Building(window, warms=False)
+    window.first_frame.connect(building.start)
+    with qtbot.waitSignal(building.built, timeout=60_000):
+        window.show()
+    (question,) = (each for each in questions() if each.number == 6)
+    window.open_question(question)
+    qtbot.waitUntil(lambda: window.place == "display", timeout=60_000)
+    panel = panel_of(window.panels("display"), DisplayPanel)
+    beam = catalogue.get("electron_beam")
+    qtbot.waitUntil(lambda: window.session.run.entry is beam and window.session.run.done, timeout=60_000)
+    assert panel.page == "gun"
+    assert window.session.run.number == 0
+    dock = next(each for each in window.arrangements.docks("display") if each.objectName() == "gun_part")
+    qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty(), timeout=10_000)
+    answer, drawing = panel.derivation(), panel.drawing()
+    assert answer is not None
+    assert drawing is not None
+    assert len(answer.blocks) > 7
+    export = window.menus.actions["export_tube"]
+    page = panel.page_of("gun")
+    assert isinstance(page, GunPage)
+    with qtbot.waitSignal(export.triggered):
+        qtbot.mouseClick(page.bar.save, Qt.MouseButton.LeftButton)
     window.close()
 
 

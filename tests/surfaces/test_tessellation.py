@@ -126,7 +126,7 @@ def test_a_mesh_reads_back(write: object, kind: str, tmp_path: Path) -> None:
 def test_what_cannot_be_written_is_said(tmp_path: Path) -> None:
     with pytest.raises(writing.SuffixError, match=r"mesh.fbx: choose a name that ends in .obj, .ply or .stl"):
         writing.format_for(formats("mesh"), tmp_path / "mesh.fbx")
-    with pytest.raises(ValueError, match="vertex that is not there"):
+    with pytest.raises(ValueError, match="vertex that does not exist"):
         obj([[0, 0, 0]], [[0, 0, 1]])
     with pytest.raises(ValueError, match="three finite numbers"):
         obj([[0, 0, math.nan]], [])

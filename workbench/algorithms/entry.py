@@ -13,7 +13,7 @@ Texts for people are plain strings here and are translated where they are shown.
 """
 
 import copy
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterator, Mapping
 from dataclasses import dataclass, field
 from random import Random
 from typing import Any, Literal, NamedTuple
@@ -21,6 +21,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.beside import Beside
 from workbench.algorithms.marks import Frame, MarksFunction, no_marks
 
 CALLS = "calls"
@@ -132,6 +133,9 @@ class Entry:
     ``draws`` are the kinds of figure that it can draw, ``clips`` those that it can clip to a window, as
     documents name them; ``constructs`` are the kinds of spline of whose points, as they are, it makes the
     curve. ``drawn_by`` names what paints it faster: its steps, tables and counts are its own nevertheless.
+    ``painter``, of the same arguments, emits what paints the same pixels sooner, as a law says, and returns
+    true; where it cannot it emits nothing and returns false.
+    ``beside`` are functions for whole pictures, which are compiled with its painting.
     ``at_once``, of the same arguments, gives where (h, w) it colours, for a picture that cannot wait until
     the text is compiled. Where the ranges of parameters are not enough, ``arguments`` makes some that fit
     each other, from a source of chance and nothing else; what is all but degenerate (ties, coincident points,
@@ -153,6 +157,8 @@ class Entry:
     clips: tuple[str, ...] = ()
     constructs: tuple[str, ...] = ()
     drawn_by: DrawnBy | None = None
+    painter: Callable[..., Generator[tuple[Any, ...], None, bool]] | None = None
+    beside: tuple[Beside, ...] = ()
     at_once: Callable[..., NDArray[np.bool_]] | None = None
     arguments: Callable[[Random], tuple[Any, ...]] | None = None
     laws: tuple[Law, ...] = ()

@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.scanning.electron_beam import ANODE_MM, FACE_MM, GRID_MM, LENS_MM, PLATES_MM
+from workbench.algorithms.scanning.electron_optics import ANODE_MM, FACE_MM, GRID_MM, LENS_MM, PLATES_MM
 from workbench.display.gun import Gun, Place
 from workbench.language import _
 

@@ -7,12 +7,14 @@ voltages in V, fields in mT; places on the face are from its middle, x to the ri
 import math
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.scanning.electron_beam import (
+from workbench.algorithms.scanning.electron_beam import electron_beam
+from workbench.algorithms.scanning.electron_optics import (
     CHARGE_TO_MASS,
     FACE_MM,
     FOCUS_SHARE,
@@ -20,7 +22,6 @@ from workbench.algorithms.scanning.electron_beam import (
     PLATES_MM,
     beam_current,
     coil_sine,
-    electron_beam,
     half_width,
 )
 from workbench.display.phosphor import Phosphor
@@ -117,8 +118,7 @@ class Gun:
     @property
     def phosphors(self) -> tuple[Phosphor, ...]:
         """What the face is coated with, three of a colour tube; the usual one where the name is unknown."""
-        known = self.phosphor if self.phosphor in phosphor_choices() else USUAL_PHOSPHOR
-        return TubeSetup(phosphor=known).guns()
+        return _phosphors(self.phosphor)
 
     @property
     def beam_current(self) -> float:
@@ -204,3 +204,8 @@ class Gun:
                 "with a simpler ratio, such as 100 and 150 Hz."
             ).format(x=self.x.rate, y=self.y.rate, cycles=self.cycles)
         return ""
+
+
+@cache
+def _phosphors(name: str) -> tuple[Phosphor, ...]:
+    return TubeSetup(phosphor=name if name in phosphor_choices() else USUAL_PHOSPHOR).guns()

@@ -4,7 +4,7 @@ bias of the grid. A level of the signal is 0 for black and 1 for white; blanking
 
 from typing import NamedTuple
 
-from workbench.algorithms.scanning.electron_beam import beam_current
+from workbench.algorithms.scanning.electron_optics import beam_current
 
 CUT_OFF_V = -60.0
 SWING = 0.75

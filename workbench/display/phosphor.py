@@ -86,6 +86,21 @@ class Phosphor:
         return dict(self.colours)[term.layer]
 
 
+def doubts(phosphor: Phosphor) -> str:
+    """What of it is uncertain, as a person reads it; "" where nothing is."""
+    titles = {
+        "t10_s": _("time to 10 %"),
+        "decay_kind": _("law of decay"),
+        "terms": _("course of the decay"),
+        "terms beyond 51 ms": _("decay after 51 ms"),
+        "terms beyond 66 ms": _("decay after 66 ms"),
+        "split of terms between the layers": _("share of each layer"),
+        "xy": _("colour"),
+        "xy_afterglow": _("colour of the afterglow"),
+    }
+    return ", ".join(titles.get(name, name) for name in phosphor.uncertain_fields)
+
+
 def names() -> tuple[str, ...]:
     """The designations of all phosphors, in the order of the table."""
     return tuple(_table())

@@ -12,6 +12,7 @@ from workbench.algorithms.clipping.liang_barsky import liang_barsky
 from workbench.display.monitor import BLANKING, IN_THE_MIDDLE, Knobs, level_current
 from workbench.display.phosphor import Phosphor, names
 from workbench.display.raster_beam import RasterBeam
+from workbench.display.retrace import RetracingBeam
 from workbench.display.stroke_timeline import StrokeTable
 from workbench.display.timings import RasterTiming
 from workbench.display.tube import Tube
@@ -188,14 +189,10 @@ def raster_tube(
     pixel = tube.pitch_mm[0] * tube.pitch_mm[1]
     share = (right - left) * (top - bottom) / (width * height) / pixel
     x, y = shift_mm[0] - face[0], shift_mm[1] - face[1]
-    beam = RasterBeam(
-        tube,
-        timing,
-        currents,
-        (left + x, bottom + y, right + x, top + y),
-        power=float(WHITE * timing.clocks_per_frame * share),
-    )
-    return tube, beam
+    area, power = (left + x, bottom + y, right + x, top + y), float(WHITE * timing.clocks_per_frame * share)
+    if setup.blanked_current > 0.0:
+        return tube, RetracingBeam(tube, timing, currents, area, power, setup.blanked_current)
+    return tube, RasterBeam(tube, timing, currents, area, power)
 
 
 def vector_tube(
@@ -244,4 +241,5 @@ def vector_beam(
     speed_mm_s = tube.size_mm[0] / timing.grid / (timing.ps_per_unit * 1e-12)
     pixel = tube.pitch_mm[0] * tube.pitch_mm[1]
     power = _LINE_PEAK * (2.0 * np.pi) ** 0.5 * tube.spot_mm * speed_mm_s / (_FULL_RATE_HZ * pixel)
-    return VectorBeam(tube, drawn, timing, power=float(power), min_frame_ps=shortest_ps)
+    blanked = setup.blanked_current
+    return VectorBeam(tube, drawn, timing, float(power), shortest_ps, blanked)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.scanning.electron_beam import FACE_MM, SPOT
+from workbench.algorithms.scanning.electron_optics import FACE_MM, SPOT
 from workbench.display.beam import BeamState
 from workbench.display.gun import Gun
 from workbench.display.spot import NEAR, across_rows

@@ -104,16 +104,20 @@ def schedule(
 ) -> list[Segment]:
     """As ``timeline``, one value for each stretch."""
     table = StrokeTable.of(strokes)
-    return segments_of(timeline(table, timing, units_per_mm, home, min_frame_ps), table.currents)
+    currents = with_dark(table.currents, table.currents.shape[1], 0.0)
+    return segments_of(timeline(table, timing, units_per_mm, home, min_frame_ps), currents)
+
+
+def with_dark(currents: Floats, guns: int, blanked: float) -> Floats:
+    """Currents of strokes (n, guns), and after them, as number -1, what the beam has between strokes."""
+    return np.concatenate([currents.reshape(-1, guns), np.full((1, guns), blanked)])
 
 
 def segments_of(frame: Timeline, currents: Floats) -> list[Segment]:
-    """The stretches of a frame whose strokes have these currents (n, guns), one value each."""
-    guns = currents.shape[1]
-    dark = (0.0,) * guns
+    """The stretches of a frame, one value each; ``currents`` as ``with_dark`` gives them."""
     listed = list(map(tuple, currents.tolist()))
     columns = frame.kind, frame.start_ps, frame.duration_ps, frame.begin, frame.end, frame.stroke
     return [
-        Segment(KINDS[kind], start, took, tuple(a), tuple(b), listed[stroke] if stroke >= 0 else dark, stroke)
+        Segment(KINDS[kind], start, took, tuple(a), tuple(b), listed[stroke], stroke)
         for kind, start, took, a, b, stroke in zip(*(each.tolist() for each in columns), strict=True)
     ]

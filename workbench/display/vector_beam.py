@@ -3,8 +3,7 @@
 A picture lasts as long as its strokes, jumps and settles take together, and never less than the shortest
 frame allowed. The beam's place is found by bisection in the cumulative times. Strokes are cut into short
 pieces, so that each touches a small box of the face; a piece that lies in the past as a whole is kept as a
-patch, and runs of pieces as whole maps, already decayed to the end of the run. The times are those of the
-text ``random_scan``; the law: ``scanning/test_scanning.py::test_the_vector_tube_takes_the_time_of_the_text``.
+patch, and runs of pieces as whole maps, already decayed to the end of the run.
 """
 
 import math
@@ -22,7 +21,6 @@ from workbench.display.many_strokes import draw_strokes, strokes_ready
 from workbench.display.spot import narrowed, stroke_energy, stroke_remainder
 from workbench.display.stroke_timeline import (
     KINDS,
-    STROKE,
     WAIT,
     MmStroke,
     Point,
@@ -30,6 +28,7 @@ from workbench.display.stroke_timeline import (
     StrokeTable,
     segments_of,
     timeline,
+    with_dark,
 )
 from workbench.display.tube import Tube
 from workbench.display.vector_timing import VectorTiming
@@ -71,7 +70,8 @@ class VectorBeam:
     """Draws strokes over and over on a tube. ``power`` is the energy per second of a full current.
 
     ``min_frame_ps`` holds short lists back, so that a phosphor is not burnt. An empty list waits. Once
-    ``beam_strokes`` is compiled, each of many pieces is taken to fade evenly over its length.
+    ``beam_strokes`` is compiled, each of many pieces is taken to fade evenly over its length. ``blanked`` is
+    the current between strokes, 0 to 1: a rest of it, where brightness is turned up.
     """
 
     def __init__(
@@ -81,6 +81,7 @@ class VectorBeam:
         timing: VectorTiming,
         power: float = 1.0,
         min_frame_ps: int = 0,
+        blanked: float = 0.0,
     ) -> None:
         self.power = power
         self._geometry = tube.size_px, tube.size_mm, tube.spot_mm, tube.reach
@@ -88,7 +89,7 @@ class VectorBeam:
         self._taus = tuple(tuple(term.tau_s for term in gun.terms) for gun in tube.guns)
         width, height = tube.size_mm
         table = strokes if isinstance(strokes, StrokeTable) else StrokeTable.of(strokes)
-        self._currents = table.currents
+        self._currents = with_dark(table.currents, len(tube.guns), blanked)
         self.timeline = timeline(table, timing, timing.grid / width, (width / 2, height / 2), min_frame_ps)
         self.frame_ps = int(self.timeline.duration_ps.sum())
         waits = bool(self.timeline.kind[-1] == WAIT)
@@ -111,7 +112,15 @@ class VectorBeam:
         columns = self._starts, self._ends, self._begins, self._stops, self._of
         listed = list(map(tuple, self._currents.tolist()))
         return [
-            Segment("stroke", start, end - start, tuple(a), tuple(b), listed[stroke], stroke)
+            Segment(
+                "stroke" if stroke >= 0 else "jump",
+                start,
+                end - start,
+                tuple(a),
+                tuple(b),
+                listed[stroke],
+                stroke,
+            )
             for start, end, a, b, stroke in zip(*(each.tolist() for each in columns), strict=True)
         ]
 
@@ -121,11 +130,10 @@ class VectorBeam:
         return Fraction(self.frame_ps, 10**12)
 
     def _cut(self, longest_mm: float) -> None:
-        """Cut every lit stroke into pieces of the same length, none longer than ``longest_mm``."""
+        """Cut every lit stretch into pieces of the same length, none longer than ``longest_mm``."""
         frame = self.timeline
         shining = np.asarray((self._currents > 0.0).any(axis=1))
-        lit = np.flatnonzero(frame.kind == STROKE)
-        lit = lit[shining[frame.stroke[lit]]]
+        lit = np.flatnonzero(shining[frame.stroke])
         begins, ways = frame.begin[lit], frame.end[lit] - frame.begin[lit]
         counts = np.maximum(np.ceil(np.hypot(*ways.T) / longest_mm), 1).astype(np.int64)
         of = np.repeat(np.arange(len(lit)), counts)
@@ -355,7 +363,7 @@ class VectorBeam:
         begin, end = self.timeline.begin[number], self.timeline.end[number]
         x, y = (begin + share * (end - begin)).tolist()
         stroke = int(self.timeline.stroke[number])
-        currents = tuple(self._currents[stroke].tolist()) if stroke >= 0 else (0.0,) * len(self._taus)
+        currents = tuple(self._currents[stroke].tolist())
         place = int((within - start) // 1000)
         return BeamState(x, y, currents, stroke >= 0, stroke, place, int(frame))
 

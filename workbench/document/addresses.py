@@ -78,10 +78,8 @@ def figure_with(document: Document, figure: str) -> tuple[Sheet, AnyFigure]:
 
 def figures_with(document: Document, figures: Collection[str]) -> list[AnyFigure]:
     """The figures with these ids, in the order of ``figures``; raises DocumentError."""
-    wanted = frozenset(figures)
-    found = {
-        figure.id: figure for sheet in document.sheets for figure in sheet.figures if figure.id in wanted
-    }
+    ids = frozenset(figures)
+    found = {figure.id: figure for sheet in document.sheets for figure in sheet.figures if figure.id in ids}
     for identity in figures:
         if identity not in found:
             figure_with(document, identity)
@@ -179,10 +177,10 @@ def declared_at(document: Document, address: Address | str) -> Field:
 
 def changed(old: Document, new: Document) -> frozenset[Address]:
     """The addresses of everything that differs. What came or went is one address of the whole (``*``)."""
-    found: set[Address] = set()
+    addresses: set[Address] = set()
     if old.sheets is not new.sheets:
-        _lists(found, old.sheets, new.sheets, Address(), "sheets", 0)
-    return frozenset(found)
+        _lists(addresses, old.sheets, new.sheets, Address(), "sheets", 0)
+    return frozenset(addresses)
 
 
 _LEVELS = ("sheet", "figure", "point")

@@ -202,22 +202,22 @@ def moved_by(figure: AnyFigure, dx: float, dy: float) -> AnyFigure:
 
 def polyline_with(document: Document, figure: str) -> Polyline:
     """The polyline with this id; raises DocumentError."""
-    found = figure_with(document, figure)[1]
-    if not isinstance(found, Polyline):
+    figure_there = figure_with(document, figure)[1]
+    if not isinstance(figure_there, Polyline):
         sentence = _("Figure {id!r} is not a polyline, so it is neither open nor closed; choose a polyline.")
         raise DocumentError(figure, sentence.format(id=figure))
-    return found
+    return figure_there
 
 
 def of_many_points(document: Document, figure: str) -> Polyline | Polygon:
     """The polyline or polygon with this id; raises DocumentError."""
-    found = figure_with(document, figure)[1]
-    if not isinstance(found, Polyline | Polygon):
+    figure_there = figure_with(document, figure)[1]
+    if not isinstance(figure_there, Polyline | Polygon):
         sentence = _(
             "Figure {id!r} is not a polyline or polygon, so its number of points is fixed; choose one."
         )
         raise DocumentError(figure, sentence.format(id=figure))
-    return found
+    return figure_there
 
 
 def with_points(

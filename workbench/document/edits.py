@@ -134,12 +134,12 @@ def add_figures(sheet: str, figures: Iterable[AnyFigure]) -> Edit:
     """Put ``figures`` on ``sheet``, in front of all others, the last one foremost, with ids and groups of
     their own.
     """
-    wanted = tuple(figures)
+    chosen = tuple(figures)
 
     def edit(document: Document) -> Document:
         on = sheet_with(document, sheet)
         return with_figures(
-            document, on, (*on.figures, *all_numbered(document, regrouped(wanted, on.figures)))
+            document, on, (*on.figures, *all_numbered(document, regrouped(chosen, on.figures)))
         )
 
     return edit
@@ -199,11 +199,11 @@ def duplicate_figures(figures: Iterable[str], dx_world: float = 1.0, dy_world: f
 
     A figure that its transforms flatten is not moved.
     """
-    wanted = tuple(dict.fromkeys(figures))
+    chosen = tuple(dict.fromkeys(figures))
 
     def edit(document: Document) -> Document:
         others = [figure for sheet in document.sheets for figure in sheet.figures]
-        for original in regrouped(figures_with(document, wanted), others):
+        for original in regrouped(figures_with(document, chosen), others):
             sheet, figure = figure_with(document, original.id)
             bare = without_ids(original)
             shifted = bare if is_singular(figure.matrix) else moved_by(bare, dx_world, dy_world)
@@ -265,11 +265,11 @@ def move_points(points: Mapping[Address | str, tuple[float, float]]) -> Edit:
 @checked
 def move_figures(figures: Iterable[str], dx_world: float, dy_world: float) -> Edit:
     """Move these figures by (dx, dy): their control points by what takes them there through their chains."""
-    wanted = tuple(dict.fromkeys(figures))
+    chosen = tuple(dict.fromkeys(figures))
 
     def edit(document: Document) -> Document:
-        found = figures_with(document, wanted)
-        return with_changed(document, [moved_by(figure, dx_world, dy_world) for figure in found])
+        those = figures_with(document, chosen)
+        return with_changed(document, [moved_by(figure, dx_world, dy_world) for figure in those])
 
     return edit
 
@@ -299,11 +299,11 @@ def set_attributes(values: Mapping[Address | str, Any]) -> Edit:
 @checked
 def set_algorithm(figures: str | Iterable[str], slug: str) -> Edit:
     """Let these figures be drawn by the algorithm ``slug``."""
-    wanted = (figures,) if isinstance(figures, str) else tuple(figures)
+    chosen = (figures,) if isinstance(figures, str) else tuple(figures)
 
     def edit(document: Document) -> Document:
-        found = figures_with(document, wanted)
-        return with_changed(document, [replace(figure, algorithm=slug) for figure in found])
+        those = figures_with(document, chosen)
+        return with_changed(document, [replace(figure, algorithm=slug) for figure in those])
 
     return edit
 

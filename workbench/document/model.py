@@ -230,6 +230,7 @@ THROUGH = (*TANGENT_SPLINES, "natural_cubic", "periodic_cubic", *NEIGHBOUR_SPLIN
 JOINTS = ("corner", "smooth", "symmetric")
 KNOT_RULES = ("open_uniform", "uniform", "free")
 ENDS = ("through", "inner")
+CONTINUITY_SIGNS = ("book", "paper")
 
 
 class CurvePoint(WorldPoint, frozen=True, omit_defaults=True):
@@ -265,7 +266,7 @@ class Curve(Figure, frozen=True, tag="curve", omit_defaults=True):
     ``knots`` are there only under the rule "free": degree + 1 more than points, or for one turn of a closed
     curve 1 more. ``tension``, ``continuity`` and ``bias`` shape cardinal and Kochanek-Bartels splines,
     ``alpha`` Catmull-Rom's; with ``ends`` "inner" the outer points of these three only steer, as in the
-    course.
+    course. ``continuity_sign``: Hearn and Baker's, or the opposite one, of Kochanek and Bartels' paper.
     """
 
     topic: ClassVar[str] = "curves"
@@ -285,6 +286,7 @@ class Curve(Figure, frozen=True, tag="curve", omit_defaults=True):
     bias: Annotated[float, _shape(_("bias"), -10.0, 10.0)] = 0.0
     alpha: Annotated[float, _shape(_("alpha"), 0.0, 1.0)] = 0.5
     ends: Annotated[str, Choice(ENDS)] = ENDS[0]
+    continuity_sign: Annotated[str, Choice(CONTINUITY_SIGNS)] = CONTINUITY_SIGNS[0]
     tolerance_px: Annotated[
         float, Number(label=_("tolerance"), low=1e-4, high=100.0, unit="px", keyed=False)
     ] = 0.1

@@ -171,7 +171,8 @@ def kernel(
 def _kernel(function: Function, emits: Emits | None, flavour: str, variant: Variant) -> Kernel:
     entry = arguments.entry_of(function)
     considers = arguments.considered(entry) if entry is not None and variant == "probing" else ()
-    lowered = lower(function, variant, considers)
+    painter = entry.painter if entry is not None and variant == "plain" else None
+    lowered = lower(function, variant, considers, painter)
     kinds = arguments.kinds(function)
     refusal = entry.compiles if entry is not None else ""
     if entry is None and lowered.recursive:
@@ -179,7 +180,8 @@ def _kernel(function: Function, emits: Emits | None, flavour: str, variant: Vari
     if emits is None:
         emits = _inferred(function, lowered.arity)
     if variant == "plain":
-        added = drivers(lowered.name, kinds, emits, entry.extent if entry is not None else "")
+        extent = entry.extent if entry is not None else ""
+        added = drivers(lowered.name, kinds, emits, extent, "" if painter is None else painter.__name__)
     else:
         added = ticking_drivers(lowered.name, kinds, emits, variant == "probing")
     text = lowered.text + "\n" + added

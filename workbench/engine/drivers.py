@@ -31,10 +31,17 @@ def _collect_many(_values, _count, _ends, _stop, _rows):
         _ends[row] = _count[0]
 """
 
+_PAINTED = """
+@reading
+def _painted(_sink, {arguments}):
+    if not {painter}(_sink, {arguments}):
+        {name}(_sink, {arguments})
+"""
+
 _PAINT = """
 @reading
 def _paint(_image, _value, {arguments}):
-    {name}({sink}(_image, _value), {arguments})
+    {painter}({sink}(_image, _value), {arguments})
 """
 
 _PAINT_WITHIN = """
@@ -49,9 +56,9 @@ def _paint(_image, _value, {arguments}):
     _left, _right = min(_box[0], _box[2]), max(_box[0], _box[2])
     _low, _high = min(_box[1], _box[3]), max(_box[1], _box[3])
     if _left >= 0 and _low >= 0 and _right < _width and _high < _height:
-        {name}(PaintInside(_image, _value), {arguments})
+        {painter}(PaintInside(_image, _value), {arguments})
     elif _left < _width and _right >= 0 and _low < _height and _high >= 0:
-        {name}({sink}(_image, _value), {arguments})
+        {painter}({sink}(_image, _value), {arguments})
 """
 
 _PAINT_MANY = """
@@ -68,7 +75,7 @@ _PAINT_BATCH = """
 def _paint_batch(_first, _last, _image, _painter, _bounds, _colours, _numbers, {given}):
     _seen = Bounds(_bounds[0], _bounds[1], _bounds[2], _bounds[3])
     for row in range(_first, _last):
-        {name}({sink}(_image, _painter, _colours[row], _numbers[row], _seen), {items})
+        {painter}({sink}(_image, _painter, _colours[row], _numbers[row], _seen), {items})
 """
 
 _HITS = """
@@ -102,18 +109,25 @@ def ticking_drivers(
 
 
 def drivers(
-    name: str, parameters: tuple[tuple[str, str | None], ...], emits: Emits | None, extent: str
+    name: str,
+    parameters: tuple[tuple[str, str | None], ...],
+    emits: Emits | None,
+    extent: str,
+    painter: str,
 ) -> str:
-    """The text of the drivers for the function ``name``.
+    """The text of the drivers for the function ``name``, painted where it can by the function ``painter``.
 
     ``parameters`` are names and kinds; ``extent`` is an expression over them for a box (x_min, y_min, x_max,
     y_max) around everything that is emitted, or empty.
     """
     arguments = ", ".join(parameter for parameter, _kind in parameters)
     columns = ", ".join(_column(k, kind) for k, (_n, kind) in enumerate(parameters))
-    fields = {"name": name, "arguments": arguments, "columns": columns}
     used = ["Collect", "Nothing", "Stopped"]
+    fields = {"name": name, "painter": painter, "arguments": arguments, "columns": columns}
     text = _PLAIN.format(**fields)
+    if painter:
+        text += _PAINTED.format(**fields)
+    fields["painter"] = painter = "_painted" if painter else name
     numbers = only_numbers(parameters)
     if numbers:
         text += _COLLECT_MANY.format(**fields)
@@ -129,7 +143,7 @@ def drivers(
             text += _PAINT_MANY.format(**fields)
         if takes_batches(parameters):
             used += ["Bounds", FIGURES[emits]]
-            text += _paint_batch(name, parameters, FIGURES[emits])
+            text += _paint_batch(painter, parameters, FIGURES[emits])
     if emits in ("pixels", "coverage", "fragments", "spans"):
         sink = "HitSpan" if emits == "spans" else "Hit"
         used.append(sink)
@@ -142,7 +156,7 @@ def takes_batches(parameters: tuple[tuple[str, str | None], ...]) -> bool:
     return all(kind in LISTS or only_numbers([(name, kind)]) for name, kind in parameters)
 
 
-def _paint_batch(name: str, parameters: tuple[tuple[str, str | None], ...], sink: str) -> str:
+def _paint_batch(painter: str, parameters: tuple[tuple[str, str | None], ...], sink: str) -> str:
     """The text of the driver that paints many figures; see ``batches`` for what it is given."""
     given, items, numbers = ["_rows"], [], 0
     for parameter, kind in parameters:
@@ -153,7 +167,7 @@ def _paint_batch(name: str, parameters: tuple[tuple[str, str | None], ...], sink
         else:
             items.append(_column(numbers, kind))
             numbers += 1
-    return _PAINT_BATCH.format(name=name, sink=sink, given=", ".join(given), items=", ".join(items))
+    return _PAINT_BATCH.format(painter=painter, sink=sink, given=", ".join(given), items=", ".join(items))
 
 
 def _column(number: int, kind: str | None) -> str:

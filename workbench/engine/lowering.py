@@ -74,9 +74,14 @@ class Lowered:
 
 @lru_cache(maxsize=512)
 def lower(
-    function: Callable[..., Any], variant: Variant = "plain", considers: tuple[tuple[str, str], ...] = ()
+    function: Callable[..., Any],
+    variant: Variant = "plain",
+    considers: tuple[tuple[str, str], ...] = (),
+    painter: Callable[..., Any] | None = None,
 ) -> Lowered:
     """Lower a generator function; ``considers`` are (title of a block, expression for a pixel) to probe.
+
+    The ``painter`` of an entry is lowered with it.
 
     Raises:
         DialectError: the text, or one that it calls, is outside the dialect.
@@ -84,7 +89,7 @@ def lower(
     probed: dict[str, tuple[str, ...]] = {}
     for title, expression in considers:
         probed[title] = (*probed.get(title, ()), expression)
-    texts = gather(function, probed)
+    texts = gather(function, probed, painter)
     slots: list[Slot] = []
     titles: list[str] = []
     functions = []

@@ -48,8 +48,12 @@ class Text:
         return DialectError(self.name, self.tree.lineno if line is None else line, sentence)
 
 
-def gather(function: Callable[..., Any], considers: Mapping[str, tuple[str, ...]]) -> list[Text]:
-    """The function and all it calls, callees first.
+def gather(
+    function: Callable[..., Any],
+    considers: Mapping[str, tuple[str, ...]],
+    painter: Callable[..., Any] | None = None,
+) -> list[Text]:
+    """The function and all it calls, callees first; before them its painter with all that calls.
 
     Raises:
         DialectError: one of them is outside the dialect, or two have one name.
@@ -67,6 +71,8 @@ def gather(function: Callable[..., Any], considers: Mapping[str, tuple[str, ...]
 
     if not isinstance(function, FunctionType):
         raise DialectError(str(function), 0, _("only a function written in Python can be lowered"))
+    if isinstance(painter, FunctionType):
+        follow(painter)
     follow(function)
     names: dict[str, FunctionType] = {}
     for text in order:

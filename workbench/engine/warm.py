@@ -118,7 +118,9 @@ class Warming:
 
 def warm(slug: str, use: str) -> bool:
     """Whether this use of an entry needs no compilation any more."""
-    return compiled.ready(catalogue.get(slug).function, use)
+    entry = catalogue.get(slug)
+    beside = entry.beside if use == "paint" else ()
+    return compiled.ready(entry.function, use) and all(compiled.ready(b.function, "run") for b in beside)
 
 
 def module_is_warm(module: str) -> bool:
@@ -172,6 +174,8 @@ def compile_use(entry: Entry, use: str) -> None:
     image = np.zeros((4, 4), np.uint32)
     match use:
         case "paint":
+            for beside in entry.beside:
+                compiled.paint(beside.function, beside.example[0], 1, *beside.example)
             compiled.paint(function, image, 1, *example)
         case "paint_batch":
             batches.load(function, example)

@@ -20,6 +20,16 @@ def round_half_up(value: float) -> int:
     return math.floor(value + 0.5)
 
 
+GRID = 4096
+"""Corners of areas and faces are on a grid of so many places to a pixel: crossings with rows are exact."""
+
+
+def snapped(device: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Device coordinates, of any shape, at the nearest place of the grid, halves upwards."""
+    places: NDArray[np.float64] = np.floor(device * GRID + 0.5) / GRID
+    return places
+
+
 def top_row_first(image: NDArray[Any]) -> NDArray[Any]:
     """A view of ``image`` (h, w) as screens and files want it: row h - 1 first."""
     return np.flipud(image)

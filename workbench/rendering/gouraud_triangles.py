@@ -1,17 +1,14 @@
 """Gouraud shading in colour, fast: the depth buffer finds the triangle of each pixel, which then is lit."""
 
-from collections.abc import Iterator
 from functools import cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.shading.light_planes import light_planes, spread_light
 from workbench.display.exposure import srgb_encoded
 from workbench.engine.stopping import Stop
 from workbench.rendering.triangles import drawn, in_bands
-
-Array = NDArray[Any]
 
 LEVELS = 1 << 14
 """Light is coded for the screen by a table with so many entries."""
@@ -35,58 +32,22 @@ def gouraud_drawn(
     from workbench.engine.compiled import paint
 
     image, depth = drawn(vertices, faces, np.arange(1, len(faces) + 1), size, stop)
-    levels = _levels()
+    planes = np.empty((len(faces), 3, 3))
+
+    def find(first: int, end: int) -> None:
+        paint(light_planes, planes, 0, planes[first:end], vertices, faces[first:end], lights, LEVELS - 1.0)
 
     def light(low: int, high: int) -> None:
         band = image[low:high]
-        paint(spread_light, band, 0, band, low, vertices, faces, lights, levels)
+        paint(spread_light, band, 0, band, low, planes, _levels())
 
+    in_bands(len(faces), find, stop)
     in_bands(size[1], light, stop)
     return image, depth
 
 
 @cache
-def _levels() -> NDArray[np.int64]:
-    """What a screen is sent for light from 0 to 1, 0 to 255."""
-    return np.floor(srgb_encoded(np.arange(LEVELS) / (LEVELS - 1)) * 255 + 0.5).astype(np.int64)
-
-
-def spread_light(
-    image: Array, low_row: int, vertices: Array, faces: Array, lights: Array, levels: Array
-) -> Iterator[tuple[int, int]]:
-    """Give each pixel the light of its triangle, linear between the corners.
-
-    Args: image, integers (h, w), written in place: numbers of triangles from 1, 0 for none; its lowest row;
-    levels (k,): the coded value of light from 0 to 1. Emits: (x, y) of each pixel lit.
-    """
-    height, width = image.shape
-    top = len(levels) - 1
-    last = 0
-    x0, y0, r0, g0, b0 = 0.0, 0.0, 0.0, 0.0, 0.0
-    r_x, r_y, g_x, g_y, b_x, b_y = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    for y in range(height):
-        for x in range(width):
-            number = int(image[y, x])
-            if number == 0:
-                continue
-            if number != last:
-                last = number
-                i, j, k = faces[number - 1, 0], faces[number - 1, 1], faces[number - 1, 2]
-                x0, y0 = vertices[i, 0], vertices[i, 1] - low_row
-                ux, uy = vertices[j, 0] - x0, vertices[j, 1] - low_row - y0
-                vx, vy = vertices[k, 0] - x0, vertices[k, 1] - low_row - y0
-                each = 1.0 / (ux * vy - vx * uy)
-                ux, uy, vx, vy = ux * each, uy * each, vx * each, vy * each
-                r0, g0, b0 = lights[i, 0], lights[i, 1], lights[i, 2]
-                along, across = lights[j, 0] - r0, lights[k, 0] - r0
-                r_x, r_y = along * vy - across * uy, across * ux - along * vx
-                along, across = lights[j, 1] - g0, lights[k, 1] - g0
-                g_x, g_y = along * vy - across * uy, across * ux - along * vx
-                along, across = lights[j, 2] - b0, lights[k, 2] - b0
-                b_x, b_y = along * vy - across * uy, across * ux - along * vx
-            right, up = x - x0, y - y0
-            red = min(max(int((r0 + right * r_x + up * r_y) * top + 0.5), 0), top)
-            green = min(max(int((g0 + right * g_x + up * g_y) * top + 0.5), 0), top)
-            blue = min(max(int((b0 + right * b_x + up * b_y) * top + 0.5), 0), top)
-            image[y, x] = (levels[red] << 16) + (levels[green] << 8) + levels[blue]
-            yield x, y
+def _levels() -> NDArray[np.uint8]:
+    """What a screen is sent for light from 0 to 1, 0 to 255, in one row: eight bits stay at hand."""
+    coded = srgb_encoded(np.arange(LEVELS) / (LEVELS - 1)) * 255
+    return np.floor(coded + 0.5).astype(np.uint8).reshape(1, -1)

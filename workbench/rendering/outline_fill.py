@@ -55,12 +55,12 @@ def outline_fill(sheet: Sheet, polygon: Polygon, slug: str) -> OutlineFill:
 
 def _outline(sheet: Sheet, polygon: Polygon) -> Cells:
     function = catalogue.get(Line.algorithms[0]).function
-    found: list[tuple[int, int]] = []
+    spans: list[tuple[int, int]] = []
     for ring in visible_rings(sheet, [polygon])[0]:
         corners = [(round_half_up(x), round_half_up(y)) for x, y in ring.tolist()]
         for start, end in zip(corners, corners[1:] + corners[:1], strict=True):
-            found += [(int(x), int(y)) for x, y in function(*start, *end)]
-    return _seen(np.array(sorted(set(found)), np.int64).reshape(-1, 2), sheet)
+            spans += [(int(x), int(y)) for x, y in function(*start, *end)]
+    return _seen(np.array(sorted(set(spans)), np.int64).reshape(-1, 2), sheet)
 
 
 def _seen(cells: Cells, sheet: Sheet) -> Cells:

@@ -2,8 +2,9 @@
 
 A figure's points go through its chain, then the window of the sheet's first view is mapped onto its
 viewport, lines and polygons are clipped; only then are coordinates rounded, by ``round_half_up``. The corners
-of a polygon are not, since its algorithm takes fractions. A circle whose device radii differ (the scale of
-the view is not the same in x and y) is drawn as an ellipse; what its chain makes of it stands in ``rounds``.
+of a polygon, whose algorithm takes fractions, are ``snapped``. A circle whose device radii differ (the scale
+of the view is not the same in x and y) is drawn as an ellipse; what its chain makes of it stands in
+``rounds``.
 """
 
 from collections.abc import Callable, Sequence
@@ -23,6 +24,7 @@ from workbench.document.model import (
     Sheet,
 )
 from workbench.engine.batches import Lists, Values
+from workbench.geometry.conventions import snapped
 from workbench.rendering.clipping import drawn_rings, line_ends
 from workbench.rendering.limits import REACH_PX
 from workbench.rendering.mapping import Call, device_points, device_radii, figure_map
@@ -116,7 +118,7 @@ def _of_polygons(sheet: Sheet, figures: Sequence[Area]) -> Named:
     ends = np.cumsum(lengths) - np.repeat(starts[:-1], rings_of)
     filled = [figures[k] for k in of.tolist()]
     return {
-        "vertices": Lists(np.concatenate(rings) if rings else np.empty((0, 2)), starts),
+        "vertices": Lists(snapped(np.concatenate(rings)) if rings else np.empty((0, 2)), starts),
         "ring_ends": Lists(ends, ring_starts),
         "closed": np.array([isinstance(f, Polygon) and f.closed_interior for f in filled], np.bool_),
         "nonzero": np.array([isinstance(f, Polygon) and f.nonzero for f in filled], np.bool_),

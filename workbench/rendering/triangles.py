@@ -1,22 +1,19 @@
 """Triangles through the depth buffer, in bands of rows on two threads."""
 
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor, wait
+from concurrent.futures import ThreadPoolExecutor, wait
 from functools import cache
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from workbench.algorithms.visibility.depth_buffer import depth_buffer
+from workbench.algorithms.visibility.depth_tiles import depth_buffer_tiles
 from workbench.engine.compiled import Stop, Stopped, paint
 from workbench.language import _
 
 THREADS = 2
-# Every band of rows beyond the first costs a copy of the vertices; of few vertices, more bands share better.
-_FEW_VERTICES = 20_000
-_AT_ONCE = 1 << 16  # triangles, whose copies for a band take little memory
+_MANY_TRIANGLES = 50_000  # each band of rows looks at all of them; of fewer, more bands share better
 FARTHEST = 1.0
 
 
@@ -29,8 +26,7 @@ def depth_buffer_triangles(
 ) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
     """Draw triangles in any order; at each pixel the nearest wins, on equal depths the first.
 
-    The picture is that of ``depth_buffer``, to the last bit where y is on a grid of 1/4096 px, to which the
-    pipeline snaps it.
+    The picture is that of ``depth_buffer``, to the last bit.
 
     Args: vertices (n, 3), x and y in pixels, y upwards, z from 0 (near) to 1 (far); faces (m, 3), indices of
     vertices; colours (m,), 0xRRGGBB; size (width, height) in pixels. Returns the picture (height, width), 0
@@ -59,23 +55,12 @@ def drawn(
     width, height = size
     image = np.zeros((height, width), np.uint32)
     depth = np.full((height, width), FARTHEST)
-    bands = THREADS if len(points) > _FEW_VERTICES else 2 * THREADS
-    edges = [height * band // bands for band in range(bands + 1)]
-    y = points[:, 1]
 
     def draw(low_row: int, end_row: int) -> None:
-        """Draw what reaches these rows into them, as a picture of its own that begins at ``low_row``."""
-        if stop is not None and stop.is_set:
-            raise Stopped
-        reaching = np.flatnonzero(_any_corner(y > low_row, corners) & _any_corner(y < end_row, corners))
-        shifted = points - (0.0, low_row, 0.0) if low_row else points
         band, nearest = image[low_row:end_row], depth[low_row:end_row]
-        for start in range(0, len(reaching), _AT_ONCE):
-            some = reaching[start : start + _AT_ONCE]
-            reached = corners.take(some, axis=0), colours.take(some)
-            paint(depth_buffer, band, 0, band, nearest, shifted, *reached)
+        paint(depth_buffer_tiles, band, 0, band, nearest, points, corners, colours, low_row)
 
-    _finish([threads().submit(draw, low, high) for low, high in pairwise(edges)])
+    in_bands(height, draw, stop, THREADS if len(corners) > _MANY_TRIANGLES else 2 * THREADS)
     return image, depth
 
 
@@ -98,20 +83,16 @@ def _checked(
     return points, corners, colour
 
 
-def _any_corner(of_point: NDArray[np.bool_], corners: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Which triangles (m, 3) have a corner of which this is true."""
-    of_corner = of_point.take(corners)
-    return of_corner[:, 0] | of_corner[:, 1] | of_corner[:, 2]  # ten times as fast as along the rows
-
-
 @cache
 def threads() -> ThreadPoolExecutor:
     """What works at triangles; nothing that runs there may wait for another that does."""
     return ThreadPoolExecutor(THREADS, thread_name_prefix="triangles")
 
 
-def in_bands(height: int, do: Callable[[int, int], None], stop: Stop | None) -> None:
-    """Do something to bands of rows, given the first and the end of each, on all threads.
+def in_bands(
+    height: int, do: Callable[[int, int], None], stop: Stop | None, count: int = 2 * THREADS
+) -> None:
+    """Do something to ``count`` bands of rows, given the first and the end of each, on all threads.
 
     Raises: Stopped, also where the program ends and its threads take no more work; bands that were begun are
     finished first.
@@ -122,15 +103,11 @@ def in_bands(height: int, do: Callable[[int, int], None], stop: Stop | None) -> 
             raise Stopped
         do(low, high)
 
-    edges = [height * band // (2 * THREADS) for band in range(2 * THREADS + 1)]
+    edges = [height * band // count for band in range(count + 1)]
     try:
         bands = [threads().submit(unless_stopped, low, high) for low, high in pairwise(edges) if low < high]
     except RuntimeError as ended:
         raise Stopped from ended
-    _finish(bands)
-
-
-def _finish(bands: list[Future[Any]]) -> None:
     wait(bands)
     for band in bands:
         band.result()

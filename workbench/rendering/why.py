@@ -30,10 +30,10 @@ def _emissions(call: Call, x: int, y: int) -> list[int]:
     if len(rows) == 0:
         return []
     if call.entry.emits == "spans":
-        found = (rows[:, 0] == y) & (rows[:, 1] <= x) & (x <= rows[:, 2])
+        touching = (rows[:, 0] == y) & (rows[:, 1] <= x) & (x <= rows[:, 2])
     else:
-        found = (rows[:, 0] == x) & (rows[:, 1] == y)
-    return [int(k) for k in np.flatnonzero(found)]
+        touching = (rows[:, 0] == x) & (rows[:, 1] == y)
+    return [int(k) for k in np.flatnonzero(touching)]
 
 
 def why(sheet: Sheet, x: int, y: int) -> list[Touch]:

@@ -52,27 +52,27 @@ def why_steps(sheet: Sheet, x: int, y: int, stopped: Callable[[], bool] = lambda
     Takes as long as the runs of the figures near it: not for the thread of an interface. Raises Abandoned as
     soon as ``stopped()`` is true.
     """
-    found: list[Answer] = []
+    answers: list[Answer] = []
     for place, seen in enumerate(sheet.seen):
         for index, figure in enumerate(sheet.figures):
             x_first, x_last, y_first, y_last = seen_bounds(seen, figure)
             if figure.visible and x_first <= x <= x_last and y_first <= y <= y_last:
-                found += _of_figure(sheet, place, index, figure, x, y, stopped)
+                answers += _of_figure(sheet, place, index, figure, x, y, stopped)
     inside = 0 <= x < sheet.width_px and 0 <= y < sheet.height_px
     painter = int(painter_of(sheet)[y, x]) if inside else -1
-    for k in range(len(found) - 1, -1, -1):
-        if found[k].verb == "wrote":
-            if found[k].figure == painter:
-                found[k] = found[k]._replace(stands=True)
+    for k in range(len(answers) - 1, -1, -1):
+        if answers[k].verb == "wrote":
+            if answers[k].figure == painter:
+                answers[k] = answers[k]._replace(stands=True)
             break
-    return found[-MOST:]
+    return answers[-MOST:]
 
 
 def _of_figure(
     sheet: Sheet, view: int, index: int, figure: AnyFigure, x: int, y: int, stopped: Callable[[], bool]
 ) -> list[Answer]:
     """What happened to the pixel in the view of this number; steps are counted from those of the first."""
-    found: list[Answer] = []
+    answers: list[Answer] = []
     before = 0
     in_views = calls_in_views(sheet, figure)[: view + 1]
     earlier = sum(map(len, in_views[:-1]))
@@ -88,9 +88,9 @@ def _of_figure(
         for touch in _touches(call, steps, x, y) if near else ():
             step = steps[touch.step] if touch.step <= len(steps) else None
             verb, sentence = _told(touch, step, (x, y))
-            found.append(Answer(index, figure.id, before + touch.step, verb, sentence))
+            answers.append(Answer(index, figure.id, before + touch.step, verb, sentence))
         before += len(steps)
-    return found
+    return answers
 
 
 def _near(call: Call, x: int, y: int) -> bool:

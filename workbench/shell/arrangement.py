@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QDockWidget, QStackedWidget, QWidget
 
 from workbench.panels.panel import DockPart
 from workbench.shell.dock_area import DockArea
+from workbench.shell.reading import Reading
 from workbench.shell.settings import Settings
 
 
@@ -34,6 +35,7 @@ class Arrangements:
         self._stack = stack
         self._settings = settings
         self._workspaces: dict[str, _Workspace] = {}
+        self._page: Reading | None = None
         self.current = ""
 
     def add(self, slug: str, middle: QWidget, parts: Sequence[DockPart], lower: Sequence[str] = ()) -> None:
@@ -51,8 +53,45 @@ class Arrangements:
         return list(self._workspaces[slug].area.docks) if slug in self._workspaces else []
 
     def bring_forward(self, name: str) -> None:
-        """Bring a dock of the current workspace before those that it shares its place with."""
-        self._workspaces[self.current].area.dock(name).raise_()
+        """Show a dock of the current workspace, before those that it shares its place with."""
+        self.stop_reading()
+        self._workspaces[self.current].area.bring_forward(name)
+
+    # Reading
+
+    @property
+    def reading(self) -> bool:
+        """Whether source and tables have half of the window."""
+        return self._page is not None
+
+    def read(self) -> None:
+        """Give source and tables half of the window, in place of the docks, which stay as they are."""
+        if self._page is None:
+            area = self._workspaces[self.current].area
+            focus = self._stack.window().focusWidget()
+            self._page = area.read()
+            self._page.ended.connect(self.stop_reading)
+            self._stack.addWidget(self._page)
+            self._stack.setCurrentWidget(self._page)
+            if focus is not None and self._page.isAncestorOf(focus) and focus.isVisibleTo(self._page):
+                focus.setFocus()
+            else:
+                area.host.setFocus()
+
+    def stop_reading(self) -> None:
+        """Bring the docks back; nothing happens where nothing is read."""
+        if self._page is None:
+            return
+        page, self._page = self._page, None
+        area = self._workspaces[self.current].area
+        self._stack.setUpdatesEnabled(False)
+        try:
+            self._stack.setCurrentWidget(area)
+            area.stop_reading()
+        finally:
+            self._stack.setUpdatesEnabled(True)
+        self._stack.removeWidget(page)
+        page.deleteLater()
 
     def show(self, slug: str) -> bool:
         """Show the area of a workspace; False when what was remembered could not be used."""
@@ -73,6 +112,7 @@ class Arrangements:
         """Remember the present arrangement, and let its area rest."""
         if self.current:
             area = self._workspaces[self.current].area
+            self.stop_reading()
             self._settings.keep_arrangement(self.current, area.arrangement)
             area.rest()
         self.current = ""

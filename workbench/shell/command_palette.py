@@ -10,7 +10,6 @@ from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, 
 from PySide6.QtGui import QKeyEvent, QPainter
 from PySide6.QtWidgets import (
     QApplication,
-    QDockWidget,
     QFrame,
     QLabel,
     QLineEdit,
@@ -99,11 +98,6 @@ def _rank(letters: str, offer: Offer) -> float | None:
     return cost
 
 
-def _bring(dock: QDockWidget) -> None:
-    dock.show()
-    dock.raise_()
-
-
 def offers(window: "MainWindow") -> list[Offer]:
     """What can be done now: commands, places, docks, the panels' actions, examples, sheets, recent files."""
     made = [
@@ -120,7 +114,8 @@ def offers(window: "MainWindow") -> list[Offer]:
         title = window.workspace(slug).title
         made.append(Offer(_("Workspace: {title}").format(title=title), "", partial(window.go, slug)))
     for dock in window.arrangements.docks(window.place):
-        made.append(Offer(_("Show {dock}").format(dock=dock.windowTitle()), "", partial(_bring, dock)))
+        bring = partial(window.arrangements.bring_forward, dock.objectName())
+        made.append(Offer(_("Show {dock}").format(dock=dock.windowTitle()), "", bring))
     for panel in window.panels(window.place):
         for action in panel.actions():
             if action.isEnabled() and action.text().replace("&", "") not in {offer.text for offer in made}:

@@ -8,12 +8,13 @@ window, paints them over those that came after, and dies when one of them is dra
 import zlib
 from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QByteArray, QSize, Qt
+from PySide6.QtCore import QByteArray, QSize, Qt, QTimer
 from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
     QMainWindow,
     QSizePolicy,
+    QSplitter,
     QTabWidget,
     QVBoxLayout,
     QWidget,
@@ -23,6 +24,7 @@ from shiboken6 import isValid
 from workbench.language import _
 from workbench.panels.panel import DockPart, SwapPlace
 from workbench.shell.dock_tabs import DockTabs
+from workbench.shell.reading import SOURCE, Reading, can_be_read
 
 VERSION = 3
 _TUBE = "tube"
@@ -39,6 +41,7 @@ _SIDES = {
 
 _CHECKSUM_BYTES = 4
 _LEAST_PX = 72
+_TABS_PX = 30
 
 
 class DockArea(QMainWindow):
@@ -60,16 +63,21 @@ class DockArea(QMainWindow):
         self._lower = tuple(lower)
         self._afloat: list[QDockWidget] = []
         self._rooms: dict[QDockWidget, QSize] = {}
+        self._rooms_to_read: dict[QDockWidget, QSize] = {}
+        self._before_source: dict[QDockWidget, int] = {}
         self._focus: QWidget | None = None
         self.host = QWidget()
         column = QVBoxLayout(self.host)
         column.setContentsMargins(0, 0, 0, 0)
-        self.setCentralWidget(self.host)
+        self._halves = QSplitter()
+        self._halves.addWidget(self.host)
+        self.setCentralWidget(self._halves)
         self._place = self.host if inner is None else inner
         if inner is not None:
             column.addWidget(middle)
         self.docks: list[QDockWidget] = []
         self.tabs = DockTabs(self, lambda: self.docks)
+        self.tabs.chosen.connect(self.make_room)
         self._widgets: dict[str, QWidget] = {}
         self._sides: dict[str, Qt.DockWidgetArea] = {}
         for name, title, widget, side in parts:
@@ -125,10 +133,7 @@ class DockArea(QMainWindow):
             self.resizeDocks([dock], [round(self.height() * _CANVAS_SHARE)], Qt.Orientation.Vertical)
         else:
             self.bring_to_front(self._rooms)
-        if focus is not None and self.isAncestorOf(focus) and focus.isVisibleTo(self):
-            focus.setFocus()
-        else:
-            self.host.setFocus()
+        self._focus_again(focus)
 
     @staticmethod
     def _fill(dock: QDockWidget, widget: QWidget) -> None:
@@ -142,6 +147,35 @@ class DockArea(QMainWindow):
             layout.addWidget(widget)
             widget.show()
         self.host.setFocusProxy(widget)
+
+    # Reading
+
+    @property
+    def can_read(self) -> bool:
+        """Whether there are a source and tables to be read."""
+        return can_be_read(self._widgets)
+
+    def read(self) -> Reading:
+        """A page with the middle in its left half, source and tables in its right one; this area rests."""
+        self._rooms_to_read = self.in_front()
+        self.rest()
+        titles = {dock.objectName(): dock.windowTitle() for dock in self.docks}
+        parts = {name: (titles[name], widget) for name, widget in self._widgets.items()}
+        return Reading(self.host, parts, self.width())
+
+    def stop_reading(self) -> None:
+        """Take back from the page what it shows, once this area is on the screen again."""
+        self._halves.addWidget(self.host)
+        self.host.show()
+        self.gather()
+        self.bring_to_front(self._rooms_to_read)
+        self.wake()
+
+    def _focus_again(self, focus: QWidget | None) -> None:
+        if focus is not None and self.isAncestorOf(focus) and focus.isVisibleTo(self):
+            focus.setFocus()
+        else:
+            self.host.setFocus()
 
     # Where the docks are
 
@@ -174,12 +208,19 @@ class DockArea(QMainWindow):
                     self.tabifyDockWidget(group[0], dock)
                 group[0].raise_()
             if len(groups) == 2:
-                shares = [round(height * share) for share in _SHARES]
-                self.resizeDocks([group[0] for group in groups], shares, along)
+                self.resizeDocks([group[0] for group in groups], self._heights(upper), along)
         if sideways:
             first = [group[0] for group in groups]
             widths = [round(self.width() * _SIDE_SHARE)] * len(first)
             self.resizeDocks(first, widths, Qt.Orientation.Horizontal)
+
+    def _heights(self, upper: list[QDockWidget]) -> list[int]:
+        """How high the two groups of a side column begin: the upper one as its source asks for."""
+        whole = self.height()
+        high = round(whole * _SHARES[0])
+        if upper[0].objectName() == SOURCE:
+            high = min(max(high, self._widgets[SOURCE].sizeHint().height() + _TABS_PX), whole - _LEAST_PX)
+        return [high, whole - high]
 
     @property
     def arrangement(self) -> QByteArray:
@@ -214,6 +255,46 @@ class DockArea(QMainWindow):
             dock.raise_()
         self.resizeDocks(docks, [size.width() for size in sizes], Qt.Orientation.Horizontal)
         self.resizeDocks(docks, [size.height() for size in sizes], Qt.Orientation.Vertical)
+
+    def bring_forward(self, name: str) -> None:
+        """Show a dock, before those that it shares its place with."""
+        dock = self.dock(name)
+        dock.show()
+        dock.raise_()
+        QTimer.singleShot(0, self, lambda: self.make_room(dock))  # once it is in front
+
+    def make_room(self, dock: QDockWidget) -> None:
+        """Let the source be as high as it asks for when it is chosen.
+
+        When it is left for another tab, the column is as before.
+        """
+        if dock.objectName() == SOURCE:
+            asked = self._widgets[SOURCE].sizeHint().height()
+            if dock.height() < asked and not dock.isFloating() and self._is_seen(dock):
+                self._before_source = self._in_column(dock)
+                self._set_heights({**self._before_source, dock: asked + self.tabs.height(dock)}, dock)
+        elif self._before_source and dock in self.tabifiedDockWidgets(self.dock(SOURCE)):
+            before, self._before_source = self._before_source, {}
+            docks = [dock if each.objectName() == SOURCE else each for each in before]
+            self.resizeDocks(docks, list(before.values()), Qt.Orientation.Vertical)
+
+    def _in_column(self, dock: QDockWidget) -> dict[QDockWidget, int]:
+        """The docks above and below one that are seen, itself included, with the height of each."""
+        left, right = dock.geometry().left(), dock.geometry().right()
+        return {
+            each: size.height()
+            for each, size in self.in_front().items()
+            if each.geometry().left() <= right and each.geometry().right() >= left
+        }
+
+    def _set_heights(self, heights: Mapping[QDockWidget, int], first: QDockWidget) -> None:
+        """Give ``first`` its height, and the others of a column theirs as far as there is room."""
+        others = {dock: height for dock, height in heights.items() if dock is not first}
+        room = sum(self._in_column(first).values()) - heights[first]
+        share = room / max(sum(others.values()), 1)
+        docks = [first, *others]
+        sizes = [heights[first], *(max(round(height * share), 1) for height in others.values())]
+        self.resizeDocks(docks, sizes, Qt.Orientation.Vertical)
 
     # Leaving and coming back
 

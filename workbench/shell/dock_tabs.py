@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QMenu, QTabBar, QWidget
 
@@ -16,7 +16,12 @@ _FLOATING = QSize(420, 320)
 
 
 class DockTabs(QObject):
-    """Takes the title bar from docks that have a tab, which says the same, and gives it back later."""
+    """Takes the title bar from docks that have a tab, which says the same, and gives it back later.
+
+    ``chosen``: a dock whose tab was clicked.
+    """
+
+    chosen = Signal(QDockWidget)
 
     def __init__(self, area: QMainWindow, docks: Callable[[], list[QDockWidget]]) -> None:
         super().__init__(area)
@@ -58,6 +63,7 @@ class DockTabs(QObject):
                 bar.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
                 bar.customContextMenuRequested.connect(lambda at, bar=bar: self._show_menu(bar, at))
                 bar.installEventFilter(self)
+                bar.tabBarClicked.connect(lambda at, bar=bar: self._choose(bar, at))
                 TabList(bar)
 
     def _bars(self) -> list[QTabBar]:
@@ -83,6 +89,11 @@ class DockTabs(QObject):
         dock.setFloating(True)
         dock.resize(dock.size().expandedTo(_FLOATING))
         dock.move(self._area.mapToGlobal(self._area.rect().center()) - dock.rect().center())
+
+    def _choose(self, bar: QTabBar, at: int) -> None:
+        dock = next((each for each in self._docks() if each.windowTitle() == bar.tabText(at)), None)
+        if dock is not None:
+            QTimer.singleShot(0, self, lambda: self.chosen.emit(dock))  # once it is in front
 
     def _dock_at(self, bar: QTabBar, at: QPoint) -> QDockWidget | None:
         title = bar.tabText(bar.tabAt(at))

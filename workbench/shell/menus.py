@@ -142,8 +142,13 @@ class Menus(QObject):
 
     def _fill_docks(self) -> None:
         self._docks.clear()
-        for dock in self._window.arrangements.docks(self._window.place):
-            self._docks.addAction(dock.toggleViewAction())
+        arrangements = self._window.arrangements
+        for dock in arrangements.docks(self._window.place):
+            if arrangements.reading:  # all of them are put away, and one that is chosen brings them back
+                bring = partial(arrangements.bring_forward, dock.objectName())
+                self._docks.addAction(dock.windowTitle(), bring)
+            else:
+                self._docks.addAction(dock.toggleViewAction())
         self._if_empty(self._docks, _("This page has none"))
 
     def _fill_sheets(self) -> None:

@@ -38,6 +38,7 @@ def display_scenes() -> list[tuple[str, Callable[[MainWindow], object]]]:
         ("display-flicker-trail", _trail),
         ("display-colour-models", _models),
         ("display-shadow-mask", _mask),
+        ("display-convergence", _convergence),
         ("display-penetration", _penetration),
     ]
 
@@ -170,6 +171,12 @@ def _models(window: MainWindow) -> None:
 def _mask(window: MainWindow) -> None:
     """A shadow mask close up."""
     _numbers(window, "colour-bars", "colour", 0, part="mask", pitch_mm=0.6, width_mm=14.0)
+
+
+def _convergence(window: MainWindow) -> None:
+    """Red and blue beside their places, on a tube with a grille."""
+    errors = {"red_x": -1.6, "blue_x": 1.6, "blue_y": 0.8}
+    _numbers(window, "house", "colour", 0, part="mask", mask="grille", pitch_mm=0.9, width_mm=20.0, **errors)
 
 
 def _penetration(window: MainWindow) -> None:

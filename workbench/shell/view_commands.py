@@ -116,6 +116,16 @@ def view_commands() -> tuple[Command, ...]:
             separated=True,
         ),
         Command(
+            "read",
+            _("Read"),
+            lambda w: w.views.read(),
+            ("R",),
+            "book-open",
+            _("Give source and tables half of the window, side by side, or bring the docks back"),
+            "view",
+            "document",
+        ),
+        Command(
             "alone",
             _("Focused view alone"),
             lambda w: w.views.toggle_alone(),

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Views(QObject):
-    """What T and F11 do to the window."""
+    """What T, R and F11 do to the window."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -43,7 +43,18 @@ class Views(QObject):
             self._window.say_status(_("This page has no canvas and tube to swap."))
             return
         self.together()
+        self._window.arrangements.stop_reading()
         area.swap()
+
+    def read(self) -> None:
+        """Give source and tables half of the window, or bring the docks back."""
+        area = self._window.arrangements.area(self._window.place)
+        if area is None or not area.can_read:
+            self._window.say_status(_("There is no source to read here; go to a workspace with steps."))
+            return
+        self.together()
+        arrangements = self._window.arrangements
+        (arrangements.stop_reading if arrangements.reading else arrangements.read)()
 
     def toggle_alone(self) -> None:
         """Show only the view that has the focus, or bring the rest back."""
@@ -51,6 +62,8 @@ class Views(QObject):
             self.together()
             return
         window = self._window
+        area = window.arrangements.area(window.place)
+        window.arrangements.stop_reading()
         focus = QApplication.focusWidget() or window.focusWidget()
         docks = window.arrangements.docks(window.place)
         kept = next((dock for dock in docks if focus is not None and dock.isAncestorOf(focus)), None)
@@ -59,7 +72,6 @@ class Views(QObject):
             return
         hidden: list[QWidget] = [window.top, window.statusBar()]
         hidden += [dock for dock in docks if dock is not kept and not dock.isHidden()]
-        area = window.arrangements.area(window.place)
         if kept is not None and area is not None:
             hidden.append(area.host)
         if area is not None:

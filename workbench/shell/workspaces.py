@@ -160,7 +160,7 @@ def workspaces() -> tuple[Workspace, ...]:
             ("workbench.panels.viewing.panel:ViewingPanel", inspector, tube),
             steps=True,
             topics=("viewing", "clipping"),
-            lower=("hand_table", "point", "source", "variables", "about", "tube"),
+            lower=("hand_table", "point", "variables", "tube"),
         ),
         Workspace(
             "curves",

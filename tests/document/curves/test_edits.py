@@ -242,7 +242,7 @@ def test_free_knots_begin_as_they_were_and_do_not_change_the_curve() -> None:
 def test_a_knot_may_not_pass_its_neighbour() -> None:
     document = curve_edits.set_knot_rule("f1", "free")(curve_of(POINTS, spline="b_spline"))
     knot = the_curve(document).knots[5]
-    with pytest.raises(DocumentError, match="may not decrease"):
+    with pytest.raises(DocumentError, match="must not decrease"):
         curve_edits.set_knot(f"s1/f1/{knot.id}/u", 0.5)(document)
     moved = curve_edits.set_knot(f"s1/f1/{knot.id}/u", 1.5)(document)
     assert resolve(moved, f"s1/f1/{knot.id}/u") == 1.5
@@ -292,7 +292,7 @@ def test_tangents_are_made_from_the_neighbours_once() -> None:
         (curve_edits.move_curve_points({"s1/f1/p1/x": (math.nan, 1)}), "finite"),
         (curve_edits.move_curve_points({"s1/f1/p98/x": (1, 1)}), "no point"),
         (curve_edits.set_joint(["s1/f1/p1/*"], "round"), "corner"),
-        (curve_edits.add_points("f1", [(1, 1)], 99), "no place 99"),
+        (curve_edits.add_points("f1", [(1, 1)], 99), "no position 99"),
         (curve_edits.add_points("f9", [(1, 1)]), "no figure"),
     ],
 )

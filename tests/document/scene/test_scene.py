@@ -230,7 +230,7 @@ def test_what_is_no_scene_is_refused_in_one_sentence(change: Callable[[Scene], S
 def test_a_surface_needs_whole_rows() -> None:
     scene = full_scene()
     bent = replace(scene.objects[-1], solid=Surface(2))
-    with pytest.raises(DocumentError, match="9 points do not make 2 rows of equally many"):
+    with pytest.raises(DocumentError, match="9 points do not make 2 rows of equal length"):
         no_scene(lambda _scene: replace(scene, objects=(*scene.objects[:-1], bent)))
 
 

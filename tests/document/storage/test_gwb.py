@@ -109,6 +109,18 @@ def test_polygons_of_older_versions_are_drawn_as_they_were(version: int) -> None
         assert stored.session.positions["fill"].subject.entry == "scan_line_exact"
 
 
+def test_since_version_8_the_fill_of_the_course_keeps_its_name() -> None:
+    raw = json.loads((SAMPLES / "version-8.gwb").read_text("utf-8"))
+    figures = raw["document"]["sheets"][0]["figures"]
+    (polygon,) = [each for each in figures if "ring_ends" in each]
+    assert polygon["algorithm"] == "scan_line_exact"
+    polygon["algorithm"] = raw["session"]["compare"] = "scan_line_fill"
+    stored = decode(json.dumps(raw).encode())
+    kept = [each for each in stored.document.sheets[0].figures if isinstance(each, Polygon)]
+    assert [each.algorithm for each in kept] == ["scan_line_fill"]
+    assert stored.session.compare == "scan_line_fill"
+
+
 def test_what_version_3_stepped_stands_in_the_workspaces_that_step_it() -> None:
     session = read(SAMPLES / "version-3.gwb").session
     at_u = Subject("curve", entry="de_boor", arguments={"u": 0.25})

@@ -294,7 +294,7 @@ def test_asked_first_a_person_accepts_rejects_or_says_which_side(qtbot, session,
     qtbot.mouseClick(by_text["Reject"], LEFT)
     settle()
     assert (session.run.right, session.run.wrong) == (1, 1)
-    assert told.plain.startswith("Not so: “reject” is not what comes next.")
+    assert told.plain.startswith("No: “reject” is not what comes next.")
     assert session.run.position == 1
     assert [button.text() for button in buttons.buttons if not button.isEnabled()] == ["Reject"]
     session.run.try_again()

@@ -1,6 +1,8 @@
 """The card of a curve: what is missing, how it is counted, its kinds, knots and steps."""
 
+import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from tests.panels.by_hand import settle
@@ -12,6 +14,7 @@ from tests.panels.curves.by_hand import (
     opened,
     the_curve,
 )
+from workbench.document.curves.pieces import pieces_of
 from workbench.document.subjects import Subject
 from workbench.widgets.canvas.drawing import PenStroke
 from workbench.widgets.stepping.step_bar import Steps
@@ -58,6 +61,37 @@ def test_the_text_that_is_stepped_is_chosen_on_the_card(qtbot):
     panel.card.spline.activated.emit(panel.card.spline.currentIndex())
     settle()
     assert the_curve(panel).spline == "nurbs"
+
+
+def test_the_sign_of_the_continuity_is_the_books_or_the_papers(qtbot):
+    panel = opened(qtbot, curve_through(*ZIGZAG, spline="kochanek_bartels", continuity=0.5))
+    book = pieces_of(the_curve(panel)).controls
+    panel.card.sign.setCurrentIndex(panel.card.sign.findData("paper"))
+    panel.card.sign.activated.emit(panel.card.sign.currentIndex())
+    settle()
+    paper = the_curve(panel)
+    assert paper.continuity_sign == "paper"
+    assert not np.allclose(pieces_of(paper).controls, book)
+    np.testing.assert_array_equal(pieces_of(replace(paper, continuity=-0.5)).controls, book)
+    panel.card.spline.setCurrentIndex(panel.card.spline.findData("cardinal"))
+    panel.card.spline.activated.emit(panel.card.spline.currentIndex())
+    settle()
+    assert not panel.card.sign.isVisible()
+
+
+def test_the_course_s_own_texts_are_offered_and_stepped(qtbot):
+    panel = opened(qtbot, curve_through(*ZIGZAG, spline="natural_cubic"))
+    offered = [panel.card.steps.itemData(k) for k in range(panel.card.steps.count())]
+    assert offered[0] == "de_casteljau"
+    for slug in ("natural_cubic_system", "hermite_blend", "bernstein_curve"):
+        panel.card.steps.setCurrentIndex(offered.index(slug))
+        panel.card.steps.activated.emit(panel.card.steps.currentIndex())
+        settle()
+        qtbot.waitUntil(lambda slug=slug: panel.session.run.entry.slug == slug, timeout=5000)
+    panel = opened(qtbot, curve_through(*ZIGZAG))
+    offered = [panel.card.steps.itemData(k) for k in range(panel.card.steps.count())]
+    assert {"b_spline_sum", "de_boor", "bernstein_curve", "hermite_blend"} <= {*offered}
+    assert "natural_cubic_system" not in offered
 
 
 @pytest.mark.parametrize(
@@ -131,7 +165,7 @@ def test_asked_first_what_becomes_of_a_piece_is_chosen_and_tried_again(qtbot):
     again, show = bar.bar.after_wrong
     assert [button.text() for button in bar.options.buttons] == ["Flat", "Divide"]
     choose("Flat")
-    assert bar.sentence.plain.startswith("Not so: “flat” is not what comes next.")
+    assert bar.sentence.plain.startswith("No: “flat” is not what comes next.")
     assert (run.position, run.right, run.wrong) == (0, 0, 1)
     qtbot.mouseClick(again, LEFT)
     choose("Divide")

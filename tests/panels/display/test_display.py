@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 from tests.panels.by_hand import keep_until_the_end
 from tests.panels.display.strips import cut_texts, lies_whole
 from workbench.display import RasterBeam
+from workbench.display.retrace import RetracingBeam
 from workbench.document.edits import remove_figures
 from workbench.document.state import SessionState
 from workbench.document.storage.files import read
@@ -172,13 +173,14 @@ def test_every_control_has_a_name_and_a_tooltip(panel: TubesPage) -> None:
 @pytest.mark.parametrize("width", [480, 776, 1260])
 def test_no_control_of_the_strip_is_cut(panel: TubesPage, qtbot: QtBot, width: int) -> None:
     strip = panel.controls
-    strip.setParent(None)
+    assert panel.strip.takeWidget() is strip
     keep_until_the_end(qtbot, strip)
-    strip.resize(width, strip.heightForWidth(width))
     strip.show()
+    strip.resize(width, strip.heightForWidth(width))
     for number in range(strip.phosphor.count()):
         strip.phosphor.setCurrentIndex(number)
         assert cut_texts(strip) == []
+    assert strip.width() == width
     assert lies_whole(strip)
 
 
@@ -237,3 +239,20 @@ def test_a_time_has_the_unit_that_keeps_it_readable() -> None:
         "2 s",
         "16.7 ms",
     ]
+
+
+def test_brightness_and_contrast_reach_the_tubes_and_the_file(
+    panel: TubesPage, session: Session, tmp_path: Path
+) -> None:
+    assert panel.raster.driver is not None
+    dark = panel.raster.driver.beam.energy_per_frame().sum()
+    panel.controls.brightness.edited.emit(0.3)
+    panel.controls.contrast.edited.emit(1.4)
+    session.flush()
+    assert (session.state.tube.brightness, session.state.tube.contrast) == (0.3, 1.4)
+    for tube in (panel.raster, panel.vector):
+        assert tube.setup.knobs == (0.3, 1.4)
+    assert isinstance(panel.raster.driver.beam, RetracingBeam)
+    assert panel.raster.driver.beam.energy_per_frame().sum() > 1.5 * dark
+    session.save_as(tmp_path / "bright.gwb")
+    assert load_state(tmp_path / "bright.gwb").tube.brightness == 0.3

@@ -15,7 +15,6 @@ from workbench.document import DocumentError
 from workbench.document.subjects import Subject
 from workbench.panels.display.flicker.figures import column_at, moved_picture
 from workbench.panels.display.flicker.page import FlickerPage
-from workbench.panels.display.panel import DisplayPanel
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
 
@@ -32,15 +31,13 @@ def session() -> Iterator[Session]:
 
 @pytest.fixture
 def page(qtbot: QtBot, session: Session) -> FlickerPage:
-    panel = DisplayPanel(session)
-    keep_until_the_end(qtbot, panel)
-    panel.resize(1000, 640)
-    with qtbot.waitExposed(panel):
-        panel.show()
-    panel.show_page("flicker")
+    one = FlickerPage(session)
+    keep_until_the_end(qtbot, one)
+    one.resize(1000, 600)
+    with qtbot.waitExposed(one):
+        one.show()
+    session.visit("flicker", one.usual)
     session.flush()
-    one = panel.page_of("flicker")
-    assert isinstance(one, FlickerPage)
     qtbot.waitUntil(lambda: one.tube.driver is not None)
     return one
 
@@ -62,6 +59,14 @@ def test_numbers_set_the_tube_and_what_is_stepped(qtbot: QtBot, page: FlickerPag
     _terms, dt, steps = session.run.calls[0]
     assert dt * steps == pytest.approx(1000.0 / 45.0)
     assert not session.undo_stack.canUndo()
+
+
+def test_as_many_periods_are_plotted_as_are_asked_for(qtbot: QtBot, page: FlickerPage) -> None:
+    for count in (1, 3):
+        typed(qtbot, page.controls.periods, str(count))
+        page.session.flush()
+        qtbot.waitUntil(lambda count=count: len(page.light._hits) == count + 1)
+        assert page.light._formula.ms[-1] == pytest.approx(count * 1000.0 / 60.0, rel=0.01)
 
 
 def test_typed_rubbish_is_said_in_place_and_changes_nothing(
@@ -154,12 +159,12 @@ def test_a_figure_moves_when_it_is_asked_to_and_leaves_its_trail(
 ) -> None:
     page.change({"phosphor": "P39", "figure": "bar", "speed": 300.0})
     session.flush()
-    qtbot.waitUntil(lambda: np.count_nonzero(page.tube.image) == 48 * 3)
-    held = page.tube.image.copy()
+    qtbot.waitUntil(lambda: np.count_nonzero(page.image) == 48 * 3)
+    held = page.image.copy()
     qtbot.wait(80)
-    assert np.array_equal(page.tube.image, held)
+    assert np.array_equal(page.image, held)
     page.controls.moves.click()
-    qtbot.waitUntil(lambda: not np.array_equal(page.tube.image, held), timeout=5000)
+    qtbot.waitUntil(lambda: not np.array_equal(page.image, held), timeout=5000)
     assert page.tube.driver is not None
     light = page.tube.driver.lights[0]
     dark = page.tube.driver.beam.energy_per_frame() < 1e-9
@@ -202,7 +207,7 @@ def test_every_phosphor_has_its_persistence_source_and_doubts(page: FlickerPage,
     table = dict(page.tables())["Phosphors"]
     assert [row[0] for row in table.rows] == list(names())
     doubts = {row[0]: row[4] for row in table.rows}
-    assert "t10_s" in doubts["P39"]
+    assert "time to 10 %" in doubts["P39"]
     assert doubts["P31"] == "\N{EN DASH}"
     page.phosphors.chosen.emit("P7")
     session.flush()

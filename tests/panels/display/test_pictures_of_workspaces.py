@@ -73,7 +73,7 @@ def test_both_tubes_of_display_show_the_picture_of_every_workspace(
     _widget, raster, vector = seen(qtbot, session, _page)
     qtbot.waitUntil(lambda: lit(raster) and lit(vector))
     expected = with_scene(frame_buffer(session.shown), session.shown)
-    assert np.array_equal(raster.image, expected)
+    assert np.array_equal(raster._image, expected)
     session.run.forward()
     session.flush()
     assert lit(raster)
@@ -101,14 +101,14 @@ def test_a_scene_is_seen_on_the_tubes_from_where_somebody_looks(
     session.flush()
     _widget, raster, vector = seen(qtbot, session, _page)
     qtbot.waitUntil(lambda: lit(raster))
-    before, strokes = raster.image.copy(), vector.driver and vector.driver.beam.energy_per_frame().copy()
+    before, strokes = raster._image.copy(), vector.driver and vector.driver.beam.energy_per_frame().copy()
     scene = session.sheet.scene
     assert scene is not None
     eye = scene.camera.eye
     moved = replace(scene.camera, eye=Point3D(eye.x + 1.0, eye.y + 0.5, eye.z))
     session.update_state(looks={session.sheet.id: Look(moved, scene.camera)})
     session.flush()
-    assert (raster.image != before).any()
+    assert (raster._image != before).any()
     assert vector.driver is not None
     assert (vector.driver.beam.energy_per_frame() != strokes).any()
 
@@ -121,6 +121,6 @@ def test_a_scene_waits_for_what_paints_it(
     session.flush()
     _widget, raster, vector = seen(qtbot, session, _page)
     qtbot.waitUntil(lambda: lit(vector))
-    assert not raster.image.any()
+    assert not raster._image.any()
     monkeypatch.setattr(backdrop, "ready", lambda _text: True)
     qtbot.waitUntil(lambda: lit(raster))

@@ -89,7 +89,7 @@ def test_a_wrong_click_is_tried_again_or_shown_by_the_step_bar(qtbot, session, p
     qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 21, 10))
     settle()
     assert panel.canvas.overlay.wrong == ((21, 10),)
-    assert bar.sentence.plain.startswith("Not so: (21, 10) does not come next.")
+    assert bar.sentence.plain.startswith("No: (21, 10) does not come next.")
     qtbot.mouseClick(again, LEFT)
     settle()
     assert panel.canvas.overlay.wrong == ()

@@ -21,7 +21,7 @@ from workbench.rendering.scene.growth import Growth
 from workbench.session.session import Session
 
 LEFT = Qt.MouseButton.LeftButton
-METHODS = 9
+METHODS = 10
 
 
 @pytest.fixture
@@ -67,7 +67,7 @@ def test_every_method_has_a_tile_that_tells_what_it_does_and_the_wrong_one_says_
     tiles = page.grid.tiles
     assert list(tiles) == [
         "depth_buffer", "scan_line_surfaces", "painter", "depth_sort", "bsp_tree", "area_subdivision",
-        "octree", "ray_casting", "a_buffer",
+        "octree", "ray_casting", "ray_casting_boxes", "a_buffer",
     ]  # fmt: skip
     assert {method for method, tile in tiles.items() if tile.wrong} == {"painter"}
     painter = tiles["painter"]

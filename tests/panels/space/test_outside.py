@@ -10,7 +10,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from tests.panels.space.by_hand import CONTROL, LEFT, camera_of, drag, settle, shown
+from tests.panels.space.by_hand import CONTROL, LEFT, camera_of, drag, scene_of, settle, shown
 from workbench.document.scene.looking import kind_of
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.panels.space.projection_page import ProjectionPage
@@ -267,3 +267,23 @@ def test_the_keyboard_has_a_cursor_that_tells_and_chooses(qtbot: QtBot, page: Pr
     assert page.eye.vertex is not None
     assert page.eye.vertex.place == pytest.approx((1.5, 0.0, 2.5))
     page.eye.grab()
+
+
+def test_a_light_is_dragged_from_outside_and_comes_back_in_one_step(
+    qtbot: QtBot, page: ProjectionPage
+) -> None:
+    page.session.open_example("shading-lamps")
+    page.session.visit("space", page.usual)
+    settle(qtbot, page)
+    before, eye = scene_of(page).lights, camera_of(page)
+    x, y = grip(page, f"light {before[0].id}")
+    drag(qtbot, page.outside, (x, y), (40, -25))
+    settle(qtbot, page)
+    moved = scene_of(page).lights
+    assert moved[1:] == before[1:]
+    assert camera_of(page) == eye
+    by = np.subtract(moved[0].position.xyz, before[0].position.xyz)
+    view = view_matrix(page.outside.scene.camera)
+    assert view[:3, :3] @ by * page.outside.scale == pytest.approx([40, 25, 0], abs=2.0)
+    page.session.undo_stack.undo()
+    assert scene_of(page).lights == before

@@ -149,6 +149,7 @@ def test_the_table_of_the_two_spaces_tells_the_numbers_of_the_scene() -> None:
         "scan_line_surfaces",
         "area_subdivision",
         "ray_casting",
+        "ray_casting_boxes",
     ]
 
 

@@ -279,7 +279,7 @@ SQUARE: Any = ([[0.0, 0, 0], [1, 0, 0], [1, 1, 0]], [[0, 1, 2]])
         ({"vertices": [[np.nan, 0, 0], [1, 1, 1], [2, 2, 2]]}, "three finite numbers"),
         ({"faces": []}, "has no face"),
         ({"faces": [[0, 1]]}, "fewer than three corners"),
-        ({"faces": [[0, 1, 3]]}, "a vertex that is not there"),
+        ({"faces": [[0, 1, 3]]}, "a vertex that does not exist"),
     ],
 )
 def test_what_cannot_be_drawn_is_refused_in_one_sentence(change: dict[str, Any], said: str) -> None:

@@ -54,6 +54,7 @@ def column(view: QTableView, number: int) -> list[str]:
 def test_the_source_is_exactly_the_functions_own(run: Run, qtbot: QtBot) -> None:
     source = SourceView(run)
     shown(qtbot, source)
+    source.text.fold(False)
     assert source.text.toPlainText() == inspect.getsource(ENTRY.function)
     lines, first = inspect.getsourcelines(ENTRY.function)
     assert source.text.first_line == first
@@ -93,6 +94,7 @@ def test_functions_that_the_entry_calls_are_reachable(run: Run, qtbot: QtBot) ->
     source.chooser.setCurrentIndex(1)
     source.chooser.activated.emit(1)
     assert run.recording is not None
+    source.text.fold(False)
     assert source.text.toPlainText() == inspect.getsource(run.recording.functions[other])
 
 

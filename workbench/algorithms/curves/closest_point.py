@@ -1,10 +1,9 @@
 """The point of a curve in Bézier pieces that is closest to a given one.
 
 best        the distance of the closest point so far, which is (best_x, best_y) at best_u
-above, below    coefficients of the squared distance, a quotient, over the parts that wait
-low, width  where the parts that wait lie in their piece
-bound       no point of the part on top is closer than that
-valley      whether the distance falls and then grows along the part on top, so that it has one bottom
+parts       the parts of a piece that wait, each with the polynomials of its squared distance
+bound       no point of the part that was taken is closer than that
+valley      whether the distance falls and then grows along that part, so that it has one minimum
 """
 
 from collections.abc import Iterator
@@ -14,13 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.curves.distance_bottom import bottom, closest_end
-from workbench.algorithms.curves.distance_polynomial import box_distance, halve, outlook, set_coefficients
+from workbench.algorithms.curves.distance_polynomial import box_distance, halves, outlook, whole_piece
 from workbench.algorithms.curves.parameters import PIECES, pieces_and_point
 from workbench.algorithms.entry import Entry, Law, Parameter, View
 from workbench.geometry.curves.refusals import refuse_pieces
 
-# A part is 2^-30 of its piece then, and has one valley but for rounding
-DEEPEST = 30
+# Narrower parts have one minimum but for rounding
 NARROWEST = 1e-9
 # What is closer by less than this part is not worth a search
 NOTHING = 1e-13
@@ -43,8 +41,6 @@ def closest_point(
     """
     # Begin with the closest end of a piece
     refuse_pieces(knots, points, weights, degree, x, y)
-    above, below = np.zeros((DEEPEST + 1, 2 * degree + 1)), np.zeros((DEEPEST + 1, 2 * degree + 1))
-    low, width = np.zeros(DEEPEST + 1), np.zeros(DEEPEST + 1)
     level = np.zeros((degree + 1, 3))
     best_u, best_x, best_y, best = closest_end(knots, points, degree, x, y)
     yield best_u, best_x, best_y, best
@@ -55,40 +51,34 @@ def closest_point(
         u0, length = float(knots[j]), float(knots[j + 1] - knots[j])
         distance = box_distance(points, first, degree, x, y)
         searched = length > 0.0 and distance < best
-        top = 0 if searched else -1
-        if searched:
-            low[0], width[0] = 0.0, 1.0
-            set_coefficients(points, weights, first, x, y, above[0], below[0])
+        if not searched:
+            continue
 
-        while top >= 0:
+        parts = [whole_piece(points, weights, first, degree, x, y)]
+        while parts:
             # Can this part be closer?
-            bound, valley = outlook(above[top], below[top])
-            begin, end = float(low[top]), float(low[top] + width[top])
+            part = parts.pop()
+            begin, end = part.begin, part.end
+            bound, valley = outlook(part)
             hopeless = bound >= best * (1.0 - NOTHING)
             divided = not hopeless and not valley and end - begin > NARROWEST
 
             if divided:
-                # Divide it in the middle
-                halve(above[top], above[top + 1])
-                halve(below[top], below[top + 1])
-                width[top] *= 0.5
-                width[top + 1] = width[top]
-                low[top + 1] = begin
-                low[top] = begin + width[top]
-                top += 1
-            else:
-                # Go down to the bottom of its valley, unless it is hopeless
-                if not hopeless:
-                    v, at_x, at_y, distance = bottom(points, weights, first, x, y, begin, end, level)
-                    if distance < best:
-                        best_u, best_x, best_y, best = u0 + v * length, at_x, at_y, distance
-                        yield best_u, best_x, best_y, best
-                top -= 1
+                # Divide it in the middle, and take the first half next
+                before_middle, after_middle = halves(part)
+                parts.append(after_middle)
+                parts.append(before_middle)
+            elif not hopeless:
+                # Go down to its minimum
+                v, at_x, at_y, distance = bottom(points, weights, first, x, y, begin, end, level)
+                if distance < best:
+                    best_u, best_x, best_y, best = u0 + v * length, at_x, at_y, distance
+                    yield best_u, best_x, best_y, best
 
 
 _BOX, _PART = "Can this piece be closer?", "Can this part be closer?"
-_ROW = "(j, begin, end, bound, best, 'pass over' if hopeless else 'divide' if divided else 'search')"
-_OPTIONS = "('pass over', 'divide', 'search')"
+_ROW = "(j, begin, end, bound, best, 'skip' if hopeless else 'divide' if divided else 'search')"
+_OPTIONS = "('skip', 'divide', 'search')"
 _FROM = "The part of piece {j} from {begin} to {end} is nowhere closer than {bound}"
 
 ENTRY = Entry(
@@ -122,7 +112,7 @@ ENTRY = Entry(
             when="hopeless",
             row=_ROW,
             options=_OPTIONS,
-            answer="'pass over'",
+            answer="'skip'",
             sentence=_FROM + ", and a point at distance {best} is known: skip it.",
         ),
         View(

@@ -5,7 +5,7 @@ coefficients, and if these fall and then grow, so does the distance.
 """
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 from numpy.typing import NDArray
 
@@ -22,20 +22,22 @@ def box_distance(points: NDArray[Any], first: int, degree: int, x: float, y: flo
     return math.sqrt(dx * dx + dy * dy)
 
 
-def set_coefficients(
-    points: NDArray[Any],
-    weights: NDArray[Any],
-    first: int,
-    x: float,
-    y: float,
-    above: NDArray[Any],
-    below: NDArray[Any],
-) -> None:
-    """Write the coefficients (2 degree + 1,) of what stands above and below."""
-    degree = len(above) // 2
-    for k in range(2 * degree + 1):
-        above[k] = 0.0
-        below[k] = 0.0
+class Part(NamedTuple):
+    """A part of a Bézier piece, from ``begin`` to ``end`` in it, with the coefficients (2 degree + 1,) of the
+    squared distance: those ``above`` the line of the quotient, and those ``below`` it."""
+
+    begin: float
+    end: float
+    above: list[float]
+    below: list[float]
+
+
+def whole_piece(
+    points: NDArray[Any], weights: NDArray[Any], first: int, degree: int, x: float, y: float
+) -> Part:
+    """All of the piece that begins at ``first``."""
+    above = [0.0 for _k in range(2 * degree + 1)]
+    below = [0.0 for _k in range(2 * degree + 1)]
     row = 1.0
     for i in range(degree + 1):
         x_i, y_i = float(points[first + i, 0]) - x, float(points[first + i, 1]) - y
@@ -52,16 +54,17 @@ def set_coefficients(
         above[k] /= whole
         below[k] /= whole
         whole *= (2 * degree - k) / (k + 1)
+    return Part(0.0, 1.0, above, below)
 
 
-def outlook(above: NDArray[Any], below: NDArray[Any]) -> tuple[float, bool]:
-    """A bound for the distance, which it is nowhere less than, and whether it has one valley only."""
-    last = float(above[0]) / float(below[0])
+def outlook(part: Part) -> tuple[float, bool]:
+    """A bound for the distance, which it is nowhere less than, and whether it has one minimum only."""
+    last = part.above[0] / part.below[0]
     least = last
     grows = False
     valley = True
-    for k in range(1, len(above)):
-        quotient = float(above[k]) / float(below[k])
+    for k in range(1, len(part.above)):
+        quotient = part.above[k] / part.below[k]
         least = min(least, quotient)
         if quotient < last and grows:
             valley = False
@@ -70,11 +73,19 @@ def outlook(above: NDArray[Any], below: NDArray[Any]) -> tuple[float, bool]:
     return math.sqrt(max(least, 0.0)), valley
 
 
-def halve(coefficients: NDArray[Any], first_half: NDArray[Any]) -> None:
-    """Divide in the middle by de Casteljau's construction; the second half takes the place of the whole."""
-    count = len(coefficients)
-    first_half[0] = coefficients[0]
-    for r in range(1, count):
-        for k in range(count - r):
+def first_half(coefficients: list[float]) -> list[float]:
+    """The coefficients of the first half, by de Casteljau's construction; the second half takes the place of
+    the whole."""
+    half = [coefficients[0]]
+    for r in range(1, len(coefficients)):
+        for k in range(len(coefficients) - r):
             coefficients[k] = 0.5 * (coefficients[k] + coefficients[k + 1])
-        first_half[r] = coefficients[0]
+        half.append(coefficients[0])
+    return half
+
+
+def halves(part: Part) -> tuple[Part, Part]:
+    """The first and the second half of a part, whose lists become those of the second."""
+    middle = part.begin + 0.5 * (part.end - part.begin)
+    above, below = first_half(part.above), first_half(part.below)
+    return Part(part.begin, middle, above, below), Part(middle, part.end, part.above, part.below)

@@ -28,6 +28,7 @@ from workbench.algorithms.polygons.active_edges import (
     settle,
 )
 from workbench.algorithms.polygons.edges import NUDGE, SLACK, all_whole, edge_table
+from workbench.algorithms.polygons.grid_fill import fill_on_grid
 from workbench.algorithms.polygons.parameters import CLOSED, NONZERO, POLYGON, polygon_and_rules
 from workbench.algorithms.polygons.scan_line_marks import marks
 from workbench.algorithms.polygons.scan_line_views import VIEW_FUNCTIONS, VIEWS
@@ -106,6 +107,7 @@ ENTRY = Entry(
     parameters=(*POLYGON, CLOSED, NONZERO),
     arguments=polygon_and_rules,
     draws=("polygon",),
+    painter=fill_on_grid,
     emits="spans",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
@@ -138,6 +140,10 @@ ENTRY = Entry(
             "The pixels are those of exact crossings, for any vertices within 2^20: 1/m's error never "
             "decides.",
             "polygons/test_scan_line_exact.py::test_far_vertices_have_their_exact_crossings",
+        ),
+        Law(
+            "Pictures are painted with crossings in whole numbers, on a grid of 1/4096 px: the same pixels.",
+            "polygons/test_grid_fill.py::test_it_paints_the_pixels_of_the_text",
         ),
     ),
     not_laws=(

@@ -90,7 +90,7 @@ VIEWS = (
     ),
     View(
         block=SCREEN,
-        when="abs(x) > FACE_MM[0] / 2.0 or abs(y) > FACE_MM[1] / 2.0",
+        when="off_the_face(x, y)",
         row="('screen', refresh, 'left', left, '%', screen)",
         sentence="At x = {x} mm, y = {y} mm there is no screen any more: the beam ends on the conductive "
         "coating, which leads its {current * v_anode / 1000.0} mW away.",

@@ -15,7 +15,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.beside import Beside
 from workbench.algorithms.entry import Entry, Law, Parameter, View
+from workbench.algorithms.shading.light_planes import (
+    LIGHT_EXAMPLE,
+    PLANES_EXAMPLE,
+    light_planes,
+    spread_light,
+)
 from workbench.algorithms.shading.lit_corners import LitPlace, lit_corners_of, lit_row_ends
 from workbench.algorithms.shading.pixel_views import pixel_view
 from workbench.algorithms.shading.triangle_marks import marks
@@ -141,6 +148,10 @@ ENTRY = Entry(
             "It lights the pixels that the depth buffer draws, and leaves the same depths.",
             "shading/test_gouraud.py::test_the_pixels_are_those_of_the_depth_buffer",
         ),
+        Law(
+            "Whole pictures are lit by a function of the place for each triangle, to one step of 255.",
+            "shading/test_gouraud.py::test_whole_pictures_are_lit_as_the_text_does",
+        ),
     ),
     not_laws=(
         "A highlight in the middle of a face is always seen: only the corners are lit, so what "
@@ -152,4 +163,5 @@ ENTRY = Entry(
     tie="Strictly nearer wins, so the first drawn stays",
     writes="light",
     marks=marks,
+    beside=(Beside(light_planes, PLANES_EXAMPLE), Beside(spread_light, LIGHT_EXAMPLE)),
 )

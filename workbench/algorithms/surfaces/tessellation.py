@@ -71,8 +71,8 @@ def _bounds(cells: Array) -> Array:
             over[here] += share * weights
     crossed = (pulls[:, :, 0, 0] * pulls[:, :, 1, 1], pulls[:, :, 0, 1] * pulls[:, :, 1, 0])
     plain = np.isclose(*crossed, rtol=1e-9, atol=0)[..., 0]
-    found: Array = lengths(apart / over).max(axis=(2, 3)) + np.where(plain, 0.25, 0.5) * _twists(ends)
-    return found
+    errors: Array = lengths(apart / over).max(axis=(2, 3)) + np.where(plain, 0.25, 0.5) * _twists(ends)
+    return errors
 
 
 def _bends(cells: Array) -> tuple[Array, Array]:
@@ -115,8 +115,8 @@ def _corners(cells: Array) -> Array:
     points = cells[..., :3] / cells[..., 3:]
     inner = np.concatenate([points[:, :, 0, 0], points[-1:, :, -1, 0]])
     outer = np.concatenate([points[:, -1, 0, -1], points[-1:, -1, -1, -1]])
-    found: Array = np.concatenate([inner, outer[:, None]], axis=1)
-    return found
+    quads: Array = np.concatenate([inner, outer[:, None]], axis=1)
+    return quads
 
 
 def _triangles(grid: Array, near: float) -> tuple[Array, Faces]:

@@ -14,8 +14,10 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from workbench.algorithms.beside import Beside
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.depth_marks import marks
+from workbench.algorithms.visibility.depth_tiles import EXAMPLE, depth_buffer_tiles
 from workbench.algorithms.visibility.device_plane import corners_of, plane, row_ends
 from workbench.algorithms.visibility.scene import SCENE, scene
 from workbench.algorithms.visibility.views import VIEW_FUNCTIONS, VIEWS
@@ -80,6 +82,7 @@ ENTRY = Entry(
     views=VIEWS,
     view_functions=VIEW_FUNCTIONS,
     marks=marks,
+    beside=(Beside(depth_buffer_tiles, EXAMPLE),),
     laws=(
         Law(
             "At every covered pixel the triangle with the least z wins.",
@@ -100,6 +103,10 @@ ENTRY = Entry(
         Law(
             "Along a scan line z changes by −A/C from pixel to pixel, and up an edge by −(A/m + B)/C.",
             "visibility/test_device_plane.py::test_z_changes_along_a_scan_line_and_up_an_edge_as_the_plane_says",
+        ),
+        Law(
+            "Whole pictures are drawn tile by tile and in bands of rows, each pixel and depth the same.",
+            "rendering/test_triangles.py::test_in_bands_the_picture_is_that_of_the_text",
         ),
     ),
     not_laws=(

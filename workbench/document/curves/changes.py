@@ -11,11 +11,11 @@ from workbench.language import _
 
 def curve_with(document: Document, figure: str) -> Curve:
     """The curve with this id; raises DocumentError."""
-    found = figure_with(document, figure)[1]
-    if not isinstance(found, Curve):
+    curve = figure_with(document, figure)[1]
+    if not isinstance(curve, Curve):
         sentence = _("Figure {id!r} is not a curve; choose a curve.")
         raise DocumentError(figure, sentence.format(id=figure))
-    return found
+    return curve
 
 
 def changing(figure: str, change: Callable[[Curve], Curve]) -> Edit:

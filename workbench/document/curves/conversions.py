@@ -139,7 +139,7 @@ def _as_b_spline(curve: Curve, spline: str, tolerance: float) -> tuple[Curve, fl
         rows = np.vstack([rows, pieces.controls[-1, -1:]])
         values = np.concatenate([values[:1], values, values[-1:]])
     ids = _ids_at(curve, rows, 0.0)
-    made = replace(
+    path = replace(
         curve,
         points_world=tuple(CurvePoint(name, *_pair(row)) for name, row in zip(ids, rows, strict=True)),
         spline=spline,
@@ -148,7 +148,7 @@ def _as_b_spline(curve: Curve, spline: str, tolerance: float) -> tuple[Curve, fl
         knot_rule="free",
         knots=tuple(Knot("", float(u)) for u in values),
     )
-    return made, error
+    return path, error
 
 
 def _as_hermite(curve: Curve, tolerance: float) -> tuple[Curve, float]:

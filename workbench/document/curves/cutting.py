@@ -119,23 +119,23 @@ def _with_knot(curve: Curve, u: float) -> Curve:
     knots, degree, count = knots_of(curve), curve.degree, len(curve.points_world)
     pieces = pieces_of(curve)
     place_of(pieces.knots, u)
-    made = rows_of(curve)
+    opened = rows_of(curve)
     if curve.closed:
         period, turn = period_of(curve), middle_turn(curve)
         u = u if u < knots[-1] else float(knots[0])
         span = int(np.searchsorted(knots, u, side="right")) - 1
         for k in range(turns_of(curve)):
-            made = _one_more(made, u + k * period)
-        made = one_turn(curve, made, degree + turn * (count + 1), count + 1)
+            opened = _one_more(opened, u + k * period)
+        opened = one_turn(curve, opened, degree + turn * (count + 1), count + 1)
         new = min(span + 1 + degree // 2, count)
     else:
         span = min(int(np.searchsorted(knots, u, side="right")) - 1, count - 1)
-        made = _one_more(made, u)
+        opened = _one_more(opened, u)
         new = span - degree + 1 + degree // 2
     points: list[CurvePoint | None] = [*curve.points_world[:new], None, *curve.points_world[new:]]
     old: list[Knot | None] = [*curve.knots] if curve.knots else [None] * len(knots)
     old.insert(span + 1, None)
-    return with_rows(curve, made, points, old)
+    return with_rows(curve, opened, points, old)
 
 
 def _one_more(made: Rows, u: float) -> Rows:
@@ -214,12 +214,12 @@ def _halves(curve: Curve, v: float) -> tuple[Curve, Curve]:
     names[0] += [""] * (len(first) - len(names[0]))
     rest = [p.id for p in points[len(first) // 2 :]][-(len(second) - 1) :]
     names[1] = [""] * (len(second) - len(rest)) + rest
-    made = [
+    halves = [
         tuple(CurvePoint(name, *_at(row)) for name, row in zip(known, rows, strict=True))
         for known, rows in zip(names, (first, second), strict=True)
     ]
     bare = replace(curve, closed=False, knot_rule="open_uniform", knots=())
-    return replace(bare, points_world=made[0]), replace(bare, points_world=made[1])
+    return replace(bare, points_world=halves[0]), replace(bare, points_world=halves[1])
 
 
 def _cut(curve: Curve, u: float) -> tuple[Curve, Curve | None]:

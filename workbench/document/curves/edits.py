@@ -66,11 +66,11 @@ __all__ = [
 
 def _by_figure(addresses: Iterable[Address | str]) -> dict[str, list[str]]:
     """Ids of points, or knots, by the figure that they are on."""
-    found: dict[str, list[str]] = {}
+    by_figure: dict[str, list[str]] = {}
     for text in addresses:
         where = parse(text)
-        found.setdefault(where.figure, []).append(where.point)
-    return found
+        by_figure.setdefault(where.figure, []).append(where.point)
+    return by_figure
 
 
 @checked
@@ -79,14 +79,14 @@ def move_curve_points(points: Mapping[Address | str, tuple[float, float]]) -> Ed
 
     An address names its point, whatever its attribute. See ``curve_paths.with_followers``.
     """
-    wanted: dict[str, Places] = {}
+    by_figure: dict[str, Places] = {}
     for text, (x, y) in points.items():
         where = parse(text)
-        wanted.setdefault(where.figure, {})[where.point] = (number(x), number(y))
+        by_figure.setdefault(where.figure, {})[where.point] = (number(x), number(y))
 
     def edit(document: Document) -> Document:
         return with_changed(
-            document, [moved_points(curve_with(document, figure), wanted[figure]) for figure in wanted]
+            document, [moved_points(curve_with(document, figure), by_figure[figure]) for figure in by_figure]
         )
 
     return edit
@@ -163,11 +163,11 @@ def remove_points(addresses: Iterable[Address | str]) -> Edit:
 
     On a path a point takes its handles with it, and a handle alone is drawn into its point.
     """
-    wanted = _by_figure(addresses)
+    by_figure = _by_figure(addresses)
 
     def edit(document: Document) -> Document:
         after = document
-        for figure, points in wanted.items():
+        for figure, points in by_figure.items():
             curve = curve_with(document, figure)
             for point in points:
                 point_with(curve, point)
@@ -202,11 +202,12 @@ def set_joint(addresses: Iterable[Address | str], joint: str) -> Edit:
 
     An address of a handle means its point.
     """
-    wanted = _by_figure(addresses)
+    by_figure = _by_figure(addresses)
 
     def edit(document: Document) -> Document:
         return with_changed(
-            document, [joints_made(curve_with(document, f), points, joint)[0] for f, points in wanted.items()]
+            document,
+            [joints_made(curve_with(document, f), points, joint)[0] for f, points in by_figure.items()],
         )
 
     return edit

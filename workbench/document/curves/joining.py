@@ -221,17 +221,17 @@ def aligned(curve: Curve, points: Iterable[str], how: str) -> dict[str, Place]:
 @checked
 def align(addresses: Iterable[Address | str], how: str) -> Edit:
     """Align control points of one curve: left, centre, right (in x), bottom, middle, top (in y)."""
-    wanted = [parse(text) for text in addresses]
+    chosen = [parse(text) for text in addresses]
 
     def edit(document: Document) -> Document:
-        if not wanted:
+        if not chosen:
             return document
-        curve = curve_with(document, wanted[0].figure)
+        curve = curve_with(document, chosen[0].figure)
         try:
-            places = aligned(curve, [where.point for where in wanted], how)
+            places = aligned(curve, [where.point for where in chosen], how)
         except ValueError as problem:
             raise DocumentError(curve.id, str(problem)) from problem
-        return move_curve_points({_address(wanted[0], point): at for point, at in places.items()})(document)
+        return move_curve_points({_address(chosen[0], point): at for point, at in places.items()})(document)
 
     return edit
 

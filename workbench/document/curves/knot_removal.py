@@ -74,21 +74,21 @@ def without_knot(curve: Curve, index: int) -> tuple[Curve, float]:
         curve, index = _begun_before(curve), (index + 1) % len(curve.knots)
     knots, rational = knots_of(curve), curve.spline == "nurbs"
     last = int(np.searchsorted(knots, u, side="right")) - 1
-    made = rows_of(curve)
+    rows = rows_of(curve)
     for turn in range(turns_of(curve) if curve.closed else 1):
         at = u + turn * period_of(curve) if curve.closed else u
-        less = curves.remove_knot(made.rows, made.knots, made.degree, at, rational=rational)
-        made = Rows(less.points, less.knots, made.degree)
+        less = curves.remove_knot(rows.rows, rows.knots, rows.degree, at, rational=rational)
+        rows = Rows(less.points, less.knots, rows.degree)
     points, kept = [*curve.points_world], [*curve.knots]
     gone = last - curve.degree + curve.degree // 2
     if curve.closed:
         count = len(points) - 1
-        made = one_turn(curve, made, curve.degree + middle_turn(curve) * count, count)
+        rows = one_turn(curve, rows, curve.degree + middle_turn(curve) * count, count)
         gone = min(last + curve.degree // 2, count)
-    if rational and made.rows[:, -1].min() <= 0.0:
+    if rational and rows.rows[:, -1].min() <= 0.0:
         return curve, math.inf
     del points[gone], kept[index]
-    left = with_rows(curve, made, [*points], [*kept])
+    left = with_rows(curve, rows, [*points], [*kept])
     # Put in again, the knot gives points whose distance from the old ones bounds that of the curves.
     before, after = rows_of(curve).rows, rows_of(inserted(left, u)).rows
     return left, curves.gap_between(before, after, rational)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces
 from workbench.document.model import NEIGHBOUR_SPLINES, Curve
+from workbench.geometry.curves.kochanek_bartels import Signed
 from workbench.geometry.curves.sections import Ends
 from workbench.language import _
 
@@ -55,8 +56,8 @@ def knots_of(curve: Curve) -> Array:
     count = len(curve.points_world)
     if curve.closed:
         return np.arange(count + 1.0)
-    made = curves.uniform_knots if curve.knot_rule == "uniform" else curves.open_uniform_knots
-    return made(count, curve.degree)
+    rule = curves.uniform_knots if curve.knot_rule == "uniform" else curves.open_uniform_knots
+    return rule(count, curve.degree)
 
 
 def b_spline_of(curve: Curve) -> tuple[Array, Array, Array]:
@@ -111,7 +112,9 @@ def pieces_of(curve: Curve, spline: str = "") -> Pieces:
         case "catmull_rom":
             return curves.catmull_rom(points, curve.alpha, ends)
         case _:
-            return curves.kochanek_bartels(points, curve.tension, curve.continuity, curve.bias, ends)
+            signed_by: Signed = "paper" if curve.continuity_sign == "paper" else "book"
+            shape = curve.tension, curve.continuity, curve.bias
+            return curves.kochanek_bartels(points, *shape, ends, signed_by)
 
 
 def _refuse_degree(degree: int) -> None:
@@ -142,10 +145,10 @@ def _b_spline_pieces(controls: Array, knots: Array, degree: int) -> Pieces:
             continue
         if not np.array_equal(before.knots, knots):
             continue
-        found = _made_anew(before, controls)
-        if found is not None:
-            _made.append(_Made(controls, knots, degree, found))
-            return found
+        moved = _made_anew(before, controls)
+        if moved is not None:
+            _made.append(_Made(controls, knots, degree, moved))
+            return moved
     pieces = curves.b_spline_to_bezier(controls, knots, degree)
     if len(controls) >= _WORTH_KEEPING:
         _made.append(_Made(controls, knots, degree, pieces))
@@ -163,9 +166,9 @@ def _made_anew(before: _Made, controls: Array) -> Pieces | None:
         return None
     part = curves.b_spline_to_bezier(controls[low:high], knots[low : high + degree + 1], degree)
     first = int(np.count_nonzero(np.diff(knots[degree : low + degree + 1]) > 0))
-    made = before.pieces.controls.copy()
-    made[first : first + len(part.controls)] = part.controls
-    return Pieces(before.pieces.knots, made)
+    moved_controls = before.pieces.controls.copy()
+    moved_controls[first : first + len(part.controls)] = part.controls
+    return Pieces(before.pieces.knots, moved_controls)
 
 
 def _bezier(controls: Array, knots: Array) -> Pieces:

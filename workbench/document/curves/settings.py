@@ -39,15 +39,15 @@ def _with_tangents(curve: Curve) -> Curve:
     needs = any(kind in TANGENT_SPLINES for kind in (curve.spline, *curve.beside))
     if not needs or len(points) < 2 or any(p.tangent_x or p.tangent_y for p in points):
         return curve
-    made = []
+    with_tangents = []
     for index, point in enumerate(points):
         if curve.closed:
             a, b, share = points[index - 1], points[(index + 1) % len(points)], 2.0
         else:
             low, high = max(index - 1, 0), min(index + 1, len(points) - 1)
             a, b, share = points[low], points[high], float(high - low)
-        made.append(replace(point, tangent_x=(b.x - a.x) / share, tangent_y=(b.y - a.y) / share))
-    return replace(curve, points_world=tuple(made))
+        with_tangents.append(replace(point, tangent_x=(b.x - a.x) / share, tangent_y=(b.y - a.y) / share))
+    return replace(curve, points_world=tuple(with_tangents))
 
 
 @checked
@@ -88,14 +88,14 @@ def set_knot(address: Address | str, u: float) -> Edit:
 @checked
 def set_weights(weights: Mapping[Address | str, float]) -> Edit:
     """Give control points weights, above 0, which a NURBS curve is pulled by."""
-    wanted: dict[str, dict[str, float]] = {}
+    by_figure: dict[str, dict[str, float]] = {}
     for text, weight in weights.items():
         where = parse(text)
-        wanted.setdefault(where.figure, {})[where.point] = number(weight)
+        by_figure.setdefault(where.figure, {})[where.point] = number(weight)
 
     def edit(document: Document) -> Document:
         new = []
-        for figure, of_points in wanted.items():
+        for figure, of_points in by_figure.items():
             curve = curve_with(document, figure)
             for point in of_points:
                 point_with(curve, point)

@@ -178,9 +178,9 @@ def _handle_moves(curve: Curve, index: int, kind: str) -> Places:
     if kind == "G2":
         turned = joint_moves(curve, index, "smooth")
         one, other = (np.array(turned.get(points[i].id, place(points[i]))) for i in (before, after))
-        found = _bent(here, one, other, far, beyond)
-        if found is not None:
-            return _if_moved(curve, {points[before].id: found[0], points[after].id: found[1]})
+        bent = _bent(here, one, other, far, beyond)
+        if bent is not None:
+            return _if_moved(curve, {points[before].id: bent[0], points[after].id: bent[1]})
         kind = "C2"
     arm = arms[kind]()
     return _if_moved(curve, {points[before].id: here - arm, points[after].id: here + arm})
@@ -220,14 +220,14 @@ def _least_moves(curve: Curve, joint: int, order: int) -> Places:
 
     The pieces are made of the points by a matrix, and so are the jumps of their derivatives.
     """
-    made = _matrix(curve)
-    lengths = np.diff(made.knots)
-    one, other = made.controls[joint], made.controls[(joint + 1) % len(made.controls)]
+    matrix = _matrix(curve)
+    lengths = np.diff(matrix.knots)
+    one, other = matrix.controls[joint], matrix.controls[(joint + 1) % len(matrix.controls)]
     ends = lengths[joint], lengths[(joint + 1) % len(lengths)]
     jumps = []
     factor = 1.0
-    for k in range(1, min(order, made.degree) + 1):
-        factor *= made.degree + 1 - k
+    for k in range(1, min(order, matrix.degree) + 1):
+        factor *= matrix.degree + 1 - k
         left, right = (
             np.diff(one, n=k, axis=0)[-1] / ends[0] ** k,
             np.diff(other, n=k, axis=0)[0] / ends[1] ** k,
@@ -236,7 +236,9 @@ def _least_moves(curve: Curve, joint: int, order: int) -> Places:
     conditions, points = np.array(jumps), points_of(curve)
     missing = -conditions @ points
     change = np.linalg.lstsq(conditions, missing, rcond=1e-10)[0]
-    if order > made.degree or not np.allclose(conditions @ (points + change), 0.0, atol=1e-9 * _size(curve)):
+    if order > matrix.degree or not np.allclose(
+        conditions @ (points + change), 0.0, atol=1e-9 * _size(curve)
+    ):
         raise ValueError(_("With this degree the joint cannot be made that smooth; raise the degree first."))
     wanted = {point.id: points[i] + change[i] for i, point in enumerate(curve.points_world)}
     return _if_moved(curve, wanted)

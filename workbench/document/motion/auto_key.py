@@ -34,8 +34,8 @@ def auto_key(edit: Edit, sheet: str, frame: int, new_tracks: bool = True) -> Edi
     def keyed(document: Document) -> Document:
         base = sheet_with(document, sheet)
         seen = at(base, frame)
-        shown = with_sheet(document, seen)
-        after = edit(shown)
+        moved = with_sheet(document, seen)
+        after = edit(moved)
         result = next((other for other in after.sheets if other.id == sheet), None)
         if result is None or (seen is base and not new_tracks):
             return after
@@ -45,7 +45,7 @@ def auto_key(edit: Edit, sheet: str, frame: int, new_tracks: bool = True) -> Edi
             target for target in tracked if target.split("/")[0] in touched or target.startswith(CAMERA)
         ]
         if new_tracks:
-            targets += _new_targets(result, changed(shown, after), tracked)
+            targets += _new_targets(result, changed(moved, after), tracked)
         done = with_sheet(after, _as_it_stands(base, seen, result, touched, targets))
         for target in targets:
             before, now = group_of(seen, target), group_of(result, target)

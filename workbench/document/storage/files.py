@@ -246,10 +246,10 @@ def sound_blobs(blobs: Mapping[str, bytes]) -> dict[str, bytes]:
 
 
 def _malformed(data: bytes, message: str) -> DocumentError:
-    found = re.search(r"\(byte (\d+)\)", message)
-    if found is None:
+    offset = re.search(r"\(byte (\d+)\)", message)
+    if offset is None:
         return _broken(data, len(data), _("breaks off"))
-    at = int(found.group(1))
+    at = int(offset.group(1))
     around = data[max(0, at - 1) : at + _LONGEST_CONSTANT]
     constant = re.match(rb"-?(NaN|Infinity)", around.lstrip(b" :[,\n")) or re.match(
         rb"-?(NaN|Infinity)", data[at : at + _LONGEST_CONSTANT]
@@ -300,10 +300,10 @@ def _translated(message: str) -> DocumentError:
     kinds = _kinds()
     wrong = re.fullmatch(r"Expected `([^`]*)`, got `([^`]*)`.*", what, re.DOTALL)
     if wrong:
-        wanted = _(" or ").join(kinds.get(kind, kind) for kind in wrong.group(1).split(" | "))
+        kinds_wanted = _(" or ").join(kinds.get(kind, kind) for kind in wrong.group(1).split(" | "))
         got = kinds.get(wrong.group(2), wrong.group(2))
         problem = _("is {got} where {wanted} belongs; correct it in the file or open another copy")
-        return refuse(field or "document", problem.format(got=got, wanted=wanted))
+        return refuse(field or "document", problem.format(got=got, wanted=kinds_wanted))
     problem = _("is not right ({what}); correct it in the file or open another copy")
     return refuse(
         field or "document", problem.format(what=legible(what[0].lower() + what[1:], _LONGEST_REASON))

@@ -98,11 +98,11 @@ def extend(figures: Iterable[str], link: AnyLink) -> Edit:
     """Let ``link`` act last on figures: in the last link that is on, where that is of its kind and about the
     same pivot, so that a drag leaves one link and not hundreds; else as a new one.
     """
-    wanted = tuple(dict.fromkeys(figures))
+    chosen = tuple(dict.fromkeys(figures))
 
     def edit(document: Document) -> Document:
         longer = replace(plain(link), id="")
-        return _with_new(document, [_extended(figure, longer) for figure in figures_with(document, wanted)])
+        return _with_new(document, [_extended(figure, longer) for figure in figures_with(document, chosen)])
 
     return edit
 
@@ -145,8 +145,8 @@ class Applied(NamedTuple):
 
 def apply_matrix(figures: Iterable[str], matrix: Matrix) -> Edit:
     """Transform figures, as they are seen, by an affine matrix (3, 3); see ``applied``."""
-    wanted = tuple(figures)
-    return lambda document: applied(document, wanted, matrix).document
+    chosen = tuple(figures)
+    return lambda document: applied(document, chosen, matrix).document
 
 
 def applied(document: Document, figures: Iterable[str], matrix: Matrix) -> Applied:
@@ -219,10 +219,10 @@ def _with_points_moved(figure: AnyFigure, chosen: set[str], matrix: Matrix) -> A
 @checked
 def remove_transforms(figures: Iterable[str]) -> Edit:
     """Take figures out of their chains, so that they are seen where their points are."""
-    wanted = tuple(dict.fromkeys(figures))
+    chosen = tuple(dict.fromkeys(figures))
 
     def edit(document: Document) -> Document:
-        chained = [figure for figure in figures_with(document, wanted) if figure.transforms]
+        chained = [figure for figure in figures_with(document, chosen) if figure.transforms]
         bare = [_with_chain(figure, ()) for figure in chained]
         return remembering(document, with_changed(document, bare)) if bare else document
 
@@ -231,8 +231,8 @@ def remove_transforms(figures: Iterable[str]) -> Edit:
 
 def bake(figures: Iterable[str]) -> Edit:
     """Let the points of figures be where their chains take them, without the chains; see ``baked``."""
-    wanted = tuple(figures)
-    return lambda document: baked(document, wanted).document
+    chosen = tuple(figures)
+    return lambda document: baked(document, chosen).document
 
 
 def baked(document: Document, figures: Iterable[str]) -> Applied:

@@ -74,12 +74,12 @@ def products(of: list[Stage]) -> list[Matrix]:
 
     Every cell is added from the left, as the text that is stepped adds it, so that both show the same.
     """
-    made: list[Matrix] = []
+    matrices: list[Matrix] = []
     with np.errstate(over="ignore", invalid="ignore"):
         for stage in of:
             matrix = stage.elementary.matrix
-            made.append(_times(matrix, made[-1]) if made else matrix)
-    return made
+            matrices.append(_times(matrix, matrices[-1]) if matrices else matrix)
+    return matrices
 
 
 def _times(a: Matrix, b: Matrix) -> Matrix:

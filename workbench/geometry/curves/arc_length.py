@@ -99,8 +99,8 @@ def one_way(controls: Array) -> NDArray[np.bool_]:
     mean = tops.sum(axis=-1, keepdims=True)
     along = (tops * mean).sum(axis=1).min(axis=-1)
     fastest = np.sqrt((tops * tops).sum(axis=1)).max(axis=-1)
-    found: NDArray[np.bool_] = along >= _SLOWEST * fastest * np.sqrt((mean[..., 0] ** 2).sum(axis=-1))
-    return found
+    moving: NDArray[np.bool_] = along >= _SLOWEST * fastest * np.sqrt((mean[..., 0] ** 2).sum(axis=-1))
+    return moving
 
 
 @cache
@@ -116,8 +116,8 @@ def _gauss_points() -> tuple[Array, Array]:
 def length_up_to(controls: Array, end: Array) -> Array:
     """The lengths (r,) of curves (r, n+1, k+1) from 0 to each ``end`` (r,), or to one for all (1,)."""
     nodes, shares = _gauss_points()
-    found: Array = end * (speeds_of(controls, end[:, None] * nodes) @ shares)
-    return found
+    length: Array = end * (speeds_of(controls, end[:, None] * nodes) @ shares)
+    return length
 
 
 def speeds_of(controls: Array, v: Array) -> Array:

@@ -25,8 +25,8 @@ def knot_spans(knots: ArrayLike, degree: int, u: ArrayLike) -> NDArray[np.int64]
         sentence = f"u = {where[~inside].flat[0]:g} is outside the curve, {t[degree]:g} to {t[count]:g}"
         raise ValueError(f"{sentence}; choose it inside.")
     last = int(np.searchsorted(t, t[count], side="left")) - 1
-    found: NDArray[np.int64] = np.minimum(np.searchsorted(t, where, side="right") - 1, last)
-    return found
+    spans: NDArray[np.int64] = np.minimum(np.searchsorted(t, where, side="right") - 1, last)
+    return spans
 
 
 def basis_functions(
@@ -92,5 +92,5 @@ def _point(
     controls = np.asarray(points, float)
     refuse(faults(controls, knots, degree, weights))
     spans, values = basis_functions(knots, degree, u, weights)
-    found: Array = (values[..., None] * controls[_numbers(spans, degree)]).sum(axis=-2)
-    return found
+    total: Array = (values[..., None] * controls[_numbers(spans, degree)]).sum(axis=-2)
+    return total

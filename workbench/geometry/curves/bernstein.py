@@ -35,8 +35,8 @@ def bernstein(degree: int, u: ArrayLike) -> Array:
 def bezier_point(points: ArrayLike, u: ArrayLike) -> Array:
     """The points of a Bézier curve at each u: (..., k). Raises: ValueError for fewer than two points."""
     controls = _checked(points)
-    found: Array = bernstein(len(controls) - 1, u) @ controls
-    return found
+    there: Array = bernstein(len(controls) - 1, u) @ controls
+    return there
 
 
 def subdivide(points: ArrayLike, u: float) -> tuple[Array, Array]:
@@ -56,8 +56,8 @@ def elevate_degree(points: ArrayLike) -> Array:
     share = np.arange(len(controls) + 1)[:, None] / len(controls)
     before = np.vstack([controls[:1], controls])
     after = np.vstack([controls, controls[-1:]])
-    found: Array = share * before + (1.0 - share) * after
-    return found
+    elevated: Array = share * before + (1.0 - share) * after
+    return elevated
 
 
 def _checked(points: ArrayLike) -> Array:

@@ -35,8 +35,8 @@ def b_spline_to_bezier(points: ArrayLike, knots: ArrayLike, degree: int) -> Piec
     left, right = t[spans, None], t[spans + 1, None]
     turned = np.arange(degree) >= degree - np.arange(degree + 1)[:, None]
     us = np.where(turned, right[:, None], left[:, None]).reshape(-1, degree)
-    found = blossom(controls, t, degree, np.repeat(spans, degree + 1), us)
-    return Pieces(np.append(left[:, 0], right[-1]), found.reshape(len(spans), degree + 1, -1))
+    polar = blossom(controls, t, degree, np.repeat(spans, degree + 1), us)
+    return Pieces(np.append(left[:, 0], right[-1]), polar.reshape(len(spans), degree + 1, -1))
 
 
 def elevate_b_spline(points: ArrayLike, knots: ArrayLike, degree: int) -> tuple[Array, Array]:

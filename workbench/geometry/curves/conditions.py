@@ -29,23 +29,23 @@ def faults(
     Args: points (n, k); knots (m,) and degree of a B-spline; weights (n,); the least number of points.
     """
     shape = np.asarray(points, float)
-    found = []
+    faulty = []
     if shape.ndim != 2:
-        found.append(Fault("points", -1, "The points are not rows of coordinates; give each its x and y."))
-        return found
+        faulty.append(Fault("points", -1, "The points are not rows of coordinates; give each its x and y."))
+        return faulty
     for i in np.flatnonzero(~np.isfinite(shape).all(axis=1)):
-        found.append(Fault("points", int(i), f"Point {i} is not finite; give it numbers."))
+        faulty.append(Fault("points", int(i), f"Point {i} is not finite; give it numbers."))
     least = max(least, (degree or 0) + 1)
     if len(shape) < least:
         sentence = f"There are {len(shape)} points, and {least} are needed; add {least - len(shape)}."
-        found.append(Fault("points", -1, sentence))
+        faulty.append(Fault("points", -1, sentence))
     if degree is not None and degree < 1:
-        found.append(Fault("degree", -1, f"The degree is {degree}; it must be 1 or more."))
+        faulty.append(Fault("degree", -1, f"The degree is {degree}; it must be 1 or more."))
     if weights is not None:
-        found += _weight_faults(np.asarray(weights, float), len(shape))
+        faulty += _weight_faults(np.asarray(weights, float), len(shape))
     if knots is not None and degree is not None:
-        found += _knot_faults(np.asarray(knots, float), len(shape), degree)
-    return found
+        faulty += _knot_faults(np.asarray(knots, float), len(shape), degree)
+    return faulty
 
 
 def refuse(found: list[Fault]) -> None:
@@ -75,7 +75,7 @@ def _knot_faults(knots: NDArray[np.float64], count: int, degree: int) -> list[Fa
     ]
     if unbounded:
         return unbounded
-    found = [
+    faulty = [
         Fault(
             "knots",
             int(i) + 1,
@@ -83,7 +83,7 @@ def _knot_faults(knots: NDArray[np.float64], count: int, degree: int) -> list[Fa
         )
         for i in np.flatnonzero(np.diff(knots) < 0)
     ]
-    if not found and 1 <= degree < count and knots[degree] == knots[count]:
+    if not faulty and 1 <= degree < count and knots[degree] == knots[count]:
         sentence = f"Knots {degree} and {count}, where the curve begins and ends, are equal; part them."
-        found.append(Fault("knots", count, sentence))
-    return found
+        faulty.append(Fault("knots", count, sentence))
+    return faulty

@@ -73,5 +73,5 @@ def _bounds(whole: Array, cubics: Array) -> Array:
     points, weights = whole[..., :-1], whole[..., -1:]
     flat = np.ones((len(whole), 4, 1))
     apart = product(points, flat) - product(cubics, weights)
-    found: Array = lengths(apart / product(weights, flat)).max(axis=1)
-    return found
+    errors: Array = lengths(apart / product(weights, flat)).max(axis=1)
+    return errors

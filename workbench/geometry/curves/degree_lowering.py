@@ -55,14 +55,14 @@ def lower_b_spline(points: ArrayLike, knots: ArrayLike, degree: int) -> tuple[Ar
     us = (pieces.knots[:-1, None] + np.diff(pieces.knots)[:, None] * nodes).ravel()
     us = np.minimum(us, pieces.knots[-1])
     basis = basis_table(fewer, lower, us)
-    wanted = basis_table(t, degree, us) @ controls
+    sampled = basis_table(t, degree, us) @ controls
     free = np.ones(basis.shape[1], bool)
     found = np.zeros((basis.shape[1], controls.shape[1]))
     for end, at in ((0, 0), (-1, -1)):
         if np.isclose(basis[at, end], 1.0, rtol=0, atol=1e-12):
-            found[end], free[end] = wanted[at], False
+            found[end], free[end] = sampled[at], False
     if free.any():
-        rest = wanted - basis[:, ~free] @ found[~free]
+        rest = sampled - basis[:, ~free] @ found[~free]
         found[free] = np.linalg.lstsq(basis[:, free], rest, rcond=None)[0]
     lowered = b_spline_to_bezier(found, fewer, lower)
     apart = pieces.controls - product(lowered.controls, np.ones((len(lowered.controls), 2, 1)))
@@ -73,8 +73,8 @@ def _fewer_knots(knots: Array, degree: int) -> Array:
     """The knots without the outer two, each between the ends of the curve once less, but once at least."""
     values, counts = np.unique(knots[1:-1], return_counts=True)
     inside = (values > knots[degree]) & (values < knots[len(knots) - degree - 1])
-    found: Array = np.repeat(values, np.where(inside, np.maximum(counts - 1, 1), counts))
-    return found
+    repeated: Array = np.repeat(values, np.where(inside, np.maximum(counts - 1, 1), counts))
+    return repeated
 
 
 def _unraised(raised: Array) -> Array:

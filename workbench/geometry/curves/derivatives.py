@@ -25,9 +25,9 @@ def derivatives(pieces: Pieces, u: ArrayLike, order: int = 1) -> Array:
     if order < 0:
         raise ValueError(f"The order is {order}; it must be 0 or more.")
     number, v, length = located(pieces.knots, u)
-    found = derivatives_within(pieces, number, v, order)
+    by_order = derivatives_within(pieces, number, v, order)
     powers: Array = length ** np.arange(order + 1).reshape(-1, *[1] * length.ndim)
-    return found / powers[..., None]
+    return by_order / powers[..., None]
 
 
 def derivatives_within(pieces: Pieces, number: NDArray[np.intp], v: Array, order: int) -> Array:
@@ -57,26 +57,26 @@ def local_derivatives(controls: Array, weights: Array | None, v: ArrayLike, orde
     whole = _polynomial(
         np.concatenate([lifted, np.broadcast_to(weights, pulls.shape)[..., None]], -1), where, order
     )
-    found = np.zeros((order + 1, *to_curve.shape))
+    by_order = np.zeros((order + 1, *to_curve.shape))
     weight = whole[..., -1:]
     for r in range(1, order + 1):
         rest = whole[r, ..., :-1]
         for i in range(1, r):
-            rest = rest - math.comb(r, i) * weight[i] * found[r - i]
-        found[r] = rest / weight[0]
-    found[0] = heavy[..., 0, :] + to_curve
-    return found
+            rest = rest - math.comb(r, i) * weight[i] * by_order[r - i]
+        by_order[r] = rest / weight[0]
+    by_order[0] = heavy[..., 0, :] + to_curve
+    return by_order
 
 
 def _polynomial(controls: Array, v: Array, order: int) -> Array:
     """The derivatives by v of plain Bézier curves."""
     degree = controls.shape[-2] - 1
     shape = (*np.broadcast_shapes(controls.shape[:-2], v.shape), controls.shape[-1])
-    found = np.zeros((order + 1, *shape))
+    by_order = np.zeros((order + 1, *shape))
     for r in range(min(order, degree) + 1):
-        found[r] = np.einsum("...i,...ik->...k", bernstein(degree - r, v), controls)
+        by_order[r] = np.einsum("...i,...ik->...k", bernstein(degree - r, v), controls)
         controls = (degree - r) * np.diff(controls, axis=-2)
-    return found
+    return by_order
 
 
 def piece_derivative(pieces: Pieces) -> Pieces:

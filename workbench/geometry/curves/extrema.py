@@ -43,10 +43,10 @@ def extrema(pieces: Pieces) -> list[tuple[float, int, Array]]:
     Corners between pieces count too, and so do both ends where a curve that ends where it began turns there.
     """
     kept = with_length(pieces)
-    found = []
+    turning = []
     for axis, u in enumerate(_turns(kept)):
-        found += [(float(at), axis, point) for at, point in zip(u, piece_points(kept, u), strict=True)]
-    return sorted(found, key=lambda turn: turn[:2])
+        turning += [(float(at), axis, point) for at, point in zip(u, piece_points(kept, u), strict=True)]
+    return sorted(turning, key=lambda turn: turn[:2])
 
 
 def meets_itself(pieces: Pieces) -> bool:
@@ -59,5 +59,5 @@ def _turns(pieces: Pieces) -> list[Array]:
     """For each axis the u (n,) of its extrema."""
     tops, sizes = derivative_numerator(pieces.controls, pieces.weights)
     closed = meets_itself(pieces)
-    found = [sign_changes(tops[:, axis], sizes[:, axis], closed) for axis in range(tops.shape[1])]
-    return [pieces.u_at(rows, v) for rows, v in found]
+    turning = [sign_changes(tops[:, axis], sizes[:, axis], closed) for axis in range(tops.shape[1])]
+    return [pieces.u_at(rows, v) for rows, v in turning]

@@ -33,16 +33,16 @@ def balanced(whole: Array) -> Array:
     Between ends of very unequal weights a curve runs through nearly everything near one of them; balanced,
     half of u is about half of the curve.
     """
-    found: Array = whole * evening(whole[..., -1])[..., None]
-    return found
+    evened: Array = whole * evening(whole[..., -1])[..., None]
+    return evened
 
 
 def evening(weights: Array) -> Array:
     """What the weights (m, n+1) of pieces are multiplied by to balance them: 1 at both ends of each."""
     first, last = weights[:, :1], weights[:, -1:]
     share = np.arange(weights.shape[1]) / max(weights.shape[1] - 1, 1)
-    found: Array = (first / last) ** share / first
-    return found
+    ratio: Array = (first / last) ** share / first
+    return ratio
 
 
 def halves(whole: Array) -> Array:

@@ -41,15 +41,15 @@ def parameters(count: int, knots: ArrayLike | None, strictly: bool = False) -> A
     if knots is None:
         return np.arange(count, dtype=float)
     t = np.asarray(knots, float)
-    found: list[Fault] = []
+    faulty: list[Fault] = []
     if t.shape != (count,) or not np.isfinite(t).all():
-        found.append(Fault("knots", -1, f"{t.size} knots for {count} points; give each point one, finite."))
+        faulty.append(Fault("knots", -1, f"{t.size} knots for {count} points; give each point one, finite."))
     else:
         steps = np.diff(t)
         for i in np.flatnonzero((steps < 0) | (strictly & (steps == 0))):
             what = f"Knot {i + 1} is {t[i + 1]:g}, after {t[i]:g}; raise it"
-            found.append(
+            faulty.append(
                 Fault("knots", int(i) + 1, f"{what}, or part the points." if strictly else f"{what}.")
             )
-    refuse(found)
+    refuse(faulty)
     return t

@@ -71,8 +71,8 @@ def _of_rational(pieces: Pieces) -> tuple[Array, Array]:
     assert pieces.weights is not None
     pulls, large = pieces.weights.T, np.abs(pieces.controls).max(axis=(1, 2))
     above, below = binomials(degree), binomials(3 * degree - 6)
-    found = np.zeros((len(pieces.controls), 3 * degree - 5))
-    sizes = np.zeros_like(found)
+    bends = np.zeros((len(pieces.controls), 3 * degree - 5))
+    sizes = np.zeros_like(bends)
     for i in range(degree + 1):
         for j in range(i + 1, degree + 1):
             leg = controls[j] - controls[i]
@@ -81,12 +81,12 @@ def _of_rational(pieces: Pieces) -> tuple[Array, Array]:
                 apart = (j - i) * (k - i) * (k - j) / below[at]
                 share = apart * math.prod(above[[i, j, k]].tolist()) * pulls[i] * pulls[j] * pulls[k]
                 other = controls[k] - controls[i]
-                found[:, at] += share * _cross(leg, other)
+                bends[:, at] += share * _cross(leg, other)
                 sizes[:, at] += share * large * (np.abs(leg) + np.abs(other)).max(axis=1)
-    return found, sizes
+    return bends, sizes
 
 
 def _cross(one: Array, other: Array) -> Array:
     """The cross product of vectors (m, 2)."""
-    found: Array = one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
-    return found
+    cross: Array = one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
+    return cross

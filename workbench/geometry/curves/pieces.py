@@ -60,8 +60,8 @@ def points_within(pieces: Pieces, number: NDArray[np.intp], v: Array) -> Array:
     if pieces.weights is not None:
         pulls = basis * pieces.weights[number]
         basis = pulls / pulls.sum(axis=-1, keepdims=True)
-    found: Array = np.einsum("...i,...ik->...k", basis, pieces.controls[number])
-    return found
+    there: Array = np.einsum("...i,...ik->...k", basis, pieces.controls[number])
+    return there
 
 
 def with_length(pieces: Pieces) -> Pieces:

@@ -40,8 +40,8 @@ def _largest_bend(controls: Array) -> Array:
     if controls.shape[1] < 3:
         return np.zeros(len(controls))
     bends = np.diff(controls, n=2, axis=1)
-    found: Array = np.sqrt((bends * bends).sum(axis=-1)).max(axis=1)
-    return found
+    bend: Array = np.sqrt((bends * bends).sum(axis=-1)).max(axis=1)
+    return bend
 
 
 def polyline(pieces: Pieces, tolerance: float) -> Array:

@@ -32,13 +32,13 @@ def wronskian(degree: int, term: Callable[[int, int], Array]) -> Array:
     one Bernstein polynomial of degree q = 2 degree - 2.
     """
     above, below = binomials(degree), binomials(2 * degree - 2)
-    found = [np.zeros_like(term(0, 1))] * (2 * degree - 1)
+    products = [np.zeros_like(term(0, 1))] * (2 * degree - 1)
     for i in range(degree + 1):
         for j in range(i + 1, degree + 1):
-            found[i + j - 1] = found[i + j - 1] + above[i] * above[j] * (j - i) / below[i + j - 1] * term(
-                i, j
-            )
-    return np.stack(found, axis=-1)
+            products[i + j - 1] = products[i + j - 1] + above[i] * above[j] * (j - i) / below[
+                i + j - 1
+            ] * term(i, j)
+    return np.stack(products, axis=-1)
 
 
 def derivative_numerator(controls: Array, weights: Array | None) -> tuple[Array, Array]:

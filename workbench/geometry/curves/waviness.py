@@ -84,10 +84,10 @@ def _directions(pieces: Pieces) -> Array:
     degrees: beside both ends of each stretch without a level, an upright or an unbent place."""
     _knots, controls, weights = pieces
     tops, sizes = derivative_numerator(controls, weights)
-    found = [roots(tops[:, 0], sizes[:, 0]), roots(tops[:, 1], sizes[:, 1])]
+    turning = [roots(tops[:, 0], sizes[:, 0]), roots(tops[:, 1], sizes[:, 1])]
     if pieces.degree > 1:
-        found.append(roots(*bend_polynomial(pieces)))
-    rows, begin, end = parted(len(controls), *found)
+        turning.append(roots(*bend_polynomial(pieces)))
+    rows, begin, end = parted(len(controls), *turning)
     length = end - begin
     v = np.stack([begin + _ASIDE * length, begin + (1.0 - _ASIDE) * length], axis=1)[length > 0]
     rows = np.repeat(rows[length > 0], 2)

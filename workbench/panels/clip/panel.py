@@ -38,7 +38,7 @@ class ClipPanel(SteppedPanel):
         self.card.window_wanted.connect(self.add_window)
         self.start(
             _("Drag on the canvas to draw the clip window, then lines across it."),
-            [("codes", _("Region codes"), "hash", "R", self.card.codes.toggle)],
+            [("codes", _("Region codes"), "hash", "Shift+R", self.card.codes.toggle)],
         )
 
     def serves(self, figure: AnyFigure) -> bool:

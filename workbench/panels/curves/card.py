@@ -23,6 +23,7 @@ from workbench.document.edits import Edit, both, set_attributes
 from workbench.document.fields import Number, numbers_of
 from workbench.document.model import (
     B_SPLINES,
+    CONTINUITY_SIGNS,
     ENDS,
     JOINTS,
     KNOT_RULES,
@@ -100,6 +101,12 @@ class CurveCard(ParameterCard):
         ends = zip(ENDS, (_("Through the end points"), _("End points only guide")), strict=True)
         self.ends = self._choice(_("Ends"), list(ends))
         self.ends.activated.connect(lambda: self._put("ends", self.ends.currentData()))
+        signs = (_("c as in Hearn and Baker"), _("c as in the paper of 1984"))
+        self.sign = self._choice(
+            _("Whose sign the continuity has: Hearn and Baker's is the opposite of the original paper's"),
+            list(zip(CONTINUITY_SIGNS, signs, strict=True)),
+        )
+        self.sign.activated.connect(lambda: self._put("continuity_sign", self.sign.currentData()))
         shapes = ("tension", "continuity", "bias", "alpha")
         self.shape = {name: self._shape_field(name, numbers[name]) for name in shapes}
         joints = zip(JOINTS, (_("Corner"), _("Smooth"), _("Symmetric")), strict=True)
@@ -133,7 +140,8 @@ class CurveCard(ParameterCard):
         row.addWidget(self.closed)
         row.addStretch(1)
         row.addWidget(self.beside)
-        kinds: list[QWidget] = [self.spline, first, self.rule, self.ends, *self.shape.values(), self.joint]
+        kinds: list[QWidget] = [self.spline, first, self.rule, self.ends, *self.shape.values(), self.sign]
+        kinds.append(self.joint)
         return [*kinds, self.legend, self.count, self.fault, self.steps, self.tolerance]
 
     def _choice(self, name: str, choices: Sequence[tuple[str, str]]) -> QComboBox:
@@ -210,7 +218,15 @@ class CurveCard(ParameterCard):
         )
         for widget in first:
             widget.setVisible(model is not None)
-        for widget in (*self.shape.values(), self.joint, self.legend, self.count, self.fault, self.steps):
+        for widget in (
+            *self.shape.values(),
+            self.sign,
+            self.joint,
+            self.legend,
+            self.count,
+            self.fault,
+            self.steps,
+        ):
             widget.setVisible(False)
         flattened = curve is not None and "tolerance" in _stepped(curve, self._session.state.subject.entry)
         self.tolerance.setVisible(flattened or self._freehand is not None)
@@ -240,14 +256,16 @@ class CurveCard(ParameterCard):
         self.rule.setCurrentIndex(self.rule.findData(model.knot_rule))
         self.ends.setVisible(model.spline in NEIGHBOUR_SPLINES and not model.closed)
         self.ends.setCurrentIndex(self.ends.findData(model.ends))
-        wanted = {
+        shaped_by = {
             "cardinal": ("tension",),
             "catmull_rom": ("alpha",),
             "kochanek_bartels": ("tension", "continuity", "bias"),
         }.get(model.spline, ())
         for name, field in self.shape.items():
-            field.setVisible(name in wanted)
+            field.setVisible(name in shaped_by)
             field.set_value(getattr(model, name))
+        self.sign.setVisible("continuity" in shaped_by)
+        self.sign.setCurrentIndex(self.sign.findData(model.continuity_sign))
         for name, action in self._kinds.items():
             action.setChecked(name in model.beside)
             action.setVisible(name != model.spline)

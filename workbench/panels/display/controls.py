@@ -52,14 +52,14 @@ class DisplayControls(QWidget):
         self._buttons: list[tuple[QToolButton, str]] = []
         flow = flowing(self)
         rows = []
-        for _group in range(7):
+        for _group in range(8):
             group = QWidget()
             row = QHBoxLayout(group)
             row.setContentsMargins(0, 0, 0, 0)
             row.setSpacing(8)
             rows.append(row)
             flow.addWidget(group)
-        first, screens, displays, numbers, clock, time, meter = rows
+        first, screens, displays, numbers, knobs, clock, time, meter = rows
         self._make_views(first)
         self.phosphor = self._combo(
             screens,
@@ -84,14 +84,35 @@ class DisplayControls(QWidget):
             step=0.1,
             meaning=_("How many times longer the phosphor glows than it does in life"),
         )
+        self.brightness = NumberField(
+            _("Brightness"),
+            low=-0.5,
+            high=0.5,
+            step=0.01,
+            meaning=_("The bias of the grid: turned up, retraces show; turned down, dim strokes vanish"),
+        )
+        self.contrast = NumberField(
+            _("Contrast"),
+            low=0.0,
+            high=2.0,
+            step=0.05,
+            meaning=_("How far the signal takes white from black"),
+        )
         numbers.addWidget(self.refresh)
         numbers.addWidget(self.persistence)
+        knobs.addWidget(self.brightness)
+        knobs.addWidget(self.contrast)
         self._make_steps(clock)
         self._make_time(time)
         self._make_meter(meter)
         self.phosphor.activated.connect(lambda _i: self._set(phosphor=self.phosphor.currentData()))
         self.vector.activated.connect(lambda _i: self._set(vector_display=self.vector.currentData()))
-        for field, name in ((self.refresh, "refresh_hz"), (self.persistence, "persistence")):
+        for field, name in (
+            (self.refresh, "refresh_hz"),
+            (self.persistence, "persistence"),
+            (self.brightness, "brightness"),
+            (self.contrast, "contrast"),
+        ):
             field.edited.connect(lambda value, n=name: self._set(**{n: value}))
             field.scrubbed.connect(lambda value, n=name: self._set(**{n: value}))
         session.state_changed.connect(self.show_state)
@@ -219,6 +240,8 @@ class DisplayControls(QWidget):
         self.vector.setEnabled(now.shown != "raster")
         self.refresh.set_value(now.refresh_hz)
         self.persistence.set_value(now.persistence)
+        self.brightness.set_value(now.brightness)
+        self.contrast.set_value(now.contrast)
         self.slow.setValue(round(_PER_DECADE * math.log10(max(now.slow_motion, 1.0))))
         self.pause.setChecked(now.paused)
         one = Fraction(1) / Fraction(str(now.refresh_hz)) * Fraction(now.slow_motion)

@@ -8,10 +8,11 @@ import numpy as np
 from msgspec.structs import replace
 
 from workbench.algorithms.projection import vanishing_points, with_vanishing_point, with_vanishing_points
+from workbench.document.building import Edit
 from workbench.document.errors import DocumentError
 from workbench.document.motion.groups import CAMERA
 from workbench.document.motion.tracks import motion_of
-from workbench.document.scene.edits import set_camera
+from workbench.document.scene.edits import set_camera, set_thing
 from workbench.document.scene.looking import centred_on, facing, kind_of, orbited, projecting, tumbled
 from workbench.document.scene.model import Camera, Point3D, Scene
 from workbench.document.scene.viewing import projection_matrix, view_matrix
@@ -91,6 +92,17 @@ class Looking:
             return problem.short
         return self.look(None)
 
+    def move_light(self, identity: str, position: Point3D) -> str:
+        """Put a light of the document elsewhere, as a part of a drag."""
+        edit = light_moved_to(self.session.sheet.scene or Scene(), identity, position)
+        if edit is None:
+            return ""
+        try:
+            self.session.apply(edit, _("Move a light"), f"light {identity}")
+        except DocumentError as problem:
+            return problem.short
+        return ""
+
     def keep(self) -> str:
         """Write what is seen now into the document."""
         return self.change(self.camera, _("Keep this view")) if self.around else ""
@@ -158,3 +170,9 @@ def points_of(scene: Scene | None) -> Array:
     """The outermost vertices (n, 3) of what is visible, world."""
     parts = () if scene is None else placed(scene)
     return np.concatenate([np.zeros((0, 3)), *(lasting.outermost for *_rest, lasting in parts)])
+
+
+def light_moved_to(scene: Scene, identity: str, position: Point3D) -> Edit | None:
+    """The edit that puts a light elsewhere; None where the scene has no such light."""
+    light = next((each for each in scene.lights if each.id == identity), None)
+    return None if light is None else set_thing(replace(light, position=position))

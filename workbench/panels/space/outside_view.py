@@ -1,6 +1,6 @@
 """The scene from outside: the eye, the view plane and volume, projectors, and the picture on the plane.
 
-Eye and planes are moved there: the eye by itself, the planes by their names.
+Eye, lights and planes are moved there: eye and lights by themselves, the planes by their names.
 """
 
 import math
@@ -18,6 +18,7 @@ from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.geometry.meshes import Array, Index, Mesh
 from workbench.language import _
 from workbench.panels.space.eye_view import EyeView
+from workbench.panels.space.lamps import light_at, light_marks, light_place, paint_light
 from workbench.panels.space.looking import points_of
 from workbench.panels.space.object_handles import INKS
 from workbench.panels.space.scene_view import REACH_PX, SceneView
@@ -31,15 +32,19 @@ _AWAY = 12.0
 _MOST_PROJECTORS, _MOST_EDGES = 60, 2_000
 _GRID = 8
 _LEAST, _NEXT = 1e-3, 1.001
+_LIGHT = "light "
+"""Before the id of a light as the name of its grip."""
 
 
 class OutsideView(SceneView):
     """Shows the scene of an ``EyeView`` with that eye in it, from a camera of its own.
 
-    ``camera_moved`` sends the camera of the scene as it is dragged, ``move_ended`` follows a drag.
+    ``camera_moved`` sends the camera of the scene as it is dragged, ``light_moved`` the id of a light and its
+    new position; ``move_ended`` follows a drag.
     """
 
     camera_moved = Signal(object)
+    light_moved = Signal(str, object)
     move_ended = Signal()
 
     def __init__(self, eye: EyeView, parent: QWidget | None = None) -> None:
@@ -182,6 +187,10 @@ class OutsideView(SceneView):
             self.grips.append(("distance", labels.put(at, words, now.accent)))
         if self.clipped is not None:
             self._paint_clipped(painter, self.clipped)
+        for mark in light_marks(self, self.seen):
+            paint_light(painter, labels, mark)
+            reach = QPointF(REACH_PX, REACH_PX)
+            self.grips.append((_LIGHT + mark[0].id, QRectF(mark[1] - reach, mark[1] + reach)))
         if np.isfinite(eye).all() and (central or camera.projection == "orthographic"):
             painter.setPen(QPen(colour(now.text), 2))
             painter.setBrush(colour(now.canvas))
@@ -295,12 +304,15 @@ class OutsideView(SceneView):
     # The hand
 
     def grip_at(self, position: QPointF) -> object | None:
-        """The eye, or a plane by its name."""
+        """The eye, a light, or a plane by its name."""
         return next((name for name, place in reversed(self.grips) if place.contains(position)), None)
 
     def drag_grip(self, grip: object, position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
-        """Move the eye, or a plane along the line of sight."""
+        """Move the eye or a light, or a plane along the line of sight."""
         assert isinstance(grip, str)
+        if grip.startswith(_LIGHT):
+            self._drag_light(grip.removeprefix(_LIGHT), position)
+            return
         if self._begun is None:
             self._begun = self.seen.camera, self._press or position
         camera, begin = self._begun
@@ -317,6 +329,17 @@ class OutsideView(SceneView):
             to = getattr(camera, grip) + float(along @ (by.x(), by.y())) / length
             moved = replace(camera, **{grip: _within(camera, grip, to)})
         self.camera_moved.emit(moved)
+
+    def _drag_light(self, identity: str, position: QPointF) -> None:
+        """Move a light beside and above, as far from here as it was."""
+        light = next((each for each in self.seen.lights if each.id == identity), None)
+        if light is None:
+            return
+        place = light_place(light, self.seen)
+        x, y = self.projected(place[None])[0].tolist()
+        right, up = view_matrix(self.scene.camera)[:2, :3]
+        shift = ((position.x() - x) * right - (position.y() - y) * up) / self.scale
+        self.light_moved.emit(identity, light_at(light, self.seen, place + shift))
 
     def release_grip(self, _grip: object) -> None:
         """It stays where it was dragged to, and the picture takes room for it."""

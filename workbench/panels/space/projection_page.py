@@ -154,6 +154,8 @@ class ProjectionPage(ViewCommands, PlainPage, QWidget):
         eye.turn_ended.connect(self._follow)
         eye.turn_ended.connect(self.refresh_soon)
         self.outside.camera_moved.connect(lambda camera: self.say(self.looking.look(camera)))
+        self.outside.light_moved.connect(lambda light, at: self.say(self.looking.move_light(light, at)))
+        self.outside.move_ended.connect(session.end_merge)
         self.outside.move_ended.connect(self._follow)
         self.outside.move_ended.connect(self._show_outside)
         for told in (session.run.changed, session.run.moved, session.run.grown):

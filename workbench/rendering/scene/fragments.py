@@ -53,10 +53,10 @@ class Fragments:
 
     def seen(self, size: tuple[int, int]) -> Index:
         """(height, width) the surface that each pixel shows, or NOTHING."""
-        shown = np.full(size[::-1], NOTHING)
+        nearest = np.full(size[::-1], NOTHING)
         # Of several writes to one pixel NumPy keeps the last.
-        shown[self.y[self.won], self.x[self.won]] = self.surface[self.won]
-        return shown
+        nearest[self.y[self.won], self.x[self.won]] = self.surface[self.won]
+        return nearest
 
     def depths(self, size: tuple[int, int], farthest: float) -> Numbers:
         """(height, width) the depth buffer after these."""

@@ -16,6 +16,7 @@ from workbench.geometry.meshes import Array
 from workbench.language import _
 from workbench.rendering.gouraud_triangles import gouraud_drawn
 from workbench.rendering.mapping import Call
+from workbench.rendering.scene.corner_light import corner_light
 from workbench.rendering.scene.lit_triangles import LitTriangles, blockers_of, lit_triangles
 from workbench.rendering.scene.render import Picture
 from workbench.rendering.scene.viewpoint import Size
@@ -105,11 +106,11 @@ def _of_corners(
 
     materials, lights = (lit.materials, lit.lights) if channel is None else lit.in_channel(channel)
     of_corner = np.repeat(materials, 3, axis=0)
-    rest = lit.eye, lights, model.by_halfway, blockers
-    found: Array = collect(
-        corner_lights, lit.places, lit.normals, of_corner, *rest, stop=stop, compiling=channel is not None
-    )
-    return found[:, 0]
+    given = lit.places, lit.normals, of_corner, lit.eye, lights, model.by_halfway
+    if channel is None and not len(blockers):
+        return corner_light(*given)
+    fragments: Array = collect(corner_lights, *given, blockers, stop=stop, compiling=channel is not None)
+    return fragments[:, 0]
 
 
 def _channel(

@@ -8,13 +8,13 @@ from workbench.algorithms.viewing import window_to_viewport
 from workbench.document.model import Rectangle, whole_sheet
 from workbench.document.scene.model import Camera
 from workbench.document.scene.viewing import projection_matrix, view_matrix
+from workbench.geometry.conventions import snapped
 from workbench.geometry.meshes import Array, Index
 from workbench.language import _
 from workbench.rendering.limits import REACH_PX
 from workbench.rendering.scene.volume import DEPTH_PLANES, LEAST_W, clip_triangles, side_planes
 
 _MARGIN = 0.05
-_SNAP = 4096.0
 _MOST_SIDE_PX = 1 << 14
 _AT_ONCE = 1 << 16  # points: what is worked out on the way takes little memory
 
@@ -94,7 +94,7 @@ class Viewpoint(NamedTuple):
         device = self.device
         for axis in (0, 1):
             placed = corners[:, axis] * device[axis, axis] + device[axis, 2]
-            corners[:, axis] = np.floor(placed * _SNAP + 0.5) / _SNAP
+            corners[:, axis] = snapped(placed)
         return corners
 
     def _reach(self) -> Array:

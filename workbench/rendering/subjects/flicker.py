@@ -23,6 +23,7 @@ REFRESH_HZ = Number(label=_("refresh rate"), low=1.0, high=240.0, keyed=False)
 PERSISTENCE = Number(label=_("persistence"), low=0.01, high=100.0, keyed=False)
 LUMINANCE = Number(label=_("luminance"), low=0.1, high=10000.0, keyed=False)
 STEPS = Number(label=_("steps"), low=1, high=200, whole=True, keyed=False)
+PERIODS = Number(label=_("periods"), low=1, high=12, whole=True, keyed=False)
 SPEED = Number(label=_("speed"), low=0.0, high=5000.0, keyed=False)
 
 ARGUMENTS = {
@@ -31,6 +32,7 @@ ARGUMENTS = {
     "persistence": Given(1.0, PERSISTENCE),
     "luminance": Given(100.0, LUMINANCE),
     "steps": Given(12, STEPS),
+    "periods": Given(2, PERIODS),
     "figure": Given(STILL),
     "speed": Given(60.0, SPEED),
 }

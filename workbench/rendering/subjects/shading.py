@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from functools import lru_cache
+from typing import NamedTuple
 
 from msgspec.structs import replace
 
@@ -10,10 +11,11 @@ from workbench.document.fields import Number
 from workbench.document.model import Rectangle, Sheet
 from workbench.document.scene.model import Scene
 from workbench.document.subjects import Subject
+from workbench.geometry.meshes import Array
 from workbench.language import _
 from workbench.rendering.mapping import Call
 from workbench.rendering.marks import on_device
-from workbench.rendering.scene.lit_triangles import lit_triangles
+from workbench.rendering.scene.lit_triangles import LitTriangles, lit_triangles
 from workbench.rendering.scene.shaded import Model, shading_call, shadow_blockers
 from workbench.rendering.scene.shading import LIT_SHADINGS
 from workbench.rendering.scene.viewpoint import Size
@@ -52,10 +54,30 @@ def call_of(sheet: Sheet, subject: Subject) -> Call | None:
         return None
 
 
+class Lighting(NamedTuple):
+    """What the shadings get of a scene: its triangles, how the model is applied, and what is in the way."""
+
+    lit: LitTriangles
+    model: Model
+    blockers: Array
+
+
+def lighting_of(sheet: Sheet, subject: Subject) -> Lighting | None:
+    """That of a subject; None where nothing can be stepped."""
+    if sheet.scene is None or call_of(sheet, subject) is None:
+        return None
+    return _lighting(sheet.scene, scene_size(sheet, subject), window_of(sheet), model_of(subject))
+
+
+@lru_cache(maxsize=4)
+def _lighting(scene: Scene, size: Size, window: Rectangle | None, model: Model) -> Lighting:
+    return Lighting(lit_triangles(scene, size, window), model, shadow_blockers(scene, model))
+
+
 @lru_cache(maxsize=16)
 def _call(scene: Scene, size: Size, window: Rectangle | None, shading: str, model: Model) -> Call:
-    blockers = shadow_blockers(scene, model)
-    return shading_call(lit_triangles(scene, size, window), shading, size, model, blockers)
+    lit, _model, blockers = _lighting(scene, size, window, model)
+    return shading_call(lit, shading, size, model, blockers)
 
 
 def _calls(sheet: Sheet, subject: Subject) -> list[Call]:

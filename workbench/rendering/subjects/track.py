@@ -94,10 +94,10 @@ def _found(sheet: Sheet, subject: Subject) -> tuple[Track, Group, Key, Key] | No
 
 
 def _choices(sheet: Sheet, subject: Subject) -> tuple[str, ...]:
-    found = _found(sheet, subject)
-    if found is None:
+    keyed = _found(sheet, subject)
+    if keyed is None:
         return ()
-    _track, group, key, _following = found
+    _track, group, key, _following = keyed
     if group.kind == "outline":
         return (MORPH,)
     if group.kind == "turn":

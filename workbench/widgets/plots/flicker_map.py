@@ -24,10 +24,13 @@ _FAR = 10.0
 
 
 class FlickerMap(Plot):
-    """``moved`` sends the refresh rate (Hz) and the persistence (seconds to 10 %) that a hand asks for."""
+    """``moved`` sends the refresh rate (Hz) and the persistence (seconds to 10 %) that a hand asks for.
+
+    ``held`` tells that the point is taken hold of, and that it is let go.
+    """
 
     moved = Signal(float, float)
-    let_go = Signal()
+    held = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(_("Map of refresh rate and persistence"), parent)
@@ -72,9 +75,10 @@ class FlickerMap(Plot):
         self._items["smear"] = pyqtgraph.InfiniteLine(0.0, angle=0)
         self._items["point"] = pyqtgraph.ScatterPlotItem(size=_SPOT_PX)
         self._items["point"].setZValue(3)
-        self._lay(*self._items.values())
         self._words = [pyqtgraph.TextItem(anchor=(0.5, 0.5)) for _zone in range(3)]
-        self._lay(*self._words)
+        zones = [item for name, item in self._items.items() if name != "point"]
+        self._lay(*zones, *self._words, kept=True)
+        self._lay(self._items["point"])
         self._plot.viewport().installEventFilter(self)
         self._plot.getAxis("left").setStyle(hideOverlappingLabels=True)
         self._plot.showGrid(x=False, y=False)
@@ -164,9 +168,10 @@ class FlickerMap(Plot):
         if event.type() == kinds.MouseButtonPress and event.button() == Qt.MouseButton.LeftButton:
             self.setFocus(Qt.FocusReason.MouseFocusReason)
             self._dragging = True
+            self.held.emit(True)
         elif event.type() == kinds.MouseButtonRelease and self._dragging:
             self._dragging = False
-            self.let_go.emit()
+            self.held.emit(False)
             return True
         if not self._dragging:
             return False

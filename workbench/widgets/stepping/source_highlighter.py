@@ -1,5 +1,7 @@
 """Colours Python source by the tokens of the theme."""
 
+from collections.abc import Sequence
+
 from pygments.lexers.python import PythonLexer
 from pygments.token import Comment, Keyword, Name, Number, Operator, String, Token
 from PySide6.QtGui import QFont, QSyntaxHighlighter, QTextCharFormat, QTextDocument
@@ -8,10 +10,14 @@ from workbench.widgets.look.tokens import Tokens, colour, theme, tokens
 
 
 class SourceHighlighter(QSyntaxHighlighter):
-    """Highlights a document that holds one whole function; lexed once, coloured line by line."""
+    """Highlights a document that holds one function; lexed once, coloured line by line.
+
+    ``rows`` tells which line of what was lexed each line of the document is.
+    """
 
     def __init__(self, document: QTextDocument) -> None:
         super().__init__(document)
+        self.rows: Sequence[int] = ()
         self._lines: list[list[tuple[int, int, object]]] = []
         self._formats: dict[object, QTextCharFormat] = {}
         self._take_theme()
@@ -37,9 +43,9 @@ class SourceHighlighter(QSyntaxHighlighter):
     def highlightBlock(self, text: str) -> None:
         """Called by Qt for each line."""
         number = self.currentBlock().blockNumber()
-        if number >= len(self._lines):
+        if number >= len(self.rows) or self.rows[number] >= len(self._lines):
             return
-        for start, length, kind in self._lines[number]:
+        for start, length, kind in self._lines[self.rows[number]]:
             while kind is not None and kind is not Token and kind not in self._formats:
                 kind = kind.parent  # type: ignore[attr-defined]
             if kind in self._formats:

@@ -6,12 +6,12 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import (
     QBrush,
     QColor,
+    QImage,
     QLinearGradient,
     QPainter,
     QPainterPath,
     QPen,
     QPixmap,
-    QRadialGradient,
 )
 
 from workbench.display.setup import area_mm, face_mm
@@ -25,6 +25,8 @@ LETTERING = QColor("#98A1AB")
 CORNER = 0.06
 _BEZEL = 0.045
 _BULGE = 0.018
+_RIM, _SHEEN = 150.0, (22.0, 7.0, 0.0)
+"""How dark the rim is, and how light the window from its corner to the middle, 0 to 255."""
 
 
 def nearest_pixel(x: int, y: int, picture_px: tuple[int, int]) -> tuple[int, int]:
@@ -128,18 +130,26 @@ def cabinet_pixmap(width: int, height: int, ratio: float, cabinet: QRectF, glass
 
 
 def reflection_pixmap(width: int, height: int, ratio: float, glass: QRectF) -> QPixmap:
-    """What lies over the picture: darker towards the rim, a soft window at the upper left."""
+    """What lies over the picture: darker towards the rim, a soft window at the upper left.
+
+    Both are so faint that eight bits would show their steps, and so they are dithered.
+    """
     pixmap = _blank(width, height, ratio)
     painter = QPainter(pixmap)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(Qt.PenStyle.NoPen)
     outline = glass_path(glass)
     painter.setClipPath(outline)
-    rim = QRadialGradient(glass.center(), 0.72 * glass.width())
-    rim.setColorAt(0.0, QColor(0, 0, 0, 0))
-    rim.setColorAt(0.62, QColor(0, 0, 0, 0))
-    rim.setColorAt(1.0, QColor(0, 0, 0, 150))
-    painter.fillRect(glass, QBrush(rim))
+    around = outline.boundingRect()
+    rows, columns = (max(1, round(side * ratio)) for side in (around.height(), around.width()))
+    x = (np.arange(columns) + 0.5) / ratio + around.left()
+    y = ((np.arange(rows) + 0.5) / ratio + around.top())[:, None]
+    away = np.hypot(x - glass.center().x(), y - glass.center().y()) / (0.72 * glass.width())
+    rim = np.clip((away - 0.62) / 0.38, 0.0, 1.0) * _RIM
+    painter.drawImage(around, _layer(rim, 0))
+    along = (x - glass.left()) * glass.width() + (y - glass.top()) * glass.height()
+    share = along * 2.0 / (glass.width() ** 2 + glass.height() ** 2)
+    light = np.interp(share, (0.0, 0.55, 1.0), _SHEEN)
     sheen = QPainterPath()
     sheen.moveTo(glass.topLeft())
     sheen.lineTo(glass.left() + 0.78 * glass.width(), glass.top())
@@ -148,14 +158,21 @@ def reflection_pixmap(width: int, height: int, ratio: float, glass: QRectF) -> Q
         QPointF(glass.left(), glass.top() + 0.66 * glass.height()),
     )
     sheen.closeSubpath()
-    light = QLinearGradient(glass.topLeft(), glass.center())
-    light.setColorAt(0.0, QColor(255, 255, 255, 22))
-    light.setColorAt(0.55, QColor(255, 255, 255, 7))
-    light.setColorAt(1.0, QColor(255, 255, 255, 0))
-    painter.fillPath(sheen, QBrush(light))
+    painter.setClipPath(sheen, Qt.ClipOperation.IntersectClip)
+    painter.drawImage(around, _layer(light, 255))
     painter.setClipping(False)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(QPen(QColor(0, 0, 0, 170), 2))
     painter.drawPath(outline)
     painter.end()
     return pixmap
+
+
+def _layer(strength: NDArray[np.float64], grey: int) -> QImage:
+    """One grey (0 or 255) as strong as these alphas (h, w), 0 to 255, dithered to whole steps."""
+    noise = np.random.default_rng(1897).random(strength.shape)
+    alpha = np.minimum(np.floor(strength + noise), 255).astype(np.uint32)
+    packed = np.ascontiguousarray(alpha << 24 | (alpha * (grey // 255)) * 0x010101)
+    rows, columns = packed.shape
+    image = QImage(packed.data, columns, rows, 4 * columns, QImage.Format.Format_ARGB32_Premultiplied)
+    return image.copy()

@@ -1,27 +1,25 @@
 """A cathode-ray tube cut open: its parts can be chosen, its beam be dragged where it meets the screen."""
 
 from collections.abc import Collection
-from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
-    QBrush,
     QColor,
     QFont,
     QFontMetricsF,
     QHelpEvent,
     QKeyEvent,
-    QLinearGradient,
     QMouseEvent,
     QPainter,
     QPaintEvent,
     QPen,
     QPolygonF,
+    QResizeEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from workbench.algorithms.scanning.electron_beam import FACE_MM
+from workbench.algorithms.scanning.electron_optics import FACE_MM
 from workbench.display.cutaway import (
     Label,
     Part,
@@ -45,9 +43,11 @@ from workbench.display.gun import Gun, Place
 from workbench.language import _
 from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tokens
+from workbench.widgets.tube.gun_painting import draw_lowered, is_at, paint_height, paint_length, paint_shape
 
 _PADDING_PX, _GAP_PX = 6.0, 6.0
 _NEAR_PX, _SPOT_PX = 14.0, 5.0
+_LEAST_HEIGHT_PX, _BEFORE_MM = 12.0, 9.0
 _FAINTEST, _STRONGEST = 50, 235
 _STEP_MM, _FAR_MM = 1.0, 10.0
 
@@ -71,8 +71,10 @@ class GunView(QWidget):
         self._labelled = True
         self._dragging = False
         self._shapes: tuple[Shape, ...] = shapes(self._gun)
+        self._scale, self._cathode = 1.0, QPointF()
         self._placed: tuple[PlacedLabel, ...] = ()
         self._wording = "whole"
+        self._asked: object = None
         self._spans: tuple[Span, ...] = ()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -93,8 +95,9 @@ class GunView(QWidget):
     ) -> None:
         """Show a tube and the way of its beam at a time; ``lit`` are the parts that the step is about."""
         if gun != self._gun:
-            self._shapes = shapes(gun)
-        self._gun, self._way, self._lit, self._seconds = gun, way, tuple(lit), seconds
+            self._gun, self._shapes = gun, shapes(gun)
+            self._fit()
+        self._way, self._lit, self._seconds = way, tuple(lit), seconds
         if self._chosen is not None and self._chosen not in parts_of(gun):
             self._chosen = None
         self._describe()
@@ -125,25 +128,29 @@ class GunView(QWidget):
 
     # Places
 
-    @property
-    def _scale(self) -> float:
+    def _fit(self) -> None:
+        """The whole window of the tube in the middle of the widget, the same scale both ways."""
         left, low, right, high = window_of(self._gun)
-        return min(self.width() / (right - left), self.height() / (high - low))
+        self._scale = scale = min(self.width() / (right - left), self.height() / (high - low))
+        middle = QPointF(self.width(), self.height()) / 2.0
+        self._cathode = middle - QPointF(left + right, -(low + high)) * (scale / 2.0)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the tube anew."""
+        super().resizeEvent(event)
+        self._fit()
 
     def place_px(self, z: float, y: float) -> QPointF:
         """Where a place (mm) is drawn."""
-        left, low, right, high = window_of(self._gun)
-        scale = self._scale
-        beside = (self.width() - scale * (right - left)) / 2.0
-        over = (self.height() - scale * (high - low)) / 2.0
-        return QPointF(beside + (z - left) * scale, over + (high - y) * scale)
+        return self._cathode + QPointF(z * self._scale, -y * self._scale)
 
     def _place_mm(self, at: QPointF) -> tuple[float, float]:
-        corner, scale = self.place_px(0.0, 0.0), self._scale
-        return (at.x() - corner.x()) / scale, (corner.y() - at.y()) / scale
+        away = (at - self._cathode) / self._scale
+        return away.x(), -away.y()
 
     def _polygon(self, points: Points) -> QPolygonF:
-        return QPolygonF([self.place_px(z, y) for z, y in points.tolist()])
+        placed = points * (self._scale, -self._scale) + (self._cathode.x(), self._cathode.y())
+        return QPolygonF([QPointF(x, y) for x, y in placed.tolist()])
 
     @property
     def spot_px(self) -> QPointF | None:
@@ -162,7 +169,7 @@ class GunView(QWidget):
         near = 4.0 / self._scale
         for shape in reversed(self._shapes):
             part = shape.part
-            if part and _is_at(shape, z, y, near):
+            if part and is_at(shape, z, y, near):
                 return part
         outline = beam_outline(self._gun, self._way)
         if len(outline) and self._polygon(outline).containsPoint(at, Qt.FillRule.OddEvenFill):
@@ -247,12 +254,15 @@ class GunView(QWidget):
         font = QFont(self.font())
         font.setPixelSize(CAPTION_PX)
         painter.setFont(font)
+        glow = self._glow()
         for shape in self._shapes:
-            self._paint_shape(painter, shape)
+            outline = self._polygon(shape.points)
+            paint_shape(painter, outline, shape, self._is_lit(shape.part), glow, tokens())
         self._paint_beam(painter)
         if self._labelled:
             for span in spans(self._gun):
-                self._paint_span(painter, span)
+                start, end = self.place_px(span.start, span.y), self.place_px(span.end, span.y)
+                paint_length(painter, start, end, span.name, tokens())
             self._paint_height(painter)
             self._paint_labels(painter, QFontMetricsF(font))
         if self.hasFocus():
@@ -262,45 +272,6 @@ class GunView(QWidget):
 
     def _is_lit(self, part: str) -> bool:
         return part == self._chosen or part in self._lit
-
-    def _paint_shape(self, painter: QPainter, shape: Shape) -> None:
-        now = tokens()
-        ink = colour(now.accent if self._is_lit(shape.part) else now.muted)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        outline = self._polygon(shape.points)
-        match shape.kind:
-            case "glass":
-                inside = QLinearGradient(
-                    outline.boundingRect().topLeft(), outline.boundingRect().bottomLeft()
-                )
-                for stop, strong in ((0.0, 46), (0.5, 14), (1.0, 46)):
-                    inside.setColorAt(stop, colour(now.muted, strong))
-                painter.setBrush(QBrush(inside))
-                painter.setPen(QPen(colour(now.field_edge), 2.2))
-            case "metal":
-                painter.setBrush(colour(ink.name(), 200))
-                painter.setPen(QPen(ink, 1))
-            case "plate" | "coil":
-                painter.setBrush(colour(ink.name(), 60))
-                pattern = Qt.BrushStyle.BDiagPattern if shape.kind == "coil" else Qt.BrushStyle.SolidPattern
-                painter.setBrush(QBrush(colour(ink.name(), 90), pattern))
-                painter.setPen(QPen(ink, 1.2))
-            case "heater":
-                lit = self._is_lit(shape.part)
-                painter.setPen(QPen(colour(now.accent) if lit else colour(ink_of(now, "data2")), 1.8))
-            case "coating":
-                pen = QPen(ink, 1.6, Qt.PenStyle.DashLine)
-                painter.setPen(pen)
-            case "phosphor":
-                painter.setPen(QPen(self._glow(), 4.0 if self._is_lit(shape.part) else 2.6))
-            case "axis":
-                painter.setPen(QPen(colour(now.muted, 120), 1, Qt.PenStyle.DashDotLine))
-            case "pin":
-                painter.setPen(QPen(ink, 1.6))
-        if shape.closed:
-            painter.drawPolygon(outline)
-        else:
-            painter.drawPolyline(outline)
 
     def _glow(self) -> QColor:
         """The phosphor's colour, of several layers that which lasts."""
@@ -334,43 +305,12 @@ class GunView(QWidget):
             painter.drawLine(at + QPointF(-4, -4), at + QPointF(4, 4))
             painter.drawLine(at + QPointF(-4, 4), at + QPointF(4, -4))
 
-    def _paint_span(self, painter: QPainter, span: Span) -> None:
-        start, end = self.place_px(span.start, span.y), self.place_px(span.end, span.y)
-        painter.setPen(QPen(colour(tokens().muted), 1))
-        painter.drawLine(start, end)
-        for tip, way in ((start, 1.0), (end, -1.0)):
-            painter.drawLine(tip + QPointF(0, -4), tip + QPointF(0, 4))
-            painter.drawPolyline(QPolygonF([tip + QPointF(5 * way, -3), tip, tip + QPointF(5 * way, 3)]))
-        wide = QFontMetricsF(painter.font()).horizontalAdvance(span.name)
-        middle = (start + end) / 2.0
-        if wide + 30.0 > end.x() - start.x():
-            middle = end + QPointF(wide / 2.0 + 8.0, 0.0)
-        self._paint_words(painter, span.name, middle, tokens().text)
-
     def _paint_height(self, painter: QPainter) -> None:
         """y, from the axis to the spot."""
         z, _x, y, _r = self._way[-1]
-        if z < self._gun.screen or abs(y) * self._scale < 12.0:
-            return
-        foot, tip = self.place_px(z - 9.0, 0.0), self.place_px(z - 9.0, y)
-        painter.setPen(QPen(colour(tokens().text), 1.2))
-        painter.drawLine(foot, tip)
-        for end, way in ((foot, -1.0), (tip, 1.0)):
-            up = way * (1.0 if y > 0 else -1.0)
-            painter.drawPolyline(QPolygonF([end + QPointF(-3, 5 * up), end, end + QPointF(3, 5 * up)]))
-        name = f"y = {y:.1f} mm".replace("-", "\u2212")
-        wide = QFontMetricsF(painter.font()).horizontalAdvance(name)
-        self._paint_words(painter, name, (foot + tip) / 2.0 - QPointF(wide / 2.0 + 9.0, 0.0), tokens().text)
-
-    def _paint_words(self, painter: QPainter, words: str, middle: QPointF, ink: str) -> None:
-        metrics = QFontMetricsF(painter.font())
-        box = QRectF(0, 0, metrics.horizontalAdvance(words) + 8.0, metrics.height())
-        box.moveCenter(middle)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(colour(tokens().window, 225))
-        painter.drawRoundedRect(box, 3, 3)
-        painter.setPen(colour(ink))
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
+        if z >= self._gun.screen and abs(y) * self._scale >= _LEAST_HEIGHT_PX:
+            foot, tip = self.place_px(z - _BEFORE_MM, 0.0), self.place_px(z - _BEFORE_MM, y)
+            paint_height(painter, foot, tip, f"y = {y:.1f} mm".replace("-", "\u2212"), tokens())
 
     def _size_of(self, metrics: QFontMetricsF, label: Label) -> tuple[float, float]:
         """Width and height of a label's box in millimetres."""
@@ -387,7 +327,13 @@ class GunView(QWidget):
         """With what parts are set to, or where that is too much, with their names alone, or short ones."""
         told, gap = labels(self._gun, self._seconds), _GAP_PX / self._scale
         for self._wording in ("whole", "names", "short"):
-            self._placed = place_labels(told, self._gun, partial(self._size_of, metrics), gap)
+            sizes = {label: self._size_of(metrics, label) for label in told}
+            asked = self._wording, self._scale, self._gun.coils, self._gun.gap, [*sizes.values()]
+            if asked == self._asked:  # as large as they were, they stay where they are
+                self._placed = tuple(map(PlacedLabel, told, (each.box for each in self._placed)))
+                break
+            self._placed = place_labels(told, self._gun, sizes.__getitem__, gap)
+            self._asked = asked
             if not crowded(self._placed):
                 break
 
@@ -410,32 +356,4 @@ class GunView(QWidget):
             for number, line in enumerate(self._lines(placed.label)):
                 painter.setPen(colour(now.muted if number else now.text))
                 base = at.top() + number * metrics.height() + metrics.ascent()
-                _draw_lowered(painter, QPointF(at.left(), base), line)
-
-
-def _draw_lowered(painter: QPainter, at: QPointF, line: str) -> None:
-    """Draw a line of words from its base line; what follows an underscore is small and lowered."""
-    font, small = painter.font(), QFont(painter.font())
-    small.setPixelSize(round(0.8 * font.pixelSize()))
-    head, mark, tail = line.partition("_")
-    painter.drawText(at, head)
-    if mark:
-        beside = at + QPointF(QFontMetricsF(font).horizontalAdvance(head), 0.0)
-        painter.setFont(small)
-        painter.drawText(beside + QPointF(0.0, 2.0), tail[:1])
-        after = beside + QPointF(QFontMetricsF(small).horizontalAdvance(tail[:1]) + 1.0, 0.0)
-        painter.setFont(font)
-        painter.drawText(after, tail[1:])
-
-
-def _is_at(shape: Shape, z: float, y: float, near: float) -> bool:
-    """Whether a place is on a shape, or as near to it as a finger: in its box, or at a line."""
-    points = shape.points
-    if shape.kind not in ("coating", "phosphor"):
-        low, high = points.min(axis=0) - near, points.max(axis=0) + near
-        return bool((low <= (z, y)).all() and ((z, y) <= high).all())
-    starts, ways = points[:-1], np.diff(points, axis=0)
-    squares = np.maximum((ways * ways).sum(axis=1), 1e-12)
-    shares = np.clip(((np.array([z, y]) - starts) * ways).sum(axis=1) / squares, 0.0, 1.0)
-    feet = starts + shares[:, None] * ways
-    return bool(np.hypot(*(feet - (z, y)).T).min() <= 1.5 * near)
+                draw_lowered(painter, QPointF(at.left(), base), line)

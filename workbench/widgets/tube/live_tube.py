@@ -85,11 +85,11 @@ class LiveTube(QWidget):
         """What stands at the left and at the right below the glass."""
         raise NotImplementedError
 
-    def make_tube(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
+    def _made(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
         """The tube with a face of so many pixels, and its beam."""
         raise NotImplementedError
 
-    def paint_over(self, painter: QPainter) -> None:
+    def _paint_over(self, painter: QPainter) -> None:
         """Paint what lies over the light, under the reflection."""
 
     # Its time
@@ -100,13 +100,16 @@ class LiveTube(QWidget):
 
     def set_slow_motion(self, factor: float) -> None:
         """Run ``factor`` times slower than life, 1 to 1,000,000."""
-        self._slow = min(max(factor, 1.0), 1e6)
-        self._wake()
+        slow = min(max(factor, 1.0), 1e6)
+        if slow != self._slow:
+            self._slow = slow
+            self._wake()
 
     def set_paused(self, paused: bool) -> None:
         """Hold the tube's time, or let it run."""
-        self._paused = paused
-        self._wake()
+        if paused != self._paused:
+            self._paused = paused
+            self._wake()
 
     @property
     def averaged(self) -> bool:
@@ -191,7 +194,7 @@ class LiveTube(QWidget):
         size = self._face_px()
         if self.driver is not None:
             self._seconds = self.driver.tube.seconds
-        tube, beam = self.make_tube(size)
+        tube, beam = self._made(size)
         tube.skip(self._seconds / PICOSECOND)
         self.driver = TubeDriver(tube, beam)
         self.driver.settle()
@@ -249,7 +252,7 @@ class LiveTube(QWidget):
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Plus)
             painter.drawImage(self._glass, self._shown)
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceOver)
-            self.paint_over(painter)
+            self._paint_over(painter)
         painter.restore()
         painter.drawPixmap(0, 0, self._reflection)
         if self._case.bottom() - self._glass.bottom() >= _PLATE_PX:

@@ -82,8 +82,7 @@ class RasterView(TubeView):
         else:
             self._timer.stop()
 
-    def make_tube(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
-        """A tube for the picture, and the beam that scans it under the mode."""
+    def _made(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
         return raster_tube(self._image, size_px, self._setup, timing=self.timing, picture_px=self._picture)
 
     def _rebuild(self) -> None:
@@ -101,9 +100,9 @@ class RasterView(TubeView):
         rows, columns = self._image.shape
         return self._to_widget(left + (right - left) * column / columns, top - (top - bottom) * row / rows)
 
-    def paint_over(self, painter: QPainter) -> None:
+    def _paint_over(self, painter: QPainter) -> None:
         """The path of the beam, and the line that is stepped."""
-        super().paint_over(painter)
+        super()._paint_over(painter)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self._path_shown and self.timing is not None:
             self._paint_path(painter, self.timing)

@@ -4,7 +4,7 @@ from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
-from workbench.algorithms.scanning.electron_beam import FACE_MM
+from workbench.algorithms.scanning.electron_optics import FACE_MM
 from workbench.display.beam import Beam
 from workbench.display.gun import Gun, Place
 from workbench.display.steered_beam import SteeredBeam, steered_tube
@@ -62,7 +62,7 @@ class SteeredTube(LiveTube):
         told = _("{name}, 10 % in {time}").format(name=self._gun.phosphor, time=glow)
         return _("10 mm a square"), told + (_(" (uncertain)") if phosphor.uncertain else "")
 
-    def make_tube(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
+    def _made(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
         """The tube of the gun, and its beam."""
         return steered_tube(self._gun, size_px)
 
@@ -77,7 +77,8 @@ class SteeredTube(LiveTube):
             if not gun.swings:
                 self.driver.settle()
             self._refresh()
-            self._wake()
+            if not (self.averaged and self.driver.steady):
+                self._wake()
         else:
             self._rebuild()
 
@@ -86,7 +87,7 @@ class SteeredTube(LiveTube):
         """What of a gun makes another picture."""
         return tuple(getattr(gun, name) for name in gun.__slots__ if name not in ("moment",))
 
-    def paint_over(self, painter: QPainter) -> None:
+    def _paint_over(self, painter: QPainter) -> None:
         """The squares of the face, and a ring where the beam is now."""
         self._paint_squares(painter)
         if self._spot is None:

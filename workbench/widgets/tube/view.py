@@ -76,7 +76,7 @@ class TubeView(LiveTube):
         name = _("RASTER") if self.kind == "raster" else _("VECTOR")
         return name, f"{self._setup.phosphor}   {self.refresh_hz:.4g} Hz"
 
-    def make_tube(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
+    def _made(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
         """A tube for the picture, and the beam that draws it."""
         if self.kind == "raster":
             return raster_tube(self._image, size_px, self._setup)
@@ -96,11 +96,6 @@ class TubeView(LiveTube):
             self._wake()
         else:
             self._rebuild()
-
-    @property
-    def image(self) -> NDArray[np.uint32]:
-        """The frame buffer that is shown."""
-        return self._image
 
     def set_strokes(self, strokes: DeviceStrokes, picture_px: tuple[int, int]) -> None:
         """Show a display list in the device frame of a picture of so many pixels."""
@@ -195,7 +190,7 @@ class TubeView(LiveTube):
         """Whether it runs so slowly that the beam is somewhere."""
         return self._slow >= _BEAM_SEEN_FROM and (self._paused or not self.averaged)
 
-    def paint_over(self, painter: QPainter) -> None:
+    def _paint_over(self, painter: QPainter) -> None:
         """The beam, where it is seen, and the probe."""
         if self.beam_is_seen and self.driver is not None:
             state = self.driver.state()

@@ -282,12 +282,12 @@ def test_every_control_has_a_name_and_a_tooltip(page: RasterPage) -> None:
 
 @pytest.mark.parametrize("width", [560, 776, 1260])
 def test_no_text_of_the_strip_is_cut(page: RasterPage, qtbot: QtBot, width: int) -> None:
-    bar = page.bar
-    bar.setParent(None)
+    bar = page.strip.takeWidget()
     keep_until_the_end(qtbot, bar)
-    bar.resize(width, bar.heightForWidth(width))
     bar.show()
+    bar.resize(width, bar.heightForWidth(width))
     assert cut_texts(bar) == []
+    assert bar.width() == width
     assert lies_whole(bar)
 
 

@@ -14,8 +14,8 @@ from tests.panels.by_hand import keep_until_the_end
 from tests.panels.space.by_hand import drag
 from workbench.document.scene.edits import remove_thing, set_thing
 from workbench.document.scene.model import Light, Scene
+from workbench.panels.space.lamps import light_at, light_place
 from workbench.panels.space.panel import SpacePanel
-from workbench.panels.space.shading.lit_view import light_at, light_place
 from workbench.panels.space.shading.page import ShadingPage
 from workbench.rendering.scene.shading import LIT_SHADINGS
 from workbench.session.session import Session

@@ -98,7 +98,7 @@ class MaskView(QWidget):
     def _lay_out(self) -> None:
         head = QHBoxLayout()
         head.setSpacing(12)
-        for widget in (self.kinds, self.pitch, self.across, self.slow):
+        for widget in (self.kinds, self.pitch, self.across):
             head.addWidget(widget)
         head.addStretch(1)
         both = QSplitter(Qt.Orientation.Horizontal)
@@ -116,7 +116,8 @@ class MaskView(QWidget):
             beams.setColumnStretch(column, 1)
             for row in (0, 1):
                 beams.addWidget(self.errors[ERRORS[2 * column + row]], row + 1, column)
-        beams.addWidget(self.converge, 1, 3, 2, 1)
+        beams.addWidget(self.slow, 1, 3)
+        beams.addWidget(self.converge, 2, 3)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(6)
@@ -158,21 +159,31 @@ class MaskView(QWidget):
         self.facts.setText(facts(subject, picture_px))
 
 
+def guns_text(kind: Kind) -> str:
+    """Where the three beams come from, and where they land."""
+    return {
+        "none": _(
+            "Without a mask each beam would light every grain; here the three lights are simply added."
+        ),
+        "delta": _("Three guns in a triangle: their beams cross in a hole and land on three dots behind it."),
+        "in_line": _("Three guns in a row: their beams cross in a slot and land on three stripes behind it."),
+        "grille": _("Three guns in a row: their beams cross between two wires and land on three stripes."),
+    }[kind]
+
+
 def facts(subject: Subject, picture_px: tuple[int, int]) -> str:
     """What the mask means in numbers."""
     setup = setup_of(subject)
     left, _bottom, right, _top = area_mm(picture_px)
     pixel = (right - left) / picture_px[0]
     worst = max((x * x + y * y) ** 0.5 for x, y in setup.errors_mm)
-    off = _(" The beams are up to {mm:.2g} mm apart: {px:.2g} pixels of the picture.").format(
+    off = _(" A beam lands up to {mm:.2g} mm beside its place: {px:.2g} pixels of the picture.").format(
         mm=worst, px=worst / pixel
     )
-    if setup.mask == "none":
-        said = _("Without a mask every beam would light every grain, and all colours would be one.")
-        said = _("{said} Here the three lights are simply added.").format(said=said)
-    else:
-        said = _(
-            "{n:,.0f} triads of {pitch:g} mm across the picture, {each:.3g} for each of its pixels; "
+    said = guns_text(setup.mask)
+    if setup.mask != "none":
+        counts = _(
+            "{n:,.0f} triads of {pitch:g} mm across the picture, {each:.3g} to each of its pixels; "
             "{share:.0f} % of the face glows in each colour (uncertain, of the usual order)."
         ).format(
             n=(right - left) / setup.pitch_mm,
@@ -180,4 +191,5 @@ def facts(subject: Subject, picture_px: tuple[int, int]) -> str:
             each=pixel / setup.pitch_mm,
             share=100.0 * lit_share(setup.mask),
         )
+        said = f"{said} {counts}"
     return said + (off if worst > 0.0 else "")

@@ -88,9 +88,13 @@ class Swatch(QWidget):
 
 
 class ModelsView(QWidget):
-    """``changed`` sends the arguments of a colour that a hand asks for, ``text_chosen`` a slug to step."""
+    """``changed`` sends the arguments of a colour that a hand asks for, ``text_chosen`` a slug to step.
+
+    ``held`` tells that a slider is dragged, and that it is let go.
+    """
 
     changed = Signal(object)
+    held = Signal(bool)
     text_chosen = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -126,6 +130,8 @@ class ModelsView(QWidget):
             self.sliders[model].changed.connect(
                 lambda values, write=written: self.changed.emit(write(values))
             )
+        for sliders in self.sliders.values():
+            sliders.held.connect(self.held)
         self.texts.idClicked.connect(lambda number: self.text_chosen.emit(self._slugs[number]))
 
     def _choices(self) -> QWidget:

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 
 from msgspec.structs import replace
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import (
     QButtonGroup,
@@ -63,7 +63,8 @@ class ColourPage(PlainPage, QWidget):
         super().__init__(parent)
         self.session = session
         self.models, self.masked, self.penetration = ModelsView(), MaskView(), PenetrationView()
-        self._refusals = [Refusal(view) for view in (self.masked.whole, self.masked.magnified)]
+        self._colour_tubes = (self.masked.whole, self.masked.magnified)
+        self._refusals = [Refusal(view) for view in self._colour_tubes]
         self._drawn: tuple[Sheet, Look | None, bool] | None = None
         self.stack = QStackedWidget()
         self.switch = QButtonGroup(self)
@@ -97,6 +98,14 @@ class ColourPage(PlainPage, QWidget):
             self._actions.append(action)
         head.addStretch(1)
         head.addWidget(self.picked)
+        copying = QAction(_("Copy the picture of Colour"), self)
+        copying.setObjectName("colour.copy_picture")
+        copying.triggered.connect(lambda _on=False: self.copy())
+        self._actions.append(copying)
+        self.addAction(copying)
+        for view in (*self.models.solids.values(), *self._colour_tubes, self.penetration.tube):
+            view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+            view.addActions(self._actions)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(12, 4, 12, 8)
         whole.setSpacing(6)
@@ -117,7 +126,8 @@ class ColourPage(PlainPage, QWidget):
         for part in (self.models, self.masked, self.penetration):
             part.changed.connect(self.change)
         self.models.text_chosen.connect(self.step_text)
-        for view in (self.masked.whole, self.masked.magnified):
+        self.models.held.connect(session.hold_runs)
+        for view in self._colour_tubes:
             view.picked.connect(self.pick)
             view.shown.connect(self.refresh)
         self.penetration.tube.shown.connect(self.refresh)
@@ -178,7 +188,7 @@ class ColourPage(PlainPage, QWidget):
     def pick(self, x: int, y: int) -> None:
         """Work on the colour of this pixel of the picture."""
         packed = int(self.masked.whole.image[y, x])
-        for view in (self.masked.whole, self.masked.magnified):
+        for view in self._colour_tubes:
             view.set_probe((x, y))
         self.change(with_rgb(as_levels(packed)))
         said = _("Pixel ({x}, {y}) is #{colour:06X}.").format(x=x, y=y, colour=packed)
@@ -218,7 +228,7 @@ class ColourPage(PlainPage, QWidget):
         same = self._drawn is not None and self._drawn[0] is sheet and self._drawn[1:] == drawn[1:]
         image = self.masked.whole.image if same else whole_picture(as_seen(self.session.state, sheet))
         self._drawn = drawn
-        for view in (self.masked.whole, self.masked.magnified):
+        for view in self._colour_tubes:
             view.show_picture(image, setup_of(subject))
 
     @staticmethod

@@ -24,9 +24,10 @@ class Coordinate(NamedTuple):
 
 
 class NumberSlider(QWidget):
-    """One coordinate; ``changed`` sends a value that a hand asks for."""
+    """One coordinate; ``changed`` sends a value that a hand asks for, ``held`` that the slider is dragged."""
 
     changed = Signal(float)
+    held = Signal(bool)
 
     def __init__(self, coordinate: Coordinate, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -45,7 +46,8 @@ class NumberSlider(QWidget):
         self.slider.setPageStep(_NOTCHES // 10)
         self.slider.setAccessibleName(coordinate.meaning)
         self.slider.setToolTip(_("{meaning}: drag, or press the arrows").format(meaning=coordinate.meaning))
-        self.slider.setMinimumWidth(50)
+        self.slider.setMinimumWidth(30)
+        self.field.setMinimumWidth(self.field.sizeHint().width())
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
@@ -56,6 +58,8 @@ class NumberSlider(QWidget):
         for told in (self.field.edited, self.field.scrubbed):
             told.connect(self.changed)
         self.slider.valueChanged.connect(self._slid)
+        self.slider.sliderPressed.connect(lambda: self.held.emit(True))
+        self.slider.sliderReleased.connect(lambda: self.held.emit(False))
 
     def _slid(self, notch: int) -> None:
         if not self._showing:
@@ -73,9 +77,10 @@ class NumberSlider(QWidget):
 
 
 class Sliders(QWidget):
-    """Several coordinates one above the other; ``changed`` sends all of them."""
+    """Several coordinates one above the other; ``changed`` sends all of them, ``held`` as each of them."""
 
     changed = Signal(object)
+    held = Signal(bool)
 
     def __init__(self, coordinates: Sequence[Coordinate], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -87,6 +92,7 @@ class Sliders(QWidget):
         for number, part in enumerate(self.parts):
             grid.addWidget(part, number, 0)
             part.changed.connect(lambda value, n=number: self._send(n, value))
+            part.held.connect(self.held)
 
     def _send(self, number: int, value: float) -> None:
         values = list(self._values)

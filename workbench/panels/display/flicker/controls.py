@@ -7,7 +7,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QHBoxLayout,
-    QLabel,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
@@ -23,6 +22,7 @@ from workbench.panels.display.flicker.figures import moving
 from workbench.rendering.subjects.flicker import (
     BAR,
     LUMINANCE,
+    PERIODS,
     PERSISTENCE,
     REFRESH_HZ,
     SPEED,
@@ -40,7 +40,10 @@ from workbench.widgets.look.tips import tell_choice
 
 
 class FlickerControls(QWidget):
-    """``changed`` sends the arguments that a hand asks for, ``flash_wanted`` that Calm is to be left off."""
+    """``changed`` sends the arguments that a hand asks for, ``flash_wanted`` that Calm is to be left off.
+
+    ``steps`` and ``periods`` are for another place: where the numbers are that they bear on.
+    """
 
     changed = Signal(object)
     flash_wanted = Signal()
@@ -49,14 +52,13 @@ class FlickerControls(QWidget):
         super().__init__(parent)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         above, below = QHBoxLayout(), QHBoxLayout()
-        for row in (above, below):
-            row.setSpacing(12)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(6)
-        column.addLayout(above)
-        column.addLayout(below)
-        self.phosphor = self._combo(above, _("Phosphor"), _("What the screen is coated with"), 12)
+        for row in (above, below):
+            row.setSpacing(10)
+            column.addLayout(row)
+        self.phosphor = self._combo(above, _("Phosphor"), _("What the screen is coated with"), 13)
         for name in names():
             self.phosphor.addItem(phosphor_title(name), name)
         self.phosphor.activated.connect(lambda _i: self._send(phosphor=self.phosphor.currentData()))
@@ -64,11 +66,12 @@ class FlickerControls(QWidget):
         self.persistence = self._field(
             above, _("Persistence"), "\N{MULTIPLICATION SIGN}", PERSISTENCE, "persistence", 0.1
         )
-        above.addStretch(1)
         self.luminance = self._field(
             below, _("Luminance"), "cd/m\N{SUPERSCRIPT TWO}", LUMINANCE, "luminance", 10.0
         )
-        self.figure = self._combo(below, _("Picture"), _("The sheet, or something that moves over it"), 8)
+        self.steps = self._field(None, "n", "", STEPS, "steps", 1.0, whole=True)
+        self.periods = self._field(None, _("Periods"), "", PERIODS, "periods", 1.0, whole=True)
+        self.figure = self._combo(below, _("Picture"), _("The sheet, or something that moves over it"), 7)
         for kind, title in ((STILL, _("The sheet")), (SPOT, _("Moving spot")), (BAR, _("Moving bar"))):
             self.figure.addItem(title, kind)
         self.figure.activated.connect(lambda _i: self._send(figure=self.figure.currentData()))
@@ -81,33 +84,29 @@ class FlickerControls(QWidget):
         self.moves.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         set_icon(self.moves, "play")
         below.addWidget(self.moves)
-        self.steps = self._field(below, _("Steps"), "", STEPS, "steps", 1.0, whole=True)
         below.addStretch(1)
         self.calm = QCheckBox(_("Calm"))
         self.calm.setAccessibleName(_("Calm"))
         self.calm.setToolTip(_("Hold flicker, flashing and motion still, here and everywhere"))
         self.calm.clicked.connect(self._calm_clicked)
+        above.addStretch(1)
         above.addWidget(self.calm)
         comfort.changed.connect(self.show_calm)
         self.show_calm()
 
     def _combo(self, row: QHBoxLayout, name: str, meaning: str, letters: int) -> QComboBox:
-        label = QLabel(name)
-        label.setProperty("role", "muted")
         box = QComboBox()
         box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         box.setMinimumContentsLength(letters)
         box.setToolTip(meaning)
         tell_choice(box)
         box.setAccessibleName(name)
-        label.setBuddy(box)
-        row.addWidget(label)
         row.addWidget(box)
         return box
 
     def _field(
         self,
-        row: QHBoxLayout,
+        row: QHBoxLayout | None,
         label: str,
         unit: str,
         bounds: Number,
@@ -121,6 +120,7 @@ class FlickerControls(QWidget):
             "luminance": _("Mean luminance of what is looked at"),
             "speed": _("How fast the figure moves"),
             "steps": _("Steps of the run from one refresh to the next"),
+            "periods": _("Refreshes that are plotted"),
         }
         field = NumberField(
             label,
@@ -134,7 +134,8 @@ class FlickerControls(QWidget):
         kind = int if whole else float
         field.edited.connect(lambda value: self._send(**{name: kind(value)}))
         field.scrubbed.connect(lambda value: self._send(**{name: kind(value)}))
-        row.addWidget(field)
+        if row is not None:
+            row.addWidget(field)
         return field
 
     def _send(self, **changes: Argument) -> None:
@@ -163,6 +164,7 @@ class FlickerControls(QWidget):
             (self.luminance, "luminance"),
             (self.speed, "speed"),
             (self.steps, "steps"),
+            (self.periods, "periods"),
         ):
             field.set_value(number(subject, name))
         self.speed.setEnabled(moving(figure))

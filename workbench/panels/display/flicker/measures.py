@@ -1,12 +1,15 @@
 """Flicker in numbers: by formula beside what was measured, and what an eye makes of it."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from workbench.display.flicker import EYE_S, Flicker, critical_frequency_hz, share_later, smears
-from workbench.display.phosphor import Phosphor
+from workbench.display.phosphor import Phosphor, doubts
 from workbench.exchange.tables import Table
 from workbench.language import _
+from workbench.widgets.look.scrolled import scrolled
 from workbench.widgets.look.tokens import CAPTION_PX
 from workbench.widgets.look.type_faces import code_font
 
@@ -21,9 +24,9 @@ def _texts(flicker: Flicker | None) -> tuple[str, str, str]:
 
 
 class MeasuresView(QWidget):
-    """Three measures in two columns, the fusion frequency, and the verdict."""
+    """Three measures in two columns, and the verdict; ``corner`` stands beside the headings."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, corner: Sequence[QWidget], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self.table = Table(("", _("formula"), _("measured")), [], formulas=False)
@@ -37,7 +40,12 @@ class MeasuresView(QWidget):
             (_("Modulation"), _("Amplitude of the fundamental over the mean, at most 2")),
         )
         self.names = tuple(title for title, _meaning in titles)
-        for column, heading in enumerate(self.table.columns):
+        beside = QHBoxLayout()
+        beside.setSpacing(8)
+        for field in corner:
+            beside.addWidget(field)
+        grid.addLayout(beside, 0, 0)
+        for column, heading in enumerate(self.table.columns[1:], 1):
             label = QLabel(heading)
             label.setProperty("role", "caption")
             label.setAlignment(Qt.AlignmentFlag.AlignRight)
@@ -54,12 +62,9 @@ class MeasuresView(QWidget):
                 grid.addWidget(value, row, column)
         self.verdict = QLabel()
         self.verdict.setWordWrap(True)
-        self.doubt = QLabel()
-        self.doubt.setWordWrap(True)
-        self.doubt.setProperty("role", "caption")
-        grid.addWidget(self.verdict, 4, 0, 1, 3)
-        grid.addWidget(self.doubt, 5, 0, 1, 3)
-        grid.setRowStretch(6, 1)
+        self.verdict.setAlignment(Qt.AlignmentFlag.AlignTop)
+        grid.addWidget(scrolled(self.verdict), 4, 0, 1, 3)
+        grid.setRowStretch(4, 1)
 
     def show_measures(
         self, formula: Flicker, measured: Flicker | None, phosphor: Phosphor, refresh_hz: float, cd_m2: float
@@ -70,8 +75,7 @@ class MeasuresView(QWidget):
             for label, column in zip(labels, columns, strict=True):
                 label.setText(column[row])
         self.table = Table(self.table.columns, list(zip(self.names, *columns, strict=True)), formulas=False)
-        self.verdict.setText(verdict(formula, phosphor, refresh_hz, cd_m2))
-        self.doubt.setText(doubt(phosphor))
+        self.verdict.setText(f"{verdict(formula, phosphor, refresh_hz, cd_m2)} {doubt(phosphor)}")
 
 
 def verdict(formula: Flicker, phosphor: Phosphor, refresh_hz: float, cd_m2: float) -> str:
@@ -94,6 +98,6 @@ def doubt(phosphor: Phosphor) -> str:
     """What is uncertain of all this."""
     if not phosphor.uncertain_fields:
         return _("Uncertain: when an eye fuses it, by some 10 Hz.")
-    return _("Uncertain: when an eye fuses it, by some 10 Hz; of {name} {fields}.").format(
-        name=phosphor.name, fields=", ".join(phosphor.uncertain_fields)
+    return _("Uncertain: when an eye fuses it, by some 10 Hz; of {name} the {fields}.").format(
+        name=phosphor.name, fields=doubts(phosphor)
     )

@@ -5,6 +5,7 @@ from functools import partial
 
 import numpy as np
 from msgspec.structs import replace
+from numpy.typing import NDArray
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
@@ -42,14 +43,13 @@ from workbench.widgets.tube.refusal import Refusal
 from workbench.widgets.tube.view import TubeView
 
 PAGE = "flicker"
-_PERIODS = 2
 _SAMPLES = 400
 _REST_MS, _MOVE_MS = 150, 33
 _NOTHING = Trace(np.zeros(0), np.zeros(0))
 
 
 class FlickerPage(PlainPage, QWidget):
-    """Controls above; the tube and the map; light over time and the numbers below."""
+    """Controls, the tube and the map, light over time and the numbers. ``image`` is what the tube shows."""
 
     hover_text = Signal(str)
 
@@ -65,7 +65,7 @@ class FlickerPage(PlainPage, QWidget):
         self.refusal = Refusal(self.tube)
         self.map = FlickerMap()
         self.light = LightPlot()
-        self.measures = MeasuresView()
+        self.measures = MeasuresView((self.controls.steps, self.controls.periods))
         self.phosphors = PhosphorTable()
         self._probed: ProbedLight | None = None
         self._asked_for = 0
@@ -75,7 +75,8 @@ class FlickerPage(PlainPage, QWidget):
         self._rest.timeout.connect(self._settle)
         self._moving = QTimer(self, interval=_MOVE_MS)
         self._moving.timeout.connect(self._move)
-        self._column = -1
+        self._column, self._held = -1, False
+        self.image = np.zeros((1, 1), np.uint32)
         self._lay_out()
         self._copy_table = QAction(_("Copy the flicker measures"), self)
         self._copy_table.setObjectName("flicker.copy_measures")
@@ -117,6 +118,7 @@ class FlickerPage(PlainPage, QWidget):
         self.controls.flash_wanted.connect(lambda: self.warning.ask(number(self.subject, "refresh_hz")))
         self.controls.moves.toggled.connect(self._let_move)
         self.map.moved.connect(self._point_moved)
+        self.map.held.connect(self._hold)
         self.tube.shown.connect(self.refresh)
         self.tube.probed.connect(lambda _x, _y: self._rest.start())
         self.phosphors.chosen.connect(lambda name: self.change({"phosphor": name}))
@@ -170,7 +172,7 @@ class FlickerPage(PlainPage, QWidget):
     # What is shown
 
     def refresh(self, *_arguments: object) -> None:
-        """Show the session as it is now: the numbers at once, the tube when a drag has come to rest."""
+        """Show the session as it is now: numbers at once, tube and light when a drag has come to rest."""
         if not self.isVisible():
             return
         subject = self.subject
@@ -188,11 +190,16 @@ class FlickerPage(PlainPage, QWidget):
             self._where(formula, setup.refresh_hz, luminance),
         )
         self.phosphors.mark(phosphor.name)
-        self._show_light()
         if self.tube.driver is None:
             self._settle()
-        else:
+        elif not self._rest.isActive():
             self._rest.start()
+
+    def _hold(self, on: bool) -> None:
+        """While the point is dragged only the tube follows; run and light come when it is let go."""
+        self._held = on
+        self.session.hold_runs(on)
+        self._rest.start()
 
     @staticmethod
     def _where(formula: Flicker, refresh_hz: float, luminance: float) -> str:
@@ -203,8 +210,10 @@ class FlickerPage(PlainPage, QWidget):
         )
 
     def _settle(self) -> None:
-        """Bring the tube up to date, and measure its light."""
+        """Bring the tube up to date, and unless the point is held the light over time, and measure it."""
         self._rest.stop()
+        if not self._held:
+            self._show_light()
         subject, sheet = self.subject, self.session.shown
         size = sheet.width_px, sheet.height_px
         refused = too_many_pixels(size)
@@ -216,14 +225,20 @@ class FlickerPage(PlainPage, QWidget):
             self._column = -1
             self._move()
         else:
-            self.tube.set_image(whole_picture(as_seen(self.session.state, sheet)))
+            self._put(whole_picture(as_seen(self.session.state, sheet)))
         self._probe_something()
         self._let_move()
-        self._measure()
+        if not self._held:
+            self._measure()
+
+    def _put(self, image: NDArray[np.uint32]) -> None:
+        """Put a frame buffer on the tube."""
+        self.image = image
+        self.tube.set_image(image)
 
     def _probe_something(self) -> None:
         """Measure a lit pixel near the middle until somebody chooses, or where a figure has left it dark."""
-        probe, image = self.tube.probe, self.tube.image
+        probe, image = self.tube.probe, self.image
         if probe is None or (moving(str(given(self.subject, "figure"))) and not image[probe[1], probe[0]]):
             lit = self.tube.lit_pixel()
             if lit is not None:
@@ -246,7 +261,7 @@ class FlickerPage(PlainPage, QWidget):
         column = column_at(size, number(subject, "speed"), float(self.tube.seconds()))
         if column != self._column:
             self._column = column
-            self.tube.set_image(moved_picture(str(given(subject, "figure")), size, column))
+            self._put(moved_picture(str(given(subject, "figure")), size, column))
 
     def _measure(self) -> None:
         """Ask for the light of the probed pixel, as the beam makes it."""
@@ -254,7 +269,7 @@ class FlickerPage(PlainPage, QWidget):
         if pixel is None or (self.controls.moves.isChecked() and self._moving.isActive()):
             return
         self._asked_for += 1
-        work = partial(probed_light, self.tube.image, setup_of(self.subject), pixel)
+        work = partial(probed_light, self.image, setup_of(self.subject), pixel)
         self._measuring.ask(partial(_numbered, self._asked_for, work), "flicker")
 
     def _take_light(self, answer: tuple[int, ProbedLight]) -> None:
@@ -272,10 +287,11 @@ class FlickerPage(PlainPage, QWidget):
     def _show_light(self) -> None:
         subject = self.subject
         phosphor, period = phosphor_of(subject), 1.0 / setup_of(subject).refresh_hz
+        periods = int(number(subject, "periods"))
         once = light_over_refresh(phosphor, period, _SAMPLES)[:-1]
         formula = Trace(
-            1e3 * np.concatenate([once[:, 0] + k * period for k in range(_PERIODS)]),
-            np.tile(once[:, 1], _PERIODS),
+            1e3 * np.concatenate([once[:, 0] + k * period for k in range(periods)]),
+            np.tile(once[:, 1], periods),
         )
         dots, words = _NOTHING, _("{name}, {n} refreshes of {ms:.4g} ms")
         if self._probed is not None:
@@ -283,13 +299,13 @@ class FlickerPage(PlainPage, QWidget):
             if mean > 0.0:
                 seconds, light = self._probed.seconds[:-1], self._probed.light[:-1] / mean
                 dots = Trace(
-                    1e3 * np.concatenate([seconds + k * period for k in range(_PERIODS)]),
-                    np.tile(light, _PERIODS),
+                    1e3 * np.concatenate([seconds + k * period for k in range(periods)]),
+                    np.tile(light, periods),
                 )
             else:
                 words = _("{name}, {n} refreshes of {ms:.4g} ms; the probed pixel is dark")
-        said = words.format(name=phosphor.name, n=_PERIODS, ms=1e3 * period)
-        self.light.show_light(formula, dots, [1e3 * k * period for k in range(_PERIODS + 1)], said)
+        said = words.format(name=phosphor.name, n=periods, ms=1e3 * period)
+        self.light.show_light(formula, dots, [1e3 * k * period for k in range(periods + 1)], said)
         self._show_steps()
 
     def _show_steps(self) -> None:

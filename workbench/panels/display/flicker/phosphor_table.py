@@ -4,7 +4,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QTableView, QVBoxLayout, QWidget
 
 from workbench.display.flicker import smears
-from workbench.display.phosphor import Phosphor, names, source_text
+from workbench.display.phosphor import Phosphor, doubts, names, source_text
 from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.widgets.look.spans import span_text
@@ -15,11 +15,10 @@ from workbench.widgets.tables.table_copies import CopiedTable
 
 def _row(name: str) -> tuple[str, ...]:
     phosphor = Phosphor.named(name)
-    doubts = ", ".join(phosphor.uncertain_fields)
     return (
         name,
         *(span_text(phosphor.time_to(share)) for share in (0.1, 0.01, 0.001)),
-        doubts or "\N{EN DASH}",
+        doubts(phosphor) or "\N{EN DASH}",
         phosphor.decay_source,
         phosphor.decay_kind.replace("_", " "),
         phosphor.colour_name.replace("-", "\N{NON-BREAKING HYPHEN}"),

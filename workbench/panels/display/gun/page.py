@@ -234,6 +234,7 @@ class GunPage(PlainPage, QWidget):
         self.monitor.show_gun(gun)
         self.tube.set_slow_motion(tube.slow_motion)
         self.tube.set_paused(tube.paused)
+        self.tube.show_gun(gun, None)  # whether it runs to be seen depends on its inputs
         self._show_beam()
         self._say()
 

@@ -66,7 +66,10 @@ def _labelled(gun: Gun, scale: float) -> list[Item]:
     for span in spans(gun):
         for start, end in ((span.start, span.end), (span.end, span.start)):
             items.append(Arrow(along(((start + end) / 2.0, span.y), (end, span.y)), "muted"))
-        items.append(Word(span.name.replace("mm", '"mm"'), (span.start + span.end) / 2.0, span.y, "text"))
+        name = span.name.replace("mm", '"mm"')
+        short = (span.end - span.start) * scale < (len(span.name) + 6) * _LETTER_PT
+        at, side = (span.end, 1) if short else ((span.start + span.end) / 2.0, 0)
+        items.append(Word(name, at, span.y, "text", side))
 
     def size_of(label: Label) -> tuple[float, float]:
         return (len(label.title) * _LETTER_PT + 6.0) / scale, _LINE_PT / scale

@@ -44,6 +44,7 @@ class PartDock(QScrollArea):
         column.addLayout(self.numbers)
         column.addStretch(1)
         self.setWidget(inner)
+        self.show_part(self.part, Gun())
 
     def show_part(self, part: str, gun: Gun) -> None:
         """Speak of another part, or of this one with other settings."""
@@ -81,6 +82,7 @@ class PartDock(QScrollArea):
         """A layout knows no least height of words that wrap."""
         margins = self.column.contentsMargins()
         wide = self.viewport().width() - margins.left() - margins.right()
+        self.words.setMinimumHeight(0)  # else it is at least as high as it was
         self.words.setMinimumHeight(max(self.words.heightForWidth(max(wide, 1)), 0))
 
     def resizeEvent(self, event: QResizeEvent) -> None:

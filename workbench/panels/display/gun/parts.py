@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import NamedTuple
 
-from workbench.algorithms.scanning.electron_beam import LENS_MM, exact_speed
+from workbench.algorithms.scanning.electron_optics import LENS_MM, exact_speed
 from workbench.display.cutaway import Part
 from workbench.display.gun import Deflection, Gun
 from workbench.language import _

@@ -26,6 +26,7 @@ from workbench.document.fields import Number, numbers_of
 from workbench.document.scene.edits import add_light, remove_thing, set_thing
 from workbench.document.scene.model import Light, Material, Point3D, Scene
 from workbench.language import _
+from workbench.panels.space.looking import light_moved_to
 from workbench.panels.space.shading.light_faults import word_of
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField
@@ -204,10 +205,9 @@ class LampsDock(QScrollArea):
 
     def move_light(self, identity: str, position: Point3D) -> None:
         """Put a light elsewhere, as a part of a drag."""
-        scene = self._session.sheet.scene
-        light = next((each for each in scene.lights if each.id == identity), None) if scene else None
-        if light is not None:
-            self._apply(set_thing(replace(light, position=position)), _("Move a light"), f"light {identity}")
+        edit = light_moved_to(self._session.sheet.scene or Scene(), identity, position)
+        if edit is not None:
+            self._apply(edit, _("Move a light"), f"light {identity}")
 
     def add_light(self) -> None:
         """Put a light above the scene, and choose it."""

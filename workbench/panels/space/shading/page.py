@@ -19,16 +19,17 @@ from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.shading.bar import ShadingBar
+from workbench.panels.space.shading.derivation import derivation
 from workbench.panels.space.shading.lamps_dock import LampsDock
 from workbench.panels.space.shading.lit_view import LitView
-from workbench.panels.space.shading.run import greys, light_so_far
+from workbench.panels.space.shading.run import EndedLight, greys, light_so_far, rows_so_far
 from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.picture import packed
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.panels.stage.pointed import Pointed
 from workbench.rendering.scene.shading import LIT_SHADINGS
 from workbench.rendering.subjects.registry import marks_on_device
-from workbench.rendering.subjects.shading import KIND, call_of, model_of, shading_of
+from workbench.rendering.subjects.shading import KIND, call_of, lighting_of, model_of, shading_of
 from workbench.rendering.subjects.visibility import USUAL_COLUMNS, fault_of, size_of
 from workbench.session.session import Session
 from workbench.widgets.canvas.drawing import Drawn
@@ -57,6 +58,7 @@ class ShadingPage(PlainPage, QWidget):
         self.looking = Looking(session)
         self._waiting = False
         self._light = np.zeros((0, 0))
+        self.ended = EndedLight(self)
         self.canvas = PixelCanvas()
         self.nothing = EmptyState(self.canvas, _("This sheet has no scene."), self._show_example)
         self.view = LitView("")
@@ -113,7 +115,7 @@ class ShadingPage(PlainPage, QWidget):
     def _connect(self) -> None:
         session, canvas = self.session, self.canvas
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
-        for told in (session.changed, session.state_changed, theme_changed):
+        for told in (session.changed, session.state_changed, theme_changed, self.ended.arrived):
             told.connect(self.refresh_soon)
         for signal in (session.run.changed, session.run.moved, session.run.grown, session.run.asked):
             signal.connect(self.refresh_soon)
@@ -167,8 +169,21 @@ class ShadingPage(PlainPage, QWidget):
         return False
 
     def derivation(self) -> Derivation | None:
-        """None."""
-        return None
+        """The light of the chosen pixel, else of that which was lit last; None before anything is lit."""
+        subject = self.session.state.subject
+        lighting, cell = lighting_of(self.session.sheet, subject), self._lit_cell()
+        if lighting is None or cell is None:
+            return None
+        x, y = cell
+        scene = self.session.sheet.scene or Scene()
+        names = tuple(light.name or light.id for light in scene.lights) or (_("Light above the eye"),)
+        return derivation(lighting, shading_of(subject), x, y, names, float(self._light[y, x]))
+
+    def _lit_cell(self) -> Cell | None:
+        """The chosen pixel where that is lit by now, else the one that was lit last."""
+        lit = {(int(x), int(y)): None for x, y, _light in rows_so_far(self.session).tolist()}
+        chosen = self.session.state.pixel
+        return chosen if chosen in lit else next(reversed(lit), None)
 
     def point_at(self, cell: Cell | None) -> None:
         """Ring a pixel that the sentence names; None when no longer."""
@@ -232,9 +247,14 @@ class ShadingPage(PlainPage, QWidget):
             self.canvas.set_picture(np.full((height, width), packed(tokens().canvas), np.uint32))
             self.canvas.set_overlay(Overlay())
             return
-        self._light, ended = light_so_far(session, call)
-        done, whole = (int(np.isfinite(each).sum()) for each in (self._light, ended))
-        said = _("{now:,} of {whole:,} pixels lit").format(now=done, whole=whole)
+        self._light, ended = light_so_far(session, call), self.ended.of(call)
+        said = _("{now:,} pixels lit").format(now=int(np.isfinite(self._light).sum()))
+        if ended is None:  # nothing is known of what is still to come
+            ended = np.full_like(self._light, np.nan)
+        else:
+            said = _("{now:,} of {whole:,} pixels lit").format(
+                now=int(np.isfinite(self._light).sum()), whole=int(np.isfinite(ended).sum())
+            )
         self.bar.progress.setText(said)
         self.canvas.set_picture(greys(self._light, ended, tokens()))
         marks: tuple[Drawn, ...] = ()

@@ -75,8 +75,9 @@ class SolidRun(NamedTuple):
             strict=True,
         ):
             share = 1.0 if state == FULL else _PARTIAL
-            drawn.append(Tint(ring, _mixed(packed(now.canvas), self.colour, share, _LIGHT[axis]), 255))
-            drawn.append(PenStroke(ring[[0, 1, 2, 3, 0]], "muted", 0.8))
+            drawn.append(
+                Tint(ring, _mixed(packed(now.canvas), self.colour, share, _LIGHT[axis]), 255, "muted")
+            )
         if len(self.cells) and not self.done:
             x, y, z, side, state = self.cells[-1].tolist()
             pattern = "dot" if state == EMPTY else "solid"

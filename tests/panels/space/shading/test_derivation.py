@@ -1,0 +1,64 @@
+"""The light of a pixel on paper: every number of it comes to what the picture has."""
+
+import re
+
+import numpy as np
+import pytest
+
+from workbench.document.samples.examples import example
+from workbench.document.subjects import Subject
+from workbench.exchange.diagrams import Sentence
+from workbench.panels.space.shading.derivation import derivation
+from workbench.rendering.emissions import emitted
+from workbench.rendering.subjects.shading import call_of, lighting_of
+
+
+def page_of(shading: str, slug: str, at: int, **arguments: object):
+    """The lines of the page of a pixel, and the light that the picture has there."""
+    sheet = example(slug).document.sheets[0]
+    subject = Subject("shading", entry=shading, arguments={"columns": 16, **arguments})
+    call = call_of(sheet, subject)
+    assert call is not None
+    rows = np.array(emitted(call))
+    x, y, _light = rows[at % len(rows)]
+    last = rows[(rows[:, 0] == x) & (rows[:, 1] == y)][-1, 2]
+    names = tuple(each.name for each in sheet.scene.lights)
+    lighting = lighting_of(sheet, subject)
+    assert lighting is not None
+    page = derivation(lighting, shading, int(x), int(y), names, float(last))
+    assert page is not None
+    return [block.text for block in page.blocks if isinstance(block, Sentence)], float(last)
+
+
+def last_number(line: str) -> float:
+    return float(re.findall(r"−?\d+(?:\.\d+)?", line)[-1].replace("−", "-"))
+
+
+@pytest.mark.parametrize("arguments", [{}, {"by_halfway": True}, {"shadows": True}], ids=str)
+@pytest.mark.parametrize("shading", ["flat_shading", "gouraud", "phong"])
+def test_the_sum_is_the_light_of_the_picture(shading: str, arguments: dict[str, object]) -> None:
+    for slug in ("shading-ball", "shading-lamps"):
+        for at in (7, 40, -1):
+            lines, light = page_of(shading, slug, at, **arguments)
+            totals = [line for line in lines if line.startswith("$I = ") and "Σ" not in line]
+            assert len(totals) == (3 if shading == "gouraud" else 1)
+            for line in totals:
+                *parts, total = (
+                    float(each.replace("−", "-")) for each in re.findall(r"−?\d+(?:\.\d+)?", line)
+                )
+                assert sum(parts) == pytest.approx(total, abs=3e-4)
+            assert last_number(lines[-1] if shading == "gouraud" else totals[0]) == pytest.approx(
+                light, abs=2e-4
+            )
+
+
+def test_each_part_is_its_product() -> None:
+    lines, _light = page_of("phong", "shading-ball", 40)
+    (diffuse,) = [line for line in lines if line.startswith("Diffuse")]
+    product = re.search(r"= ([\d.]+) · ([\d.]+) · ([\d.]+) = ([\d.]+)\$", diffuse)
+    assert product is not None
+    k, arrives, cosine, value = map(float, product.groups())
+    assert k * arrives * cosine == pytest.approx(value, abs=1e-3)
+    (specular,) = [line for line in lines if line.startswith("Specular")]
+    assert "R = 2 (N · L) N − L" in specular
+    assert lines[0] == "$I = k_a + Σ f_j I_j (k_d (N · L_j) + k_s (V · R)^n)$"
