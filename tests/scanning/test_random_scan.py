@@ -77,6 +77,13 @@ def test_a_move_is_made_only_where_the_beam_is_not_there_yet() -> None:
     assert program.moves == 2
 
 
+def test_a_list_that_ends_where_it_began_says_so_all_the_same() -> None:
+    """The first instruction places the beam, although it takes no time from the second frame on."""
+    program = program_of(strokes_of([((1, 1), (5, 1)), ((5, 1), (1, 1))]))
+    assert program.rows[:, 0].tolist() == [MOVE, DRAW, DRAW, JUMP]
+    assert rows_of(program.rows, 1.0, *VectorTiming.named("teaching").numbers_us, 0.0)[0][5] == 0.0
+
+
 def test_an_empty_list_is_no_program() -> None:
     assert len(program_of(strokes_of([]))) == 0
     assert list(random_scan(np.empty((0, 4)), 1.0, *([0.0] * 8))) == []
