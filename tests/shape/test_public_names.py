@@ -16,7 +16,8 @@ NAMES = {
     "reflection_3d shear_3d rotation_about_axis",
     "algorithms.viewing": "window_to_viewport window_to_viewport_point",
     "algorithms.curves": "de_casteljau de_boor bernstein basis_functions nurbs_point hermite natural_cubic "
-    "catmull_rom cardinal kochanek_bartels continuity",
+    "catmull_rom cardinal kochanek_bartels continuity b_spline_sum bernstein_curve hermite_blend "
+    "natural_cubic_system",
     "algorithms.projection": "orthographic oblique cavalier cabinet axonometric isometric perspective "
     "perspective_from_plane perspective_depth vanishing_points project_point",
     "algorithms.visibility": "back_faces depth_buffer painter depth_sort bsp_tree scan_line_surfaces "

@@ -115,7 +115,7 @@ def test_a_raised_degree_leaves_the_curve_and_a_lowered_one_tells_its_error(qtbo
     assert len(places(panel)) == 6
     said = sentences(panel)
     panel.commands.lower_degree()
-    assert any("off" in text for text in said)
+    assert any("changed by" in text for text in said)
     assert on_curve(the_curve(panel)) == pytest.approx(before, abs=1e-6)
 
 
@@ -160,7 +160,7 @@ def test_what_a_hermite_spline_cannot_follow_is_said_and_never_less(qtbot, splin
     panel.commands.convert("hermite")
     away = distances(pieces_of(the_curve(panel)), before).max()
     if away > 1e-6:
-        (told,) = re.findall(r"at most ([\d.]+) off", said[-1])
+        (told,) = re.findall(r"changed by ([\d.]+) at most", said[-1])
         assert away <= float(told)
     else:
         assert "exactly" in said[-1]
@@ -185,7 +185,7 @@ def test_curves_that_are_joined_are_no_farther_off_than_is_said(qtbot, spline):
         assert said[-1] == "The curves are now one, and look as before."
         assert away < 1e-9
         return
-    (told,) = re.findall(r"at most ([\d.]+) off", said[-1])
+    (told,) = re.findall(r"changed by ([\d.]+) at most", said[-1])
     assert 1e-4 < away <= float(told)
 
 

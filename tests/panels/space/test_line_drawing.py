@@ -63,4 +63,4 @@ def test_where_too_many_would_be_compared_all_are_shown_and_a_sentence_says_so(
     page.next_shows()
     settle(qtbot, page)
     assert seen_in(page) == edges_of(page)
-    assert any("too many to compare each with each" in sentence for sentence in told)
+    assert any("too many to compare each with every other" in sentence for sentence in told)

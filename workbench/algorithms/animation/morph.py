@@ -133,20 +133,12 @@ ENTRY = Entry(
     function=morph,
     topic="animation",
     title="Morphing",
-    summary="Cuts the edges of the simpler outline until both have equally many, and moves each "
-    "vertex straight.",
+    summary="Cuts edges of the simpler outline until both have equally many, and moves each vertex straight.",
     parameters=(
         Parameter("first", "P_i", "points", _HOUSE, meaning="the vertices of the first key"),
         Parameter("second", "Q_i", "points", _LETTER, meaning="the vertices of the second key"),
         Parameter("closed", "closed", "bool", True, meaning="whether the last vertex is joined to the first"),
-        Parameter(
-            "shift",
-            "shift",
-            "int",
-            0,
-            low=0,
-            meaning="the vertex of the second outline that vertex 0 moves to",
-        ),
+        Parameter("shift", "shift", "int", 0, low=0, meaning="the second's vertex that vertex 0 moves to"),
         Parameter("t", "t", "float", 0.5, low=0, high=1, meaning="how far along the way, from 0 to 1"),
     ),
     arguments=_arguments,
@@ -191,8 +183,7 @@ ENTRY = Entry(
             "animation/test_morph.py::test_edges_are_shared_by_the_rule_of_the_course",
         ),
         Law(
-            "It has as many vertices as the larger outline, and each moves at a constant speed "
-            "along a straight line.",
+            "It has as many vertices as the larger outline, and each moves straight at a constant speed.",
             "animation/test_morph.py::test_every_vertex_moves_evenly_on_a_line",
         ),
     ),

@@ -129,19 +129,12 @@ ENTRY = Entry(
     function=spline_tween,
     topic="animation",
     title="Spline through keys",
-    summary="Gives each key a slope computed from its neighbours, and joins the keys by cubics "
-    "with these slopes.",
+    summary="Gives each key a slope computed from its neighbours, and joins the keys by cubics.",
     parameters=(
         Parameter("frames", "frame_k", "ints", np.array([0, 4, 6, 12]), meaning="the frames of the keys"),
         Parameter("values", "P_k", "floats", np.array([2.0, 10, 14, 6]), meaning="the values at the keys"),
         Parameter("tensions", "t_k", "floats", np.zeros(4), meaning="tension: 1 stops at the key"),
-        Parameter(
-            "continuities",
-            "c_k",
-            "floats",
-            np.zeros(4),
-            meaning="continuity, with Hearn and Baker's sign: not 0 for a corner",
-        ),
+        Parameter("continuities", "c_k", "floats", np.zeros(4), meaning="continuity, the book's sign"),
         Parameter("biases", "b_k", "floats", np.zeros(4), meaning="bias: above 0 overshoots the key"),
     ),
     arguments=_arguments,
@@ -186,9 +179,8 @@ ENTRY = Entry(
             "animation/test_spline_tween.py::test_a_spline_passes_through_its_keys",
         ),
         Law(
-            "With tension, continuity and bias 0 it is the Catmull-Rom spline over unequal "
-            "distances in time: its "
-            "slope at a key is that of the parabola through the key and its two neighbours.",
+            "With all three 0 it is the Catmull-Rom spline over unequal distances in time: its slope "
+            "at a key is that of the parabola through the key and its two neighbours.",
             "animation/test_spline_tween.py::test_without_shapes_the_slope_is_that_of_the_parabola",
         ),
         Law(

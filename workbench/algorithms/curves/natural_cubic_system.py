@@ -9,16 +9,19 @@ h_after     length of the piece after it, t_{i+1} - t_i
 factor      how many times equation i - 1 is taken off equation i
 """
 
-import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.curves.natural_cubic_views import (
+    equation_row,
+    point_marks,
+    system_rows,
+    tangent_marks,
+)
 from workbench.algorithms.curves.parameters import THROUGH, points_to_pass
 from workbench.algorithms.entry import Entry, Law, View
-from workbench.algorithms.marks import MOST_SPOTS, Mark, Spot, Stroke, along
 from workbench.geometry.curves.refusals import refuse_interpolation
 
 
@@ -89,40 +92,6 @@ def natural_cubic_system(
         m_x = (row.right_x - row.upper * m_x) / row.diagonal
         m_y = (row.right_y - row.upper * m_y) / row.diagonal
         yield float(points[i, 0]), float(points[i, 1]), m_x, m_y
-
-
-def tangent_marks(
-    arguments: tuple[Any, ...], _now: Mapping[str, Any], emitted: NDArray[Any], ended: bool
-) -> Iterator[Mark]:
-    """The points, and at each that is solved the direction of its tangent."""
-    points = np.asarray(arguments[0], np.float64)
-    yield Stroke(points, "text", "hair", "dot")
-    if len(emitted) > MOST_SPOTS:
-        return
-    reach = float(np.hypot(*np.diff(points, axis=0).T).max()) / 6.0
-    for x, y, m_x, m_y in emitted.tolist():
-        length = math.hypot(m_x, m_y)
-        if length > 0.0:
-            dx, dy = reach * m_x / length, reach * m_y / length
-            yield Stroke(along((x - dx, y - dy), (x + dx, y + dy)), "data2", "thin")
-        yield Spot(x, y, "data2", "dot", "small")
-    if len(emitted) and not ended:
-        yield Spot(float(emitted[-1, 0]), float(emitted[-1, 1]), "accent", "ring", "large")
-
-
-def point_marks(points: NDArray[Any], i: int) -> tuple[Mark, ...]:
-    """The point that an equation belongs to."""
-    return (Spot(float(points[i, 0]), float(points[i, 1]), "accent", "ring", "large"),)
-
-
-def system_rows(system: list[Equation]) -> list[tuple[Any, ...]]:
-    """The equations so far, numbered."""
-    return [(i, *row) for i, row in enumerate(system)]
-
-
-def equation_row(what: str, i: int, row: Equation, m: object = "") -> tuple[Any, ...]:
-    """One row of the hand table: what is done, and with which numbers."""
-    return what, i, row.lower, row.diagonal, row.upper, (row.right_x, row.right_y), m
 
 
 _TABLES = {"System": ("system_rows(system)", ("i", "m_{i-1}", "m_i", "m_{i+1}", "right x", "right y"))}

@@ -147,8 +147,7 @@ ENTRY = Entry(
     function=rotate_about_axis,
     topic="transforms",
     title="Rotation about any axis",
-    summary="Seven matrices: two rotations bring the axis onto z, the point is rotated about z, "
-    "and the rest is undone.",
+    summary="Seven matrices: two turns bring the axis onto z, a third turns the point, then all is undone.",
     parameters=(
         Parameter("theta", "θ", "float", math.radians(90), -1e6, 1e6, "rad", "angle of the turn"),
         _place("x", "x", 3.0, "the point"),
