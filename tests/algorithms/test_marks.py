@@ -40,8 +40,7 @@ def at_event(entry: Entry, steps: Steps, run: tuple[Any, ...], event: int, ended
     recording = steps.recording
     count = len(recording.emitted) if ended else recording.emitted_count(event)
     call = own_call(recording, event, event, count, ended)
-    assert call.number == 0
-    assert call.ended == ended
+    assert (call.number, call.ended) == (0, ended)
     return list(entry.marks(run, call.variables, call.emitted, call.ended))
 
 
@@ -171,9 +170,8 @@ def test_marks_need_no_recording(entry: Entry, data: st.DataObject) -> None:
 
 
 def test_most_texts_draw_nothing_beside_their_pixels() -> None:
-    for entry in ENTRIES:
-        if entry.marks is no_marks:
-            assert list(entry.marks(entry.example, {}, np.empty((0, 0)), True)) == []
+    for entry in (each for each in ENTRIES if each.marks is no_marks):
+        assert list(entry.marks(entry.example, {}, np.empty((0, 0)), True)) == []
     assert len(DRAWING) >= 14
 
 
@@ -192,9 +190,8 @@ def test_what_is_counted_beside_is_a_block_of_the_text() -> None:
 
     for entry in ENTRIES:
         titles = {block.title for text in texts_of(entry.function) for block in blocks(text.function)}
-        for beginnings in entry.counted.values():
-            for beginning in beginnings:
-                assert any(title.startswith(beginning) for title in titles)
+        for beginning in itertools.chain(*entry.counted.values()):
+            assert any(title.startswith(beginning) for title in titles)
 
 
 # The marks tell the story of table and sentence

@@ -10,7 +10,7 @@ import pytest
 
 from tests.visibility.exact_scenes import KINDS, Scene, picture, scenes
 from workbench.algorithms.visibility import ray_casting, ray_casting_boxes
-from workbench.algorithms.visibility.box_views import many_surfaces
+from workbench.algorithms.visibility.box_examples import many_surfaces
 from workbench.algorithms.visibility.boxes import FEW, NONE, Boxes, extents_of
 from workbench.algorithms.visibility.surfaces import in_view, surfaces_of
 from workbench.engine.counts import counts

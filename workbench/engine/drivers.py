@@ -123,31 +123,34 @@ def drivers(
     arguments = ", ".join(parameter for parameter, _kind in parameters)
     columns = ", ".join(_column(k, kind) for k, (_n, kind) in enumerate(parameters))
     used = ["Collect", "Nothing", "Stopped"]
-    fields = {"name": name, "painter": painter, "arguments": arguments, "columns": columns}
-    text = _PLAIN.format(**fields)
+
+    def filled(template: str, **further: str) -> str:
+        return template.format(name=name, painter=painter, arguments=arguments, columns=columns, **further)
+
+    text = filled(_PLAIN)
     if painter:
-        text += _PAINTED.format(**fields)
-    fields["painter"] = painter = "_painted" if painter else name
+        text += filled(_PAINTED)
+    painter = "_painted" if painter else name
     numbers = only_numbers(parameters)
     if numbers:
-        text += _COLLECT_MANY.format(**fields)
+        text += filled(_COLLECT_MANY)
     if emits in PAINTING:
         sink = PAINTING[emits]
         used.append(sink)
         if extent and emits == "pixels":
             used.append("PaintInside")
-            text += _PAINT_WITHIN.format(**fields, sink=sink, extent=extent)
+            text += filled(_PAINT_WITHIN, sink=sink, extent=extent)
         else:
-            text += _PAINT.format(**fields, sink=sink)
+            text += filled(_PAINT, sink=sink)
         if numbers:
-            text += _PAINT_MANY.format(**fields)
+            text += filled(_PAINT_MANY)
         if takes_batches(parameters):
             used += ["Bounds", FIGURES[emits]]
             text += _paint_batch(painter, parameters, FIGURES[emits])
     if emits in ("pixels", "coverage", "fragments", "spans"):
         sink = "HitSpan" if emits == "spans" else "Hit"
         used.append(sink)
-        text += _HITS.format(**fields, sink=sink)
+        text += filled(_HITS, sink=sink)
     return _HEAD.format(names=", ".join(sorted(used))) + "\n" + text
 
 

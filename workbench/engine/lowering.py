@@ -1,11 +1,8 @@
 """The only rewriter: from the text that is shown to one that emits into a sink.
 
-``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; numbers that
-are never negative are marked so (``places``), branches that write items become ``choices``, empty lists get
-the type that they say (``empty_lists``), what only reads an item of an array stands where it is called
-(``reading_items``); nothing else of what runs is touched.
-Everything that the function calls is found by its global name and written, callees first, into one text that
-stands alone: constants as literals, records imported.
+``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; see also
+``places``, ``choices``, ``empty_lists`` and ``reading_items``. Nothing else of what runs is touched. All that
+the function calls is found by its global name and written, callees first, into one text that stands alone.
 
 Two variants add to that. The *counting* text ticks before statements, with the number of their slot, and so
 finds the runs of each line and the visits of each titled block exactly as a tracer would. The *probing* text

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.curves import de_boor, de_boor_rational, de_casteljau
 from workbench.document.curves.pieces import (
     b_spline_of,
     fault_of,
@@ -22,7 +23,7 @@ from workbench.rendering.mapping import Call, figure_map
 
 _CUBIC = 3
 _SAMPLES_PER_SPAN = 8
-_DIVIDING = {"b_spline": "de_boor", "nurbs": "de_boor_rational"}
+_DIVIDING = {"b_spline": de_boor.__name__, "nurbs": de_boor_rational.__name__}
 
 
 def construction_of(curve: Curve, chosen: str = "") -> str:
@@ -43,7 +44,7 @@ def _constructing(curve: Curve) -> tuple[str, ...]:
     those of what it is made into: Bézier or, where cubic, Hermite pieces, or, where the weights are equal, a
     B-spline without any."""
     slugs = (
-        _DIVIDING.get(curve.spline, "de_casteljau"),
+        _DIVIDING.get(curve.spline, de_casteljau.__name__),
         *catalogue.constructing(curve.spline),
         *catalogue.constructing("b_spline", "bezier", "hermite"),
     )

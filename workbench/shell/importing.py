@@ -5,9 +5,15 @@ is made. One that an import makes on another thread ends the program now and the
 """
 
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from importlib import import_module
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+if TYPE_CHECKING:
+    from workbench.engine.background import Thread
 
 BELOW_QT = (
     "numpy",
@@ -31,12 +37,20 @@ OF_QT = (
 """What takes long on this thread; each is less than a tenth of a second."""
 
 
-def import_below_qt() -> bool:
-    """Import what may be imported on any thread, and read the tables of phosphors."""
+def import_beside(parent: QObject, then: Callable[[], object]) -> "Thread":
+    """Import on a thread what may be imported there, and do ``then`` on this one."""
+    from workbench.session.answers import Answers
+
+    answers = Answers(parent)
+    answers.arrived.connect(lambda _imported: then())
+    return answers.ask(_import_below_qt, "imports")
+
+
+def _import_below_qt() -> bool:
     for _module in import_each(BELOW_QT):
         pass
     with suppress(Exception):
-        import_module("workbench.display.setup").TubeSetup().check()
+        import_module("workbench.display.setup").TubeSetup().check()  # reads the tables of phosphors
     return True
 
 

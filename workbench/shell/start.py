@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from workbench.language import _
-from workbench.shell.importing import OF_QT, import_below_qt, import_each
+from workbench.shell.importing import OF_QT, import_beside, import_each
 from workbench.shell.settings import Settings
 from workbench.shell.slices import Slices
 from workbench.shell.theme import ThemeSwitch
@@ -50,13 +50,10 @@ class Building(QObject):
     def start(self) -> None:
         """Complete the window, and begin importing."""
         from workbench.engine.large_arrays import give_back_large_arrays
-        from workbench.session.answers import Answers
 
         give_back_large_arrays()
         self._window.complete()
-        answers = Answers(self)
-        answers.arrived.connect(lambda _imported: self._slices.add(self._build()))
-        self._importing = answers.ask(import_below_qt, "imports")
+        self._importing = import_beside(self, lambda: self._slices.add(self._build()))
 
     def end(self) -> None:
         """Prepare nothing further."""

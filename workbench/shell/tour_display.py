@@ -117,9 +117,10 @@ def _random_scan(window: MainWindow) -> None:
 def _overloaded(window: MainWindow) -> None:
     """A list that takes three times as long as the eye will wait."""
     from workbench.document.subjects import Subject
+    from workbench.rendering.subjects import random_scan
 
     def arrive() -> None:
-        window.session.update_state(subject=Subject("random_scan"), step=0)
+        window.session.update_state(subject=Subject(random_scan.KIND), step=0)
         window.arrangements.bring_forward("random_scan_architecture")
 
     _page(window, "vector", "overloaded-list", arrive)
@@ -128,9 +129,10 @@ def _overloaded(window: MainWindow) -> None:
 def _storage(window: MainWindow) -> None:
     """The same list, written once."""
     from workbench.document.subjects import Subject
+    from workbench.rendering.subjects import random_scan
 
     def arrive() -> None:
-        window.session.update_state(subject=Subject("random_scan", arguments={"storage": True}), step=0)
+        window.session.update_state(subject=Subject(random_scan.KIND, arguments={"storage": True}), step=0)
 
     _page(window, "vector", "overloaded-list", arrive)
 

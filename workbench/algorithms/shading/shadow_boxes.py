@@ -12,15 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.visibility.back_faces import SpaceVector
+from workbench.algorithms.visibility.box_cuts import BINS, cheapest_cut, put_apart
 from workbench.algorithms.visibility.boxes import (
-    BINS,
     FEW,
     NONE,
     Boxes,
-    cheapest_cut,
     divide,
     one_box,
-    put_apart,
 )
 
 Array = NDArray[Any]

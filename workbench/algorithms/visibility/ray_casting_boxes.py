@@ -18,26 +18,18 @@ from collections.abc import Iterator
 import numpy as np
 
 from workbench.algorithms.entry import Entry, Law
-from workbench.algorithms.visibility.box_views import (
-    COLUMNS,
-    EXAMPLE,
-    VIEW_FUNCTIONS,
-    VIEWS,
-    box_marks,
-    many_surfaces,
-)
+from workbench.algorithms.visibility.box_cuts import BINS, cheapest_cut, put_apart
+from workbench.algorithms.visibility.box_examples import EXAMPLE, many_surfaces
+from workbench.algorithms.visibility.box_views import COLUMNS, VIEW_FUNCTIONS, VIEWS, box_marks
 from workbench.algorithms.visibility.boxes import (
-    BINS,
     FEW,
     NONE,
-    cheapest_cut,
     depth_scale,
     divide,
     extents_of,
     missed,
     nearer_first,
     one_box,
-    put_apart,
 )
 from workbench.algorithms.visibility.surface_scene import ONE_PICTURE
 from workbench.algorithms.visibility.surfaces import (

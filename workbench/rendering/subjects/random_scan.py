@@ -23,7 +23,7 @@ from workbench.rendering.display_program import (
 from workbench.rendering.mapping import Call
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
-KIND = "random_scan"
+KIND = random_scan.__name__
 SLUG, ORDERING = random_scan.__name__, nearest_end_first.__name__
 MOST_LINES = 20_000
 USUAL_LENGTH = 24.0
