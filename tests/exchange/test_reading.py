@@ -201,5 +201,5 @@ def test_a_failure_of_the_program_in_the_child_is_told_with_its_traceback(
 
 def test_a_child_that_dies_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(reading.sys, "executable", "/bin/false")
-    with pytest.raises(ReadingError, match="broke off"):
+    with pytest.raises(ReadingError, match="stopped before the end of the file"):
         Reading(Job("points", content=WAVE)).follow()

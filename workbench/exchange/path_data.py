@@ -138,7 +138,7 @@ def commands(data: str) -> Iterator[tuple[str, list[float]]]:
             at = read(data, at, number, values)
         if needed and (not values or len(values) % needed):
             there = len(values) % needed
-            what = _("{letter} needs {needed} numbers, but only {there} are there").format(
+            what = _("{letter} needs {needed} numbers, but has only {there}").format(
                 letter=letter, needed=needed, there=there
             )
             if at < len(data) and data[at].upper() not in _COUNTS:

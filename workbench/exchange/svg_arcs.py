@@ -57,6 +57,8 @@ def arc_pieces(arc: Arc, ends: Array, matrix: Array, tolerance: float) -> tuple[
     middle = 0.5 * (begin + end) + axes @ aside
     axes *= max(half, 1.0)
     radius = largest_stretch(axes)
+    if not math.isfinite(radius):
+        raise ValueError("the arc reaches beyond all numbers")
     count = max(math.ceil(whole / _RIGHT - 1e-9), 1)
     while radius * arc_error(sweep / count) > tolerance and count < _MOST_PIECES:
         count += 1

@@ -15,7 +15,7 @@ from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.tube.view import TubeView
 
 # What a line that is typed into keeps for itself.
-TYPED = {",", ".", "D", "A", "Shift+A", "Shift+I", "T", "?", "Ctrl+C", "Ctrl+V", "Ctrl+X"}
+TYPED = {",", ".", "D", "A", "Shift+A", "Shift+I", "T", "?", "Ctrl+C", "Ctrl+V", "Ctrl+X", "R"}
 
 
 def places_of_focus(window: MainWindow, place: str) -> dict[str, QWidget]:

@@ -122,7 +122,7 @@ class TubeFeed(QObject):
                 continue
             self._fed[view] = sheet, asked, *shaped
             shown = as_seen(self._session.state, sheet if asked is None else without(sheet, asked))
-            if view.kind == "raster":
+            if view.scans:
                 self._scan(view, shown)
             else:
                 strokes = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(shown)]

@@ -35,13 +35,13 @@ _BEAM_SEEN_FROM = 300.0
 
 
 class TubeView(LiveTube):
-    """One tube that shows a picture. ``probed`` comes with a clicked pixel."""
+    """One tube that shows a picture; ``scans``: of the raster kind. ``probed`` comes with a clicked pixel."""
 
     probed = Signal(int, int)
 
     def __init__(self, kind: Kind, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.kind = kind
+        self.kind, self.scans = kind, kind == "raster"
         self._setup = TubeSetup()
         self._image: NDArray[np.uint32] = np.zeros((48, 64), dtype=np.uint32)
         self._strokes: DeviceStrokes = ()
@@ -73,12 +73,12 @@ class TubeView(LiveTube):
     @property
     def lettering(self) -> tuple[str, str]:
         """The kind of tube, its phosphor and its refresh rate."""
-        name = _("RASTER") if self.kind == "raster" else _("VECTOR")
+        name = _("RASTER") if self.scans else _("VECTOR")
         return name, f"{self._setup.phosphor}   {self.refresh_hz:.4g} Hz"
 
     def _made(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
         """A tube for the picture, and the beam that draws it."""
-        if self.kind == "raster":
+        if self.scans:
             return raster_tube(self._image, size_px, self._setup)
         tube = vector_tube(self._picture, size_px, self._setup)
         return tube, vector_beam(tube, self._strokes, self._picture, self._setup)
@@ -88,7 +88,7 @@ class TubeView(LiveTube):
         same_size = image.shape == self._image.shape
         self._image = image
         self._take_size((image.shape[1], image.shape[0]))
-        if self.kind != "raster":
+        if not self.scans:
             return
         if same_size and self.driver is not None and isinstance(self.driver.beam, RasterBeam):
             drive = currents_of_image(image, len(self.driver.tube.guns), self._setup)
@@ -102,7 +102,7 @@ class TubeView(LiveTube):
         same_size = picture_px == self._picture
         self._strokes = strokes
         self._take_size(picture_px)
-        if self.kind != "vector":
+        if self.scans:
             return
         if same_size and self.driver is not None:
             self.driver.show(vector_beam(self.driver.tube, self._strokes, picture_px, self._setup))

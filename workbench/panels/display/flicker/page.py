@@ -30,7 +30,7 @@ from workbench.panels.display.flicker.controls import FlickerControls
 from workbench.panels.display.flicker.figures import column_at, moved_picture, moving
 from workbench.panels.display.flicker.measures import MeasuresView
 from workbench.panels.display.flicker.phosphor_table import PhosphorTable
-from workbench.panels.panel import DockPart, Said
+from workbench.panels.panel import DockPart, KeysWhileSeen, Said
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.scene.backdrop import whole_picture
 from workbench.rendering.subjects.flicker import KIND, given, is_of_a_phosphor, number, phosphor_of, setup_of
@@ -82,6 +82,7 @@ class FlickerPage(PlainPage, QWidget):
         self._copy_table.setObjectName("flicker.copy_measures")
         self._copy_table.triggered.connect(self._copy_measures)
         self.addAction(self._copy_table)
+        KeysWhileSeen(self, [self._copy_table])
         self.tube.addAction(self._copy_table)
         self.tube.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._connect()

@@ -26,7 +26,7 @@ class RasterSetting:
     def subject(self) -> Subject:
         """What the page steps; the usual one where it was not visited yet."""
         position = self.session.state.positions.get(PAGE)
-        return self.usual if position is None or position.subject.kind != KIND else position.subject
+        return position.subject if position is not None and position.subject.is_of(self.usual) else self.usual
 
     def value(self, name: str) -> Any:
         """An argument."""
