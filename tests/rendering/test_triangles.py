@@ -1,5 +1,6 @@
 """Triangles on two threads, against an oracle in exact fractions, and what is refused."""
 
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from typing import Any
 
@@ -11,9 +12,11 @@ from hypothesis import strategies as st
 from workbench.algorithms.visibility import depth_buffer
 from workbench.algorithms.visibility.depth_tiles import parts_in_sight
 from workbench.algorithms.visibility.device_plane import Corner, row_ends
+from workbench.document.samples.examples import example
 from workbench.engine import compiled
 from workbench.engine.compiled import Stop, Stopped
-from workbench.rendering import depth_buffer_triangles
+from workbench.rendering import depth_buffer_triangles, triangles
+from workbench.rendering.scene import render_scene
 
 Place = tuple[int, int, float]
 corner = st.tuples(st.integers(-3, 14), st.integers(-3, 11), st.sampled_from([0.25, 0.5, 0.75]))
@@ -128,3 +131,16 @@ def test_drawing_can_be_stopped() -> None:
     stop.set()
     with pytest.raises(Stopped):
         depth_buffer_triangles([[0, 0, 0], [8, 0, 0], [0, 8, 0]], [[0, 1, 2]], [1], (8, 8), stop)
+
+
+def test_threads_that_have_ended_stop_the_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As when the program is quit while a scene is drawn."""
+    ended = ThreadPoolExecutor(1)
+    ended.shutdown()
+    monkeypatch.setattr(triangles, "_threads", lambda: ended)
+    with pytest.raises(Stopped):
+        triangles.begin(print)
+    house = example("space-street").document.sheets[0].scene
+    assert house is not None
+    with pytest.raises(Stopped):
+        render_scene(house, "depth_buffer", (8, 8))

@@ -1,9 +1,10 @@
 """Triangles through the depth buffer, in bands of rows on two threads."""
 
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor, wait
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from functools import cache
 from itertools import pairwise
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,6 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from workbench.algorithms.visibility.depth_tiles import depth_buffer_tiles
 from workbench.engine.compiled import Stop, Stopped, paint
 from workbench.language import _
+
+T = TypeVar("T")
 
 THREADS = 2
 _MANY_TRIANGLES = 50_000  # each band of rows looks at all of them; of fewer, more bands share better
@@ -84,9 +87,19 @@ def _checked(
 
 
 @cache
-def threads() -> ThreadPoolExecutor:
-    """What works at triangles; nothing that runs there may wait for another that does."""
+def _threads() -> ThreadPoolExecutor:
     return ThreadPoolExecutor(THREADS, thread_name_prefix="triangles")
+
+
+def begin(work: Callable[..., T], *arguments: Any) -> "Future[T]":
+    """Do a work on one of the threads that work at triangles; none may wait for another.
+
+    Raises: Stopped, where the program ends and its threads take no more work.
+    """
+    try:
+        return _threads().submit(work, *arguments)
+    except RuntimeError as ended:
+        raise Stopped from ended
 
 
 def in_bands(
@@ -94,8 +107,7 @@ def in_bands(
 ) -> None:
     """Do something to ``count`` bands of rows, given the first and the end of each, on all threads.
 
-    Raises: Stopped, also where the program ends and its threads take no more work; bands that were begun are
-    finished first.
+    Raises: Stopped, also as ``begin`` does; bands that were begun are finished first.
     """
 
     def unless_stopped(low: int, high: int) -> None:
@@ -104,10 +116,7 @@ def in_bands(
         do(low, high)
 
     edges = [height * band // count for band in range(count + 1)]
-    try:
-        bands = [threads().submit(unless_stopped, low, high) for low, high in pairwise(edges) if low < high]
-    except RuntimeError as ended:
-        raise Stopped from ended
+    bands = [begin(unless_stopped, low, high) for low, high in pairwise(edges) if low < high]
     wait(bands)
     for band in bands:
         band.result()

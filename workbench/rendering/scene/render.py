@@ -18,7 +18,7 @@ from workbench.rendering.scene.lasting import Lasting
 from workbench.rendering.scene.methods import picture_by
 from workbench.rendering.scene.shading import LIT_SHADINGS, QUICK, flat_colours
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
-from workbench.rendering.triangles import drawn, threads
+from workbench.rendering.triangles import begin, drawn
 
 Picture = tuple[NDArray[np.uint32], NDArray[np.float64]]
 
@@ -142,7 +142,7 @@ def device_triangles(
     pieces: list[DeviceTriangles] = []
     count = 0
     for number, (mesh, (cut, face_of), material, lasting) in enumerate(parts):
-        shading = threads().submit(flat_colours, lasting, material, lights, viewpoint.viewer)
+        shading = begin(flat_colours, lasting, material, lights, viewpoint.viewer)
         device = viewpoint.drawn(mesh.vertices, cut, lasting.box)
         faces = face_of if device.triangles is cut else face_of[device.owners]
         colours = shading.result()
