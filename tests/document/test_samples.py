@@ -39,7 +39,7 @@ def test_every_example_is_sound_and_in_its_picture(slug: str) -> None:
     assert one.description.endswith(".")
     for sheet in one.document.sheets:
         inside = [
-            0 <= x < sheet.width_px and 0 <= y < sheet.height_px
+            -0.5 <= x <= sheet.width_px - 0.5 and -0.5 <= y <= sheet.height_px - 0.5
             for figure in sheet.figures
             for x, y in (figure_map(sheet, figure).point(p.x, p.y) for p in figure.points_world)
         ]

@@ -18,7 +18,7 @@ from workbench.document.model import Curve, CurvePoint, Document
 def test_a_curve_of_another_kind_is_no_farther_off_than_is_said(document: Document, kind: str) -> None:
     curve = the_curve(document)
     if curve.spline == "bezier_path" != kind and len(curve.points_world) % 3 != (not curve.closed):
-        with pytest.raises(ValueError, match="no whole piece yet"):
+        with pytest.raises(ValueError, match="do not make a whole piece yet"):
             converted(curve, kind)
         return
     made, error = converted(curve, kind)

@@ -52,7 +52,7 @@ def test_two_curves_joined_look_as_both(one: Document, other: Document) -> None:
     both = document_of("Two", 320, 200, [the_curve(one), the_curve(other)])
     first, second = both.sheets[0].figures
     if first.spline == "bezier_path" and len(first.points_world) % 3 != 1:
-        with pytest.raises(DocumentError, match="no whole piece yet"):
+        with pytest.raises(DocumentError, match="do not make a whole piece yet"):
             join(first.id, second.id)(both)
         return
     new = join(first.id, second.id)(both)

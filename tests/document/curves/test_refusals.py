@@ -26,7 +26,7 @@ from workbench.document.samples.figures import document_of
         (smooth_joint("f1", 9, "C1"), "no joint 9"),
         (smooth_joint("f1", 0, "C3"), "Choose one of"),
         (align(["s1/f1/p1/x"], "middling"), "Choose one of"),
-        (raise_degree("f2"), "one degree only"),
+        (raise_degree("f2"), "has a fixed degree"),
         (join("f1", "f2"), "A closed curve"),
     ],
 )

@@ -146,7 +146,7 @@ def test_keys_are_scaled_in_time() -> None:
     every = ids_in(document, 0, 10, 20)
     assert [f for f, _v in keys_on(scale_keys("s1", every, 0.5, 0)(document), RADIUS)] == [0, 5, 10]
     assert [f for f, _v in keys_on(scale_keys("s1", every, 2.0, 10)(document), RADIUS)] == [0, 10, 30]
-    with pytest.raises(DocumentError, match="come to one frame"):
+    with pytest.raises(DocumentError, match="land on the same frame"):
         scale_keys("s1", every, 0.01, 0)(document)
 
 

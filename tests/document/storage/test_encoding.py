@@ -96,7 +96,7 @@ def test_what_reads_back_differently_never_replaces(tmp_path: Path, monkeypatch:
 
     with monkeypatch.context() as patch:
         patch.setattr(msgspec.json, "format", misspell)
-        with pytest.raises(DocumentError, match="reads back differently"):
+        with pytest.raises(DocumentError, match="did not read back the same"):
             write(Stored(many(2)), tmp_path / "a.gwb")
     assert (tmp_path / "a.gwb").read_bytes() == old
     assert [file.name for file in tmp_path.iterdir()] == ["a.gwb"]
