@@ -147,12 +147,12 @@ def _numbers(window: MainWindow, example: str, slug: str, step: int = 0, **argum
     """A page of Display over an example, with some of its numbers set."""
     from msgspec.structs import replace
 
-    window.open_example(example)
-    window.go("display")
-    window.panels("display")[0].show_page(slug)
-    subject = window.session.state.subject
-    changed = replace(subject, arguments={**subject.arguments, **arguments})
-    window.session.update_state(subject=changed, step=step)
+    def arrive() -> None:
+        subject = window.session.state.subject
+        changed = replace(subject, arguments={**subject.arguments, **arguments})
+        window.session.update_state(subject=changed, step=step)
+
+    _page(window, slug, example, arrive)
 
 
 def _flicker(window: MainWindow) -> None:
