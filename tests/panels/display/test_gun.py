@@ -18,6 +18,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.storage.files import read
 from workbench.exchange.diagram_svg import write_diagram
 from workbench.panels.display.gun.page import GunPage
+from workbench.panels.display.gun.parts import numbers_of
 from workbench.panels.display.gun.presets import presets
 from workbench.rendering.subjects.gun import gun_of, settings_of, with_settings
 from workbench.session.session import Session
@@ -344,3 +345,14 @@ def test_the_words_of_a_part_take_the_room_they_need(page: GunPage, qtbot: QtBot
     needed = dock.words.heightForWidth(wide)
     dock._make_room()
     assert dock.words.minimumHeight() == needed < 120
+
+
+def test_the_flight_to_the_screen_takes_the_time_of_its_length_at_its_speed(page: GunPage) -> None:
+    gun = page.setting.gun
+    numbers = dict(numbers_of("anode", gun))
+    metres_a_second = 1000.0 * float(numbers["Speed"].removesuffix(" km/s").replace(",", ""))
+    seconds = gun.screen / 1000.0 / metres_a_second
+    told, unit = numbers["Flight to the screen"].split()
+    assert unit == "ns"
+    assert float(told) * 1e-9 == pytest.approx(seconds, rel=5e-3)
+    assert float(told) == pytest.approx(10.8, abs=0.05)

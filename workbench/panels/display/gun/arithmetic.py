@@ -25,6 +25,14 @@ def focus_line(gun: Gun) -> str:
     return words.format(spot=_strong(f"{gun.spot:.2g} mm"), volts=_short(gun.best_focus))
 
 
+def deflection_law(gun: Gun, way: str) -> str:
+    """How far the beam is bent, ``way`` "x" or "y", in the letters of the course."""
+    if gun.coils:
+        turned = "sin <i>θ</i> = <i>l B</i> √(<i>e</i> / (2 <i>m V</i><sub>a</sub>))"
+        return f"{turned}, <i>{way}</i> = <i>D</i> tan <i>θ</i>"
+    return f"<i>{way}</i> = <i>l D</i><sub>{way}</sub> <i>V</i><sub>{way}</sub> / (2 <i>d V</i><sub>a</sub>)"
+
+
 def deflection_line(gun: Gun, way: str, seconds: float | None) -> str:
     """Where the beam lands, ``way`` "x" or "y", from what bends it at a time."""
     drive = float(gun.arguments(seconds)[4][0 if way == "x" else 1])
@@ -39,6 +47,7 @@ def deflection_line(gun: Gun, way: str, seconds: float | None) -> str:
     if abs(drive) > gun.limit:
         return _strong(_("Caught: beyond {limit} V a plate is hit.").format(limit=_short(gun.limit)))
     reach = gun.reach_x if way == "x" else gun.reach_y
-    above = f"{gun.length:g}·{reach:g}·{_short(round(drive, 1))}"
+    volts = _short(round(drive, 1))
+    above = f"{gun.length:g}·{reach:g}·{f'({volts})' if drive < 0 else volts}"
     formula = f"{name} = {above} / (2·{gun.gap:g}·{gun.anode:g})"
     return f"{formula} = {value}" if lands else formula
