@@ -29,7 +29,7 @@ def deflection_law(gun: Gun, way: str) -> str:
     """How far the beam is bent, ``way`` "x" or "y", in the letters of the course."""
     if gun.coils:
         turned = "sin <i>θ</i> = <i>l B</i> √(<i>e</i> / (2 <i>m V</i><sub>a</sub>))"
-        return f"{turned}, <i>{way}</i> = <i>D</i> tan <i>θ</i>"
+        return f"{turned}<br><i>{way}</i> = <i>D</i> tan <i>θ</i>"
     return f"<i>{way}</i> = <i>l D</i><sub>{way}</sub> <i>V</i><sub>{way}</sub> / (2 <i>d V</i><sub>a</sub>)"
 
 

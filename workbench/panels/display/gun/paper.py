@@ -74,7 +74,7 @@ def _labelled(gun: Gun, scale: float) -> list[Item]:
     def size_of(label: Label) -> tuple[float, float]:
         return (len(label.title) * _LETTER_PT + 6.0) / scale, _LINE_PT / scale
 
-    for placed in place_labels(labels(gun), gun, size_of, 4.0 / scale):
+    for placed in place_labels(labels(gun), gun, size_of, 4.0 / scale, window_of(gun)):
         left, low, right, high = placed.box
         items.append(Stroke(np.array(placed.leader), "muted", "hair"))
         items.append(Word(f'"{placed.label.title}"', (left + right) / 2.0, (low + high) / 2.0, "text"))
