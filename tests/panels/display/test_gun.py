@@ -272,6 +272,9 @@ def test_the_answer_has_a_diagram_and_five_points(page: GunPage) -> None:
         assert f">{number}." in text.replace("\n", "")
     assert "24" in text
     assert "control grid" in text
+    assert ">26524" in text  # km/s: the root of 2 e V / m at 2 kV, without relativity
+    for asked in ("Electrostatic:", "Magnetic:", "Focus<", "Brightness<", "Contrast<"):
+        assert asked in text
 
 
 def test_the_button_asks_what_the_menu_asks(page: GunPage, qtbot: QtBot) -> None:
