@@ -266,11 +266,12 @@ def place_labels(
     placed: list[PlacedLabel] = []
     for label in told:
         wide, tall = size_of(label)
-        rows = max(int(((high if label.above else -low) - free + gap) // (tall + gap)), 1)
+        pitch = tall + 0.6 * gap  # more than keeps rows apart
+        rows = max(int(((high if label.above else -low) - free + 0.6 * gap) // pitch), 1)
         middle = label.anchor[0] - wide / 2.0
         shifts = sorted((shift * gap for shift in range(-_SHIFTS, _SHIFTS + 1)), key=abs)
         lefts = [min(max(middle + shift, left_end), right_end - wide) for shift in shifts]
-        starts = [free + row * (tall + gap) for row in range(rows)]
+        starts = [free + row * pitch for row in range(rows)]
         boxes = [(left, start, left + wide, start + tall) for start in starts for left in lefts]
         if not label.above:
             boxes = [(left, -top, right, -bottom) for left, bottom, right, top in boxes]

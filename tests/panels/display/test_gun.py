@@ -128,6 +128,11 @@ def test_the_spot_is_dragged_on_the_screen_and_moved_by_keys(qtbot: QtBot, page:
     qtbot.mouseRelease(tube, Qt.MouseButton.LeftButton, pos=at)
     settle(page)
     assert page.setting.gun.way()[-1][1:3] == pytest.approx((-40.0, 30.0), abs=1.0)
+    page.setting.change({"x_volts": -492.9})
+    settle(page)
+    assert not page.cards.across.fields["volts"].number.field.overflows
+    qtbot.mouseClick(tube, Qt.MouseButton.LeftButton, pos=at)
+    settle(page)
     x, y = page.setting.gun.way()[-1][1:3]
     qtbot.keyClick(tube, Qt.Key.Key_Right)
     settle(page)
@@ -332,7 +337,7 @@ def test_drawing_cards_and_screen_tell_of_one_moment(page: GunPage, session: Ses
     settle(page)
     _z, _x, y, _r = page.setting.gun.way()[-1]
     assert page.drawing_view._way[-1][2] == y
-    assert f"{y:.1f} mm" in page.cards.up.line.text()
+    assert f"{y:.1f}\N{NO-BREAK SPACE}mm" in page.cards.up.line.text()
     assert page.tube._spot is not None
     assert page.tube._spot[2] == y
 

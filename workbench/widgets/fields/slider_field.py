@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QSlider, QVBoxLayout, QW
 from workbench.widgets.fields.number_field import NumberField, complaint_label
 
 _STEPS = 1000
-_LABEL_PX, _UNIT_PX = 30, 16
+_LABEL_PX, _FIELD_PX, _UNIT_PX = 30, 68, 16
 _LEAST_SLIDER_PX = 40
 
 
@@ -45,6 +45,7 @@ class SliderField(QWidget):
             label, unit, low=low, high=high, step=step, meaning=meaning, complaint=complaint
         )
         self.number.label.setMinimumWidth(_LABEL_PX)
+        self.number.field.setFixedWidth(_FIELD_PX)
         self.number.unit.setMinimumWidth(_UNIT_PX)
         self.number.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.slider = QSlider(Qt.Orientation.Horizontal)

@@ -12,17 +12,22 @@ def _strong(text: str) -> str:
     return f"<b>{text}</b>"
 
 
+def _amount(value: str, unit: str) -> str:
+    """A result, which no line breaks from its unit."""
+    return _strong(f"{value}\N{NO-BREAK SPACE}{unit}")
+
+
 def current_line(gun: Gun) -> str:
     """I = K (1 - V_g / V_c)^γ."""
     share = f"{_short(abs(gun.grid))}/{_short(abs(gun.cut_off))}"
-    amount = _strong(f"{_short(round(gun.beam_current, 1))} µA")
+    amount = _amount(_short(round(gun.beam_current, 1)), "µA")
     return f"<i>I</i> = {_short(gun.current)} (1 \u2212 {share})<sup>{gun.gamma:g}</sup> = {amount}"
 
 
 def focus_line(gun: Gun) -> str:
     """The spot, and the voltage at which it would be sharp."""
     words = _("σ = {spot}, sharp at {volts} V")
-    return words.format(spot=_strong(f"{gun.spot:.2g} mm"), volts=_short(gun.best_focus))
+    return words.format(spot=_amount(f"{gun.spot:.2g}", "mm"), volts=_short(gun.best_focus))
 
 
 def deflection_law(gun: Gun, way: str) -> str:
@@ -38,7 +43,8 @@ def deflection_line(gun: Gun, way: str, seconds: float | None) -> str:
     drive = float(gun.arguments(seconds)[4][0 if way == "x" else 1])
     end = gun.way(seconds)[-1]
     lands = end[0] >= gun.screen
-    value = _strong(f"{end[1 if way == 'x' else 2]:.1f} mm".replace("-", "\u2212")) if lands else ""
+    place = f"{end[1 if way == 'x' else 2]:.1f}".replace("-", "\u2212")
+    value = _amount(place, "mm") if lands else ""
     name = f"<i>{way}</i>"
     if gun.coils:
         if not lands:

@@ -25,6 +25,8 @@ from workbench.widgets.fields.slider_field import SliderField
 
 _NARROW_PX = 700
 _LINES = 2
+_SHARES = (23, 18, 18, 13)
+"""How wide the cards are beside one another: as wide as their arithmetic."""
 _CARDS = {2: 0, 3: 0, 4: 0, 5: 1}
 """Which card each step of the run is about."""
 _SPANS = {
@@ -233,7 +235,7 @@ class GunCards(QWidget):
         self._grid.setVerticalSpacing(4)
         self._grid.addWidget(self._switch, 0, 0, 1, len(self._cards))
         for column in range(len(self._cards)):
-            self._grid.setColumnStretch(column, 4 if column < 3 else 3)
+            self._grid.setColumnStretch(column, _SHARES[column])
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         for card in (self.beam, self.up, self.across):
             card.edited.connect(self.edited)
