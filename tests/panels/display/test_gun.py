@@ -417,3 +417,20 @@ def test_a_narrow_page_brings_the_card_of_the_step_forward(
     page.cards.buttons.button(3).click()
     assert page.monitor.isVisible()
     assert page.monitor.height() < 110
+
+
+@pytest.mark.parametrize("width", [600, 785, 1100])
+def test_the_card_of_the_beam_tells_current_and_focus_at_any_width(
+    page: GunPage, qtbot: QtBot, width: int
+) -> None:
+    page.resize(width, 460)
+    page.setting.change({"focus": 50.0})
+    settle(page)
+    card = page.cards.beam
+    qtbot.waitUntil(lambda: card.focus.isVisible() == (width > 700))
+    told = card.focus if width > 700 else card.line
+    words = re.sub("<[^>]*>", "", told.text()).replace("\N{NO-BREAK SPACE}", " ")
+    assert "\N{GREEK SMALL LETTER SIGMA} 22 mm, sharp at 420 V" in words
+    for label in (told, card.line):
+        assert label.heightForWidth(label.width()) <= label.height()
+        assert label.sizeHint().width() <= label.width() or label.wordWrap()

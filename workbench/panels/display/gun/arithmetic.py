@@ -26,8 +26,7 @@ def current_line(gun: Gun) -> str:
 
 def focus_line(gun: Gun) -> str:
     """The spot, and the voltage at which it would be sharp."""
-    words = _("σ = {spot}, sharp at {volts} V")
-    return words.format(spot=_amount(f"{gun.spot:.2g}", "mm"), volts=_short(gun.best_focus))
+    return _("σ {spot:.2g} mm, sharp at {volts} V").format(spot=gun.spot, volts=_short(gun.best_focus))
 
 
 def deflection_law(gun: Gun, way: str) -> str:

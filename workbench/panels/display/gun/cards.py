@@ -106,23 +106,26 @@ class BeamCard(GunCard):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(_("Beam"), parent)
-        self.cut_off = QLabel()
-        self.cut_off.setProperty("role", "muted")
-        self.head.addWidget(self.cut_off)
+        self.focus = QLabel()
+        self.focus.setProperty("role", "muted")
+        self.focus.setToolTip(_("The lens is a model for teaching: its focal length grows with V_f / V_a"))
+        self.head.addWidget(self.focus)
+        self._flat = False
         self.fields = {name: self.slider(name) for name in ("grid", "focus", "anode")}
 
     def lie_down(self, flat: bool) -> None:
-        """Flat, the cut-off is told by the arithmetic alone."""
+        """Flat, focus is told behind the current."""
         super().lie_down(flat)
-        self.cut_off.setVisible(not flat)
+        self._flat = flat
+        self.focus.setVisible(not flat)
 
     def show_gun(self, gun: Gun) -> None:
         """Show what the tube is set to."""
         for name, field in self.fields.items():
             field.set_value(getattr(gun, name))
-        self.cut_off.setText(_("cut-off {volts} V").format(volts=f"{gun.cut_off:g}".replace("-", "\u2212")))
-        self.line.setText(f"{current_line(gun)}<br>{focus_line(gun)}")
-        self.line.setToolTip(_("The lens is a model for teaching: its focal length grows with V_f / V_a"))
+        self.focus.setText(focus_line(gun))
+        current = current_line(gun)
+        self.line.setText(f"{current};&nbsp; {focus_line(gun)}" if self._flat else current)
 
 
 class DeflectionCard(GunCard):
