@@ -109,3 +109,23 @@ def test_no_label_stands_on_the_line_to_what_another_one_names(
         for other in placed:
             inside = line.intersection(shapely.box(*other.box).buffer(-1e-6)).length
             assert one is other or inside == 0.0, (one.label.title, other.label.title)
+
+
+def test_a_label_gives_way_to_the_line_of_another_one_where_it_is_narrow() -> None:
+    gun, wide, tall = Gun(), 505.0, 215.0
+    left, low, right, high = window_of(gun)
+    scale = min(wide / (right - left), tall / (high - low))
+    z, y = (left + right) / 2, (low + high) / 2
+    half = wide / 2 / scale, tall / 2 / scale
+    placed = place_labels(
+        labels(gun),
+        gun,
+        lambda label: ((6 * len(label.title) + 12) / scale, 19 / scale),
+        6 / scale,
+        (z - half[0], y - half[1], z + half[0], y + half[1]),
+    )
+    assert not crowded(placed)
+    for one in placed:
+        for other in placed:
+            inside = LineString(one.leader).intersection(shapely.box(*other.box).buffer(-1e-6)).length
+            assert one is other or inside == 0.0, (one.label.title, other.label.title)

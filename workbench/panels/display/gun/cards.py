@@ -242,8 +242,7 @@ class GunCards(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         for card in (self.beam, self.up, self.across):
             card.edited.connect(self.edited)
-        self._lay_out(False)
-        self.show_gun(Gun())  # so that they ask for no more room than they will need
+        self._lay_out(False)  # with the usual tube, so that they ask for no more room than it needs
 
     def show_gun(self, gun: Gun, seconds: float | None = None) -> None:
         """Show what the tube is set to, and where its beam is at a time."""
